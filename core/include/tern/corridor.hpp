@@ -1,0 +1,40 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_CORRIDOR_HPP
+#define TERN_CORRIDOR_HPP
+
+#include "tern/config.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// The set normal . p <= offset, |normal| = 1. Local frame.
+struct Halfspace {
+  Vec3 normal;
+  double offset;
+};
+
+/// The ellipsoid { axes * q + center : |q| <= 1 } of the paper's Section 3.3.1, axes symmetric positive definite.
+struct Ellipsoid {
+  double axes[3][3];
+  Vec3 center;
+};
+
+/// A convex polyhedron for the robot's centre: every point of it keeps the radius from every obstacle voxel.
+struct Polyhedron {
+  int count;
+  Halfspace planes[kMaxPlanes];
+  Ellipsoid ellipsoid;
+  Vec3 from;  ///< the segment that it was grown around: both ends inside
+  Vec3 to;
+};
+
+/// One polyhedron a segment, in flight order; polyhedron i ends where i + 1 begins.
+struct Corridor {
+  int count;
+  Polyhedron polyhedra[kMaxSegments];
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,108 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The occupancy grid: two bit layers in the caller's storage. The obstacle layer holds what was
+// marked, each voxel a solid closed cube. The blocked layer holds every voxel where the robot's centre may
+// not be at some point of the voxel's closed cube: closer than the radius to an obstacle cube, or
+// outside the boundary (contract C5).
+#ifndef TERN_GRID_HPP
+#define TERN_GRID_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tern/config.hpp"
+#include "tern/status.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// Where a grid lies and how fine it is. World frame, metres.
+struct GridSpec {
+  Vec3 origin;       ///< lower corner of voxel (0, 0, 0)
+  double cell;       ///< voxel edge, > 0
+  Voxel dims;        ///< voxels per axis, 1 .. kMaxDimension each, product <= kMaxCells
+  Box boundary;      ///< where the robot's centre may be; need not lie on the lattice, and must lie
+                     ///< inside the grid. Make the grid wider than the boundary by the radius where
+                     ///< obstacles beyond the boundary matter.
+  double radius;     ///< clearance of the robot's centre from every obstacle, >= 0
+};
+
+/// 64-bit words that a grid of these dimensions needs for both layers; 0 for dimensions that do not fit.
+std::size_t grid_words(const Voxel& dims) noexcept;
+
+/// A grid over the caller's storage, which must outlive it. Copying copies the view, not the bits.
+///
+/// Frames: `world` arguments are in the world frame; everything past the grid computes in the local
+/// frame, world minus spec().origin, so that precision does not depend on where the map lies.
+class Grid {
+ public:
+  /// Binds the grid to `words` (at least grid_words(spec.dims)) and clears it.
+  /// kNonFiniteInput / kInvalidArgument, with the field in *field where given.
+  Status bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count,
+              Field* field = nullptr) noexcept;
+
+  /// Marks or clears each voxel whose interior the box meets (by more than kLatticeTolerance); a flat box on a
+  /// lattice plane takes the voxels on one side of it. Parts outside the grid are ignored.
+  Status mark_box(const Box& world) noexcept;
+  Status clear_box(const Box& world) noexcept;
+  /// Marks or clears one voxel; kOutOfMap outside the grid.
+  Status mark_voxel(const Voxel& voxel) noexcept;
+  Status clear_voxel(const Voxel& voxel) noexcept;
+  /// Marks the voxel that holds each point (lower faces closed); points outside are skipped. Returns how many were inside
+  /// through *inside where given. kNonFiniteInput at the first non-finite point, marking none.
+  Status mark_points(const Vec3* world, std::size_t count, std::size_t* inside = nullptr) noexcept;
+
+  /// Makes the blocked layer from the obstacle layer, the radius and the boundary. Planning on a grid whose
+  /// obstacles changed since answers kInvalidArgument (field kStorage).
+  void inflate() noexcept;
+
+  const GridSpec& spec() const noexcept { return spec_; }
+  bool bound() const noexcept { return obstacles_ != nullptr; }
+  /// True where the blocked layer is up to date.
+  bool inflated() const noexcept { return bound() && inflated_revision_ == revision_; }
+  /// Grows by one with every change of a layer.
+  std::uint64_t revision() const noexcept { return revision_; }
+
+  bool inside(const Voxel& v) const noexcept {
+    return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < spec_.dims.x && v.y < spec_.dims.y && v.z < spec_.dims.z;
+  }
+  /// Outside the grid nothing is an obstacle, and nothing is free.
+  bool obstacle(const Voxel& v) const noexcept { return inside(v) && bit(obstacles_, v); }
+  bool free(const Voxel& v) const noexcept { return inside(v) && !bit(blocked_, v); }
+
+  /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in obstacles, 1 in blocked.
+  std::int32_t row_words() const noexcept { return row_words_; }
+  const std::uint64_t* obstacle_row(std::int32_t y, std::int32_t z) const noexcept { return obstacles_ + row(y, z); }
+  const std::uint64_t* blocked_row(std::int32_t y, std::int32_t z) const noexcept { return blocked_ + row(y, z); }
+
+  /// Local frame (world minus origin).
+  Vec3 to_local(const Vec3& world) const noexcept;
+  /// The voxel of a local point: half-open cubes, but the boundary's upper faces belong to the last voxel.
+  /// May lie outside the grid for a point outside.
+  Voxel voxel_of(const Vec3& local) const noexcept;
+  /// A voxel's centre, local frame.
+  Vec3 center(const Voxel& voxel) const noexcept;
+  /// The boundary in the local frame.
+  Box local_boundary() const noexcept;
+
+ private:
+  std::size_t row(std::int32_t y, std::int32_t z) const noexcept {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(spec_.dims.y) + static_cast<std::size_t>(y)) *
+           static_cast<std::size_t>(row_words_);
+  }
+  bool bit(const std::uint64_t* layer, const Voxel& v) const noexcept {
+    return ((layer[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
+  }
+
+  GridSpec spec_{};
+  std::int32_t row_words_ = 0;
+  std::uint64_t revision_ = 0;
+  std::uint64_t inflated_revision_ = ~std::uint64_t{0};
+  std::uint64_t* obstacles_ = nullptr;
+  std::uint64_t* blocked_ = nullptr;
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_REPORT_HPP
+#define TERN_REPORT_HPP
+
+#include <cstdint>
+
+#include "tern/status.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// What one stage did. `bound` holds before the stage runs (contract C2): work <= bound always.
+struct StageReport {
+  std::uint32_t work;    ///< units spent: expansions, sight lines, planes, -, iterations, polyhedra
+  std::uint32_t bound;   ///< the bound on it that follows from capacities, input sizes and budget
+  std::uint64_t ticks;   ///< of the caller's clock; 0 with no clock
+};
+
+/// Highest use of each capacity of config.hpp during the plan.
+struct HighWater {
+  std::int32_t nodes;
+  std::int32_t heap;
+  std::int32_t jump_points;
+  std::int32_t segments;
+  std::int32_t planes;       ///< of the fullest polyhedron
+  std::int32_t local_boxes;  ///< around the busiest segment
+  std::int32_t active;       ///< of the largest working set
+  std::int32_t qp_iterations; ///< of the longest quadratic programme
+  std::int32_t qp_solves;
+};
+
+/// What the trajectory is.
+enum class Quality : std::uint8_t {
+  kNone = 0,
+  kHover,      ///< start equals goal: one segment that stays
+  kStopAndGo,  ///< straight from waypoint to waypoint, at rest in each (contract C6)
+  kOptimised,  ///< minimum snap
+};
+
+/// All that can be said of one call of the planner.
+struct Report {
+  Status status;
+  Stage stage;          ///< where the status arose
+  Field field;          ///< which input, for a caller's fault
+  bool raw_occupied;    ///< kStartOccupied / kGoalOccupied: inside an obstacle itself (else only too close)
+  bool has_nearest_free;
+  bool timing_known;    ///< a clock was given and did not misbehave
+  Quality quality;
+  Status optimiser;     ///< why the optimiser stopped: kOk, or the reason for a fallback
+  Vec3 nearest_free;    ///< world frame: centre of the free voxel nearest to an occupied start or goal
+  StageReport stages[kStageCount];
+  HighWater high_water;
+
+  // The optimiser's last quadratic programme.
+  std::int32_t qp_variables;
+  std::int32_t qp_inequalities;
+  std::int32_t qp_active;
+  std::int32_t qp_iterations;  ///< of all quadratic programmes together
+  double kkt_residual;         ///< relative; see docs/qp.md
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,53 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_REQUEST_HPP
+#define TERN_REQUEST_HPP
+
+#include <cstdint>
+
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// A boundary state: world frame, metres and seconds. Jerk at both ends of a plan is zero.
+struct State {
+  Vec3 position;
+  Vec3 velocity;
+  Vec3 acceleration;
+};
+
+/// Limits per axis, symmetric, within [kMinLimit, kMaxLimit].
+struct Limits {
+  Vec3 v_max;  ///< m/s
+  Vec3 a_max;  ///< m/s^2
+};
+constexpr double kMinLimit = 1e-3;
+constexpr double kMaxLimit = 1e3;
+
+/// Work that a plan may spend, counted, never timed (contract C7). The stage bounds of config.hpp hold besides.
+struct Budget {
+  std::uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
+  std::uint32_t sight_lines = 0xFFFFFFFFu;  ///< lines of sight walked by the shortcut
+  std::uint32_t planes = 0xFFFFFFFFu;       ///< half-spaces made by the corridor
+  std::uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
+};
+
+/// How the front end shortens the jump-point path.
+enum class ShortcutMode : std::uint8_t {
+  kShortestChain = 0,    ///< shortest chain through mutually visible waypoints, supercover line of sight
+  kGreedyBresenham = 1,  ///< the paper's Section 3.2.3, for comparison: greedy, one voxel a step; NOT safe, the
+                         ///< plan is refused by the check where a corner was cut
+};
+
+/// One planning query.
+struct Request {
+  State start;
+  State goal;
+  Limits limits;
+  Budget budget;
+  ShortcutMode shortcut = ShortcutMode::kShortestChain;
+};
+
+}  // namespace tern
+
+#endif

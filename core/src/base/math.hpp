@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The only arithmetic of the core: + - * / sqrt, in a fixed order. Eigen carries 3-vectors and 3x3 matrices with
+// coefficient-wise operations; sums go through dot() below, because Eigen's own reductions may change their order
+// between versions.
+#ifndef TERN_BASE_MATH_HPP
+#define TERN_BASE_MATH_HPP
+
+#include <Eigen/Core>
+
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+
+inline Vector to_vector(const Vec3& v) { return Vector(v.x, v.y, v.z); }
+inline Vec3 to_vec3(const Vector& v) { return Vec3{v[0], v[1], v[2]}; }
+
+inline double dot(const Vector& a, const Vector& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+inline double dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+
+inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+
+inline double square_root(double x) { return __builtin_sqrt(x); }
+inline double length(const Vec3& a) { return square_root(dot(a, a)); }
+inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
+
+inline double absolute(double x) { return x < 0.0 ? -x : x; }
+inline double smaller(double a, double b) { return b < a ? b : a; }
+inline double larger(double a, double b) { return a < b ? b : a; }
+inline double clamp(double x, double lo, double hi) { return x < lo ? lo : (hi < x ? hi : x); }
+
+/// Component by index, so that loops over axes need no branches at the call site.
+inline double axis(const Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
+inline double& axis(Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
+
+/// True for every finite value; no libm, and not optimised away because the core never sees -ffast-math.
+inline bool finite(double x) { return x - x == 0.0; }
+inline bool finite(const Vec3& v) { return finite(v.x) && finite(v.y) && finite(v.z); }
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,116 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/status.hpp"
+
+namespace tern {
+
+const char* status_name(Status status) noexcept {
+  switch (status) {
+    case Status::kOk: return "ok";
+    case Status::kRunning: return "running";
+    case Status::kNonFiniteInput: return "non_finite_input";
+    case Status::kInvalidArgument: return "invalid_argument";
+    case Status::kLimitsInvalid: return "limits_invalid";
+    case Status::kOutOfMap: return "out_of_map";
+    case Status::kStartExceedsLimits: return "start_exceeds_limits";
+    case Status::kGoalExceedsLimits: return "goal_exceeds_limits";
+    case Status::kStartOccupied: return "start_occupied";
+    case Status::kGoalOccupied: return "goal_occupied";
+    case Status::kNoPath: return "no_path";
+    case Status::kMapChanged: return "map_changed";
+    case Status::kCorridorBlocked: return "corridor_blocked";
+    case Status::kNoTrajectory: return "no_trajectory";
+    case Status::kNodesFull: return "nodes_full";
+    case Status::kHeapFull: return "heap_full";
+    case Status::kWaypointsFull: return "waypoints_full";
+    case Status::kSegmentsFull: return "segments_full";
+    case Status::kPlanesFull: return "planes_full";
+    case Status::kObstaclesFull: return "obstacles_full";
+    case Status::kWorkingSetFull: return "working_set_full";
+    case Status::kIterationLimit: return "iteration_limit";
+    case Status::kInfeasible: return "infeasible";
+    case Status::kNumerical: return "numerical";
+    case Status::kCheckFailed: return "check_failed";
+    case Status::kSelfTestFailed: return "self_test_failed";
+    case Status::kBudgetSearch: return "budget_search";
+    case Status::kBudgetShortcut: return "budget_shortcut";
+    case Status::kBudgetCorridor: return "budget_corridor";
+    case Status::kBudgetOptimise: return "budget_optimise";
+  }
+  return "unknown";
+}
+
+const char* status_meaning(Status status) noexcept {
+  switch (status) {
+    case Status::kOk: return "a checked plan";
+    case Status::kRunning: return "the plan has work left: call step() again";
+    case Status::kNonFiniteInput: return "a field is NaN or infinite";
+    case Status::kInvalidArgument: return "a null, zero or oversized argument, or a call out of order";
+    case Status::kLimitsInvalid: return "a velocity or acceleration limit is not within 0.001 and 1000";
+    case Status::kOutOfMap: return "start or goal lies outside the boundary";
+    case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
+    case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
+    case Status::kStartOccupied: return "the start is closer to an obstacle than the radius";
+    case Status::kGoalOccupied: return "the goal is closer to an obstacle than the radius";
+    case Status::kNoPath: return "free space at this resolution and radius does not connect start and goal";
+    case Status::kMapChanged: return "the map changed while the plan was being made: begin again";
+    case Status::kCorridorBlocked: return "an obstacle touches a segment of the path";
+    case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state";
+    case Status::kNodesFull: return "the search needs more nodes: raise TERN_MAX_NODES or coarsen the grid";
+    case Status::kHeapFull: return "the open list is full: raise TERN_MAX_HEAP or coarsen the grid";
+    case Status::kWaypointsFull: return "the jump-point path turns too often: raise TERN_MAX_JUMP_POINTS";
+    case Status::kSegmentsFull: return "the path needs more segments: raise TERN_MAX_SEGMENTS";
+    case Status::kPlanesFull: return "a polyhedron needs more half-spaces: raise TERN_MAX_PLANES";
+    case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
+    case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";
+    case Status::kIterationLimit: return "the quadratic programme ran out of iterations: raise TERN_MAX_QP_ITERATIONS";
+    case Status::kInfeasible: return "the constraints contradict each other";
+    case Status::kNumerical: return "no solution of the accuracy that the contracts need";
+    case Status::kCheckFailed: return "the independent check refused the plan: a defect, please report it";
+    case Status::kSelfTestFailed: return "this machine or build does not compute as Tern needs: see docs/determinism.md";
+    case Status::kBudgetSearch: return "the budget of expansions ran out";
+    case Status::kBudgetShortcut: return "the budget of sight lines ran out";
+    case Status::kBudgetCorridor: return "the budget of planes ran out";
+    case Status::kBudgetOptimise: return "the budget of iterations ran out";
+  }
+  return "not a status of this version";
+}
+
+const char* stage_name(Stage stage) noexcept {
+  switch (stage) {
+    case Stage::kRequest: return "request";
+    case Stage::kSearch: return "search";
+    case Stage::kShortcut: return "shortcut";
+    case Stage::kCorridor: return "corridor";
+    case Stage::kTimes: return "times";
+    case Stage::kTrajectory: return "trajectory";
+    case Stage::kCheck: return "check";
+  }
+  return "unknown";
+}
+
+const char* field_name(Field field) noexcept {
+  switch (field) {
+    case Field::kNone: return "none";
+    case Field::kStartPosition: return "start position";
+    case Field::kStartVelocity: return "start velocity";
+    case Field::kStartAcceleration: return "start acceleration";
+    case Field::kGoalPosition: return "goal position";
+    case Field::kGoalVelocity: return "goal velocity";
+    case Field::kGoalAcceleration: return "goal acceleration";
+    case Field::kVMax: return "v_max";
+    case Field::kAMax: return "a_max";
+    case Field::kOrigin: return "grid origin";
+    case Field::kCell: return "cell size";
+    case Field::kDimensions: return "grid dimensions";
+    case Field::kBoundary: return "boundary";
+    case Field::kRadius: return "radius";
+    case Field::kStorage: return "grid storage";
+    case Field::kWorkspace: return "workspace";
+    case Field::kCallOrder: return "call order";
+    case Field::kBox: return "box";
+  }
+  return "unknown";
+}
+
+}  // namespace tern

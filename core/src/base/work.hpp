@@ -1,0 +1,32 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_BASE_WORK_HPP
+#define TERN_BASE_WORK_HPP
+
+#include <cstdint>
+
+namespace tern {
+
+/// A slice of work: a stage's advance() takes one unit before each piece of work and returns kRunning when none is
+/// left. What a unit is, each stage states; no unit is unbounded.
+struct Work {
+  std::uint32_t left;
+
+  bool take() noexcept {
+    if (left == 0) return false;
+    --left;
+    return true;
+  }
+};
+
+/// Counts a stage's units against the caller's budget for the whole plan.
+struct Meter {
+  std::uint32_t used = 0;
+  std::uint32_t allowed = 0;
+
+  bool spent() const noexcept { return used >= allowed; }
+};
+
+}  // namespace tern
+
+#endif

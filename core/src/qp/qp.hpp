@@ -1,0 +1,99 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A strictly convex quadratic programme whose three blocks of unknowns share one banded Hessian and whose rows keep
+// affine points inside half-spaces. Nothing here knows what the unknowns mean.
+//
+//   minimise    sum over the axes a = 0, 1, 2 of   1/2 x_a' H x_a + f_a' x_a
+//   subject to  normal_p . (offset_k + sum_i coefficient_ki x_(first_k + i)) <= bound_p
+//               for every group g, every point k of g and every plane p of g
+//
+// where x_(i) is the 3-vector of the i-th unknown of every axis. A row is a (point, plane) pair of a group: it is never
+// stored, so that 8 points and 20 planes cost 28 records and not 160.
+#ifndef TERN_QP_QP_HPP
+#define TERN_QP_QP_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "tern/config.hpp"
+#include "tern/corridor.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+constexpr int kQpAxes = 3;
+constexpr int kQpBand = 7;                                        ///< half bandwidth of H: 4x4 blocks, block-tridiagonal
+constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1);            ///< per axis
+constexpr int kQpPointTerms = 8;                                  ///< unknowns that one point may depend on
+constexpr int kQpPointsPerSegment = 8 + 4 * 7 + 4 * 6;            ///< positions, velocities and accelerations on quarters
+constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment;
+constexpr int kQpMaxGroups = 3 * kMaxSegments;
+constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 12;
+
+/// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
+/// terms = 0 is a constant point: its rows can only be checked.
+struct QpPoint {
+  double coefficient[kQpPointTerms];
+  Vec3 offset;
+  std::int16_t first;
+  std::int16_t terms;
+};
+
+/// All points of [point_begin, point_end) inside all planes of [plane_begin, plane_end).
+struct QpGroup {
+  std::int32_t point_begin;
+  std::int32_t point_end;
+  std::int32_t plane_begin;
+  std::int32_t plane_end;
+};
+
+/// One row of the programme.
+struct QpRow {
+  std::int32_t point;
+  std::int32_t plane;
+};
+
+/// The data; owned and filled by the caller, unchanged by the solver.
+struct QpProblem {
+  int unknowns;                                       ///< per axis, 0 .. kQpMaxUnknowns
+  double hessian[kQpMaxUnknowns][kQpBand + 1];        ///< lower band: hessian[i][d] = H(i, i - d); 0 outside the matrix
+  double linear[kQpAxes][kQpMaxUnknowns];             ///< f
+  int point_count;
+  QpPoint points[kQpMaxPoints];
+  int plane_count;
+  Halfspace planes[kQpMaxPlanes];                     ///< normals need not be unit; a zero normal is answered exactly
+  int group_count;
+  QpGroup groups[kQpMaxGroups];
+};
+
+/// The answer. kOk: x is optimal, its KKT residuals were computed from the problem's own data and are below tolerance.
+struct QpSolution {
+  double x[kQpAxes][kQpMaxUnknowns];
+  double objective;                    ///< 1/2 x'Hx + f'x at x
+  int active_count;
+  QpRow active[kMaxActive];            ///< working set, in the order of the factor
+  double multiplier[kMaxActive];       ///< >= 0, of the rows as given (not normalised)
+  double stationarity;                 ///< max |Hx + f + A'y| relative to the largest term
+  double violation;                    ///< max of a'x - b over all rows, in the rows' unit over |normal| (metres)
+  double complementarity;              ///< max |y_i (a_i'x - b_i)| relative
+  int iterations;
+  /// kInfeasible: multipliers y >= 0 of `active` with |A'y| ~ 0 and b'y < 0 (Farkas), scaled to max y = 1.
+  double farkas_residual;              ///< max |A'y| relative
+  double farkas_gap;                   ///< -b'y > 0
+};
+
+/// Solver state: opaque slice of the workspace. Plain data; needs no initialisation before qp_begin.
+struct QpSolver;
+
+/// Starts a solve. `warm` may name rows to start from (any rows; bad ones are dropped), null for a cold start. The
+/// problem must not change until the solve ends.
+void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
+
+/// Runs up to work.left iterations (one unit each). kRunning, or the end: kOk, kInfeasible (proven), kIterationLimit,
+/// kWorkingSetFull, kNumerical. Fills `solution` at the end; before kOk its x is not feasible (a dual method).
+Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;
+
+}  // namespace tern
+
+#endif
