@@ -1,0 +1,77 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_PLANNER_HPP
+#define TERN_PLANNER_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tern/config.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/report.hpp"
+#include "tern/request.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/workspace.hpp"
+
+namespace tern {
+
+/// A platform's monotonic tick counter; `context` is the caller's. Used for Report::stages[].ticks only: no result
+/// depends on it.
+using ClockFn = std::uint64_t (*)(void* context);
+
+/// Grid and request in, checked trajectory out. The only facade; not thread-safe, but two planners over two
+/// workspaces are independent. Holds no state outside the workspace and itself.
+class Planner {
+ public:
+  /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner.
+  /// Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
+  Planner(void* memory, std::size_t bytes) noexcept;
+
+  /// Ticks for the report. Null (the default) reports no times.
+  void set_clock(ClockFn clock, void* context) noexcept;
+
+  /// Plans in one call. kOk: `trajectory` holds the checked plan. Anything else: `trajectory` is untouched.
+  /// `report` is always filled. The grid must be inflated.
+  Status plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept;
+
+  /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
+  /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
+  Status begin(const Grid& grid, const Request& request) noexcept;
+  /// Spends at most `work` units: an expansion, a sight line, a segment's polyhedron, an iteration or a segment's check each.
+  Status step(std::uint32_t work) noexcept;
+  /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
+  Status finish(Trajectory& trajectory, Report& report) noexcept;
+
+  /// The last plan's path and corridor, for displays and logs; null where that stage was not reached. Local frame of
+  /// the grid. Valid until the next begin or plan.
+  const Path* path() const noexcept;
+  const Corridor* corridor() const noexcept;
+
+ private:
+  enum class Phase : std::uint8_t { kIdle, kPath, kCorridor, kTrajectory, kCheck, kDone };
+
+  Status fail(Stage stage, Status status) noexcept;
+  Status validate(const Request& request) noexcept;
+  Status step_path(std::uint32_t& work) noexcept;
+  Status step_corridor(std::uint32_t& work) noexcept;
+  Status step_trajectory(std::uint32_t& work) noexcept;
+  Status step_check(std::uint32_t& work) noexcept;
+
+  void* workspace_;
+  const Grid* grid_ = nullptr;
+  ClockFn clock_ = nullptr;
+  void* clock_context_ = nullptr;
+  std::uint64_t revision_ = 0;
+  Phase phase_ = Phase::kIdle;
+  bool has_path_ = false;
+  bool has_corridor_ = false;
+  Status status_ = Status::kInvalidArgument;
+  Request request_{};
+  Report report_{};
+};
+
+}  // namespace tern
+
+#endif

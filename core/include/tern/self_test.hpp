@@ -1,0 +1,40 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_SELF_TEST_HPP
+#define TERN_SELF_TEST_HPP
+
+#include <cstdint>
+
+#include "tern/config.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// A hash of every capacity and of the ABI number: equal exactly where the headers were compiled with the same
+/// configuration.
+constexpr std::uint64_t configuration_hash() noexcept {
+  const std::int64_t values[] = {kMaxCells,  kMaxDimension, kMaxNodes,  kMaxHeap,         kMaxJumpPoints, kMaxSegments,
+                                 kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves};
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (const std::int64_t value : values) {
+    hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001B3u;
+  }
+  return hash;
+}
+
+/// What a self-test found wrong, one bit each; 0 is healthy.
+enum SelfTestFault : std::uint32_t {
+  kFaultFlushToZero = 1u << 0,    ///< denormals are flushed: some part of the program was linked with -ffast-math
+  kFaultRoundingMode = 1u << 1,   ///< not round-to-nearest-even
+  kFaultContraction = 1u << 2,    ///< a * b + c was fused: the core was compiled without -ffp-contract=off
+  kFaultArithmetic = 1u << 3,     ///< NaN, infinity or sqrt do not behave as IEEE 754 says
+  kFaultConfiguration = 1u << 4,  ///< the caller's headers and the library have different capacities
+};
+
+/// Run once at start-up, and again in any thread that plans: the floating-point mode belongs to the thread.
+/// `hash` is the caller's configuration_hash(). kOk or kSelfTestFailed, with the faults in *faults where given.
+Status self_test(std::uint64_t hash, std::uint32_t* faults) noexcept;
+
+}  // namespace tern
+
+#endif
