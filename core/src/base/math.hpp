@@ -40,7 +40,7 @@ inline double axis(const Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y :
 inline double& axis(Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
 
 /// True for every finite value; no libm, and not optimised away because the core never sees -ffast-math.
-inline bool finite(double x) { return x - x == 0.0; }
+inline bool finite(double x) { return x - x <= 0.0; }
 inline bool finite(const Vec3& v) { return finite(v.x) && finite(v.y) && finite(v.z); }
 
 }  // namespace tern

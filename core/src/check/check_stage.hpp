@@ -1,0 +1,69 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Contract C4: what leaves the planner as kOk was checked here, by code that shares nothing with the stages that made
+// it. It reads the raw obstacle layer, the half-spaces and the control points, and believes no other claim.
+#ifndef TERN_CHECK_CHECK_STAGE_HPP
+#define TERN_CHECK_CHECK_STAGE_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// Metres by which a control point may lie outside a half-space, or a polyhedron within the radius of an obstacle:
+/// the rounding of the arithmetic, not a clearance that anybody would notice.
+constexpr double kCheckDistance = 1e-7;
+/// Relative excess over a limit, and relative mismatch of a derivative at a joint or an end.
+constexpr double kCheckRelative = 1e-7;
+
+/// What the check refused; kNone while nothing was.
+enum class Finding : std::uint8_t {
+  kNone = 0,
+  kMalformed,     ///< counts, indices, durations or coordinates that are not a trajectory at all
+  kObstacle,      ///< a polyhedron comes closer than the radius to an obstacle voxel
+  kOutside,       ///< a control point outside its polyhedron or the boundary
+  kVelocity,      ///< some |v(t)| on an axis above its limit
+  kAcceleration,  ///< some |a(t)| on an axis above its limit
+  kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
+  kBoundary,      ///< a boundary state is not met
+};
+
+/// What the plan was asked for. Local frame.
+struct CheckQuery {
+  State start;
+  State goal;
+  Limits limits;
+};
+
+/// One unit of work is one polyhedron or one segment. Plain data, no initialisation needed before check_begin.
+struct CheckStage {
+  std::int32_t next;    ///< units done: polyhedra first, then segments
+  std::uint32_t units;  ///< the same, for the report
+  Finding finding;
+  std::int32_t where;  ///< index of the polyhedron or segment that the finding is about
+};
+
+void check_begin(CheckStage& stage) noexcept;
+
+/// kRunning, kOk, or kCheckFailed with the finding. Reads its arguments only.
+Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                     const CheckQuery& query, Work& work) noexcept;
+
+/// True where every obstacle voxel, as a closed cube, is cut off from the polyhedron by one of its half-spaces with
+/// the grid's radius to spare. Sufficient for a distance >= radius, and what the corridor stage promises.
+bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept;
+
+/// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
+Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
+                      const CheckQuery& query) noexcept;
+
+}  // namespace tern
+
+#endif
