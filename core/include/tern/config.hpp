@@ -8,12 +8,10 @@
 // TERN_PROFILE_MCU (a Cortex-M7 with 16 MB) and TERN_PROFILE_COMPANION (a Jetson-class computer,
 // the default). To change single values, define TERN_USER_CONFIG to a header of your own that
 // defines some of the macros below; it is included first and wins. Compile the core and whatever
-// includes it with the same definitions: self_test() and the configuration hash catch a mismatch.
+// includes it with the same definitions: self_test() and the configuration hash catch a mismatch. The macros are
+// readable from C; the constants below them are for C++.
 #ifndef TERN_CONFIG_HPP
 #define TERN_CONFIG_HPP
-
-#include <cstddef>
-#include <cstdint>
 
 #ifdef TERN_USER_CONFIG
 #include TERN_USER_CONFIG
@@ -88,6 +86,11 @@
 #define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 24, 24)
 #endif
 
+#ifdef __cplusplus
+
+#include <cstddef>
+#include <cstdint>
+
 namespace tern {
 
 constexpr std::int64_t kMaxCells = TERN_MAX_CELLS;
@@ -117,5 +120,7 @@ static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are sm
 static_assert(kMaxNodes < (1 << 30) && kMaxHeap < (1 << 30), "node indices are 32 bits");
 
 }  // namespace tern
+
+#endif  // __cplusplus
 
 #endif

@@ -19,13 +19,13 @@ namespace tern {
 
 /// Where a grid lies and how fine it is. World frame, metres.
 struct GridSpec {
-  Vec3 origin;       ///< lower corner of voxel (0, 0, 0)
-  double cell;       ///< voxel edge, > 0
-  Voxel dims;        ///< voxels per axis, 1 .. kMaxDimension each, product <= kMaxCells
-  Box boundary;      ///< where the robot's centre may be; need not lie on the lattice, and must lie
-                     ///< inside the grid. Make the grid wider than the boundary by the radius where
-                     ///< obstacles beyond the boundary matter.
-  double radius;     ///< clearance of the robot's centre from every obstacle, >= 0
+  Vec3 origin;    ///< lower corner of voxel (0, 0, 0)
+  double cell;    ///< voxel edge, > 0
+  Voxel dims;     ///< voxels per axis, 1 .. kMaxDimension each, product <= kMaxCells
+  Box boundary;   ///< where the robot's centre may be; need not lie on the lattice, and must lie
+                  ///< inside the grid. Make the grid wider than the boundary by the radius where
+                  ///< obstacles beyond the boundary matter.
+  double radius;  ///< clearance of the robot's centre from every obstacle, >= 0
 };
 
 /// 64-bit words that a grid of these dimensions needs for both layers; 0 for dimensions that do not fit.
@@ -39,8 +39,7 @@ class Grid {
  public:
   /// Binds the grid to `words` (at least grid_words(spec.dims)) and clears it.
   /// kNonFiniteInput / kInvalidArgument, with the field in *field where given.
-  Status bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count,
-              Field* field = nullptr) noexcept;
+  Status bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field = nullptr) noexcept;
 
   /// Marks or clears each voxel whose interior the box meets (by more than kLatticeTolerance); a flat box on a
   /// lattice plane takes the voxels on one side of it. Parts outside the grid are ignored.
@@ -49,8 +48,8 @@ class Grid {
   /// Marks or clears one voxel; kOutOfMap outside the grid.
   Status mark_voxel(const Voxel& voxel) noexcept;
   Status clear_voxel(const Voxel& voxel) noexcept;
-  /// Marks the voxel that holds each point (lower faces closed); points outside are skipped. Returns how many were inside
-  /// through *inside where given. kNonFiniteInput at the first non-finite point, marking none.
+  /// Marks the voxel that holds each point (lower faces closed); points outside are skipped. Returns how many were
+  /// inside through *inside where given. kNonFiniteInput at the first non-finite point, marking none.
   Status mark_points(const Vec3* world, std::size_t count, std::size_t* inside = nullptr) noexcept;
 
   /// Makes the blocked layer from the obstacle layer, the radius and the boundary. Planning on a grid whose

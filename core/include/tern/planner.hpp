@@ -17,6 +17,8 @@
 
 namespace tern {
 
+struct Work;
+
 /// A platform's monotonic tick counter; `context` is the caller's. Used for Report::stages[].ticks only: no result
 /// depends on it.
 using ClockFn = std::uint64_t (*)(void* context);
@@ -39,7 +41,8 @@ class Planner {
   /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
   /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Spends at most `work` units: an expansion, a sight line, a segment's polyhedron, an iteration or a segment's check each.
+  /// Spends at most `work` units: an expansion, a sight line, a segment's polyhedron, an iteration or a segment's check
+  /// each.
   Status step(std::uint32_t work) noexcept;
   /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
@@ -52,14 +55,17 @@ class Planner {
  private:
   enum class Phase : std::uint8_t { kIdle, kPath, kCorridor, kTrajectory, kCheck, kDone };
 
-  Status fail(Stage stage, Status status) noexcept;
-  Status validate(const Request& request) noexcept;
-  Status step_path(std::uint32_t& work) noexcept;
-  Status step_corridor(std::uint32_t& work) noexcept;
-  Status step_trajectory(std::uint32_t& work) noexcept;
-  Status step_check(std::uint32_t& work) noexcept;
+  Status end(Stage stage, Status status) noexcept;
+  Status refuse(Status status, Field field) noexcept;
+  Status run_phase(Work& work) noexcept;
+  Status run_path(Work& work) noexcept;
+  Status run_corridor(Work& work) noexcept;
+  Status run_trajectory(Work& work) noexcept;
+  Status run_check(Work& work) noexcept;
+  Stage stage_of_phase() const noexcept;
+  void enter(Phase phase) noexcept;
 
-  void* workspace_;
+  void* workspace_;  // aligned; null where the memory does not do
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;
@@ -68,7 +74,7 @@ class Planner {
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
-  Request request_{};
+  Request local_{};  // the request in the grid's local frame
   Report report_{};
 };
 

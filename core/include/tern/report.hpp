@@ -12,9 +12,9 @@ namespace tern {
 
 /// What one stage did. `bound` holds before the stage runs (contract C2): work <= bound always.
 struct StageReport {
-  std::uint32_t work;    ///< units spent: expansions, sight lines, planes, -, iterations, polyhedra
-  std::uint32_t bound;   ///< the bound on it that follows from capacities, input sizes and budget
-  std::uint64_t ticks;   ///< of the caller's clock; 0 with no clock
+  std::uint32_t work;   ///< units spent: expansions, sight lines, planes, -, iterations, polyhedra
+  std::uint32_t bound;  ///< the bound on it that follows from capacities, input sizes and budget
+  std::uint64_t ticks;  ///< of the caller's clock; 0 with no clock
 };
 
 /// Highest use of each capacity of config.hpp during the plan.
@@ -23,10 +23,10 @@ struct HighWater {
   std::int32_t heap;
   std::int32_t jump_points;
   std::int32_t segments;
-  std::int32_t planes;       ///< of the fullest polyhedron
-  std::int32_t local_boxes;  ///< around the busiest segment
-  std::int32_t active;       ///< of the largest working set
-  std::int32_t qp_iterations; ///< of the longest quadratic programme
+  std::int32_t planes;         ///< of the fullest polyhedron
+  std::int32_t local_boxes;    ///< around the busiest segment
+  std::int32_t active;         ///< of the largest working set
+  std::int32_t qp_iterations;  ///< of the longest quadratic programme
   std::int32_t qp_solves;
 };
 
@@ -41,14 +41,14 @@ enum class Quality : std::uint8_t {
 /// All that can be said of one call of the planner.
 struct Report {
   Status status;
-  Stage stage;          ///< where the status arose
-  Field field;          ///< which input, for a caller's fault
-  bool raw_occupied;    ///< kStartOccupied / kGoalOccupied: inside an obstacle itself (else only too close)
+  Stage stage;        ///< where the status arose
+  Field field;        ///< which input, for a caller's fault
+  bool raw_occupied;  ///< kStartOccupied / kGoalOccupied: inside an obstacle itself (else only too close)
   bool has_nearest_free;
-  bool timing_known;    ///< a clock was given and did not misbehave
+  bool timing_known;  ///< a clock was given and did not misbehave
   Quality quality;
-  Status optimiser;     ///< why the optimiser stopped: kOk, or the reason for a fallback
-  Vec3 nearest_free;    ///< world frame: centre of the free voxel nearest to an occupied start or goal
+  Status optimiser;   ///< why the optimiser stopped: kOk, or the reason for a fallback
+  Vec3 nearest_free;  ///< world frame: centre of the free voxel nearest to an occupied start or goal
   StageReport stages[kStageCount];
   HighWater high_water;
 

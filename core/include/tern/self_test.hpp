@@ -13,7 +13,7 @@ namespace tern {
 /// A hash of every capacity and of the ABI number: equal exactly where the headers were compiled with the same
 /// configuration.
 constexpr std::uint64_t configuration_hash() noexcept {
-  const std::int64_t values[] = {kMaxCells,  kMaxDimension, kMaxNodes,  kMaxHeap,         kMaxJumpPoints, kMaxSegments,
+  const std::int64_t values[] = {kMaxCells,  kMaxDimension,  kMaxNodes,  kMaxHeap,         kMaxJumpPoints, kMaxSegments,
                                  kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves};
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (const std::int64_t value : values) {

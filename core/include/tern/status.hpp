@@ -14,12 +14,12 @@ enum class Status : std::uint8_t {
   kRunning = 1,  ///< a sliced plan has work left: call step() again
 
   // The caller's: the request is wrong. Report::field says which field.
-  kNonFiniteInput = 10,       ///< NaN or infinity in a field
-  kInvalidArgument = 11,      ///< null, zero, beyond a capacity, or a call out of order
-  kLimitsInvalid = 12,        ///< a limit that is zero, negative, denormal or absurdly large
-  kOutOfMap = 13,             ///< start or goal outside the closed boundary
-  kStartExceedsLimits = 14,   ///< start velocity or acceleration above its limit
-  kGoalExceedsLimits = 15,    ///< goal velocity or acceleration above its limit
+  kNonFiniteInput = 10,      ///< NaN or infinity in a field
+  kInvalidArgument = 11,     ///< null, zero, beyond a capacity, or a call out of order
+  kLimitsInvalid = 12,       ///< a limit that is zero, negative, denormal or absurdly large
+  kOutOfMap = 13,            ///< start or goal outside the closed boundary
+  kStartExceedsLimits = 14,  ///< start velocity or acceleration above its limit
+  kGoalExceedsLimits = 15,   ///< goal velocity or acceleration above its limit
 
   // The world's: the request is right, the map has no answer.
   kStartOccupied = 30,    ///< closer than the radius to an obstacle; Report::nearest_free has a way out
@@ -67,10 +67,23 @@ constexpr int kStageCount = 7;
 /// The field of a request or grid that a status speaks of.
 enum class Field : std::uint8_t {
   kNone = 0,
-  kStartPosition, kStartVelocity, kStartAcceleration,
-  kGoalPosition, kGoalVelocity, kGoalAcceleration,
-  kVMax, kAMax,
-  kOrigin, kCell, kDimensions, kBoundary, kRadius, kStorage, kWorkspace, kCallOrder, kBox,
+  kStartPosition,
+  kStartVelocity,
+  kStartAcceleration,
+  kGoalPosition,
+  kGoalVelocity,
+  kGoalAcceleration,
+  kVMax,
+  kAMax,
+  kOrigin,
+  kCell,
+  kDimensions,
+  kBoundary,
+  kRadius,
+  kStorage,
+  kWorkspace,
+  kCallOrder,
+  kBox,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

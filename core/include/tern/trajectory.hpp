@@ -13,9 +13,9 @@ constexpr int kControlPoints = kDegree + 1;
 
 /// One Bezier segment of degree 7 (the paper's Section 3.4.1).
 struct Segment {
-  double duration;             ///< seconds, > 0
-  Vec3 points[kControlPoints]; ///< Bernstein coefficients over u = t / duration, relative to Trajectory::origin
-  int polyhedron;              ///< index of the corridor polyhedron that holds all of them
+  double duration;              ///< seconds, > 0
+  Vec3 points[kControlPoints];  ///< Bernstein coefficients over u = t / duration, relative to Trajectory::origin
+  int polyhedron;               ///< index of the corridor polyhedron that holds all of them
 };
 
 /// A point of a trajectory with its derivatives, world frame.
@@ -29,8 +29,8 @@ struct Sample {
 
 /// A plan: segments joined with equal position, velocity, acceleration and jerk (C3).
 struct Trajectory {
-  int count;                       ///< segments, 1 at least in a plan
-  Vec3 origin;                     ///< world position of the local frame that the control points are in
+  int count;    ///< segments, 1 at least in a plan
+  Vec3 origin;  ///< world position of the local frame that the control points are in
   Segment segments[kMaxSegments];
 };
 

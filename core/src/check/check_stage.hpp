@@ -23,6 +23,9 @@ constexpr double kCheckDistance = 1e-7;
 /// Relative excess over a limit, and relative mismatch of a derivative at a joint or an end.
 constexpr double kCheckRelative = 1e-7;
 
+/// Units of one check: every polyhedron and every segment.
+constexpr std::uint32_t kCheckBound = 2 * kMaxSegments;
+
 /// What the check refused; kNone while nothing was.
 enum class Finding : std::uint8_t {
   kNone = 0,

@@ -1,0 +1,125 @@
+/* Copyright (c) 2026, the Tern authors
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Tern for C99. The same types as the C++ interface, under C names: in C++ they are aliases, in C they are declared
+ * with the same layout, and tern_size_of() tells at run time what the library was compiled with. Units, frames, ranges
+ * and ownership are as in the C++ headers, where every field is explained. Nothing here allocates, throws or blocks. */
+#ifndef TERN_TERN_H
+#define TERN_TERN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "tern/config.hpp"
+
+/* Grows with every incompatible change of a type or function below. */
+#define TERN_ABI 1
+
+/* Storage for the two objects that C cannot see into; checked against the library at compile time of the core. */
+#define TERN_GRID_WORDS 32
+#define TERN_PLANNER_WORDS 160
+
+#ifdef __cplusplus
+#include "tern/tern.hpp"
+typedef tern::Vec3 tern_vec3;
+typedef tern::Voxel tern_voxel;
+typedef tern::Box tern_box;
+typedef tern::GridSpec tern_grid_spec;
+typedef tern::State tern_state;
+typedef tern::Limits tern_limits;
+typedef tern::Budget tern_budget;
+typedef tern::Request tern_request;
+typedef tern::Segment tern_segment;
+typedef tern::Trajectory tern_trajectory;
+typedef tern::Sample tern_sample;
+typedef tern::StageReport tern_stage_report;
+typedef tern::HighWater tern_high_water;
+typedef tern::Report tern_report;
+extern "C" {
+#else
+#include <stdbool.h>
+typedef struct { double x, y, z; } tern_vec3;
+typedef struct { int32_t x, y, z; } tern_voxel;
+typedef struct { tern_vec3 lower, upper; } tern_box;
+typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
+typedef struct { tern_vec3 position, velocity, acceleration; } tern_state;
+typedef struct { tern_vec3 v_max, a_max; } tern_limits;
+typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
+typedef struct { tern_state start, goal; tern_limits limits; tern_budget budget; uint8_t shortcut; } tern_request;
+typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
+typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
+typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
+typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
+typedef struct {
+  int32_t nodes, heap, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
+} tern_high_water;
+typedef struct {
+  uint8_t status, stage, field;
+  bool raw_occupied, has_nearest_free, timing_known;
+  uint8_t quality, optimiser;
+  tern_vec3 nearest_free;
+  tern_stage_report stages[7];
+  tern_high_water high_water;
+  int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
+  double kkt_residual;
+} tern_report;
+#endif
+
+/* A grid view and a planner, each in place in the caller's storage. */
+typedef struct { uint64_t opaque[TERN_GRID_WORDS]; } tern_grid;
+typedef struct { uint64_t opaque[TERN_PLANNER_WORDS]; } tern_planner;
+
+/* What tern_size_of() can be asked for. */
+typedef enum {
+  TERN_SIZE_REQUEST = 0,
+  TERN_SIZE_TRAJECTORY,
+  TERN_SIZE_REPORT,
+  TERN_SIZE_GRID_SPEC,
+  TERN_SIZE_WORKSPACE, /* bytes that tern_planner_init needs */
+  TERN_SIZE_WORKSPACE_ALIGNMENT
+} tern_size;
+
+/* The library's TERN_ABI, configuration hash and sizes: compare at start-up. */
+int32_t tern_abi(void);
+uint64_t tern_configuration_hash(void);
+size_t tern_size_of(tern_size what);
+
+/* The status' name ("ok", "no_path", ...) and one sentence on it. Every function below that answers uint8_t answers a
+ * tern::Status; 0 is ok. */
+const char* tern_status_name(uint8_t status);
+const char* tern_status_meaning(uint8_t status);
+
+/* Flush-to-zero, rounding mode, compiler flags, arithmetic, and `hash` against the library's configuration. `faults`
+ * may be null. */
+uint8_t tern_self_test(uint64_t hash, uint32_t* faults);
+
+/* Grid: words for both layers (0 where the dimensions do not fit), then bind, mark, inflate. `words` stays the
+ * caller's and must outlive the grid. */
+size_t tern_grid_words(tern_voxel dims);
+uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* words, size_t word_count);
+uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);
+uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
+uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, size_t count, size_t* inside);
+uint8_t tern_grid_inflate(tern_grid* grid);
+
+/* Planner over `memory` (tern_size_of(TERN_SIZE_WORKSPACE) bytes, any alignment and content), the caller's. */
+uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes);
+uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* context), void* context);
+/* A request with the default budget (no limit but the bounds) and everything else zero. */
+void tern_request_init(tern_request* request);
+/* One call, or begin / step / finish; see tern::Planner. `trajectory` is untouched unless the answer is 0. */
+uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,
+                  tern_trajectory* trajectory, tern_report* report);
+uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request);
+uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
+uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report);
+
+/* The trajectory's duration in seconds, and its state at t seconds; total in all inputs, zeros for null. */
+double tern_duration(const tern_trajectory* trajectory);
+void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_PLANNER_LAYOUT_HPP
+#define TERN_PLANNER_LAYOUT_HPP
+
+#include "check/check_stage.hpp"
+#include "corridor/corridor_stage.hpp"
+#include "path/path_stage.hpp"
+#include "tern/workspace.hpp"
+#include "trajectory/trajectory_stage.hpp"
+
+namespace tern {
+
+/// What the workspace holds. Each stage's result outlives it; the stages' own states never live at the same time and
+/// share one piece of memory.
+struct Layout {
+  Path path;
+  Corridor corridor;
+  Trajectory trajectory;
+  union {
+    PathStage path;
+    CorridorStage corridor;
+    TrajectoryStage trajectory;
+    CheckStage check;
+  } stage;
+};
+
+static_assert(alignof(Layout) <= kWorkspaceAlignment, "raise kWorkspaceAlignment");
+static_assert(sizeof(Layout) + kWorkspaceAlignment <= kWorkspaceBytes, "raise kWorkspaceBytes in workspace.hpp");
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,111 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/planner.hpp"
+
+#include "base/math.hpp"
+#include "base/work.hpp"
+#include "planner/layout.hpp"
+#include "planner/request.hpp"
+
+namespace tern {
+namespace {
+
+/// The first aligned byte of the caller's memory; null where it does not hold a workspace.
+void* align(void* memory, std::size_t bytes) {
+  if (memory == nullptr || bytes < kWorkspaceBytes) return nullptr;
+  const auto address = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t aligned = (address + kWorkspaceAlignment - 1) & ~(std::uintptr_t{kWorkspaceAlignment} - 1);
+  return static_cast<unsigned char*>(memory) + (aligned - address);
+}
+
+/// A clock that never moved, or moved backwards, measured nothing: no ticks are better than wrong ones.
+void settle_times(Report& report) {
+  std::uint64_t sum = 0;
+  for (const StageReport& stage : report.stages) sum |= stage.ticks;
+  report.timing_known = report.timing_known && sum != 0;
+  if (report.timing_known) return;
+  for (StageReport& stage : report.stages) stage.ticks = 0;
+}
+
+/// One call of plan() steps at most this often; each step may spend 2^32 - 1 units and every stage is bounded far
+/// below.
+constexpr int kMaxSteps = 16;
+
+}  // namespace
+
+Planner::Planner(void* memory, std::size_t bytes) noexcept : workspace_(align(memory, bytes)) {}
+
+void Planner::set_clock(ClockFn clock, void* context) noexcept {
+  clock_ = clock;
+  clock_context_ = context;
+}
+
+Status Planner::plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept {
+  Status status = begin(grid, request);
+  for (int i = 0; i < kMaxSteps && status == Status::kRunning; ++i) status = step(0xFFFFFFFFu);
+  return finish(trajectory, report);
+}
+
+Status Planner::refuse(Status status, Field field) noexcept {
+  report_.field = field;
+  return end(Stage::kRequest, status);
+}
+
+Status Planner::end(Stage stage, Status status) noexcept {
+  phase_ = Phase::kDone;
+  status_ = status;
+  report_.stage = stage;
+  return status;
+}
+
+Status Planner::begin(const Grid& grid, const Request& request) noexcept {
+  report_ = Report{};
+  report_.timing_known = clock_ != nullptr;
+  has_path_ = false;
+  has_corridor_ = false;
+  grid_ = &grid;
+  if (workspace_ == nullptr) return refuse(Status::kInvalidArgument, Field::kWorkspace);
+  if (!grid.inflated()) return refuse(Status::kInvalidArgument, Field::kStorage);
+  const Verdict verdict = validate(grid, request);
+  if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
+  local_ = to_local(grid, request);
+  revision_ = grid.revision();
+  status_ = Status::kRunning;
+  enter(Phase::kPath);
+  return status_;
+}
+
+Status Planner::step(std::uint32_t work) noexcept {
+  if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
+  Work slice{work};
+  // Four phases follow one another; each ends the plan, ends the slice or enters the next.
+  while (phase_ != Phase::kDone) {
+    if (grid_->revision() != revision_) return end(stage_of_phase(), Status::kMapChanged);
+    if (run_phase(slice) == Status::kRunning) return Status::kRunning;
+  }
+  return status_;
+}
+
+Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
+  if (phase_ != Phase::kDone) {
+    if (phase_ == Phase::kIdle) report_ = Report{};
+    status_ = Status::kInvalidArgument;
+    report_.field = Field::kCallOrder;
+  }
+  phase_ = Phase::kIdle;
+  report_.status = status_;
+  settle_times(report_);
+  report = report_;
+  if (status_ == Status::kOk) trajectory = static_cast<const Layout*>(workspace_)->trajectory;
+  return status_;
+}
+
+const Path* Planner::path() const noexcept {
+  return has_path_ ? &static_cast<const Layout*>(workspace_)->path : nullptr;
+}
+
+const Corridor* Planner::corridor() const noexcept {
+  return has_corridor_ ? &static_cast<const Layout*>(workspace_)->corridor : nullptr;
+}
+
+}  // namespace tern

@@ -1,0 +1,151 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <new>
+
+#include "tern/tern.h"
+
+namespace {
+
+using tern::Grid;
+using tern::Planner;
+using tern::Status;
+
+static_assert(sizeof(Grid) <= sizeof(tern_grid) && alignof(Grid) <= alignof(tern_grid), "raise TERN_GRID_WORDS");
+static_assert(sizeof(Planner) <= sizeof(tern_planner) && alignof(Planner) <= alignof(tern_planner),
+              "raise TERN_PLANNER_WORDS");
+
+constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
+
+std::uint8_t code(Status status) {
+  return static_cast<std::uint8_t>(status);
+}
+Grid& object(tern_grid* grid) {
+  return *std::launder(reinterpret_cast<Grid*>(grid->opaque));
+}
+const Grid& object(const tern_grid* grid) {
+  return *std::launder(reinterpret_cast<const Grid*>(grid->opaque));
+}
+Planner& object(tern_planner* planner) {
+  return *std::launder(reinterpret_cast<Planner*>(planner->opaque));
+}
+
+}  // namespace
+
+extern "C" {
+
+std::int32_t tern_abi(void) {
+  return TERN_ABI;
+}
+
+std::uint64_t tern_configuration_hash(void) {
+  return tern::configuration_hash();
+}
+
+std::size_t tern_size_of(tern_size what) {
+  switch (what) {
+    case TERN_SIZE_REQUEST:
+      return sizeof(tern::Request);
+    case TERN_SIZE_TRAJECTORY:
+      return sizeof(tern::Trajectory);
+    case TERN_SIZE_REPORT:
+      return sizeof(tern::Report);
+    case TERN_SIZE_GRID_SPEC:
+      return sizeof(tern::GridSpec);
+    case TERN_SIZE_WORKSPACE:
+      return tern::kWorkspaceBytes;
+    case TERN_SIZE_WORKSPACE_ALIGNMENT:
+      return tern::kWorkspaceAlignment;
+  }
+  return 0;
+}
+
+const char* tern_status_name(std::uint8_t status) {
+  return tern::status_name(static_cast<Status>(status));
+}
+
+const char* tern_status_meaning(std::uint8_t status) {
+  return tern::status_meaning(static_cast<Status>(status));
+}
+
+std::uint8_t tern_self_test(std::uint64_t hash, std::uint32_t* faults) {
+  return code(tern::self_test(hash, faults));
+}
+
+std::size_t tern_grid_words(tern_voxel dims) {
+  return tern::grid_words(dims);
+}
+
+std::uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, std::uint64_t* words, std::size_t word_count) {
+  if (grid == nullptr || spec == nullptr) return kInvalid;
+  return code((new (grid->opaque) Grid)->bind(*spec, words, word_count));
+}
+
+std::uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world) {
+  if (grid == nullptr || world == nullptr) return kInvalid;
+  return code(object(grid).mark_box(*world));
+}
+
+std::uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world) {
+  if (grid == nullptr || world == nullptr) return kInvalid;
+  return code(object(grid).clear_box(*world));
+}
+
+std::uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, std::size_t count, std::size_t* inside) {
+  if (grid == nullptr || (world == nullptr && count > 0)) return kInvalid;
+  return code(object(grid).mark_points(world, count, inside));
+}
+
+std::uint8_t tern_grid_inflate(tern_grid* grid) {
+  if (grid == nullptr || !object(grid).bound()) return kInvalid;
+  object(grid).inflate();
+  return code(Status::kOk);
+}
+
+std::uint8_t tern_planner_init(tern_planner* planner, void* memory, std::size_t bytes) {
+  if (planner == nullptr || memory == nullptr || bytes < tern::kWorkspaceBytes) return kInvalid;
+  new (planner->opaque) Planner(memory, bytes);
+  return code(Status::kOk);
+}
+
+std::uint8_t tern_planner_set_clock(tern_planner* planner, std::uint64_t (*clock)(void*), void* context) {
+  if (planner == nullptr) return kInvalid;
+  object(planner).set_clock(clock, context);
+  return code(Status::kOk);
+}
+
+void tern_request_init(tern_request* request) {
+  if (request != nullptr) *request = tern::Request{};
+}
+
+std::uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,
+                       tern_trajectory* trajectory, tern_report* report) {
+  if (planner == nullptr || grid == nullptr || request == nullptr || trajectory == nullptr || report == nullptr) {
+    return kInvalid;
+  }
+  return code(object(planner).plan(object(grid), *request, *trajectory, *report));
+}
+
+std::uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request) {
+  if (planner == nullptr || grid == nullptr || request == nullptr) return kInvalid;
+  return code(object(planner).begin(object(grid), *request));
+}
+
+std::uint8_t tern_plan_step(tern_planner* planner, std::uint32_t work) {
+  return planner == nullptr ? kInvalid : code(object(planner).step(work));
+}
+
+std::uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report) {
+  if (planner == nullptr || trajectory == nullptr || report == nullptr) return kInvalid;
+  return code(object(planner).finish(*trajectory, *report));
+}
+
+double tern_duration(const tern_trajectory* trajectory) {
+  return trajectory == nullptr ? 0.0 : tern::duration(*trajectory);
+}
+
+void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample) {
+  if (sample == nullptr) return;
+  *sample = trajectory == nullptr ? tern::Sample{} : tern::evaluate(*trajectory, t);
+}
+
+}  // extern "C"
