@@ -1,0 +1,41 @@
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# tern_embed_maps(OUTPUT FILE...): scenario files as C++ initialisers, so that the corpus needs no file at run time.
+# The compiler reads the decimals; the result is the double nearest to each, as a correct strtod's is.
+function(tern_embed_maps output)
+  set(text "// Generated from the scenario files; do not edit.\nstatic const Scenario kMaps[] = {\n")
+  foreach(map ${ARGN})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${map})
+    file(STRINGS ${map} lines REGEX "^[a-z]")
+    set(blocks "")
+    set(count 0)
+    foreach(line ${lines})
+      string(REGEX REPLACE " +" ";" words "${line}")
+      list(GET words 0 key)
+      list(REMOVE_AT words 0)
+      if(key STREQUAL "block")
+        list(GET words 0 1 2 lo)
+        list(GET words 3 4 5 hi)
+        string(REPLACE ";" "," lo "${lo}")
+        string(REPLACE ";" "," hi "${hi}")
+        string(APPEND blocks "{{${lo}},{${hi}}},")
+        math(EXPR count "${count}+1")
+      elseif(key STREQUAL "boundary")
+        list(GET words 0 1 2 lo)
+        list(GET words 3 4 5 hi)
+        string(REPLACE ";" "," lo "${lo}")
+        string(REPLACE ";" "," hi "${hi}")
+        set(boundary "{{${lo}},{${hi}}}")
+      else()
+        string(REPLACE ";" "," ${key} "${words}")
+      endif()
+    endforeach()
+    set(rest "{0,0,0},{0,0,0}")
+    string(APPEND text "    {${boundary}, ${resolution}, ${radius}, ${count}, {${blocks}},\n"
+      "     {{{${start}},${rest}}, {{${goal}},${rest}}, {{${v_max},${v_max},${v_max}},{${a_max},${a_max},${a_max}}}, {},\n"
+      "      tern::ShortcutMode::kShortestChain}},\n")
+  endforeach()
+  file(WRITE ${output}.new "${text}};\n")
+  configure_file(${output}.new ${output} COPYONLY)
+endfunction()

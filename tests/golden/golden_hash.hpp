@@ -1,0 +1,16 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_TESTS_GOLDEN_GOLDEN_HASH_HPP
+#define TERN_TESTS_GOLDEN_GOLDEN_HASH_HPP
+
+#include <cstdint>
+
+namespace tern_golden {
+
+/// The hash that every compiler, optimisation level and platform must reach. It changes only with a deliberate change
+/// of what the planner computes, which the commit explains.
+constexpr std::uint64_t kGoldenHash = 0x0000000000000000u;
+
+}  // namespace tern_golden
+
+#endif

@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""symbols.py NM ARCHIVE: contract C1 on the archive itself. Every undefined symbol must be the archive's own or on the
+allow-list, and there must be no writable data."""
+import subprocess
+import sys
+
+ALLOWED = {"memcpy", "memset", "memmove", "memcmp", "sqrt", "_GLOBAL_OFFSET_TABLE_"}
+
+
+def main():
+    text = subprocess.run([sys.argv[1], sys.argv[2]], capture_output=True, text=True, check=True).stdout
+    defined, undefined, writable = set(), set(), set()
+    for line in text.splitlines():
+        words = line.split()
+        if len(words) < 2 or line.endswith(":"):
+            continue
+        kind, name = words[-2], words[-1]
+        if kind == "U":
+            undefined.add(name)
+        else:
+            defined.add(name)
+            if kind in "BbDdGgSsC":
+                writable.add(name)
+    foreign = sorted(undefined - defined - ALLOWED)
+    for name in foreign:
+        print(f"needs {name}, which is not on the allow-list")
+    for name in sorted(writable):
+        print(f"{name} is writable global data")
+    used = sorted((undefined - defined) & ALLOWED)
+    print(f"{len(defined)} symbols defined; from outside: {', '.join(used) or 'nothing'}")
+    return 1 if foreign or writable or not defined else 0
+
+
+sys.exit(main())
