@@ -18,7 +18,7 @@ class World {
   /// An empty grid of dims voxels at `origin`, the boundary its whole box.
   World(tern::Voxel dims, double cell, double radius, tern::Vec3 origin = {0.0, 0.0, 0.0})
       : words(tern::grid_words(dims)),
-        memory(new unsigned char[tern::kWorkspaceBytes]()),
+        memory(new unsigned char[tern::kWorkspaceBytes]),
         planner(memory.get(), tern::kWorkspaceBytes) {
     spec.origin = origin;
     spec.cell = cell;
