@@ -1,0 +1,58 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The polyhedron of one segment (the paper's Section 3.3.1): a box around the segment, the obstacles in it as solid
+// boxes, an ellipsoid fitted between them, and half-spaces that cut them off, the nearest in the ellipsoid's metric
+// first. Every obstacle voxel of the whole grid ends up beyond one half-space by the grid's radius.
+#ifndef TERN_CORRIDOR_GROW_HPP
+#define TERN_CORRIDOR_GROW_HPP
+
+#include <cstdint>
+
+#include "corridor/local_boxes.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+#include "tern/status.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// How far the local box reaches beyond the segment, in metres and in voxels, whichever is more. Where its obstacles
+/// or half-spaces do not fit their capacity it is halved, kBoxLevels sizes in all.
+constexpr double kLocalMargin = 2.0;
+constexpr double kLocalMarginCells = 4.0;
+constexpr int kBoxLevels = 6;
+
+/// Half-spaces that one call may make: each size of the local box begins anew.
+constexpr std::uint32_t kGrowBound = static_cast<std::uint32_t>(kBoxLevels) * static_cast<std::uint32_t>(kMaxPlanes);
+
+/// Scratch and counters of grow_polyhedron. The counters are kept across calls: set them before the first.
+struct GrowScratch {
+  std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
+  std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
+  std::int32_t planes_high;      ///< of the fullest polyhedron
+  std::int32_t boxes_high;       ///< of the busiest local box
+
+  LocalBox boxes[kMaxLocalBoxes];
+  double scale[kMaxLocalBoxes];            ///< where the swelling ellipsoid meets each box
+  std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
+  ExtractScratch extract;
+};
+
+/// Counters to zero, no budget.
+void reset_counters(GrowScratch& scratch) noexcept;
+
+/// Grows the polyhedron of the segment `from`, `to` (local frame, metres; may be a point), which must keep the radius
+/// from every obstacle and lie in the boundary.
+///
+/// kOk: `out` holds the segment; each of its half-spaces keeps min(kSightMargin * cell, the room there is) from it;
+/// each obstacle voxel is beyond one half-space by the radius (to 1e-9 m); the ellipsoid lies inside all half-spaces.
+/// kOutOfMap: an end outside the boundary. kCorridorBlocked: an obstacle nearer than the radius to the segment.
+/// kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment may do. kBudgetCorridor.
+/// `out` is undefined after anything but kOk.
+Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
+                       Polyhedron& out) noexcept;
+
+}  // namespace tern
+
+#endif

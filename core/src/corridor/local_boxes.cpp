@@ -1,0 +1,175 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/local_boxes.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+constexpr double kFullyInside = 1.0 - kLatticeTolerance;
+
+/// Truncation to [0, count], compared as doubles first: a far coordinate does not fit an integer.
+std::int32_t clamp_index(double cells, std::int32_t count) {
+  if (!(cells > 0.0)) return 0;
+  if (cells >= static_cast<double>(count)) return count;
+  return static_cast<std::int32_t>(cells);
+}
+
+/// Copies the row's bits of the range to `out`, from bit 0 on; returns true where they equal `before`.
+bool load_row(const Grid& grid, const VoxelRange& range, std::int32_t y, std::int32_t z, const std::uint64_t* before,
+              std::uint64_t* out) {
+  const std::uint64_t* row = grid.obstacle_row(y, z);
+  const std::int32_t count = range.upper.x - range.lower.x;
+  const int shift = range.lower.x & 63;
+  const std::int32_t last = grid.row_words() - 1;
+  std::uint64_t difference = 0;
+  for (std::int32_t k = 0; k * 64 < count; ++k) {
+    const std::int32_t word = (range.lower.x >> 6) + k;
+    std::uint64_t bits = row[word] >> shift;
+    if (shift != 0 && word < last) bits |= row[word + 1] << (64 - shift);
+    const std::int32_t rest = count - k * 64;
+    if (rest < 64) bits &= (std::uint64_t{1} << rest) - 1;
+    difference |= bits ^ before[k];
+    out[k] = bits;
+  }
+  return difference == 0;
+}
+
+/// The next run of set bits at or after `x`, as [x, end); false where there is none before `count`.
+bool next_run(const std::uint64_t* row, std::int32_t count, std::int32_t& x, std::int32_t& end) {
+  while (x < count && (row[x >> 6] >> (x & 63)) == 0) x = (x | 63) + 1;
+  if (x >= count) return false;
+  x += __builtin_ctzll(row[x >> 6] >> (x & 63));
+  end = x;
+  while (end < count) {
+    const std::uint64_t gaps = ~row[end >> 6] >> (end & 63);
+    if (gaps != 0) {
+      end += __builtin_ctzll(gaps);
+      break;
+    }
+    end = (end | 63) + 1;
+  }
+  if (end > count) end = count;
+  return true;
+}
+
+/// The rectangles of one layer while its rows are walked.
+struct Layer {
+  LayerRectangle* rectangles;
+  int count;
+  int open_count;
+};
+
+void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
+  layer.rectangles[index].y1 = static_cast<std::int16_t>(y);
+}
+
+/// Opens a rectangle at row y; false where the layer is full.
+bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t y) {
+  if (layer.count == kMaxLocalBoxes) return false;
+  layer.rectangles[layer.count++] = {static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1),
+                                     static_cast<std::int16_t>(y), static_cast<std::int16_t>(y), -1};
+  return true;
+}
+
+/// Takes a row that differs from the one before: rectangles whose run is gone end, new runs begin new ones.
+bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::int32_t y, const std::int32_t* open,
+              std::int32_t* still_open) {
+  int i = 0;
+  int kept = 0;
+  std::int32_t end = 0;
+  for (std::int32_t x = 0; next_run(row, count, x, end); x = end) {
+    while (i < layer.open_count && layer.rectangles[open[i]].x0 < x) close_rectangle(layer, open[i++], y);
+    const bool same_start = i < layer.open_count && layer.rectangles[open[i]].x0 == x;
+    if (kept == kMaxRowRuns) return false;
+    if (same_start && layer.rectangles[open[i]].x1 == end) {
+      still_open[kept++] = open[i++];
+      continue;
+    }
+    if (same_start) close_rectangle(layer, open[i++], y);
+    if (!open_rectangle(layer, x, end, y)) return false;
+    still_open[kept++] = layer.count - 1;
+  }
+  while (i < layer.open_count) close_rectangle(layer, open[i++], y);
+  layer.open_count = kept;
+  return true;
+}
+
+/// The rectangles of the layer z, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
+int layer_rectangles(const Grid& grid, const VoxelRange& range, std::int32_t z, ExtractScratch& scratch,
+                     LayerRectangle* rectangles) {
+  Layer layer{rectangles, 0, 0};
+  const std::int32_t count = range.upper.x - range.lower.x;
+  int now = 0;
+  for (std::int32_t k = 0; k * 64 < count; ++k) scratch.row[1][k] = 0;
+  for (std::int32_t y = range.lower.y; y < range.upper.y; ++y) {
+    if (load_row(grid, range, y, z, scratch.row[now ^ 1], scratch.row[now])) continue;
+    if (!take_row(layer, scratch.row[now], count, y - range.lower.y, scratch.open[now ^ 1], scratch.open[now])) {
+      return -1;
+    }
+    now ^= 1;
+  }
+  for (int i = 0; i < layer.open_count; ++i) {
+    close_rectangle(layer, scratch.open[now ^ 1][i], range.upper.y - range.lower.y);
+  }
+  return layer.count;
+}
+
+bool before(const LayerRectangle& a, const LayerRectangle& b) {
+  return a.y0 != b.y0 ? a.y0 < b.y0 : a.x0 < b.x0;
+}
+
+bool same_footprint(const LayerRectangle& a, const LayerRectangle& b) {
+  return a.x0 == b.x0 && a.x1 == b.x1 && a.y0 == b.y0 && a.y1 == b.y1;
+}
+
+LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::int32_t z, double cell) {
+  return {{(range.lower.x + rectangle.x0) * cell, (range.lower.y + rectangle.y0) * cell, z * cell},
+          {(range.lower.x + rectangle.x1) * cell, (range.lower.y + rectangle.y1) * cell, (z + 1) * cell}};
+}
+
+}  // namespace
+
+VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
+  const GridSpec& spec = grid.spec();
+  const double cell = spec.cell;
+  const double run_reach = spec.radius + cell;
+  VoxelRange range;
+  range.lower.x = clamp_index((box.lower.x - run_reach) / cell, spec.dims.x);
+  range.upper.x = clamp_index((box.upper.x + run_reach) / cell + 1.0, spec.dims.x);
+  range.lower.y = clamp_index((box.lower.y - spec.radius) / cell + kLatticeTolerance, spec.dims.y);
+  range.upper.y = clamp_index((box.upper.y + spec.radius) / cell + kFullyInside, spec.dims.y);
+  range.lower.z = clamp_index((box.lower.z - spec.radius) / cell + kLatticeTolerance, spec.dims.z);
+  range.upper.z = clamp_index((box.upper.z + spec.radius) / cell + kFullyInside, spec.dims.z);
+  return range;
+}
+
+int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
+  if (range.lower.x >= range.upper.x) return 0;
+  const double cell = grid.spec().cell;
+  int box_count = 0;
+  int below_count = 0;
+  for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
+    LayerRectangle* layer = scratch.rectangles[z & 1];
+    const LayerRectangle* below = scratch.rectangles[(z & 1) ^ 1];
+    const int count = layer_rectangles(grid, range, z, scratch, layer);
+    if (count < 0) return -1;
+    int j = 0;
+    for (int i = 0; i < count; ++i) {
+      while (j < below_count && before(below[j], layer[i])) ++j;
+      if (j < below_count && same_footprint(below[j], layer[i])) {
+        layer[i].box = below[j].box;
+        boxes[layer[i].box].upper[2] = (z + 1) * cell;
+        continue;
+      }
+      if (box_count == kMaxLocalBoxes) return -1;
+      layer[i].box = box_count;
+      boxes[box_count++] = box_of(layer[i], range, z, cell);
+    }
+    below_count = count;
+  }
+  return box_count;
+}
+
+}  // namespace tern

@@ -1,0 +1,101 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/separation.hpp"
+
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+/// Below this distance, in metres, the closest pair's direction is rounding; above it, its unit vector is good to 1e-8.
+constexpr double kTooCloseForDirection = 1e-7;
+
+/// How far the box's side of a plane lies beyond the segment, along a normal of any length, the radius taken off.
+/// Concave in the normal: a mean of two normals leaves at least the mean of what they leave.
+double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
+  const double far = larger(dot(normal, segment.from), dot(normal, segment.to));
+  return support(normal, box) - far - radius * length(normal);
+}
+
+/// The plane with this normal that keeps the radius from the box. A segment that touches stays inside by rounding.
+Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
+  const Vec3 unit = (1.0 / length(normal)) * normal;
+  const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
+  return {unit, larger(support(unit, box) - radius, far)};
+}
+
+Vec3 unit_axis(int a, double sign) {
+  Vec3 v{0.0, 0.0, 0.0};
+  axis(v, a) = sign;
+  return v;
+}
+
+/// e_a x u: at right angles to an edge of the box and to the segment.
+Vec3 edge_normal(int a, const Vec3& u) {
+  if (a == 0) return {0.0, -u.z, u.y};
+  if (a == 1) return {u.z, 0.0, -u.x};
+  return {-u.y, u.x, 0.0};
+}
+
+void offer_normal(const SegmentMargin& segment, const LocalBox& box, const Vec3& unit, Vec3& best, double& room) {
+  const double offered = room_along(segment, box, 0.0, unit);
+  if (offered <= room) return;
+  room = offered;
+  best = unit;
+}
+
+/// Segment and box touch, so that no closest pair has a direction: the separating axis among the box's faces and the
+/// products of its edges with the segment. A face wins a tie.
+Vec3 touching_normal(const SegmentMargin& segment, const LocalBox& box) {
+  Vec3 best = unit_axis(0, 1.0);
+  double room = room_along(segment, box, 0.0, best);
+  for (int a = 0; a < 3; ++a) {
+    offer_normal(segment, box, unit_axis(a, 1.0), best, room);
+    offer_normal(segment, box, unit_axis(a, -1.0), best, room);
+  }
+  const Vec3 along = segment.to - segment.from;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 normal = edge_normal(a, along);
+    const double norm = length(normal);
+    if (!(norm > kTooCloseForDirection)) continue;  // the segment runs along this edge, or is a point
+    offer_normal(segment, box, (1.0 / norm) * normal, best, room);
+    offer_normal(segment, box, (-1.0 / norm) * normal, best, room);
+  }
+  return best;
+}
+
+/// The normal that leaves the segment the most room.
+Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
+  const Box solid{{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
+  const ClosestPair pair = closest_pair(segment.from, segment.to, solid);
+  const Vec3 across = pair.on_box - pair.on_segment;
+  const double gap = length(across);
+  if (gap < kTooCloseForDirection) return touching_normal(segment, box);
+  return (1.0 / gap) * across;
+}
+
+}  // namespace
+
+Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
+                Halfspace& out) noexcept {
+  const double tangent_room = room_along(segment, box, radius, tangent);
+  const bool has_tangent = dot(tangent, tangent) > 0.5;
+  if (has_tangent && tangent_room >= segment.margin) {
+    out = plane_along(segment, box, radius, tangent);
+    return Status::kOk;
+  }
+  const Vec3 widest = widest_normal(segment, box);
+  const double widest_room = room_along(segment, box, radius, widest);
+  if (widest_room < -kTouching) return Status::kCorridorBlocked;
+  if (!has_tangent || widest_room <= segment.margin) {
+    out = plane_along(segment, box, radius, widest);
+    return Status::kOk;
+  }
+  // Between the two normals, as near to the tangent as the margin lets it: see room_along.
+  const double share = (segment.margin - tangent_room) / (widest_room - tangent_room);
+  out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
+  return Status::kOk;
+}
+
+}  // namespace tern

@@ -1,0 +1,35 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One half-space between a segment and one obstacle: as the ellipsoid's tangent has it where that leaves the segment
+// its margin, turned towards the widest gap where it does not.
+#ifndef TERN_CORRIDOR_SEPARATION_HPP
+#define TERN_CORRIDOR_SEPARATION_HPP
+
+#include "corridor/ellipsoid_metric.hpp"
+#include "corridor/local_boxes.hpp"
+#include "tern/corridor.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Metres by which an obstacle may come nearer than the radius and still count as touching: the rounding of a start or
+/// goal that lies exactly at the radius.
+constexpr double kTouching = 1e-9;
+
+/// A segment, and how far each half-space should keep from it where there is room.
+struct SegmentMargin {
+  Vec3 from;
+  Vec3 to;
+  double margin;  ///< metres, >= 0
+};
+
+/// The half-space that keeps `radius` from the box and holds the segment; `tangent` is the wanted unit normal, zero
+/// where there is none. Its distance from the segment is at least the smaller of the margin and all the room there is
+/// (the distance between segment and box, less the radius). kOk, or kCorridorBlocked where that room is negative.
+Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
+                Halfspace& out) noexcept;
+
+}  // namespace tern
+
+#endif
