@@ -16,27 +16,40 @@ std::int32_t clamp_index(double cells, std::int32_t count) {
   return static_cast<std::int32_t>(cells);
 }
 
-/// Copies the row's bits of the range to `out`, from bit 0 on; returns true where they equal `before`.
-bool load_row(const Grid& grid, const VoxelRange& range, std::int32_t y, std::int32_t z, const std::uint64_t* before,
-              std::uint64_t* out) {
-  const std::uint64_t* row = grid.obstacle_row(y, z);
-  const std::int32_t count = range.upper.x - range.lower.x;
-  const int shift = range.lower.x & 63;
-  const std::int32_t last = grid.row_words() - 1;
-  std::uint64_t difference = 0;
-  for (std::int32_t k = 0; k * 64 < count; ++k) {
-    const std::int32_t word = (range.lower.x >> 6) + k;
-    std::uint64_t bits = row[word] >> shift;
-    if (shift != 0 && word < last) bits |= row[word + 1] << (64 - shift);
-    const std::int32_t rest = count - k * 64;
-    if (rest < 64) bits &= (std::uint64_t{1} << rest) - 1;
-    difference |= bits ^ before[k];
-    out[k] = bits;
-  }
+/// The words of a row that hold the range, and which bits of the outer ones belong to it.
+struct Window {
+  std::int32_t first_word;
+  std::int32_t words;
+  std::uint64_t first_mask;
+  std::uint64_t last_mask;
+};
+
+Window window_of(const VoxelRange& range) {
+  const std::int32_t first = range.lower.x >> 6;
+  const std::int32_t last = (range.upper.x - 1) >> 6;
+  const int unused = 63 - ((range.upper.x - 1) & 63);
+  return {first, last - first + 1, ~std::uint64_t{0} << (range.lower.x & 63), ~std::uint64_t{0} >> unused};
+}
+
+/// True where two rows have the same bits in the window. Most rows of a cuboid world equal the one before, so that
+/// this is what the extraction spends its time on; most windows are one or two words.
+bool same_bits(const std::uint64_t* a, const std::uint64_t* b, const Window& window) {
+  const std::int32_t first = window.first_word;
+  const std::int32_t last = first + window.words - 1;
+  const std::uint64_t low = (a[first] ^ b[first]) & window.first_mask;
+  if (first == last) return (low & window.last_mask) == 0;
+  std::uint64_t difference = low | ((a[last] ^ b[last]) & window.last_mask);
+  for (std::int32_t k = first + 1; k < last; ++k) difference |= a[k] ^ b[k];
   return difference == 0;
 }
 
-/// The next run of set bits at or after `x`, as [x, end); false where there is none before `count`.
+void copy_window(const std::uint64_t* row, const Window& window, std::uint64_t* out) {
+  for (std::int32_t k = 0; k < window.words; ++k) out[k] = row[window.first_word + k];
+  out[0] &= window.first_mask;
+  out[window.words - 1] &= window.last_mask;
+}
+
+/// The next run of set bits at or after `x`, as [x, end); false where there is none among the first `count` bits.
 bool next_run(const std::uint64_t* row, std::int32_t count, std::int32_t& x, std::int32_t& end) {
   while (x < count && (row[x >> 6] >> (x & 63)) == 0) x = (x | 63) + 1;
   if (x >= count) return false;
@@ -50,7 +63,6 @@ bool next_run(const std::uint64_t* row, std::int32_t count, std::int32_t& x, std
     }
     end = (end | 63) + 1;
   }
-  if (end > count) end = count;
   return true;
 }
 
@@ -100,14 +112,16 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
 int layer_rectangles(const Grid& grid, const VoxelRange& range, std::int32_t z, ExtractScratch& scratch,
                      LayerRectangle* rectangles) {
   Layer layer{rectangles, 0, 0};
-  const std::int32_t count = range.upper.x - range.lower.x;
+  const Window window = window_of(range);
+  const std::uint64_t* previous = nullptr;
   int now = 0;
-  for (std::int32_t k = 0; k * 64 < count; ++k) scratch.row[1][k] = 0;
   for (std::int32_t y = range.lower.y; y < range.upper.y; ++y) {
-    if (load_row(grid, range, y, z, scratch.row[now ^ 1], scratch.row[now])) continue;
-    if (!take_row(layer, scratch.row[now], count, y - range.lower.y, scratch.open[now ^ 1], scratch.open[now])) {
-      return -1;
-    }
+    const std::uint64_t* row = grid.obstacle_row(y, z);
+    if (previous != nullptr && same_bits(row, previous, window)) continue;
+    previous = row;
+    copy_window(row, window, scratch.row);
+    const std::int32_t bits = window.words * 64;
+    if (!take_row(layer, scratch.row, bits, y - range.lower.y, scratch.open[now ^ 1], scratch.open[now])) return -1;
     now ^= 1;
   }
   for (int i = 0; i < layer.open_count; ++i) {
@@ -125,8 +139,10 @@ bool same_footprint(const LayerRectangle& a, const LayerRectangle& b) {
 }
 
 LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::int32_t z, double cell) {
-  return {{(range.lower.x + rectangle.x0) * cell, (range.lower.y + rectangle.y0) * cell, z * cell},
-          {(range.lower.x + rectangle.x1) * cell, (range.lower.y + rectangle.y1) * cell, (z + 1) * cell}};
+  const std::int32_t x = range.lower.x & ~63;
+  const std::int32_t y = range.lower.y;
+  return {{(x + rectangle.x0) * cell, (y + rectangle.y0) * cell, z * cell},
+          {(x + rectangle.x1) * cell, (y + rectangle.y1) * cell, (z + 1) * cell}};
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ struct VoxelRange {
   Voxel upper;
 };
 
-/// A rectangle of obstacle voxels in one layer, half-open, counted from the range's lower corner, and the box that it
-/// belongs to.
+/// A rectangle of obstacle voxels in one layer, half-open, counted from the first word of the range's rows and its
+/// lower y, and the box that it belongs to.
 struct LayerRectangle {
   std::int16_t x0;
   std::int16_t x1;
@@ -45,7 +45,7 @@ static_assert(kMaxDimension < 32768, "rectangles count voxels in 16 bits");
 struct ExtractScratch {
   LayerRectangle rectangles[2][kMaxLocalBoxes];  ///< of this layer and of the one below, each sorted by (y0, x0)
   std::int32_t open[2][kMaxRowRuns];             ///< rectangles that reach the current row, in order of x
-  std::uint64_t row[2][kLocalRowWords];          ///< this row and the one before, from the range's lower x on
+  std::uint64_t row[kLocalRowWords];             ///< the range's words of the row at hand
 };
 
 /// The voxels whose cubes come closer than the grid's radius to a face of `box` from outside, or meet it: the others
