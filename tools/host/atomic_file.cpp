@@ -1,0 +1,77 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <limits.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+namespace tern_host {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* what) {
+  throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
+}
+
+/// A link stays a link: what it points at is replaced.
+std::string resolve(const std::string& path) {
+  char buffer[PATH_MAX];
+  return realpath(path.c_str(), buffer) != nullptr ? std::string(buffer) : path;
+}
+
+bool exists_as_other_than_file(const std::string& path) {
+  struct stat info {};
+  return stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
+}
+
+bool write_all(int file, const std::string& content) {
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t n = write(file, content.data() + done, content.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    done += static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+void write_directly(const std::string& path, const std::string& content) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) fail(path, "cannot be opened");
+  const bool written = write_all(file, content);
+  if (close(file) != 0 || !written) fail(path, "cannot be written");
+}
+
+/// Permissions of the file to be replaced, else those that open() would give.
+mode_t mode_of(const std::string& path) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) == 0) return info.st_mode & 07777;
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+void write_file(const std::string& path, const std::string& content) {
+  if (exists_as_other_than_file(path)) return write_directly(path, content);
+  const std::string target = resolve(path);
+  std::string temporary = target + ".XXXXXX";
+  const int file = mkstemp(&temporary[0]);
+  if (file < 0) fail(path, "cannot be created");
+  const bool written = write_all(file, content) && fchmod(file, mode_of(target)) == 0 && fsync(file) == 0;
+  if (close(file) == 0 && written && rename(temporary.c_str(), target.c_str()) == 0) return;
+  const int reason = errno;
+  unlink(temporary.c_str());
+  errno = reason;
+  fail(path, "cannot be written");
+}
+
+}  // namespace tern_host

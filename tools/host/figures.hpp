@@ -1,0 +1,32 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a plan amounts to, measured by dense sampling on the host: nothing here trusts the core's own check.
+#ifndef TERN_HOST_FIGURES_HPP
+#define TERN_HOST_FIGURES_HPP
+
+#include "host/scenario.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern_host {
+
+struct Figures {
+  double duration = 0.0;      ///< s
+  double length = 0.0;        ///< of the trajectory, m
+  double snap = 0.0;          ///< integral of |snap|^2, m^2/s^7
+  double speed = 0.0;         ///< highest |v|, m/s
+  double acceleration = 0.0;  ///< highest |a|, m/s^2
+  tern::Vec3 v_peak{};        ///< highest |v| an axis, m/s
+  tern::Vec3 a_peak{};        ///< highest |a| an axis, m/s^2
+  double clearance = 0.0;     ///< smallest distance to a block as written in the scenario, m; infinite with none
+};
+
+/// Samples every millisecond of the trajectory, as long as that is at most two million samples.
+Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario);
+
+/// Euclidean distance of a point to the nearest block of the scenario, m; infinite where there is none.
+double distance_to_blocks(const tern::Vec3& point, const Scenario& scenario);
+
+}  // namespace tern_host
+
+#endif

@@ -1,0 +1,148 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/plan_file.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using tern::Vec3;
+
+Vec3 to_world(const Vec3& local, const Vec3& origin) {
+  return {local.x + origin.x, local.y + origin.y, local.z + origin.z};
+}
+
+Json json(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Json json(const tern::State& state) {
+  return {{"position", json(state.position)},
+          {"velocity", json(state.velocity)},
+          {"acceleration", json(state.acceleration)}};
+}
+
+Json points_json(const Vec3* local, int count, const Vec3& origin) {
+  Json points = Json::array();
+  for (int i = 0; i < count; ++i) points.push_back(json(to_world(local[i], origin)));
+  return points;
+}
+
+Json search_json(const PlanResult& result) {
+  const tern::Path& path = *result.path;
+  const Vec3& origin = result.grid.origin;
+  return {{"jps_path", points_json(path.raw, path.raw_count, origin)},
+          {"jps_length", path.raw_length},
+          {"expanded", result.report.stages[static_cast<int>(tern::Stage::kSearch)].work},
+          {"path", points_json(path.points, path.count, origin)},
+          {"length", path.length}};
+}
+
+// a . (world - origin) <= b is a . world <= b + a . origin.
+Json halfspace_json(const tern::Halfspace& plane, const Vec3& origin) {
+  const Vec3& n = plane.normal;
+  return {n.x, n.y, n.z, plane.offset + (n.x * origin.x + n.y * origin.y + n.z * origin.z)};
+}
+
+Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
+  Json planes = Json::array();
+  for (int i = 0; i < polyhedron.count; ++i) planes.push_back(halfspace_json(polyhedron.planes[i], origin));
+  Json axes = Json::array();
+  for (const double(&row)[3] : polyhedron.ellipsoid.axes) axes.push_back({row[0], row[1], row[2]});
+  const Json center = json(to_world(polyhedron.ellipsoid.center, origin));
+  return {{"halfspaces", planes}, {"ellipsoid", {{"E", axes}, {"d", center}}}};
+}
+
+Json corridor_json(const tern::Corridor& corridor, const Vec3& origin) {
+  Json polyhedra = Json::array();
+  for (int i = 0; i < corridor.count; ++i) polyhedra.push_back(polyhedron_json(corridor.polyhedra[i], origin));
+  return polyhedra;
+}
+
+Json segments_json(const tern::Trajectory& trajectory) {
+  Json segments = Json::array();
+  for (int i = 0; i < trajectory.count; ++i) {
+    const tern::Segment& segment = trajectory.segments[i];
+    segments.push_back({{"polyhedron", segment.polyhedron},
+                        {"duration", segment.duration},
+                        {"control_points", points_json(segment.points, tern::kControlPoints, trajectory.origin)}});
+  }
+  return segments;
+}
+
+Json timing_json(const Timing& timing) {
+  return {{"inflate", timing.inflate},
+          {"search", timing.of(tern::Stage::kSearch)},
+          {"shortcut", timing.of(tern::Stage::kShortcut)},
+          {"corridor", timing.of(tern::Stage::kCorridor)},
+          {"time_allocation", timing.of(tern::Stage::kTimes)},
+          {"optimization", timing.of(tern::Stage::kTrajectory)},
+          {"check", timing.of(tern::Stage::kCheck)},
+          {"total", timing.total()}};
+}
+
+Json qp_json(const tern::Report& report) {
+  return {{"iterations", report.qp_iterations},
+          {"active", report.qp_active},
+          {"variables", report.qp_variables},
+          {"inequalities", report.qp_inequalities}};
+}
+
+std::string point_text(const Vec3& v) {
+  return "(" + exact(v.x) + ", " + exact(v.y) + ", " + exact(v.z) + ")";
+}
+
+bool is_occupied(tern::Status status) {
+  return status == tern::Status::kStartOccupied || status == tern::Status::kGoalOccupied;
+}
+
+std::string describe_failure(const tern::Report& report) {
+  std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
+  if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
+  if (is_occupied(report.status)) {
+    text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
+  }
+  if (report.has_nearest_free) text += "; the nearest free cell is at " + point_text(report.nearest_free);
+  return text;
+}
+
+}  // namespace
+
+std::string describe_status(const tern::Report& report) {
+  if (report.status != tern::Status::kOk) return describe_failure(report);
+  const std::string reason =
+      std::string(tern::status_name(report.optimiser)) + ", " + tern::status_meaning(report.optimiser);
+  if (report.quality == tern::Quality::kStopAndGo)
+    return "from stop to stop, because the optimiser ended with " + reason;
+  if (report.optimiser != tern::Status::kOk) return "the optimiser ended with " + reason;
+  return "";
+}
+
+std::string plan_json(const PlanResult& result) {
+  const Scenario& scenario = result.scenario;
+  Json plan = {{"format", "tern-plan/1"},
+               {"status", tern::status_name(result.report.status)},
+               {"detail", describe_status(result.report)},
+               {"scenario", scenario.name},
+               {"resolution", scenario.resolution},
+               {"robot_radius", scenario.radius},
+               {"limits", {{"v_max", json(scenario.limits.v_max)}, {"a_max", json(scenario.limits.a_max)}}},
+               {"start_state", json(scenario.start)},
+               {"goal_state", json(scenario.goal)}};
+  if (result.path != nullptr) plan["search"] = search_json(result);
+  if (result.corridor != nullptr) plan["corridor"] = corridor_json(*result.corridor, result.grid.origin);
+  if (result.ok()) {
+    plan["segments"] = segments_json(result.trajectory);
+    plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
+    plan["qp"] = qp_json(result.report);
+  }
+  plan["timing_us"] = timing_json(result.timing);
+  return plan.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tern_host

@@ -1,0 +1,72 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Scenario files: a map, a query and the limits. The format is in docs/formats.md.
+#ifndef TERN_HOST_SCENARIO_HPP
+#define TERN_HOST_SCENARIO_HPP
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tern/request.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern_host {
+
+/// Larger input is refused before it is parsed.
+constexpr std::size_t kMaxScenarioBytes = std::size_t{64} * 1024 * 1024;
+constexpr std::size_t kMaxLineBytes = 4096;
+constexpr std::size_t kMaxBlocks = 200000;
+
+/// Where a value was written. `line` counts from 1; 0 for what has no lines, such as an option.
+struct Place {
+  std::string file;
+  int line = 0;
+};
+
+/// What is wrong with a scenario and where; what() reads "file:line: reason".
+class ScenarioError : public std::runtime_error {
+ public:
+  ScenarioError(const Place& place, const std::string& reason);
+
+  const Place& place() const noexcept { return place_; }
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  Place place_;
+  std::string reason_;
+};
+
+/// A solid cuboid; world frame, metres.
+struct Block {
+  tern::Box box;
+  bool keepout;  ///< a geofence rather than matter; the planner treats both alike
+};
+
+/// World frame, metres, seconds.
+struct Scenario {
+  std::string name;  ///< the file's name as given
+  tern::Box boundary{};
+  std::vector<Block> blocks;
+  tern::State start{};
+  tern::State goal{};
+  tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  double resolution = 0.1;
+  double radius = 0.25;
+  Place boundary_place;    ///< for errors that show only once the grid is laid out
+  Place resolution_place;  ///< empty file name where the default holds
+};
+
+/// Parses a whole scenario. `overrides` are "key=value" with the value's numbers separated by commas or blanks; they
+/// replace records of the text, or stand for missing ones. Throws ScenarioError.
+Scenario parse_scenario(const std::string& text, const std::string& name,
+                        const std::vector<std::string>& overrides = {});
+
+/// Reads and parses a file of at most kMaxScenarioBytes. Throws ScenarioError.
+Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace tern_host
+
+#endif

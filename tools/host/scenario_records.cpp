@@ -1,0 +1,177 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/scenario_records.hpp"
+
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr std::size_t kQuotedBytes = 40;
+
+/// A word of the file for a message: hostile bytes and lengths must not reach the terminal.
+std::string quote(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word.substr(0, kQuotedBytes)) out += c >= 0x20 && c < 0x7F ? c : '?';
+  return out + (word.size() > kQuotedBytes ? "...'" : "'");
+}
+
+double number(const std::string& word, const Place& place) {
+  double value = 0.0;
+  switch (parse_number(word, value)) {
+    case NumberError::kNone:
+      break;
+    case NumberError::kMalformed:
+      throw ScenarioError(place, quote(word) + " is not a number");
+    case NumberError::kNotFinite:
+      throw ScenarioError(place, quote(word) + " is not a finite number");
+  }
+  return value;
+}
+
+std::vector<double> numbers(const std::vector<std::string>& words, const Place& place) {
+  std::vector<double> values;
+  for (std::size_t i = 1; i < words.size(); ++i) values.push_back(number(words[i], place));
+  return values;
+}
+
+[[noreturn]] void throw_count(const std::string& key, const std::string& wanted, std::size_t found,
+                              const Place& place) {
+  throw ScenarioError(place, "'" + key + "' needs " + wanted + ", found " + std::to_string(found));
+}
+
+tern::Box box(const std::vector<double>& v, const std::string& key, const Place& place) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (v[a] <= v[a + 3]) continue;
+    throw ScenarioError(place, "'" + key + "' has its corners the wrong way round in " + "xyz"[a] + ": " + exact(v[a]) +
+                                   " > " + exact(v[a + 3]));
+  }
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+std::string first_given(const Place& place) {
+  return place.line > 0 ? " (first in line " + std::to_string(place.line) + ")" : std::string();
+}
+
+}  // namespace
+
+ScenarioError::ScenarioError(const Place& place, const std::string& reason)
+    : std::runtime_error(place.file + (place.line > 0 ? ":" + std::to_string(place.line) : "") + ": " + reason),
+      place_(place),
+      reason_(reason) {}
+
+ScenarioBuilder::ScenarioBuilder(const std::string& name) {
+  scenario_.name = name;
+  Scenario& s = scenario_;
+  settings_ = {
+      {"start", Shape::kVector, nullptr, &s.start.position, true, false, {}},
+      {"goal", Shape::kVector, nullptr, &s.goal.position, true, false, {}},
+      {"start_velocity", Shape::kVector, nullptr, &s.start.velocity, false, false, {}},
+      {"start_acceleration", Shape::kVector, nullptr, &s.start.acceleration, false, false, {}},
+      {"goal_velocity", Shape::kVector, nullptr, &s.goal.velocity, false, false, {}},
+      {"goal_acceleration", Shape::kVector, nullptr, &s.goal.acceleration, false, false, {}},
+      {"resolution", Shape::kScalar, &s.resolution, nullptr, false, false, {}},
+      {"radius", Shape::kScalar, &s.radius, nullptr, false, false, {}},
+      {"v_max", Shape::kLimit, nullptr, &s.limits.v_max, false, false, {}},
+      {"a_max", Shape::kLimit, nullptr, &s.limits.a_max, false, false, {}},
+  };
+}
+
+ScenarioBuilder::Setting* ScenarioBuilder::find(const std::string& key) {
+  for (Setting& setting : settings_) {
+    if (key == setting.key) return &setting;
+  }
+  return nullptr;
+}
+
+void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& place) {
+  const std::string& key = words.front();
+  if (key == "boundary") return add_boundary(words, place);
+  if (key == "block" || key == "keepout") return add_block(words, place);
+  Setting* const setting = find(key);
+  if (setting == nullptr) throw ScenarioError(place, "unknown record " + quote(key));
+  if (setting->given) {
+    throw ScenarioError(place, "'" + key + "' is given twice" + first_given(setting->place));
+  }
+  assign(*setting, numbers(words, place), place);
+}
+
+void ScenarioBuilder::override_setting(const std::string& key, const std::vector<std::string>& values,
+                                       const Place& place) {
+  Setting* const setting = find(key);
+  if (setting == nullptr) throw ScenarioError(place, "unknown or not a setting: " + quote(key));
+  std::vector<std::string> words{key};
+  words.insert(words.end(), values.begin(), values.end());
+  assign(*setting, numbers(words, place), place);
+}
+
+void ScenarioBuilder::add_boundary(const std::vector<std::string>& words, const Place& place) {
+  if (has_boundary_) {
+    throw ScenarioError(place, "'boundary' is given twice" + first_given(scenario_.boundary_place));
+  }
+  const std::vector<double> values = numbers(words, place);
+  if (values.size() != 6) throw_count(words.front(), "6 numbers", values.size(), place);
+  scenario_.boundary = box(values, words.front(), place);
+  scenario_.boundary_place = place;
+  has_boundary_ = true;
+}
+
+void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {
+  const bool keepout = words.front() == "keepout";
+  const std::vector<double> values = numbers(words, place);
+  const bool coloured = !keepout && values.size() == 9;
+  if (values.size() != 6 && !coloured) {
+    throw_count(words.front(), keepout ? "6 numbers" : "6 numbers, or 9 with a colour", values.size(), place);
+  }
+  if (scenario_.blocks.size() == kMaxBlocks) {
+    throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
+  }
+  scenario_.blocks.push_back({box(values, words.front(), place), keepout});
+}
+
+void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {
+  const std::size_t n = values.size();
+  switch (setting.shape) {
+    case Shape::kScalar:
+      if (n != 1) throw_count(setting.key, "1 number", n, place);
+      *setting.scalar = values[0];
+      break;
+    case Shape::kVector:
+      if (n != 3) throw_count(setting.key, "3 numbers", n, place);
+      *setting.vector = {values[0], values[1], values[2]};
+      break;
+    case Shape::kLimit:
+      if (n != 1 && n != 3) throw_count(setting.key, "1 or 3 numbers", n, place);
+      *setting.vector =
+          n == 1 ? tern::Vec3{values[0], values[0], values[0]} : tern::Vec3{values[0], values[1], values[2]};
+      break;
+  }
+  setting.given = true;
+  setting.place = place;
+}
+
+void ScenarioBuilder::check_ranges() const {
+  for (const Setting& setting : settings_) {
+    const std::string key = setting.key;
+    if (key == "resolution" && !(*setting.scalar > 0.0)) {
+      throw ScenarioError(setting.place, "'resolution' must be more than 0");
+    }
+    if (key == "radius" && !(*setting.scalar >= 0.0)) {
+      throw ScenarioError(setting.place, "'radius' must not be less than 0");
+    }
+  }
+}
+
+Scenario ScenarioBuilder::finish(const Place& end) {
+  if (!has_boundary_) throw ScenarioError(end, "the file ends without a 'boundary'");
+  for (const Setting& setting : settings_) {
+    if (setting.required && !setting.given) {
+      throw ScenarioError(end, std::string("the file ends without a '") + setting.key + "'");
+    }
+  }
+  check_ranges();
+  scenario_.resolution_place = find("resolution")->place;
+  return scenario_;
+}
+
+}  // namespace tern_host

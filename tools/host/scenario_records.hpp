@@ -1,0 +1,56 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The records of a scenario, one at a time: what the scenario parser does with a line once it is split into words.
+#ifndef TERN_HOST_SCENARIO_RECORDS_HPP
+#define TERN_HOST_SCENARIO_RECORDS_HPP
+
+#include <string>
+#include <vector>
+
+#include "host/scenario.hpp"
+
+namespace tern_host {
+
+/// Gathers records into a scenario and knows which were given. Every member function throws ScenarioError.
+class ScenarioBuilder {
+ public:
+  explicit ScenarioBuilder(const std::string& name);
+  ScenarioBuilder(const ScenarioBuilder&) = delete;
+  ScenarioBuilder& operator=(const ScenarioBuilder&) = delete;
+
+  /// One record: its keyword and what follows.
+  void add(const std::vector<std::string>& words, const Place& place);
+
+  /// A setting that replaces the record of that name.
+  void override_setting(const std::string& key, const std::vector<std::string>& values, const Place& place);
+
+  /// Checks what only the whole scenario shows; `end` is the place to name where something is missing.
+  Scenario finish(const Place& end);
+
+ private:
+  enum class Shape { kScalar, kVector, kLimit };
+  struct Setting {
+    const char* key;
+    Shape shape;
+    double* scalar;
+    tern::Vec3* vector;
+    bool required;
+    bool given;
+    Place place;  // of the record that set it, where given
+  };
+
+  Setting* find(const std::string& key);
+  void add_boundary(const std::vector<std::string>& words, const Place& place);
+  void add_block(const std::vector<std::string>& words, const Place& place);
+  static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
+  void check_ranges() const;
+
+  Scenario scenario_;
+  bool has_boundary_ = false;
+  std::vector<Setting> settings_;
+};
+
+}  // namespace tern_host
+
+#endif

@@ -1,0 +1,74 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/session.hpp"
+
+#include "host/grid_layout.hpp"
+#include "tern_port/port.hpp"
+
+namespace tern_host {
+namespace {
+
+double microseconds(std::uint64_t ticks) {
+  return static_cast<double>(ticks) * (1e6 / tern_port::ticks_per_second());
+}
+
+tern::Request request_of(const Scenario& scenario) {
+  tern::Request request{};
+  request.start = scenario.start;
+  request.goal = scenario.goal;
+  request.limits = scenario.limits;
+  return request;
+}
+
+tern::Status refuse(PlanResult& result, tern::Status status) {
+  result.report.status = status;
+  result.report.stage = tern::Stage::kRequest;
+  return status;
+}
+
+}  // namespace
+
+double Timing::total() const {
+  double sum = inflate;
+  for (const double stage : stages) sum += stage;
+  return sum;
+}
+
+Session::Session()
+    : memory_(new unsigned char[tern::kWorkspaceBytes + tern::kWorkspaceAlignment]),
+      planner_(memory_.get(), tern::kWorkspaceBytes + tern::kWorkspaceAlignment) {
+  planner_.set_clock(tern_port::ticks, nullptr);
+}
+
+tern::Status Session::build_grid(PlanResult& result) {
+  words_.resize(tern::grid_words(result.grid.dims));
+  const tern::Status status = grid_.bind(result.grid, words_.data(), words_.size(), &result.report.field);
+  if (status != tern::Status::kOk) return refuse(result, status);
+  for (const Block& block : result.scenario.blocks) {
+    const tern::Status marked = grid_.mark_box(block.box);
+    if (marked != tern::Status::kOk) return refuse(result, marked);
+  }
+  const std::uint64_t before = tern_port::ticks(nullptr);
+  grid_.inflate();
+  result.timing.inflate = microseconds(tern_port::ticks(nullptr) - before);
+  return status;
+}
+
+PlanResult Session::plan(const Scenario& scenario) {
+  PlanResult result;
+  result.scenario = scenario;
+  result.grid = lay_out_grid(scenario);
+  const tern::Status healthy = tern::self_test(tern::configuration_hash(), nullptr);
+  if (healthy != tern::Status::kOk) {
+    refuse(result, healthy);
+    return result;
+  }
+  if (build_grid(result) != tern::Status::kOk) return result;
+  planner_.plan(grid_, request_of(scenario), result.trajectory, result.report);
+  for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
+  if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
+  if (planner_.corridor() != nullptr) result.corridor = std::make_unique<tern::Corridor>(*planner_.corridor());
+  return result;
+}
+
+}  // namespace tern_host

@@ -1,0 +1,55 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_HOST_SESSION_HPP
+#define TERN_HOST_SESSION_HPP
+
+#include <memory>
+#include <vector>
+
+#include "host/scenario.hpp"
+#include "tern/tern.hpp"
+
+namespace tern_host {
+
+/// Microseconds a stage; zeros where the clock said nothing.
+struct Timing {
+  double inflate = 0.0;
+  double stages[tern::kStageCount] = {};
+
+  double of(tern::Stage stage) const { return stages[static_cast<int>(stage)]; }
+  double total() const;
+};
+
+/// All that came of planning one scenario.
+struct PlanResult {
+  Scenario scenario;
+  tern::GridSpec grid{};
+  tern::Report report{};  ///< report.status says how it went
+  Timing timing;
+  std::unique_ptr<tern::Path> path;          ///< grid frame; null where the stage was not reached
+  std::unique_ptr<tern::Corridor> corridor;  ///< likewise
+  tern::Trajectory trajectory{};             ///< empty unless ok()
+
+  bool ok() const { return report.status == tern::Status::kOk; }
+};
+
+/// A planner with the memory it needs, for one scenario after another.
+class Session {
+ public:
+  Session();
+
+  /// Lays out, fills and inflates the grid, and plans. Throws ScenarioError where the grid does not fit.
+  PlanResult plan(const Scenario& scenario);
+
+ private:
+  tern::Status build_grid(PlanResult& result);
+
+  std::unique_ptr<unsigned char[]> memory_;
+  std::vector<std::uint64_t> words_;
+  tern::Grid grid_;
+  tern::Planner planner_;
+};
+
+}  // namespace tern_host
+
+#endif
