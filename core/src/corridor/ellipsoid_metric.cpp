@@ -24,11 +24,6 @@ double quadratic(const double (&m)[3][3], const double (&d)[3]) {
   return (d[0] * x + d[1] * y) + d[2] * z;
 }
 
-Vec3 multiply(const double (&m)[3][3], const Vec3& v) {
-  return {(m[0][0] * v.x + m[0][1] * v.y) + m[0][2] * v.z, (m[1][0] * v.x + m[1][1] * v.y) + m[1][2] * v.z,
-          (m[2][0] * v.x + m[2][1] * v.y) + m[2][2] * v.z};
-}
-
 /// The best offset so far.
 struct Best {
   double offset[3];
@@ -100,14 +95,14 @@ EllipsoidMetric metric_of(const EllipsoidFrame& frame) noexcept {
   return metric;
 }
 
-Ellipsoid ellipsoid_of(const EllipsoidFrame& frame, double scale) noexcept {
+Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept {
   Ellipsoid ellipsoid;
   ellipsoid.center = frame.center;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       double sum = 0.0;
       for (int k = 0; k < 3; ++k) {
-        sum += axis(frame.direction[k], i) * axis(frame.direction[k], j) * (frame.semi_axis[k] * scale);
+        sum += axis(frame.direction[k], i) * axis(frame.direction[k], j) * frame.semi_axis[k];
       }
       ellipsoid.axes[i][j] = sum;
     }

@@ -7,6 +7,7 @@
 #ifndef TERN_CORRIDOR_ELLIPSOID_METRIC_HPP
 #define TERN_CORRIDOR_ELLIPSOID_METRIC_HPP
 
+#include "base/math.hpp"
 #include "corridor/local_boxes.hpp"
 #include "tern/corridor.hpp"
 #include "tern/vec3.hpp"
@@ -29,8 +30,8 @@ struct EllipsoidMetric {
 
 EllipsoidMetric metric_of(const EllipsoidFrame& frame) noexcept;
 
-/// E, center: the paper's form { E q + c : |q| <= 1 }, the semi-axes multiplied by `scale`.
-Ellipsoid ellipsoid_of(const EllipsoidFrame& frame, double scale) noexcept;
+/// E, center: the paper's form { E q + c : |q| <= 1 }.
+Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept;
 
 /// The point of the box that is nearest to `center` in the metric, as an offset from `center`. Zero where the box
 /// holds `center`. Exact: the nearest point lies on a face that looks at the centre, within it on an edge that looks
@@ -51,6 +52,11 @@ Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double ra
 
 /// max of normal . p over the ellipsoid, relative to its centre.
 double reach_along(const EllipsoidMetric& metric, const Vec3& normal) noexcept;
+
+inline Vec3 multiply(const double (&m)[3][3], const Vec3& v) noexcept {
+  return {(m[0][0] * v.x + m[0][1] * v.y) + m[0][2] * v.z, (m[1][0] * v.x + m[1][1] * v.y) + m[1][2] * v.z,
+          (m[2][0] * v.x + m[2][1] * v.y) + m[2][2] * v.z};
+}
 
 /// min of normal . p over the box: the corner that the normal points away from.
 inline double support(const Vec3& normal, const LocalBox& box) noexcept {

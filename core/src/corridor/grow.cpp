@@ -3,6 +3,7 @@
 #include "corridor/grow.hpp"
 
 #include "base/math.hpp"
+#include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/ellipsoid_fit.hpp"
 #include "corridor/ellipsoid_metric.hpp"
 #include "corridor/separation.hpp"
@@ -12,6 +13,15 @@ namespace {
 
 /// A box counts as cut off though rounding says it is not quite, in parts of the coordinates' size.
 constexpr double kRounding = 1e-13;
+
+/// Half-spaces of the local box, the first of every polyhedron.
+constexpr int kBoxFaces = 6;
+
+/// The barrier's least distance to a plane, in voxels: a hundredth is less than any clearance worth a shape.
+constexpr double kLeastSlackCells = 0.01;
+
+/// Least semi-axis of an ellipsoid, in parts of its longest, where a half-space touches the segment.
+constexpr double kSliver = 1e-9;
 
 bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   const double beyond = support(plane.normal, box);
@@ -107,16 +117,77 @@ Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles
   return Status::kOk;
 }
 
-/// The largest factor, 1 at most, that keeps the ellipsoid inside every half-space.
-double inscribed_scale(const EllipsoidMetric& metric, const Polyhedron& polyhedron) {
-  double scale = 1.0;
+/// Copies what makes a polyhedron; half-spaces past its count are not worth it.
+void copy_planes(const Polyhedron& from, Polyhedron& to) {
+  to.count = from.count;
+  for (int p = 0; p < from.count; ++p) to.planes[p] = from.planes[p];
+}
+
+/// Tries the half-spaces that a larger ellipsoid inside the last polyhedron gives, and keeps the largest polyhedron of
+/// all rounds in `out`. A round whose half-spaces do not fit ends the rounds: there is a polyhedron already.
+Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
+               Polyhedron& out) {
+  const double least_slack = kLeastSlackCells * cell;
+  BarrierEllipsoid inner = barrier_ellipsoid(out, 0.5 * (segment.from + segment.to), least_slack);
+  double largest = inner.size;
+  copy_planes(out, scratch.trial);
+  for (int round = 0; round < kImprovingRounds; ++round) {
+    scratch.trial.count = kBoxFaces;
+    const Status status = append_tangents(inner.metric, obstacles, segment, scratch, scratch.trial);
+    if (status == Status::kPlanesFull) break;
+    if (status != Status::kOk) return status;
+    inner = barrier_ellipsoid(scratch.trial, inner.metric.center, least_slack);
+    if (inner.size <= largest) continue;
+    largest = inner.size;
+    copy_planes(scratch.trial, out);
+  }
+  return Status::kOk;
+}
+
+/// Shrinks y and z by one factor until the ellipsoid lies inside every half-space. x stays: every half-space holds the
+/// segment, so that there is always such a factor. Where one touches the segment a sliver remains.
+void inscribe(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
+  double factor = 1.0;
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
-    const double room = larger(plane.offset - dot(plane.normal, metric.center), 0.0);
-    const double reach = reach_along(metric, plane.normal);
-    if (room < scale * reach) scale = room / reach;
+    const double room = plane.offset - dot(plane.normal, frame.center);
+    const double x = frame.semi_axis[0] * dot(plane.normal, frame.direction[0]);
+    const double y = frame.semi_axis[1] * dot(plane.normal, frame.direction[1]);
+    const double z = frame.semi_axis[2] * dot(plane.normal, frame.direction[2]);
+    const double across = y * y + z * z;
+    const double left = larger(room, 0.0) * room - x * x;
+    if (left < factor * factor * across) factor = square_root(larger(left, 0.0) / across);
   }
-  return scale;
+  frame.semi_axis[1] = larger(frame.semi_axis[1] * factor, kSliver * frame.semi_axis[0]);
+  frame.semi_axis[2] = larger(frame.semi_axis[2] * factor, kSliver * frame.semi_axis[0]);
+}
+
+/// A hover's ball shrinks as a whole.
+void inscribe_ball(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
+  double least = frame.semi_axis[0];
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const Halfspace& plane = polyhedron.planes[p];
+    least = smaller(least, plane.offset - dot(plane.normal, frame.center));
+  }
+  for (double& semi_axis : frame.semi_axis) semi_axis = larger(least, kSliver * semi_axis);
+}
+
+/// Fits the ellipsoid, makes the half-spaces, improves them.
+Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
+               Polyhedron& out) {
+  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
+  Status status = append_tangents(metric_of(frame), obstacles, segment, scratch, out);
+  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out);
+  if (status != Status::kOk) return status;
+  if (distance(segment.from, segment.to) < kPointLike) {
+    inscribe_ball(out, frame);
+  } else {
+    inscribe(out, frame);
+  }
+  out.ellipsoid = ellipsoid_of(frame);
+  out.from = segment.from;
+  out.to = segment.to;
+  return Status::kOk;
 }
 
 Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach, GrowScratch& scratch,
@@ -134,16 +205,7 @@ Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach,
     return Status::kObstaclesFull;
   }
   if (count > scratch.boxes_high) scratch.boxes_high = count;
-
-  const Obstacles obstacles{scratch.boxes, count, spec.radius};
-  const EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, spec.cell, scratch.remaining);
-  const EllipsoidMetric metric = metric_of(frame);
-  const Status status = append_tangents(metric, obstacles, segment, scratch, out);
-  if (status != Status::kOk) return status;
-  out.ellipsoid = ellipsoid_of(frame, inscribed_scale(metric, out));
-  out.from = segment.from;
-  out.to = segment.to;
-  return Status::kOk;
+  return enclose({scratch.boxes, count, spec.radius}, segment, spec.cell, scratch, out);
 }
 
 bool within(const Box& boundary, const Vec3& p) {

@@ -11,7 +11,7 @@ namespace {
 /// Below this distance, in metres, the closest pair's direction is rounding; above it, its unit vector is good to 1e-8.
 constexpr double kTooCloseForDirection = 1e-7;
 
-/// How far the box's side of a plane lies beyond the segment, along a normal of any length, the radius taken off.
+/// How far the box, grown by the radius, lies beyond the segment along a normal; in units of the normal's length.
 /// Concave in the normal: a mean of two normals leaves at least the mean of what they leave.
 double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const double far = larger(dot(normal, segment.from), dot(normal, segment.to));
@@ -68,7 +68,7 @@ Vec3 touching_normal(const SegmentMargin& segment, const LocalBox& box) {
 /// The normal that leaves the segment the most room.
 Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
   const Box solid{{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
-  const ClosestPair pair = closest_pair(segment.from, segment.to, solid);
+  const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);
   if (gap < kTooCloseForDirection) return touching_normal(segment, box);
@@ -81,20 +81,23 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
                 Halfspace& out) noexcept {
   const double tangent_room = room_along(segment, box, radius, tangent);
   const bool has_tangent = dot(tangent, tangent) > 0.5;
-  if (has_tangent && tangent_room >= segment.margin) {
+  if (has_tangent && tangent_room >= larger(segment.least, kMostMargin)) {
     out = plane_along(segment, box, radius, tangent);
     return Status::kOk;
   }
   const Vec3 widest = widest_normal(segment, box);
-  const double widest_room = room_along(segment, box, radius, widest);
-  if (widest_room < -kTouching) return Status::kCorridorBlocked;
-  if (!has_tangent || widest_room <= segment.margin) {
+  const double room = room_along(segment, box, radius, widest);
+  if (room < -kTouching) return Status::kCorridorBlocked;
+  const double margin = larger(segment.least, smaller(kMarginShare * room, kMostMargin));
+  if (!has_tangent || room <= margin) {
     out = plane_along(segment, box, radius, widest);
-    return Status::kOk;
+  } else if (tangent_room >= margin) {
+    out = plane_along(segment, box, radius, tangent);
+  } else {
+    // Between the two normals, as near to the tangent as the margin lets it: see room_along.
+    const double share = (margin - tangent_room) / (room - tangent_room);
+    out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
   }
-  // Between the two normals, as near to the tangent as the margin lets it: see room_along.
-  const double share = (segment.margin - tangent_room) / (widest_room - tangent_room);
-  out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
   return Status::kOk;
 }
 

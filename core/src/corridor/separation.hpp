@@ -17,16 +17,22 @@ namespace tern {
 /// goal that lies exactly at the radius.
 constexpr double kTouching = 1e-9;
 
-/// A segment, and how far each half-space should keep from it where there is room.
+/// A segment, and how far each half-space should keep from it.
 struct SegmentMargin {
   Vec3 from;
   Vec3 to;
-  double margin;  ///< metres, >= 0
+  double least;  ///< metres, > 0: kept wherever there is that much room
 };
 
+/// Half-spaces keep this share of the room there is, but no more than kMostMargin metres: what they take from the
+/// neighbourhood of a waypoint is missing where the trajectory turns.
+constexpr double kMarginShare = 0.5;
+constexpr double kMostMargin = 0.25;
+
 /// The half-space that keeps `radius` from the box and holds the segment; `tangent` is the wanted unit normal, zero
-/// where there is none. Its distance from the segment is at least the smaller of the margin and all the room there is
-/// (the distance between segment and box, less the radius). kOk, or kCorridorBlocked where that room is negative.
+/// where there is none. The room is the distance between segment and box, less the radius; the half-space's distance
+/// from the segment is min(room, max(least, min(kMarginShare * room, kMostMargin))) at least, to rounding.
+/// kOk, or kCorridorBlocked where the room is negative by more than kTouching.
 Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
                 Halfspace& out) noexcept;
 
