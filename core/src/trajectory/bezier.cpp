@@ -1,0 +1,94 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/bezier.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+double hull(const Curve& curve) {
+  double result = 0.0;
+  for (int i = 0; i <= curve.degree; ++i) result = larger(result, absolute(curve.c[i]));
+  return result;
+}
+
+/// The ends of a Bernstein form are values of the curve.
+double reached(const Curve& curve) {
+  return larger(absolute(curve.c[0]), absolute(curve.c[curve.degree]));
+}
+
+/// Pieces still to be looked into, the deepest on top. Each level leaves one sibling at most.
+struct Pieces {
+  Curve curve[kPeakDepth + 1];
+  int depth[kPeakDepth + 1];
+  int count;
+};
+
+void push(Pieces& pieces, const Curve& curve, int depth) {
+  pieces.curve[pieces.count] = curve;
+  pieces.depth[pieces.count] = depth;
+  ++pieces.count;
+}
+
+}  // namespace
+
+Curve coordinate(const Segment& segment, int a) noexcept {
+  Curve curve{};
+  curve.degree = kDegree;
+  for (int i = 0; i <= kDegree; ++i) curve.c[i] = axis(segment.points[i], a);
+  return curve;
+}
+
+Curve hodograph(const Curve& curve, double duration) noexcept {
+  Curve result{};
+  result.degree = curve.degree - 1;
+  const double factor = curve.degree / duration;
+  for (int i = 0; i < curve.degree; ++i) result.c[i] = factor * (curve.c[i + 1] - curve.c[i]);
+  return result;
+}
+
+double value(Curve curve, double u) noexcept {
+  for (int level = curve.degree; level > 0; --level) {
+    for (int i = 0; i < level; ++i) curve.c[i] = (1.0 - u) * curve.c[i] + u * curve.c[i + 1];
+  }
+  return curve.c[0];
+}
+
+Curve split(Curve& curve) noexcept {
+  const int n = curve.degree;
+  Curve second{};
+  second.degree = n;
+  for (int level = 0; level <= n; ++level) {
+    second.c[n - level] = curve.c[n];
+    for (int i = n; i > level; --i) curve.c[i] = 0.5 * (curve.c[i - 1] + curve.c[i]);
+  }
+  return second;
+}
+
+double peak_bound(const Curve& curve, double floor, double tolerance) noexcept {
+  Pieces pieces;
+  pieces.count = 0;
+  double lower = reached(curve);
+  double bound = larger(lower, floor);
+  push(pieces, curve, 0);
+  for (int step = 0; step < kPeakPieces && pieces.count > 0; ++step) {
+    --pieces.count;
+    Curve first = pieces.curve[pieces.count];
+    const int depth = pieces.depth[pieces.count];
+    const double top = hull(first);
+    if (top <= larger(floor, lower * (1.0 + tolerance)) || depth == kPeakDepth) {
+      bound = larger(bound, top);
+      continue;
+    }
+    const Curve second = split(first);
+    lower = larger(lower, reached(first));
+    bound = larger(bound, lower);
+    push(pieces, second, depth + 1);
+    push(pieces, first, depth + 1);
+  }
+  for (int i = 0; i < pieces.count; ++i) bound = larger(bound, hull(pieces.curve[i]));
+  return bound;
+}
+
+}  // namespace tern

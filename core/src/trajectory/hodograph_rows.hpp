@@ -1,0 +1,81 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which points a limit is put on. The control points of a hodograph bound it (its hull), but by up to a third too much;
+// those of its two halves are four times closer. Their weights on the eight control points of the position, constants.
+#ifndef TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
+#define TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
+
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// Equal pieces that hodographs are cut into: 1, 2 or 4.
+constexpr int kHodographPieces = 2;
+/// Control points of all pieces, shared ends counted once.
+constexpr int kVelocityRows = 6 * kHodographPieces + 1;
+constexpr int kAccelerationRows = 5 * kHodographPieces + 1;
+
+/// Row r is the weights of c[0 .. 7]; times 1 / duration (velocity) or 1 / duration^2 (acceleration). Dyadic: exact.
+struct HodographRows {
+  double velocity[kVelocityRows][kControlPoints];
+  double acceleration[kAccelerationRows][kControlPoints];
+};
+
+/// Weights of the control points of one curve over the eight of the position.
+struct WeightedCurve {
+  double w[kControlPoints][kControlPoints];
+  int degree;
+};
+
+constexpr WeightedCurve derivative_weights(int order) {
+  WeightedCurve curve{};
+  curve.degree = kDegree;
+  for (int i = 0; i <= kDegree; ++i) curve.w[i][i] = 1.0;
+  for (int k = 0; k < order; ++k) {
+    const double factor = curve.degree;
+    for (int i = 0; i < curve.degree; ++i) {
+      for (int j = 0; j <= kDegree; ++j) curve.w[i][j] = factor * (curve.w[i + 1][j] - curve.w[i][j]);
+    }
+    --curve.degree;
+  }
+  return curve;
+}
+
+/// de Casteljau at u: `curve` becomes the rest over [u, 1], the piece over [0, u] is returned.
+constexpr WeightedCurve cut_weights(WeightedCurve& curve, double u) {
+  const int n = curve.degree;
+  WeightedCurve first{};
+  first.degree = n;
+  for (int level = 0; level <= n; ++level) {
+    for (int j = 0; j <= kDegree; ++j) first.w[level][j] = curve.w[0][j];
+    for (int i = 0; i < n - level; ++i) {
+      for (int j = 0; j <= kDegree; ++j) curve.w[i][j] = (1.0 - u) * curve.w[i][j] + u * curve.w[i + 1][j];
+    }
+  }
+  return first;
+}
+
+constexpr void piece_weights(int order, double (*rows)[kControlPoints]) {
+  WeightedCurve rest = derivative_weights(order);
+  const int n = rest.degree;
+  for (int piece = 0; piece < kHodographPieces; ++piece) {
+    const WeightedCurve first = cut_weights(rest, 1.0 / (kHodographPieces - piece));
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= kDegree; ++j) rows[piece * n + i][j] = first.w[i][j];
+    }
+  }
+}
+
+constexpr HodographRows make_hodograph_rows() {
+  HodographRows rows{};
+  piece_weights(1, rows.velocity);
+  piece_weights(2, rows.acceleration);
+  return rows;
+}
+
+constexpr HodographRows kHodographRows = make_hodograph_rows();
+
+}  // namespace tern
+
+#endif

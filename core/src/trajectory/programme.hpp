@@ -1,0 +1,46 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a chain of segments to a quadratic programme and back (the paper's Sections 3.4.2 and 3.4.3).
+//
+// The unknowns of each axis are the states of the interior joints, 4 (count - 1), in normalised time (durations over
+// their mean) and divided by the roots of the Hessian's diagonal, which is then 1: conditioning depends neither on
+// where the map is nor on how long the flight takes.
+#ifndef TERN_TRAJECTORY_PROGRAMME_HPP
+#define TERN_TRAJECTORY_PROGRAMME_HPP
+
+#include "qp/qp.hpp"
+#include "trajectory/chain.hpp"
+
+namespace tern {
+
+/// How a programme's unknowns read as states.
+struct ProgrammeScale {
+  double tau;                               ///< mean duration, seconds
+  double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
+};
+
+/// Which rows a programme has.
+enum class Rows : std::uint8_t {
+  kCorridor,           ///< control points inside their polyhedra
+  kCorridorAndLimits,  ///< also velocity and acceleration, for all t
+};
+
+/// Part of a limit that its rows leave free, so that a solution within the solver's tolerance is within the limit.
+constexpr double kRowMargin = 1e-8;
+
+/// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns (they follow from the
+/// boundary states and the durations alone) are left out: whoever accepts a solution checks all control points anyway.
+/// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations and limits, and the
+/// corridor's come first: a working set is a warm start for either kind of rows.
+void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, Rows rows, QpProblem& problem,
+              ProgrammeScale& scale) noexcept;
+
+/// The control points that x stands for. `points`: chain.count rows of kControlPoints, local frame. Joints are the same
+/// bits on both sides; the outermost control points are the start and the goal, bit for bit.
+void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,
+                 Vec3 (*points)[kControlPoints]) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,47 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What remains when optimising fails (contract C6): straight from waypoint to waypoint, at rest in each. Needs no
+// solver and no luck: a straight segment stays in the polyhedron that was grown around it. A start or goal that moves
+// is first braked (or last accelerated) inside its polyhedron, where that is possible.
+#ifndef TERN_TRAJECTORY_STOP_AND_GO_HPP
+#define TERN_TRAJECTORY_STOP_AND_GO_HPP
+
+#include "tern/corridor.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// How long a plan lasts whose start is its goal, seconds.
+constexpr double kHoverDuration = 1.0;
+
+/// Peak speed and acceleration of the profile 35 u^4 - 84 u^5 + 70 u^6 - 20 u^7 (four equal control points at each
+/// end): at u = 1/2 and at u = (5 - sqrt 5) / 10.
+constexpr double kRestPeakSpeed = 35.0 / 16.0;
+constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 25
+
+/// True where velocity and acceleration are zero.
+bool at_rest(const State& state) noexcept;
+
+/// The straight segment from rest to rest, as fast as the limits of every axis allow. kMinDuration at least; where both
+/// ends are the same point it stays there that long.
+Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept;
+
+/// The shortest of a bounded ladder of segments from the state to rest that keep the limits and the polyhedron. False
+/// where none does. At rest already: a straight segment of no length.
+bool brake_segment(const State& state, const Polyhedron& polyhedron, int index, const Limits& limits,
+                   Segment& segment) noexcept;
+
+/// kOk, or kNoTrajectory with `out` untouched: no room to brake or accelerate, or no segment left for it. Fills count
+/// and segments of `out`. Legs of no length are left out.
+Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
+                   Trajectory& out) noexcept;
+
+/// A plan for a start at rest that is its goal: stays for kHoverDuration.
+void hover(const Vec3& point, Trajectory& out) noexcept;
+
+}  // namespace tern
+
+#endif

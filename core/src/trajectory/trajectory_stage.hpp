@@ -1,0 +1,92 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The trajectory stage (the paper's Section 3.4): corridor in, Bezier trajectory of degree 7 out, continuous to jerk,
+// its control points inside the corridor, velocity and acceleration within the limits for all t. See
+// docs/trajectory.md.
+#ifndef TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
+#define TERN_TRAJECTORY_TRAJECTORY_STAGE_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "qp/solver.hpp"
+#include "tern/corridor.hpp"
+#include "tern/report.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+#include "trajectory/chain.hpp"
+#include "trajectory/programme.hpp"
+#include "trajectory/refinement.hpp"
+
+namespace tern {
+
+/// What is asked for. Local frame; limits valid, boundary states within them, positions inside the first and the last
+/// polyhedron.
+struct TrajectoryQuery {
+  State start;
+  State goal;
+  Limits limits;
+  std::uint32_t max_iterations;  ///< of all quadratic programmes together; 0: stop-and-go at once
+};
+
+/// Iterations that a plan may take, whatever its input.
+constexpr std::uint32_t kTrajectoryBound =
+    static_cast<std::uint32_t>(kMaxQpSolves) * static_cast<std::uint32_t>(kMaxQpIterations);
+
+enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kFinish };
+
+/// The best plan so far: its control points, the other arrays are shared with the candidate.
+struct BestPlan {
+  bool found;
+  double total;
+  double duration[kMaxSegments];
+  Vec3 points[kMaxSegments][kControlPoints];
+  int active;
+  double kkt_residual;
+};
+
+/// Plain data; needs no initialisation before trajectory_begin.
+struct TrajectoryStage {
+  // Results, valid whenever trajectory_advance has returned.
+  Quality quality;
+  Status optimiser;          ///< kOk, or why the plan is not the refined one
+  std::uint32_t iterations;  ///< of all programmes
+  int active_high;           ///< the largest working set
+  int solves;
+  int longest_solve;    ///< iterations
+  int variables;        ///< of one programme, all axes
+  int inequalities;     ///< of the programme with the most rows
+  int active;           ///< of the plan given out
+  double kkt_residual;  ///< of the plan given out
+
+  // State.
+  TrajectoryPhase phase;
+  TrajectoryQuery query;
+  Chain chain;
+  Refinement refinement;
+  Round round;
+  ProgrammeScale scale;
+  BestPlan best;
+  Status solve_status;
+  std::uint32_t solve_begin;  ///< `iterations` when the programme was begun
+  int warm_count;
+  QpRow warm[kMaxActive];
+  Vec3 points[kMaxSegments][kControlPoints];  ///< the candidate's
+  QpProblem problem;
+  QpSolution solution;
+  QpSolver solver;
+};
+
+/// Starts a plan. The corridor must stay unchanged until it ends; polyhedra at least one, each around its segment.
+void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query) noexcept;
+
+/// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kRunning, kOk
+/// with count and segments of `out` filled (the origin is the caller's), or kNoTrajectory with `out` untouched: only
+/// from a moving start or to a moving goal. Segments name their polyhedron; there may be more segments than polyhedra.
+Status trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
+
+}  // namespace tern
+
+#endif
