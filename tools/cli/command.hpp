@@ -1,0 +1,22 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What every subcommand of the command line shares. A subcommand is a function that adds itself to the application:
+// its options, and a callback that leaves the program's exit status in `exit_status`.
+#ifndef TERN_CLI_COMMAND_HPP
+#define TERN_CLI_COMMAND_HPP
+
+#include <CLI/CLI.hpp>
+
+namespace tern_cli {
+
+constexpr int kExitOk = 0;
+constexpr int kExitBadInput = 2;  ///< wrong usage, a bad scenario file, or an output that cannot be written
+constexpr int kExitNoPlan = 3;    ///< the planner answered, and the answer is no
+
+void add_plan_command(CLI::App& app, int& exit_status);
+void add_table_command(CLI::App& app, int& exit_status);
+
+}  // namespace tern_cli
+
+#endif

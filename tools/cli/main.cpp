@@ -1,0 +1,65 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "tern/self_test.hpp"
+
+namespace {
+
+std::string version_text() {
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016" PRIx64, tern::configuration_hash());
+  return std::string("tern ") + TERN_VERSION + "\nprofile " + TERN_PROFILE_NAME + "\nconfiguration " + hash;
+}
+
+/// `--set a=1 b=2` as `--set a=1 --set b=2`, so that the option takes several values and still no positional argument.
+/// In reverse order, as CLI11 wants it.
+std::vector<std::string> reversed_arguments(int argc, char** argv) {
+  std::vector<std::string> arguments;
+  bool setting = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const bool further =
+        setting && arguments.back() != "--set" && argument[0] != '-' && argument.find('=') != std::string::npos;
+    if (further) arguments.push_back("--set");
+    setting = argument == "--set" || further || (setting && arguments.back() == "--set");
+    arguments.push_back(argument);
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Tern plans safe, smooth trajectories for multirotors through maps of obstacles.", "tern");
+  app.footer(
+      "Exit status: 0 where there is a plan, 2 for wrong usage or a bad file, 3 where there is no plan.\n"
+      "`tern COMMAND --help` explains a command; docs/tools.md and docs/formats.md explain all of them.");
+  app.set_version_flag("--version", version_text(), "Print version, capacity profile and configuration hash");
+  app.require_subcommand(1);
+  int exit_status = tern_cli::kExitOk;
+  tern_cli::add_plan_command(app, exit_status);
+  tern_cli::add_table_command(app, exit_status);
+  try {
+    app.parse(reversed_arguments(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? tern_cli::kExitOk : tern_cli::kExitBadInput;
+  }
+  return exit_status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tern: %s\n", error.what());
+    return tern_cli::kExitBadInput;
+  }
+}

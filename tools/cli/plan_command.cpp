@@ -1,0 +1,82 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/summary.hpp"
+#include "host/atomic_file.hpp"
+#include "host/number.hpp"
+#include "host/picture/picture.hpp"
+#include "host/plan_file.hpp"
+
+namespace tern_cli {
+namespace {
+
+struct PlanOptions {
+  std::string scenario;
+  std::string json;
+  std::string csv;
+  std::string svg;
+  double csv_step = 0.01;
+  std::vector<std::string> overrides;
+};
+
+/// Everything is made before anything is written.
+void write_outputs(const PlanOptions& options, const tern_host::PlanResult& result) {
+  const std::string json = options.json.empty() ? "" : tern_host::plan_json(result);
+  const std::string svg = options.svg.empty() ? "" : tern_host::plan_svg(result);
+  const bool has_csv = !options.csv.empty() && result.ok();
+  const std::string csv = has_csv ? tern_host::trajectory_csv(result.trajectory, options.csv_step) : "";
+  if (!options.json.empty()) tern_host::write_file(options.json, json);
+  if (!options.svg.empty()) tern_host::write_file(options.svg, svg);
+  if (has_csv) tern_host::write_file(options.csv, csv);
+}
+
+int plan(const PlanOptions& options) {
+  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  const tern_host::PlanResult result = tern_host::Session().plan(scenario);
+  write_outputs(options, result);
+  if (result.ok()) {
+    std::fputs(plan_summary(result).c_str(), stdout);
+    return kExitOk;
+  }
+  std::fputs(failure_summary(result).c_str(), stderr);
+  return kExitNoPlan;
+}
+
+std::string check_step(const std::string& text) {
+  double step = 0.0;
+  const bool valid = tern_host::parse_number(text, step) == tern_host::NumberError::kNone && step > 0.0;
+  return valid ? "" : "must be a number of seconds above 0";
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_status) {
+  const auto options = std::make_shared<PlanOptions>();
+  CLI::App* const command = app.add_subcommand("plan", "Plan one scenario and print a summary");
+  command->add_option("SCENARIO", options->scenario, "Scenario file: map, start, goal, limits (docs/formats.md)")
+      ->required();
+  command->add_option("--json", options->json, "Write the plan, or how far it came, as JSON")->type_name("FILE");
+  command->add_option("--csv", options->csv, "Write t, position, velocity, acceleration, jerk, snap as a table")
+      ->type_name("FILE");
+  command->add_option("--csv-step", options->csv_step, "Time between the table's rows, seconds")
+      ->capture_default_str()
+      ->check(check_step, "SECONDS")
+      ->type_name("SECONDS");
+  command->add_option("--svg", options->svg, "Draw map, paths, corridor, trajectory and profiles")->type_name("FILE");
+  command
+      ->add_option("--set", options->overrides,
+                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, goal_velocity, "
+                   "goal_acceleration, resolution, radius, v_max, a_max; e.g. --set radius=0.1 --set goal=1,2,3")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->footer("Files are written whole or not at all. No table is written where there is no plan.");
+  command->callback([options, &exit_status] { exit_status = plan(*options); });
+}
+
+}  // namespace tern_cli

@@ -1,0 +1,138 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/figures.hpp"
+#include "host/number.hpp"
+#include "host/plan_file.hpp"
+
+namespace tern_cli {
+namespace {
+
+using tern::Stage;
+using tern_host::fixed;
+using tern_host::PlanResult;
+
+std::string right(const std::string& text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::string left(const std::string& text, std::size_t width) {
+  return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
+}
+
+std::string clearance_text(double clearance) {
+  return std::isfinite(clearance) ? fixed(clearance, 3) : "-";
+}
+
+double largest(const tern::Vec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+std::string search_lines(const PlanResult& result) {
+  const tern::Path& path = *result.path;
+  const auto expanded = result.report.stages[static_cast<int>(Stage::kSearch)].work;
+  return "  jump points " + fixed(path.raw_length, 3) + " m over " + std::to_string(path.raw_count) + " points, " +
+         std::to_string(expanded) + " expansions\n" + "  shortcut    " + fixed(path.length, 3) + " m over " +
+         std::to_string(path.count) + " waypoints\n";
+}
+
+std::string corridor_line(const PlanResult& result) {
+  const tern::Corridor& corridor = *result.corridor;
+  int planes = 0;
+  for (int i = 0; i < corridor.count; ++i) planes += corridor.polyhedra[i].count;
+  return "  corridor    " + std::to_string(corridor.count) + " polyhedra, " + std::to_string(planes) + " half-spaces\n";
+}
+
+std::string timing_line(const tern_host::Timing& timing) {
+  const auto entry = [](const char* name, double us) { return std::string(name) + " " + fixed(us, 0) + "  "; };
+  return "  time (us)   " + entry("inflate", timing.inflate) + entry("search", timing.of(Stage::kSearch)) +
+         entry("shortcut", timing.of(Stage::kShortcut)) + entry("corridor", timing.of(Stage::kCorridor)) +
+         entry("times", timing.of(Stage::kTimes)) + entry("optimise", timing.of(Stage::kTrajectory)) +
+         entry("check", timing.of(Stage::kCheck)) + "total " + fixed(timing.total(), 0) + "\n";
+}
+
+std::string trajectory_lines(const PlanResult& result) {
+  const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
+  const std::string clearance =
+      std::isfinite(figures.clearance) ? fixed(figures.clearance, 4) + " m from the blocks" : "no blocks";
+  return "  trajectory  " + fixed(figures.length, 3) + " m in " + fixed(figures.duration, 3) + " s, " +
+         std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
+         "  peaks       v " + fixed(largest(figures.v_peak), 3) + " m/s, a " + fixed(largest(figures.a_peak), 3) +
+         " m/s^2 an axis; |v| " + fixed(figures.speed, 3) + ", |a| " + fixed(figures.acceleration, 3) + "\n" +
+         "  clearance   " + clearance + "\n";
+}
+
+struct Column {
+  const char* head;
+  const char* unit;
+  std::size_t width;
+};
+
+constexpr std::size_t kNameWidth = 14;
+constexpr std::size_t kStatusWidth = 12;
+constexpr Column kColumns[] = {
+    {"path", "m", 8},     {"way-", "points", 7}, {"seg-", "ments", 6},  {"duration", "s", 9},
+    {"snap", "m2/s7", 9}, {"v peak", "m/s", 7},  {"a peak", "m/s2", 7}, {"clear", "m", 7},
+    {"inflate", "us", 8}, {"search", "us", 8},   {"shortc.", "us", 8},  {"corridor", "us", 9},
+    {"times", "us", 6},   {"optim.", "us", 8},   {"check", "us", 7},    {"total", "us", 8},
+};
+
+std::vector<std::string> cells(const PlanResult& result) {
+  const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
+  const tern_host::Timing& timing = result.timing;
+  return {fixed(result.path->length, 3),
+          std::to_string(result.path->count),
+          std::to_string(result.trajectory.count),
+          fixed(figures.duration, 2),
+          fixed(figures.snap, 2),
+          fixed(largest(figures.v_peak), 3),
+          fixed(largest(figures.a_peak), 3),
+          clearance_text(figures.clearance),
+          fixed(timing.inflate, 0),
+          fixed(timing.of(Stage::kSearch), 0),
+          fixed(timing.of(Stage::kShortcut), 0),
+          fixed(timing.of(Stage::kCorridor), 0),
+          fixed(timing.of(Stage::kTimes), 0),
+          fixed(timing.of(Stage::kTrajectory), 0),
+          fixed(timing.of(Stage::kCheck), 0),
+          fixed(timing.total(), 0)};
+}
+
+}  // namespace
+
+std::string plan_summary(const PlanResult& result) {
+  const std::string detail = tern_host::describe_status(result.report);
+  std::string text = result.scenario.name + ": ok" + (detail.empty() ? "" : " (" + detail + ")") + "\n";
+  if (result.path != nullptr) text += search_lines(result);
+  if (result.corridor != nullptr) text += corridor_line(result);
+  return text + trajectory_lines(result) + timing_line(result.timing);
+}
+
+std::string failure_summary(const PlanResult& result) {
+  return result.scenario.name + ": no plan: " + tern::status_name(result.report.status) + ": " +
+         tern_host::describe_status(result.report) + "\n";
+}
+
+std::string table_header() {
+  std::string heads = left("scenario", kNameWidth) + left("status", kStatusWidth);
+  std::string units = std::string(kNameWidth + kStatusWidth, ' ');
+  for (const Column& column : kColumns) {
+    heads += right(column.head, column.width);
+    units += right(column.unit, column.width);
+  }
+  return heads + "\n" + units + "\n";
+}
+
+std::string table_row(const std::string& name, const PlanResult& result) {
+  std::string row = left(name, kNameWidth) + left(tern::status_name(result.report.status), kStatusWidth);
+  if (!result.ok()) return row + "  " + tern_host::describe_status(result.report) + "\n";
+  const std::vector<std::string> values = cells(result);
+  for (std::size_t i = 0; i < values.size(); ++i) row += right(values[i], kColumns[i].width);
+  return row + "\n";
+}
+
+}  // namespace tern_cli

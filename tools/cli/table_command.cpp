@@ -1,0 +1,84 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/summary.hpp"
+#include "host/atomic_file.hpp"
+#include "host/picture/picture.hpp"
+#include "host/plan_file.hpp"
+
+namespace tern_cli {
+namespace {
+
+constexpr double kCsvStep = 0.01;
+
+struct TableOptions {
+  std::vector<std::string> scenarios;
+  std::string folder;
+  int warm_up = 1;
+  std::vector<std::string> overrides;
+};
+
+std::string base_name(const std::string& path) {
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  return file.substr(0, file.rfind(".txt"));
+}
+
+void make_folder(const std::string& folder) {
+  if (mkdir(folder.c_str(), 0777) == 0 || errno == EEXIST) return;
+  throw std::runtime_error(folder + ": cannot be made: " + std::strerror(errno));
+}
+
+void write_outputs(const std::string& stem, const tern_host::PlanResult& result) {
+  tern_host::write_file(stem + ".json", tern_host::plan_json(result));
+  tern_host::write_file(stem + ".svg", tern_host::plan_svg(result));
+  if (result.ok()) tern_host::write_file(stem + ".csv", tern_host::trajectory_csv(result.trajectory, kCsvStep));
+}
+
+int table(const TableOptions& options) {
+  if (!options.folder.empty()) make_folder(options.folder);
+  tern_host::Session session;
+  int exit_status = kExitOk;
+  std::fputs(table_header().c_str(), stdout);
+  for (const std::string& file : options.scenarios) {
+    const tern_host::Scenario scenario = tern_host::read_scenario(file, options.overrides);
+    // The first plan in fresh memory pays for its pages; a running system does not.
+    for (int i = 0; i < options.warm_up; ++i) session.plan(scenario);
+    const tern_host::PlanResult result = session.plan(scenario);
+    if (!result.ok()) exit_status = kExitNoPlan;
+    std::fputs(table_row(base_name(file), result).c_str(), stdout);
+    if (!options.folder.empty()) write_outputs(options.folder + "/" + base_name(file), result);
+  }
+  return exit_status;
+}
+
+}  // namespace
+
+void add_table_command(CLI::App& app, int& exit_status) {
+  const auto options = std::make_shared<TableOptions>();
+  CLI::App* const command = app.add_subcommand("table", "Plan several scenarios and print one row for each");
+  command->add_option("SCENARIO", options->scenarios, "Scenario files (docs/formats.md)")->required();
+  command->add_option("--out", options->folder, "Write each plan, table and picture into this folder")
+      ->type_name("FOLDER");
+  command->add_option("--warm-up", options->warm_up, "Plans to discard before the one that is timed")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
+  command->add_option("--set", options->overrides, "Replace a setting in all scenarios, as for `tern plan`")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->footer("Exit status 3 where any scenario has no plan.");
+  command->callback([options, &exit_status] { exit_status = table(*options); });
+}
+
+}  // namespace tern_cli

@@ -1,0 +1,92 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/picture/axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr double kPixelsPerTick = 70.0;
+constexpr int kMaxTicks = 60;
+
+double tick_step(const Range& range, double wanted) {
+  const double rough = range.extent() / std::max(1.0, wanted);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (rough <= factor * power * 1.0001) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+/// As many decimals as the distance of the ticks needs.
+int decimals(const std::vector<double>& values) {
+  if (values.size() < 2) return 1;
+  const double step = values[1] - values[0];
+  return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-6)));
+}
+
+std::vector<double> horizontal_ticks(const Axes& axes) {
+  return ticks(axes.horizontal, axes.frame.width / kPixelsPerTick);
+}
+
+std::vector<double> vertical_ticks(const Axes& axes) {
+  return ticks(axes.vertical, axes.frame.height / (0.65 * kPixelsPerTick));
+}
+
+}  // namespace
+
+Pixel Axes::at(double h, double v) const {
+  const double along = (h - horizontal.low) / horizontal.extent();
+  const double across = (v - vertical.low) / vertical.extent();
+  return {frame.x + along * frame.width, frame.y + (down ? across : 1.0 - across) * frame.height};
+}
+
+std::vector<double> ticks(const Range& range, double wanted) {
+  std::vector<double> values;
+  if (!(range.extent() > 0.0)) return values;
+  const double step = tick_step(range, wanted);
+  const double first = std::ceil(range.low / step - 1e-6);
+  for (int i = 0; i < kMaxTicks && (first + i) * step <= range.high + 1e-6 * step; ++i) {
+    values.push_back((first + i) * step);
+  }
+  return values;
+}
+
+void draw_grid(Canvas& canvas, const Axes& axes) {
+  canvas.rect(axes.frame, "class=\"paper\"");
+  for (const double h : horizontal_ticks(axes)) {
+    canvas.line(axes.at(h, axes.vertical.low), axes.at(h, axes.vertical.high), "class=\"grid\"");
+  }
+  for (const double v : vertical_ticks(axes)) {
+    canvas.line(axes.at(axes.horizontal.low, v), axes.at(axes.horizontal.high, v), "class=\"grid\"");
+  }
+}
+
+void draw_frame(Canvas& canvas, const Axes& axes, const std::string& horizontal_title,
+                const std::string& vertical_title) {
+  const Rect& frame = axes.frame;
+  canvas.rect(frame, "class=\"frame\"");
+  const std::vector<double> along = horizontal_ticks(axes);
+  for (const double h : along) {
+    const double x = axes.at(h, axes.vertical.low).x;
+    canvas.line({x, frame.bottom()}, {x, frame.bottom() + 4.0}, "class=\"tick\"");
+    canvas.text({x, frame.bottom() + 19.0}, fixed(h, decimals(along)), "class=\"number\" text-anchor=\"middle\"");
+  }
+  const std::vector<double> across = vertical_ticks(axes);
+  for (const double v : across) {
+    const double y = axes.at(axes.horizontal.low, v).y;
+    canvas.line({frame.x - 4.0, y}, {frame.x, y}, "class=\"tick\"");
+    canvas.text({frame.x - 8.0, y + 4.5}, fixed(v, decimals(across)), "class=\"number\" text-anchor=\"end\"");
+  }
+  const double middle = frame.y + 0.5 * frame.height;
+  const std::string turned = " transform=\"rotate(-90 " + fixed(frame.x - 44.0, 2) + " " + fixed(middle, 2) + ")\"";
+  canvas.text({frame.x + 0.5 * frame.width, frame.bottom() + 38.0}, horizontal_title,
+              "class=\"label\" text-anchor=\"middle\"");
+  canvas.text({frame.x - 44.0, middle}, vertical_title, "class=\"label\" text-anchor=\"middle\"" + turned);
+}
+
+}  // namespace tern_host

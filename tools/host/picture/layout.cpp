@@ -1,0 +1,73 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/picture/layout.hpp"
+
+#include <algorithm>
+
+namespace tern_host {
+namespace {
+
+constexpr double kLeft = 62.0;     // tick labels and title of a vertical axis
+constexpr double kBelow = 48.0;    // those of a horizontal axis
+constexpr double kHeading = 34.0;  // a panel's title
+constexpr double kProfileHeight = 230.0;
+constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
+constexpr double kColumn = 0.53 * kContent;
+constexpr double kMaxViews = 640.0;  // height of both views of a long map
+constexpr double kMaxColumnViews = 760.0;
+
+struct Extents {
+  double across;  // metres along the page's width
+  double top;     // metres of the top view's height
+  double side;
+};
+
+/// Both views, one above the other, at `scale` pixels a metre. Returns where they end.
+double stack_views(PageLayout& page, const Extents& map, double scale, double y) {
+  const double x = kPageMargin + kLeft;
+  page.top_frame = {x, y + kHeading, scale * map.across, scale * map.top};
+  page.side_frame = {x, page.top_frame.bottom() + kBelow + kHeading, scale * map.across, scale * map.side};
+  return page.side_frame.bottom() + kBelow;
+}
+
+void lay_out_wide(PageLayout& page, const Extents& map, double scale, double y) {
+  const double below = stack_views(page, map, scale, y) + kHeading + 8.0;
+  const double width = 0.5 * (kContent - 24.0) - kLeft;
+  page.velocity_frame = {kPageMargin + kLeft, below, width, kProfileHeight};
+  page.acceleration_frame = {kPageMargin + kContent - width, below, width, kProfileHeight};
+  page.height = below + kProfileHeight + kBelow;
+}
+
+void lay_out_columns(PageLayout& page, const Extents& map, double scale, double y) {
+  const double end = std::max(stack_views(page, map, scale, y), y + 2.0 * (kHeading + kBelow + 180.0));
+  const double x = page.top_frame.right() + 28.0 + kLeft;
+  const double width = kPageMargin + kContent - x;
+  const double height = 0.5 * (end - y) - kHeading - kBelow;
+  page.velocity_frame = {x, y + kHeading, width, height};
+  page.acceleration_frame = {x, page.velocity_frame.bottom() + kBelow + kHeading, width, height};
+  page.height = end;
+}
+
+}  // namespace
+
+PageLayout lay_out_page(const PlanResult& result, double y) {
+  const double extents[3] = {view_range(result, 0).extent(), view_range(result, 1).extent(),
+                             view_range(result, 2).extent()};
+  const bool turned = extents[1] > 1.05 * extents[0];
+  PageLayout page{};
+  // Seen from above with y to the right, x comes towards the reader; seen from there, z is up.
+  page.top = turned ? Projection{1, 0, 2, true} : Projection{0, 1, 2, false};
+  page.side = turned ? Projection{1, 2, 0, false} : Projection{0, 2, 1, false};
+  const Extents map{extents[page.top.horizontal], extents[page.top.vertical], extents[2]};
+  const double wide = std::min((kContent - kLeft) / map.across, kMaxViews / (map.top + map.side));
+  const double column = std::min((kColumn - kLeft) / map.across, kMaxColumnViews / (map.top + map.side));
+  if (wide * map.across > 0.8 * (kContent - kLeft)) {
+    lay_out_wide(page, map, wide, y);
+  } else {
+    lay_out_columns(page, map, column, y);
+  }
+  page.height += 12.0;
+  return page;
+}
+
+}  // namespace tern_host

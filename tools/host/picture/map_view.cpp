@@ -1,0 +1,155 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/picture/map_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/number.hpp"
+#include "host/picture/colours.hpp"
+#include "host/picture/outline.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Vec3;
+
+constexpr int kTrajectorySamples = 700;
+
+/// One view's mapping from the world to the picture.
+class View {
+ public:
+  View(const Axes& axes, const Projection& projection) : axes_(axes), projection_(projection) {}
+
+  Pixel world(const Vec3& p) const {
+    return axes_.at(component(p, projection_.horizontal), component(p, projection_.vertical));
+  }
+  Rect box(const tern::Box& box, double margin) const {
+    const Pixel a = world(box.lower);
+    const Pixel b = world(box.upper);
+    const double grow = margin * scale();
+    return {std::min(a.x, b.x) - grow, std::min(a.y, b.y) - grow, std::fabs(b.x - a.x) + 2.0 * grow,
+            std::fabs(b.y - a.y) + 2.0 * grow};
+  }
+  /// Pixels a metre, the same along both axes.
+  double scale() const { return axes_.frame.width / axes_.horizontal.extent(); }
+  int depth() const { return projection_.depth; }
+
+ private:
+  Axes axes_;
+  Projection projection_;
+};
+
+Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/// How much of the map's depth a block fills, as opacity: what blocks the whole way is dark, a window's frame lighter.
+double opacity(const tern::Box& box, const tern::Box& boundary, int depth) {
+  const double lower = std::max(component(box.lower, depth), component(boundary.lower, depth));
+  const double upper = std::min(component(box.upper, depth), component(boundary.upper, depth));
+  const double all = component(boundary.upper, depth) - component(boundary.lower, depth);
+  return 0.30 + 0.55 * (all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0);
+}
+
+void draw_obstacles(Canvas& canvas, const View& view, const Scenario& scenario) {
+  for (const Block& block : scenario.blocks) {
+    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
+  }
+  for (const Block& block : scenario.blocks) {
+    const std::string strength = fixed(opacity(block.box, scenario.boundary, view.depth()), 2);
+    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + (block.keepout ? "keepout" : "block") +
+                                              "\" fill-opacity=\"" + strength + "\"");
+  }
+}
+
+void draw_corridor(Canvas& canvas, const View& view, const PlanResult& result) {
+  if (result.corridor == nullptr) return;
+  for (int i = 0; i < result.corridor->count; ++i) {
+    std::vector<Pixel> corners;
+    for (const Vec3& v : vertices(result.corridor->polyhedra[i])) {
+      corners.push_back(view.world(sum(v, result.grid.origin)));
+    }
+    const std::vector<Pixel> outline = convex_hull(corners);
+    if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
+  }
+}
+
+std::vector<Pixel> chain(const View& view, const Vec3* local, int count, const Vec3& origin) {
+  std::vector<Pixel> points;
+  for (int i = 0; i < count; ++i) points.push_back(view.world(sum(local[i], origin)));
+  return points;
+}
+
+void draw_trajectory(Canvas& canvas, const View& view, const PlanResult& result, double speed_scale) {
+  if (!result.ok()) return;
+  const double end = tern::duration(result.trajectory);
+  std::vector<Pixel> points;
+  std::vector<int> colours;
+  for (int i = 0; i <= kTrajectorySamples; ++i) {
+    const tern::Sample sample = tern::evaluate(result.trajectory, end * i / kTrajectorySamples);
+    const Vec3& v = sample.velocity;
+    const double speed = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    points.push_back(view.world(sample.position));
+    colours.push_back(static_cast<int>(std::lround(speed / speed_scale * kColourSteps)));
+  }
+  canvas.polyline(points, "class=\"halo\"");
+  std::vector<Pixel> run{points[0]};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    run.push_back(points[i]);
+    if (i + 1 < points.size() && colours[i + 1] == colours[i]) continue;
+    const double part = static_cast<double>(colours[i]) / kColourSteps;
+    canvas.polyline(run, "class=\"trajectory\" stroke=\"" + speed_colour(part) + "\"");
+    run = {points[i]};
+  }
+}
+
+void draw_waypoints(Canvas& canvas, const std::vector<Pixel>& waypoints) {
+  for (std::size_t i = 1; i + 1 < waypoints.size(); ++i) canvas.circle(waypoints[i], 3.6, "class=\"waypoint\"");
+}
+
+void draw_end(Canvas& canvas, const Axes& axes, Pixel at, const char* name, const char* colour) {
+  canvas.circle(at, 7.0, std::string("class=\"end\" fill=\"") + colour + "\"");
+  // The name stands where there is room: away from the frame's right and upper edges.
+  const bool near_right = at.x > axes.frame.right() - 60.0;
+  const bool near_top = at.y < axes.frame.y + 24.0;
+  canvas.text({at.x + (near_right ? -11.0 : 11.0), at.y + (near_top ? 20.0 : -9.0)}, name,
+              std::string("class=\"end-name\" text-anchor=\"") + (near_right ? "end" : "start") + "\"");
+}
+
+}  // namespace
+
+double component(const Vec3& v, int axis) {
+  return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
+}
+
+Range view_range(const PlanResult& result, int axis) {
+  const tern::Box& boundary = result.scenario.boundary;
+  Range range{component(boundary.lower, axis), component(boundary.upper, axis)};
+  if (!(range.extent() > 0.0)) range = {range.low - result.grid.cell, range.high + result.grid.cell};
+  return range;
+}
+
+void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
+                   double speed_scale) {
+  const View view(axes, projection);
+  const Vec3& origin = result.grid.origin;
+  canvas.begin_clipped(axes.frame);
+  draw_grid(canvas, axes);
+  draw_obstacles(canvas, view, result.scenario);
+  draw_corridor(canvas, view, result);
+  canvas.end_group();
+  if (result.path != nullptr) {
+    canvas.polyline(chain(view, result.path->raw, result.path->raw_count, origin), "class=\"raw\"");
+  }
+  draw_trajectory(canvas, view, result, speed_scale);
+  if (result.path != nullptr) {
+    const std::vector<Pixel> waypoints = chain(view, result.path->points, result.path->count, origin);
+    canvas.polyline(waypoints, "class=\"shortcut\"");
+    draw_waypoints(canvas, waypoints);
+  }
+  draw_end(canvas, axes, view.world(result.scenario.start.position), "start", "#2f8f5b");
+  draw_end(canvas, axes, view.world(result.scenario.goal.position), "goal", "#c23b3b");
+}
+
+}  // namespace tern_host

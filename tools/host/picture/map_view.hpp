@@ -1,0 +1,33 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A map and a plan seen along one axis: obstacles with the space that the radius takes around them, corridor, paths,
+// and the trajectory coloured by speed.
+#ifndef TERN_HOST_PICTURE_MAP_VIEW_HPP
+#define TERN_HOST_PICTURE_MAP_VIEW_HPP
+
+#include "host/picture/axes.hpp"
+#include "host/session.hpp"
+
+namespace tern_host {
+
+/// Which world axes (0, 1, 2) a view shows, and which it looks along.
+struct Projection {
+  int horizontal;
+  int vertical;
+  int depth;
+  bool down;  ///< the vertical axis points downwards, so that a turned view is not a mirrored one
+};
+
+double component(const tern::Vec3& v, int axis);
+
+/// What a view shows of the world along one axis.
+Range view_range(const PlanResult& result, int axis);
+
+/// Draws into axes.frame, whose ranges are those of view_range(). `speed_scale`: the speed of the last colour, m/s.
+void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
+                   double speed_scale);
+
+}  // namespace tern_host
+
+#endif
