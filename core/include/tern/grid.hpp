@@ -19,14 +19,19 @@ namespace tern {
 
 /// Where a grid lies and how fine it is. World frame, metres.
 struct GridSpec {
-  Vec3 origin;    ///< lower corner of voxel (0, 0, 0)
-  double cell;    ///< voxel edge, > 0
+  Vec3 origin;    ///< lower corner of voxel (0, 0, 0); so near that a coordinate there rounds by < 0.001 cell
+  double cell;    ///< voxel edge, within [kMinCell, kMaxCell]
   Voxel dims;     ///< voxels per axis, 1 .. kMaxDimension each, product <= kMaxCells
   Box boundary;   ///< where the robot's centre may be; need not lie on the lattice, and must lie
                   ///< inside the grid. Make the grid wider than the boundary by the radius where
                   ///< obstacles beyond the boundary matter.
-  double radius;  ///< clearance of the robot's centre from every obstacle, >= 0
+  double radius;  ///< clearance of the robot's centre from every obstacle, 0 .. kMaxDimension cells;
+                  ///< a nanometre or less counts as 0
 };
+
+/// Voxel edges that a grid accepts, metres: a micrometre to a thousand kilometres, far from where doubles end.
+constexpr double kMinCell = 1e-6;
+constexpr double kMaxCell = 1e6;
 
 /// 64-bit words that a grid of these dimensions needs for both layers; 0 for dimensions that do not fit.
 std::size_t grid_words(const Voxel& dims) noexcept;
@@ -37,22 +42,28 @@ std::size_t grid_words(const Voxel& dims) noexcept;
 /// frame, world minus spec().origin, so that precision does not depend on where the map lies.
 class Grid {
  public:
-  /// Binds the grid to `words` (at least grid_words(spec.dims)) and clears it.
-  /// kNonFiniteInput / kInvalidArgument, with the field in *field where given.
+  /// Binds the grid to `words` (at least grid_words(spec.dims)) and clears it: no obstacle, and nothing free before
+  /// inflate(). kNonFiniteInput / kInvalidArgument, with the field in *field where given; the grid and the words are
+  /// then as they were.
   Status bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field = nullptr) noexcept;
 
-  /// Marks or clears each voxel whose interior the box meets (by more than kLatticeTolerance); a flat box on a
-  /// lattice plane takes the voxels on one side of it. Parts outside the grid are ignored.
+  // Every mark and clear answers kInvalidArgument on a grid that is not bound, and changes nothing unless kOk.
+
+  /// Marks or clears each voxel whose interior the box meets (by more than kLatticeTolerance and the rounding of its
+  /// world coordinates); a flat box on a lattice plane takes the voxels above the plane, at the grid's upper face
+  /// those below it. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument where lower > upper.
   Status mark_box(const Box& world) noexcept;
   Status clear_box(const Box& world) noexcept;
   /// Marks or clears one voxel; kOutOfMap outside the grid.
   Status mark_voxel(const Voxel& voxel) noexcept;
   Status clear_voxel(const Voxel& voxel) noexcept;
-  /// Marks the voxel that holds each point (lower faces closed); points outside are skipped. Returns how many were
-  /// inside through *inside where given. kNonFiniteInput at the first non-finite point, marking none.
+  /// Marks the voxel that holds each point (lower faces closed); points outside the grid are skipped. Returns how many
+  /// were inside through *inside where given. kNonFiniteInput where any point is not finite, marking none;
+  /// kInvalidArgument for null with count > 0.
   Status mark_points(const Vec3* world, std::size_t count, std::size_t* inside = nullptr) noexcept;
 
-  /// Makes the blocked layer from the obstacle layer, the radius and the boundary. Planning on a grid whose
+  /// Makes the blocked layer from the obstacle layer, the radius and the boundary; does nothing on a grid that is not
+  /// bound. The revision stays: the blocked layer belongs to the obstacles' revision. Planning on a grid whose
   /// obstacles changed since answers kInvalidArgument (field kStorage).
   void inflate() noexcept;
 
@@ -60,7 +71,7 @@ class Grid {
   bool bound() const noexcept { return obstacles_ != nullptr; }
   /// True where the blocked layer is up to date.
   bool inflated() const noexcept { return bound() && inflated_revision_ == revision_; }
-  /// Grows by one with every change of a layer.
+  /// Grows by one with every bind, mark or clear that answered kOk.
   std::uint64_t revision() const noexcept { return revision_; }
 
   bool inside(const Voxel& v) const noexcept {
@@ -77,24 +88,28 @@ class Grid {
 
   /// Local frame (world minus origin).
   Vec3 to_local(const Vec3& world) const noexcept;
-  /// The voxel of a local point: half-open cubes, but the boundary's upper faces belong to the last voxel.
-  /// May lie outside the grid for a point outside.
+  /// The voxel of a local point: half-open cubes (a point within kLatticeTolerance below a face counts as on it), but
+  /// the boundary's upper faces belong to the last voxel. Outside the grid for a point outside, never further than one
+  /// voxel: coordinates are clamped to -1 .. dims.
   Voxel voxel_of(const Vec3& local) const noexcept;
   /// A voxel's centre, local frame.
   Vec3 center(const Voxel& voxel) const noexcept;
-  /// The boundary in the local frame.
-  Box local_boundary() const noexcept;
+  /// The boundary in the local frame, within the grid; a face on the lattice but for rounding is on it exactly.
+  Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
   std::size_t row(std::int32_t y, std::int32_t z) const noexcept {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(spec_.dims.y) + static_cast<std::size_t>(y)) *
            static_cast<std::size_t>(row_words_);
   }
+  Status set_box(const Box& world, bool value) noexcept;
+  Status set_voxel(const Voxel& voxel, bool value) noexcept;
   bool bit(const std::uint64_t* layer, const Voxel& v) const noexcept {
     return ((layer[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
   }
 
   GridSpec spec_{};
+  Box local_boundary_{};
   std::int32_t row_words_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t inflated_revision_ = ~std::uint64_t{0};
