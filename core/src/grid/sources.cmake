@@ -1,4 +1,3 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-set(TERN_STAGE_SOURCES
-)
+set(TERN_STAGE_SOURCES clear.cpp distance.cpp grid.cpp inflate.cpp mark.cpp nearest.cpp stencil.cpp)

@@ -1,0 +1,130 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether points and segments keep their clearance from the obstacle layer, read a word at a time: each run of obstacle
+// voxels along x is one box.
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+/// What must keep away from the obstacles, and how far.
+struct Probe {
+  Vec3 a;
+  Vec3 b;
+  double shrink;          ///< boxes are smaller by this on each side
+  double needed_squared;  ///< squared distance from the shrunk boxes
+};
+
+/// With a radius, boxes as they are. Without, a surface may be touched: boxes lose the tolerance, and what is left must
+/// not be met.
+Probe make_probe(const Vec3& a, const Vec3& b, double radius) {
+  if (radius > kClearTolerance) return {a, b, 0.0, (radius - kClearTolerance) * (radius - kClearTolerance)};
+  return {a, b, kClearTolerance, 0.25 * kClearTolerance * kClearTolerance};
+}
+
+bool keeps_clear(const Probe& probe, const Box& box) {
+  const double s = probe.shrink;
+  const Box shrunk{{box.lower.x + s, box.lower.y + s, box.lower.z + s},
+                   {box.upper.x - s, box.upper.y - s, box.upper.z - s}};
+  return segment_box_distance_squared(probe.a, probe.b, shrunk) >= probe.needed_squared;
+}
+
+bool in_boundary(const Grid& grid, const Vec3& local) {
+  const Box boundary = grid.local_boundary();
+  for (int a = 0; a < 3; ++a) {
+    // Written so that NaN is outside.
+    if (!(axis(local, a) >= axis(boundary.lower, a) - kClearTolerance)) return false;
+    if (!(axis(local, a) <= axis(boundary.upper, a) + kClearTolerance)) return false;
+  }
+  return true;
+}
+
+/// Voxels on one axis that may lie within the radius of [from, to]; one more on each side forgives all rounding.
+IndexRange voxels_near(const GridSpec& spec, double from, double to, double radius, int a) {
+  const std::int32_t count = axis(spec.dims, a);
+  const std::int32_t begin = floor_index((smaller(from, to) - radius) / spec.cell, 1, count + 1) - 1;
+  const std::int32_t end = floor_index((larger(from, to) + radius) / spec.cell, -2, count - 2) + 2;
+  return {begin, end};
+}
+
+/// Rows that overlap in a block: `deep` planes of `wide` rows each, 1 or 2. Blocks of more than one voxel close the gap
+/// of width zero between neighbours, which only a radius of zero could pass.
+struct Block {
+  std::int32_t wide;
+  std::int32_t deep;
+};
+
+/// Word k of the voxels along x where all rows of the block at (y, z) have obstacles.
+std::uint64_t block_word(const Grid& grid, const Block& block, std::int32_t y, std::int32_t z, std::int32_t k) {
+  std::uint64_t word = ~std::uint64_t{0};
+  for (std::int32_t j = 0; j < block.deep; ++j) {
+    for (std::int32_t i = 0; i < block.wide; ++i) word &= grid.obstacle_row(y + i, z + j)[k];
+  }
+  return word;
+}
+
+/// One past the last voxel of the run that begins at x, no further than `end`.
+std::int32_t run_end(const Grid& grid, const Block& block, std::int32_t y, std::int32_t z, std::int32_t x,
+                     std::int32_t end) {
+  while (x < end) {
+    const std::uint64_t gaps = ~block_word(grid, block, y, z, x >> 6) >> (x & 63);
+    if (gaps != 0) {
+      x += __builtin_ctzll(gaps);
+      return x < end ? x : end;
+    }
+    x = (x | 63) + 1;
+  }
+  return end;
+}
+
+bool row_clear(const Grid& grid, const Probe& probe, const Block& block, const IndexRange& range, std::int32_t y,
+               std::int32_t z) {
+  const double cell = grid.spec().cell;
+  for (std::int32_t x = range.begin; x < range.end;) {
+    const std::uint64_t rest = block_word(grid, block, y, z, x >> 6) >> (x & 63);
+    if (rest == 0) {
+      x = (x | 63) + 1;
+      continue;
+    }
+    x += __builtin_ctzll(rest);
+    if (x >= range.end) break;
+    const std::int32_t stop = run_end(grid, block, y, z, x, range.end);
+    const Box box{{x * cell, y * cell, z * cell}, {stop * cell, (y + block.wide) * cell, (z + block.deep) * cell}};
+    if (!keeps_clear(probe, box)) return false;
+    x = stop;
+  }
+  return true;
+}
+
+bool blocks_clear(const Grid& grid, const Probe& probe, const Block& block, double radius) {
+  const GridSpec& spec = grid.spec();
+  const IndexRange x = voxels_near(spec, probe.a.x, probe.b.x, radius, 0);
+  const IndexRange y = voxels_near(spec, probe.a.y, probe.b.y, radius, 1);
+  const IndexRange z = voxels_near(spec, probe.a.z, probe.b.z, radius, 2);
+  for (std::int32_t k = z.begin; k + block.deep <= z.end; ++k) {
+    for (std::int32_t j = y.begin; j + block.wide <= y.end; ++j) {
+      if (!row_clear(grid, probe, block, x, j, k)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept {
+  if (!(radius >= 0.0) || !in_boundary(grid, a) || !in_boundary(grid, b)) return false;
+  const Probe probe = make_probe(a, b, radius);
+  if (!blocks_clear(grid, probe, {1, 1}, radius)) return false;
+  if (radius > kClearTolerance) return true;
+  return blocks_clear(grid, probe, {2, 1}, radius) && blocks_clear(grid, probe, {1, 2}, radius) &&
+         blocks_clear(grid, probe, {2, 2}, radius);
+}
+
+bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept {
+  return segment_clear(grid, local, local, radius);
+}
+
+}  // namespace tern

@@ -1,0 +1,56 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Geometry that the later stages ask of boxes and of the grid: exact distances of points and segments, and whether a
+// point or segment keeps its clearance from the obstacle layer. Local frame, metres.
+#ifndef TERN_GRID_DISTANCE_HPP
+#define TERN_GRID_DISTANCE_HPP
+
+#include "tern/grid.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// Metres by which a distance may fall short of a radius and still count as equal to it.
+constexpr double kClearTolerance = 1e-9;
+
+/// The point of a closed box nearest to p; p itself where it is inside.
+Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept;
+
+/// Squared distance from p to the closed box, 0 inside.
+double point_box_distance_squared(const Vec3& p, const Box& box) noexcept;
+
+/// Where a segment and a box are nearest to each other. Where many pairs are equally near, the one nearest to the
+/// segment's beginning.
+struct ClosestPair {
+  Vec3 on_segment;
+  Vec3 on_box;
+  double distance_squared;
+  double t;  ///< on_segment = a + t (b - a), 0 <= t <= 1
+};
+
+/// The closest pair of the segment from a to b (equal ends are a point) and the closed box. Exact but for rounding:
+/// the squared distance is convex in t and quadratic between the at most six t where the segment crosses a face's
+/// plane, so at most seven pieces are minimised in closed form.
+ClosestPair segment_box_closest(const Vec3& a, const Vec3& b, const Box& box) noexcept;
+
+/// The closest pair's squared distance.
+double segment_box_distance_squared(const Vec3& a, const Vec3& b, const Box& box) noexcept;
+
+/// True where the radius is no NaN and >= 0, the point lies inside the grid's boundary and every obstacle cube is at
+/// least `radius` away, both but for kClearTolerance. With radius 0 the obstacles' surface may be touched and their
+/// interior not, where obstacle cubes that share a face, an edge or a corner on all sides leave no gap between them.
+/// Reads at most the voxels within the radius.
+bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept;
+
+/// The same for every point of the segment from a to b. Reads at most the voxels within the radius of its bounding box.
+bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept;
+
+/// The free voxel (up-to-date blocked layer) whose centre is nearest to the point, which may lie anywhere; ties go to
+/// the least z, then y, then x. False, leaving `out` alone, where no voxel is free. Reads each word of the layer at
+/// most once.
+bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept;
+
+}  // namespace tern
+
+#endif

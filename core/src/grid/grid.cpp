@@ -1,0 +1,147 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Binding a grid to its storage, and the frames.
+#include "tern/grid.hpp"
+
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+/// World coordinates at the origin must tell this part of a cell apart, or "inside" has no meaning there.
+constexpr double kOriginResolution = 1e-3;
+
+struct Verdict {
+  Status status;
+  Field field;
+};
+
+constexpr Verdict kAccepted{Status::kOk, Field::kNone};
+
+Verdict invalid(Field field) {
+  return {Status::kInvalidArgument, field};
+}
+
+Verdict check_finite(const GridSpec& spec) {
+  if (!finite(spec.origin)) return {Status::kNonFiniteInput, Field::kOrigin};
+  if (!finite(spec.cell)) return {Status::kNonFiniteInput, Field::kCell};
+  if (!finite(spec.boundary.lower) || !finite(spec.boundary.upper)) return {Status::kNonFiniteInput, Field::kBoundary};
+  if (!finite(spec.radius)) return {Status::kNonFiniteInput, Field::kRadius};
+  return kAccepted;
+}
+
+bool origin_resolves_cells(const GridSpec& spec) {
+  for (int a = 0; a < 3; ++a) {
+    if (absolute(axis(spec.origin, a)) * kWorldRounding > kOriginResolution * spec.cell) return false;
+  }
+  return true;
+}
+
+/// Not inverted, and inside the grid's box but for rounding.
+bool boundary_fits(const GridSpec& spec) {
+  for (int a = 0; a < 3; ++a) {
+    const double lower = axis(spec.boundary.lower, a);
+    const double upper = axis(spec.boundary.upper, a);
+    if (lower > upper) return false;
+    const double origin = axis(spec.origin, a);
+    if ((lower - origin) / spec.cell < -world_tolerance(spec, lower)) return false;
+    const double count = static_cast<double>(axis(spec.dims, a));
+    if ((upper - origin) / spec.cell > count + world_tolerance(spec, upper)) return false;
+  }
+  return true;
+}
+
+Verdict check(const GridSpec& spec, const std::uint64_t* words, std::size_t word_count) {
+  const Verdict numbers = check_finite(spec);
+  if (numbers.status != Status::kOk) return numbers;
+  const std::size_t needed = grid_words(spec.dims);
+  if (needed == 0) return invalid(Field::kDimensions);
+  if (words == nullptr || word_count < needed) return invalid(Field::kStorage);
+  if (spec.cell < kMinCell || spec.cell > kMaxCell) return invalid(Field::kCell);
+  if (!origin_resolves_cells(spec)) return invalid(Field::kOrigin);
+  if (spec.radius < 0.0 || spec.radius > spec.cell * kMaxDimension) return invalid(Field::kRadius);
+  if (!boundary_fits(spec)) return invalid(Field::kBoundary);
+  return kAccepted;
+}
+
+std::int32_t words_of_row(const Voxel& dims) {
+  return (dims.x + 63) / 64;
+}
+
+/// One face of the boundary in the local frame: on the lattice where it is but for rounding, and inside the grid.
+double local_face(const GridSpec& spec, double world, int a) {
+  const std::int32_t count = axis(spec.dims, a);
+  const double local = world - axis(spec.origin, a);
+  const double cells = local / spec.cell;
+  const std::int32_t nearest = floor_index(cells + 0.5, 0, count);
+  if (absolute(cells - nearest) <= world_tolerance(spec, world)) return nearest * spec.cell;
+  return clamp(local, 0.0, count * spec.cell);
+}
+
+Box boundary_in_grid(const GridSpec& spec) {
+  Box local{};
+  for (int a = 0; a < 3; ++a) {
+    axis(local.lower, a) = local_face(spec, axis(spec.boundary.lower, a), a);
+    axis(local.upper, a) = local_face(spec, axis(spec.boundary.upper, a), a);
+  }
+  return local;
+}
+
+/// The last voxel that a point on the boundary's upper face belongs to.
+std::int32_t last_index(double upper, double cell, std::int32_t count) {
+  const std::int32_t last = ceil_index(upper / cell - kLatticeTolerance, 0, count) - 1;
+  return last < 0 ? 0 : last;
+}
+
+}  // namespace
+
+std::size_t grid_words(const Voxel& dims) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
+  }
+  if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
+  return std::size_t{2} * static_cast<std::size_t>(words_of_row(dims)) * static_cast<std::size_t>(dims.y) *
+         static_cast<std::size_t>(dims.z);
+}
+
+Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field) noexcept {
+  const Verdict verdict = check(spec, words, word_count);
+  if (field != nullptr) *field = verdict.field;
+  if (verdict.status != Status::kOk) return verdict.status;
+  const std::size_t layer = grid_words(spec.dims) / 2;
+  spec_ = spec;
+  local_boundary_ = boundary_in_grid(spec);
+  row_words_ = words_of_row(spec.dims);
+  obstacles_ = words;
+  blocked_ = words + layer;
+  for (std::size_t k = 0; k < layer; ++k) obstacles_[k] = 0;
+  for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
+  ++revision_;
+  return Status::kOk;
+}
+
+Vec3 Grid::to_local(const Vec3& world) const noexcept {
+  return world - spec_.origin;
+}
+
+Voxel Grid::voxel_of(const Vec3& local) const noexcept {
+  Voxel voxel{};
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t count = axis(spec_.dims, a);
+    const double cells = axis(local, a) / spec_.cell;
+    std::int32_t index = floor_index(cells + kLatticeTolerance, -1, count);
+    const double upper = axis(local_boundary_.upper, a);
+    const std::int32_t last = last_index(upper, spec_.cell, count);
+    if (index > last && cells <= upper / spec_.cell + kLatticeTolerance) index = last;
+    axis(voxel, a) = index;
+  }
+  return voxel;
+}
+
+Vec3 Grid::center(const Voxel& voxel) const noexcept {
+  return {(voxel.x + 0.5) * spec_.cell, (voxel.y + 0.5) * spec_.cell, (voxel.z + 0.5) * spec_.cell};
+}
+
+}  // namespace tern

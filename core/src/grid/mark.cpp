@@ -1,0 +1,112 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Marking and clearing the obstacle layer.
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+namespace {
+
+bool valid_box(const Box& box) {
+  return box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z;
+}
+
+/// The voxels of one axis whose interior [lower, upper] meets; empty where it lies outside the grid.
+IndexRange voxels_met(const GridSpec& spec, double lower, double upper, int a) {
+  const std::int32_t count = axis(spec.dims, a);
+  const double origin = axis(spec.origin, a);
+  const double from = (lower - origin) / spec.cell + world_tolerance(spec, lower);
+  const double to = (upper - origin) / spec.cell - world_tolerance(spec, upper);
+  // One index beyond either end is kept, to tell a plate on the grid's upper face from one past it.
+  std::int32_t begin = floor_index(from, -1, count + 1);
+  std::int32_t end = ceil_index(to, -1, count + 1);
+  if (end <= begin) {  // a plate on a lattice plane: it meets no interior, and must not be lost
+    if (begin == count) begin = count - 1;
+    end = begin + 1;
+  }
+  return {begin < 0 ? 0 : begin, end > count ? count : end};
+}
+
+/// The voxel of a world point, lower faces closed; outside the grid's indices for a point outside.
+Voxel voxel_holding(const GridSpec& spec, const Vec3& world) {
+  Voxel voxel{};
+  for (int a = 0; a < 3; ++a) {
+    const double cells = (axis(world, a) - axis(spec.origin, a)) / spec.cell;
+    axis(voxel, a) = floor_index(cells + world_tolerance(spec, axis(world, a)), -1, axis(spec.dims, a));
+  }
+  return voxel;
+}
+
+/// Sets or clears bits [begin, end) of a row, begin < end.
+void set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bool value) {
+  const std::int32_t first = begin >> 6;
+  const std::int32_t last = (end - 1) >> 6;
+  for (std::int32_t k = first; k <= last; ++k) {
+    std::uint64_t mask = ~std::uint64_t{0};
+    if (k == first) mask &= ~std::uint64_t{0} << (begin & 63);
+    if (k == last) mask &= ~std::uint64_t{0} >> (63 - ((end - 1) & 63));
+    row[k] = value ? row[k] | mask : row[k] & ~mask;
+  }
+}
+
+}  // namespace
+
+Status Grid::set_box(const Box& world, bool value) noexcept {
+  if (!bound()) return Status::kInvalidArgument;
+  if (!finite(world.lower) || !finite(world.upper)) return Status::kNonFiniteInput;
+  if (!valid_box(world)) return Status::kInvalidArgument;
+  ++revision_;
+  const IndexRange x = voxels_met(spec_, world.lower.x, world.upper.x, 0);
+  const IndexRange y = voxels_met(spec_, world.lower.y, world.upper.y, 1);
+  const IndexRange z = voxels_met(spec_, world.lower.z, world.upper.z, 2);
+  if (x.begin >= x.end) return Status::kOk;
+  for (std::int32_t k = z.begin; k < z.end; ++k) {
+    for (std::int32_t j = y.begin; j < y.end; ++j) set_bits(obstacles_ + row(j, k), x.begin, x.end, value);
+  }
+  return Status::kOk;
+}
+
+Status Grid::mark_box(const Box& world) noexcept {
+  return set_box(world, true);
+}
+
+Status Grid::clear_box(const Box& world) noexcept {
+  return set_box(world, false);
+}
+
+Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
+  if (!bound()) return Status::kInvalidArgument;
+  if (!inside(voxel)) return Status::kOutOfMap;
+  ++revision_;
+  set_bits(obstacles_ + row(voxel.y, voxel.z), voxel.x, voxel.x + 1, value);
+  return Status::kOk;
+}
+
+Status Grid::mark_voxel(const Voxel& voxel) noexcept {
+  return set_voxel(voxel, true);
+}
+
+Status Grid::clear_voxel(const Voxel& voxel) noexcept {
+  return set_voxel(voxel, false);
+}
+
+Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* inside_count) noexcept {
+  if (!bound() || (world == nullptr && count > 0)) return Status::kInvalidArgument;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!finite(world[k])) return Status::kNonFiniteInput;
+  }
+  ++revision_;
+  std::size_t hits = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Voxel voxel = voxel_holding(spec_, world[k]);
+    if (!inside(voxel)) continue;
+    set_bits(obstacles_ + row(voxel.y, voxel.z), voxel.x, voxel.x + 1, true);
+    ++hits;
+  }
+  if (inside_count != nullptr) *inside_count = hits;
+  return Status::kOk;
+}
+
+}  // namespace tern

@@ -1,0 +1,107 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The free voxel nearest to a point: rows along x in growing squares around the point's row, each read a word at a
+// time.
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+/// The best voxel so far. All in cells.
+struct Nearest {
+  Vec3 point;
+  bool found;
+  double distance_squared;
+  Voxel voxel;
+};
+
+bool precedes(const Voxel& a, const Voxel& b) {
+  if (a.z != b.z) return a.z < b.z;
+  if (a.y != b.y) return a.y < b.y;
+  return a.x < b.x;
+}
+
+void offer(Nearest& nearest, const Voxel& voxel) {
+  const Vec3 apart{voxel.x + 0.5 - nearest.point.x, voxel.y + 0.5 - nearest.point.y, voxel.z + 0.5 - nearest.point.z};
+  const double squared = dot(apart, apart);
+  if (nearest.found) {
+    if (squared > nearest.distance_squared) return;
+    if (!(squared < nearest.distance_squared) && !precedes(voxel, nearest.voxel)) return;
+  }
+  nearest.found = true;
+  nearest.distance_squared = squared;
+  nearest.voxel = voxel;
+}
+
+/// The last free voxel of a row at or before x; -1 where there is none.
+std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
+  std::uint64_t mask = ~std::uint64_t{0} >> (63 - (x & 63));
+  for (std::int32_t k = x >> 6; k >= 0; --k, mask = ~std::uint64_t{0}) {
+    const std::uint64_t free = ~row[k] & mask;
+    if (free != 0) return 64 * k + 63 - __builtin_clzll(free);
+  }
+  return -1;
+}
+
+/// The first free voxel of a row at or after x; -1 where there is none. Padding counts as blocked.
+std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32_t x) {
+  std::uint64_t mask = ~std::uint64_t{0} << (x & 63);
+  for (std::int32_t k = x >> 6; k < words; ++k, mask = ~std::uint64_t{0}) {
+    const std::uint64_t free = ~row[k] & mask;
+    if (free != 0) return 64 * k + __builtin_ctzll(free);
+  }
+  return -1;
+}
+
+/// Within a row only the free voxels next to the point's x on either side can be nearest.
+void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z, Nearest& nearest) {
+  const std::uint64_t* row = grid.blocked_row(y, z);
+  const std::int32_t before = free_before(row, x);
+  if (before >= 0) offer(nearest, {before, y, z});
+  const std::int32_t after = free_after(row, grid.row_words(), x);
+  if (after >= 0) offer(nearest, {after, y, z});
+}
+
+/// The indices at most k from the centre, of `count`.
+IndexRange around(std::int32_t center, std::int32_t k, std::int32_t count) {
+  return {center < k ? 0 : center - k, center + k < count ? center + k + 1 : count};
+}
+
+/// All rows of the grid whose larger distance from the centre in y or z, in rows, is k.
+void offer_square(const Grid& grid, const Voxel& center, std::int32_t k, Nearest& nearest) {
+  const Voxel& dims = grid.spec().dims;
+  const IndexRange all_y = around(center.y, k, dims.y);
+  const IndexRange all_z = around(center.z, k, dims.z);
+  for (std::int32_t z = all_z.begin; z < all_z.end; ++z) {
+    if (z == center.z - k || z == center.z + k) {
+      for (std::int32_t y = all_y.begin; y < all_y.end; ++y) offer_row(grid, center.x, y, z, nearest);
+      continue;
+    }
+    if (center.y - k >= 0) offer_row(grid, center.x, center.y - k, z, nearest);
+    if (center.y + k < dims.y) offer_row(grid, center.x, center.y + k, z, nearest);
+  }
+}
+
+}  // namespace
+
+bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept {
+  const GridSpec& spec = grid.spec();
+  if (!grid.bound() || !finite(local)) return false;
+  Nearest nearest{{local.x / spec.cell, local.y / spec.cell, local.z / spec.cell}, false, 0.0, {0, 0, 0}};
+  const Voxel center{floor_index(nearest.point.x, 0, spec.dims.x - 1), floor_index(nearest.point.y, 0, spec.dims.y - 1),
+                     floor_index(nearest.point.z, 0, spec.dims.z - 1)};
+  const std::int32_t last = spec.dims.y > spec.dims.z ? spec.dims.y : spec.dims.z;
+  for (std::int32_t k = 0; k < last; ++k) {
+    // Centres of this square's rows are k - 0.5 rows away at least; some slack keeps ties of rounded distances.
+    const double least = k - 0.5 - 1e-6;
+    if (nearest.found && least > 0.0 && nearest.distance_squared < least * least) break;
+    offer_square(grid, center, k, nearest);
+  }
+  if (nearest.found) out = nearest.voxel;
+  return nearest.found;
+}
+
+}  // namespace tern

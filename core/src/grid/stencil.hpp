@@ -1,0 +1,45 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_GRID_STENCIL_HPP
+#define TERN_GRID_STENCIL_HPP
+
+#include <cstdint>
+
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// The ball that inflation spreads each obstacle by, in exact integers. A voxel is blocked where the squared gap
+/// between its cube and an obstacle's, in cells, is at most `limit`; the gap on one axis is |difference of indices| -
+/// 1, or 0.
+class Stencil {
+ public:
+  explicit Stencil(const GridSpec& spec);
+
+  /// True for radius 0: obstacles block themselves only.
+  bool none() const { return limit_ < 0; }
+  /// Largest gaps along x and z that matter in a grid of these dimensions; -1 where none() holds.
+  std::int32_t gap_x() const { return gap_x_; }
+  std::int32_t gap_z() const { return gap_z_; }
+
+  /// Largest |dy| of a row whose obstacles block voxels that are gap_z away along z and gap_x along x, dims.y - 1 at
+  /// most; -1 for none.
+  std::int32_t reach(std::int32_t gap_z, std::int32_t gap_x) const {
+    return gap_z < kTable && gap_x < kTable ? table_[gap_z][gap_x] : compute(gap_z, gap_x);
+  }
+
+ private:
+  static constexpr std::int32_t kTable = 16;  // larger balls are dear enough for a root a row
+
+  std::int32_t compute(std::int32_t gap_z, std::int32_t gap_x) const;
+
+  std::int32_t limit_;
+  std::int32_t gap_x_;
+  std::int32_t gap_z_;
+  std::int32_t last_row_;
+  std::int16_t table_[kTable][kTable];
+};
+
+}  // namespace tern
+
+#endif
