@@ -23,10 +23,10 @@
 namespace tern {
 
 constexpr int kQpAxes = 3;
-constexpr int kQpBand = 7;                                        ///< half bandwidth of H: 4x4 blocks, block-tridiagonal
-constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1);            ///< per axis
-constexpr int kQpPointTerms = 8;                                  ///< unknowns that one point may depend on
-constexpr int kQpPointsPerSegment = 8 + 4 * 7 + 4 * 6;            ///< positions, velocities and accelerations on quarters
+constexpr int kQpBand = 7;                                  ///< half bandwidth of H: 4x4 blocks, block-tridiagonal
+constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1) + 2;  ///< per axis; 2 for jerks left free at both ends
+constexpr int kQpPointTerms = 8;                            ///< unknowns that one point may depend on
+constexpr int kQpPointsPerSegment = 8 + 4 * 7 + 4 * 6;      ///< positions, velocities and accelerations on quarters
 constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment;
 constexpr int kQpMaxGroups = 3 * kMaxSegments;
 constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 12;
@@ -56,39 +56,50 @@ struct QpRow {
 
 /// The data; owned and filled by the caller, unchanged by the solver.
 struct QpProblem {
-  int unknowns;                                       ///< per axis, 0 .. kQpMaxUnknowns
-  double hessian[kQpMaxUnknowns][kQpBand + 1];        ///< lower band: hessian[i][d] = H(i, i - d); 0 outside the matrix
-  double linear[kQpAxes][kQpMaxUnknowns];             ///< f
+  int unknowns;                                 ///< per axis, 0 .. kQpMaxUnknowns
+  double hessian[kQpMaxUnknowns][kQpBand + 1];  ///< lower band: hessian[i][d] = H(i, i - d); 0 outside the matrix
+  double linear[kQpAxes][kQpMaxUnknowns];       ///< f
   int point_count;
   QpPoint points[kQpMaxPoints];
   int plane_count;
-  Halfspace planes[kQpMaxPlanes];                     ///< normals need not be unit; a zero normal is answered exactly
+  Halfspace planes[kQpMaxPlanes];  ///< normals need not be unit; a zero normal is answered exactly
   int group_count;
   QpGroup groups[kQpMaxGroups];
 };
 
+/// A row enters the working set when it is violated by more than this (rows' unit over |normal|: metres)...
+constexpr double kQpEntering = 5e-10;
+/// ...and kOk promises these, computed from the problem's own data.
+constexpr double kQpViolation = 1e-9;
+constexpr double kQpStationarity = 1e-8;
+constexpr double kQpComplementarity = 1e-8;
+
 /// The answer. kOk: x is optimal, its KKT residuals were computed from the problem's own data and are below tolerance.
 struct QpSolution {
   double x[kQpAxes][kQpMaxUnknowns];
-  double objective;                    ///< 1/2 x'Hx + f'x at x
+  double objective;  ///< 1/2 x'Hx + f'x at x
   int active_count;
-  QpRow active[kMaxActive];            ///< working set, in the order of the factor
-  double multiplier[kMaxActive];       ///< >= 0, of the rows as given (not normalised)
-  double stationarity;                 ///< max |Hx + f + A'y| relative to the largest term
-  double violation;                    ///< max of a'x - b over all rows, in the rows' unit over |normal| (metres)
-  double complementarity;              ///< max |y_i (a_i'x - b_i)| relative
-  int iterations;
+  QpRow active[kMaxActive + 1];       ///< working set, in the order of the factor; a certificate has one row more
+  double multiplier[kMaxActive + 1];  ///< >= 0, of the rows as given (not normalised)
+  double stationarity;                ///< max |Hx + f + A'y| over the largest of |Hx|, |f|, |A'y|, each over sqrt(H_ii)
+  double violation;                   ///< max of 0 and a'x - b over all rows, in the rows' unit over |normal| (metres)
+  double complementarity;             ///< max |y_i (a_i'x - b_i)| over the largest of |x'Hx|, |f'x|, |y_i b_i|
+  int iterations;                     ///< units of work: warm rows tried, rows entered, rows dropped
   /// kInfeasible: multipliers y >= 0 of `active` with |A'y| ~ 0 and b'y < 0 (Farkas), scaled to max y = 1.
-  double farkas_residual;              ///< max |A'y| relative
-  double farkas_gap;                   ///< -b'y > 0
+  double farkas_residual;  ///< max |A'y| over the largest |y_i a_i|, each over sqrt(H_ii)
+  double farkas_gap;       ///< -b'y > 0
 };
 
 /// Solver state: opaque slice of the workspace. Plain data; needs no initialisation before qp_begin.
 struct QpSolver;
 
 /// Starts a solve. `warm` may name rows to start from (any rows; bad ones are dropped), null for a cold start. The
-/// problem must not change until the solve ends.
+/// problem must not change until the solve ends. Its counts and indices are the caller's promise; numbers are not.
 void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
+
+/// Starts a solve from the working set and the factors that the solver's last solve ended with. Since then the problem
+/// may have changed in `linear` and the offsets of points and planes, in nothing else.
+void qp_begin_shifted(QpSolver& solver, const QpProblem& problem) noexcept;
 
 /// Runs up to work.left iterations (one unit each). kRunning, or the end: kOk, kInfeasible (proven), kIterationLimit,
 /// kWorkingSetFull, kNumerical. Fills `solution` at the end; before kOk its x is not feasible (a dual method).

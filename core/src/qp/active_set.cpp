@@ -1,0 +1,141 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "qp/active_set.hpp"
+
+#include "base/math.hpp"
+#include "qp/factor.hpp"
+#include "qp/hessian.hpp"
+#include "qp/kkt.hpp"
+
+namespace tern::qp {
+namespace {
+
+/// A row with less than this part of its length (squared) outside the span of the active ones depends on them. Rounding
+/// in L leaves about 1e-11 of the length at 16 segments.
+constexpr double kDependent = 1e-18;
+/// Below this part of its length (squared) the direction is nothing but rounding.
+constexpr double kRounding = 1e-26;
+/// Rows of a warm start have to be better conditioned: leaving one out costs an iteration, not the answer.
+constexpr double kWarmDependent = 1e-12;
+/// A ratio counts as positive above this part of what the rows' lengths suggest.
+constexpr double kRatioTolerance = 1e-12;
+/// A full step that raises the dual objective by less than this part is rounding; so many in a row are a stall.
+constexpr double kNoGain = 1e-15;
+constexpr int kMaxStalled = 100;
+
+struct Limit {
+  double length;
+  int row;  ///< -1: no active row's multiplier falls to zero
+};
+
+/// How far the entering multiplier can grow until an active one is zero. Ties: the row that was added first.
+Limit dual_limit(const QpSolver& solver) {
+  const double scale = kRatioTolerance * square_root(solver.entering_squared);
+  Limit limit = {0.0, -1};
+  for (int j = 0; j < solver.active_count; ++j) {
+    if (!(solver.ratio[j] * solver.row_length[j] > scale)) continue;
+    const double length = solver.multiplier[j] / solver.ratio[j];
+    if (limit.row < 0 || length < limit.length) limit = {length, j};
+  }
+  return limit;
+}
+
+void move_multipliers(QpSolver& solver, double length) {
+  for (int j = 0; j < solver.active_count; ++j) {
+    solver.multiplier[j] = larger(0.0, solver.multiplier[j] - length * solver.ratio[j]);
+  }
+  solver.entering_multiplier += length;
+}
+
+/// Moves z and the entering row's violation; returns how much the dual objective rises.
+double move_point(QpSolver& solver, double length) {
+  add_scaled(-length, solver.direction, solver.z, 0, solver.stride);
+  const double before = solver.entering_violation;
+  solver.entering_violation = before - length * solver.direction_squared;
+  return 0.5 * length * (before + solver.entering_violation);
+}
+
+/// The row leaves, and the direction gains the part that it had blocked.
+void leave(QpSolver& solver, int row) {
+  drop_row(solver, row, solver.projection);
+  const int last = solver.active_count;
+  const double* freed = solver.basis + last * solver.stride;
+  add_scaled(solver.projection[last], freed, solver.direction, 0, solver.stride);
+  solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
+}
+
+bool stalls(QpSolver& solver, double rise) {
+  const bool gains = rise > kNoGain * solver.gain;
+  solver.gain += rise;
+  solver.stalled = gains ? 0 : solver.stalled + 1;
+  return solver.stalled > kMaxStalled;
+}
+
+Step finish_step(QpSolver& solver, double length) {
+  move_multipliers(solver, length);
+  const double rise = move_point(solver, length);
+  add_row(solver, solver.entering, solver.entering_multiplier);
+  return stalls(solver, rise) ? Step::kStalled : Step::kFull;
+}
+
+Step partial_step(QpSolver& solver, const Limit& limit, bool dependent) {
+  move_multipliers(solver, limit.length);
+  if (!dependent) solver.gain += move_point(solver, limit.length);
+  leave(solver, limit.row);
+  return Step::kPartial;
+}
+
+}  // namespace
+
+void enter(const QpProblem& problem, QpSolver& solver, const Candidate& candidate) {
+  const int begin =
+      transform_row(problem.points[candidate.row.point], solver.planes[candidate.row.plane].normal, solver);
+  split_row(solver, begin);
+  solver.entering = candidate.row;
+  solver.entering_multiplier = 0.0;
+  solver.entering_violation = candidate.violation;
+}
+
+Step step(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  const int k = solver.active_count;
+  solve_triangle(solver, solver.projection, solver.ratio);
+  const Limit limit = dual_limit(solver);
+  const bool full_rank = k == solver.dimension;
+  const bool dependent = full_rank || !(solver.direction_squared > kDependent * solver.entering_squared);
+  if (dependent && limit.row >= 0) return partial_step(solver, limit, true);
+  if (dependent) {
+    if (prove_infeasible(problem, solver, solution)) return Step::kInfeasible;
+    if (full_rank || !(solver.direction_squared > kRounding * solver.entering_squared)) return Step::kStalled;
+  }
+  const double length = solver.entering_violation / solver.direction_squared;
+  if (limit.row >= 0 && limit.length < length) return partial_step(solver, limit, false);
+  if (k == kQpMaxRank) return Step::kNoRoom;
+  return finish_step(solver, length);
+}
+
+void add_warm_row(const QpProblem& problem, QpSolver& solver, const QpRow& row) {
+  if (solver.active_count == kQpMaxRank || !is_row(problem, row)) return;
+  enter(problem, solver, {true, false, row, 0.0});
+  if (solver.direction_squared > kWarmDependent * solver.entering_squared) add_row(solver, row, 0.0);
+}
+
+void solve_working_set(const QpProblem& problem, QpSolver& solver, const double* pull) {
+  const int k = solver.active_count;
+  for (int j = 0; j < k; ++j) solver.ratio[j] = -unit_violation(problem, solver, solver.active[j]);
+  solve_transposed(solver, solver.ratio, solver.ratio);
+  project(solver, 0, pull, solver.projection);
+  for (int j = 0; j < k; ++j) solver.projection[j] -= solver.ratio[j];
+}
+
+void refine(const QpProblem& problem, QpSolver& solver) {
+  forward(solver, solver.row, solver.row);
+  solve_working_set(problem, solver, solver.row);
+  subtract(solver, solver.projection, solver.row);
+  add_scaled(1.0, solver.row, solver.z, 0, solver.stride);
+  solve_triangle(solver, solver.projection, solver.ratio);
+  for (int j = 0; j < solver.active_count; ++j) {
+    solver.multiplier[j] = larger(0.0, solver.multiplier[j] + solver.ratio[j]);
+  }
+}
+
+}  // namespace tern::qp

@@ -1,0 +1,190 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "qp/factor.hpp"
+
+#include "base/math.hpp"
+
+namespace tern::qp {
+namespace {
+
+/// Columns that one pass over a vector serves.
+constexpr int kBlock = 4;
+
+/// A second pass of Gram-Schmidt is needed where the first left less than this part of the squared length ("twice is
+/// enough").
+constexpr double kCancellation = 0.5;
+
+const double* column(const QpSolver& solver, int j) {
+  return solver.basis + j * solver.stride;
+}
+double* column(QpSolver& solver, int j) {
+  return solver.basis + j * solver.stride;
+}
+
+const double* triangle_column(const QpSolver& solver, int j) {
+  return solver.triangle + j * (j + 1) / 2;
+}
+double* triangle_column(QpSolver& solver, int j) {
+  return solver.triangle + j * (j + 1) / 2;
+}
+
+void project_block(const QpSolver& solver, int j, int begin, const double* v, double* out) {
+  Pair total[kBlock][2] = {};
+  const double* q = column(solver, j);
+  for (int i = begin; i < solver.stride; i += kPad) {
+    const Pair low = pair(v + i);
+    const Pair high = pair(v + i + kPair);
+    for (int b = 0; b < kBlock; ++b) {
+      total[b][0] += low * pair(q + b * solver.stride + i);
+      total[b][1] += high * pair(q + b * solver.stride + i + kPair);
+    }
+  }
+  for (int b = 0; b < kBlock; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
+}
+
+void subtract_block(const QpSolver& solver, int j, const double* coordinates, double* v) {
+  const double* q0 = column(solver, j);
+  const double* q1 = column(solver, j + 1);
+  const double* q2 = column(solver, j + 2);
+  const double* q3 = column(solver, j + 3);
+  const Pair c0 = both(coordinates[j]);
+  const Pair c1 = both(coordinates[j + 1]);
+  const Pair c2 = both(coordinates[j + 2]);
+  const Pair c3 = both(coordinates[j + 3]);
+  for (int i = 0; i < solver.stride; i += kPair) {
+    pair(v + i) -= (c0 * pair(q0 + i) + c1 * pair(q1 + i)) + (c2 * pair(q2 + i) + c3 * pair(q3 + i));
+  }
+}
+
+/// Moves column c + 1 of the triangle to column c, applies the rotations so far and makes the one that clears what
+/// is left below its diagonal.
+void shift_triangle_column(QpSolver& solver, int first, int c) {
+  const double* from = triangle_column(solver, c + 1);
+  double* to = triangle_column(solver, c);
+  for (int i = 0; i < first; ++i) to[i] = from[i];
+  double carried = from[first];
+  for (int i = first; i < c; ++i) {
+    to[i] = solver.cosine[i] * carried + solver.sine[i] * from[i + 1];
+    carried = solver.cosine[i] * from[i + 1] - solver.sine[i] * carried;
+  }
+  const double below = from[c + 1];
+  const double radius = square_root(carried * carried + below * below);
+  solver.cosine[c] = carried / radius;
+  solver.sine[c] = below / radius;
+  to[c] = radius;
+}
+
+void rotate_coordinates(const QpSolver& solver, int first, int last, double* v) {
+  double carried = v[first];
+  for (int c = first; c < last; ++c) {
+    const double next = v[c + 1];
+    v[c] = solver.cosine[c] * carried + solver.sine[c] * next;
+    carried = solver.cosine[c] * next - solver.sine[c] * carried;
+  }
+  v[last] = carried;
+}
+
+/// All rotations on one strip of elements before the next strip: each element is read and written once.
+void rotate_basis(QpSolver& solver, int first, int last) {
+  for (int i = 0; i < solver.stride; i += kPad) {
+    double* at = column(solver, first) + i;
+    Pair low = pair(at);
+    Pair high = pair(at + kPair);
+    for (int c = first; c < last; ++c) {
+      const Pair cosine = both(solver.cosine[c]);
+      const Pair sine = both(solver.sine[c]);
+      const Pair next_low = pair(at + solver.stride);
+      const Pair next_high = pair(at + solver.stride + kPair);
+      pair(at) = cosine * low + sine * next_low;
+      pair(at + kPair) = cosine * high + sine * next_high;
+      low = cosine * next_low - sine * low;
+      high = cosine * next_high - sine * high;
+      at += solver.stride;
+    }
+    pair(at) = low;
+    pair(at + kPair) = high;
+  }
+}
+
+}  // namespace
+
+void project(const QpSolver& solver, int begin, const double* v, double* out) {
+  const int k = solver.active_count;
+  int j = 0;
+  for (; j + kBlock <= k; j += kBlock) project_block(solver, j, begin, v, out);
+  for (; j < k; ++j) out[j] = inner(column(solver, j), v, begin, solver.stride);
+}
+
+void subtract(const QpSolver& solver, const double* coordinates, double* v) {
+  const int k = solver.active_count;
+  int j = 0;
+  for (; j + kBlock <= k; j += kBlock) subtract_block(solver, j, coordinates, v);
+  for (; j < k; ++j) add_scaled(-coordinates[j], column(solver, j), v, 0, solver.stride);
+}
+
+void split_row(QpSolver& solver, int begin) {
+  const int k = solver.active_count;
+  for (int i = 0; i < solver.stride; ++i) solver.direction[i] = solver.row[i];
+  solver.direction_squared = solver.entering_squared;
+  if (k == 0) return;
+  project(solver, begin, solver.row, solver.projection);
+  subtract(solver, solver.projection, solver.direction);
+  solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
+  if (solver.direction_squared >= kCancellation * solver.entering_squared) return;
+  double* again = solver.ratio;
+  project(solver, 0, solver.direction, again);
+  subtract(solver, again, solver.direction);
+  for (int j = 0; j < k; ++j) solver.projection[j] += again[j];
+  solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
+}
+
+void solve_triangle(const QpSolver& solver, const double* in, double* out) {
+  const int k = solver.active_count;
+  for (int j = 0; j < k; ++j) out[j] = in[j];
+  for (int j = k - 1; j >= 0; --j) {
+    const double* upper = triangle_column(solver, j);
+    const double value = out[j] / upper[j];
+    out[j] = value;
+    for (int i = 0; i < j; ++i) out[i] -= value * upper[i];
+  }
+}
+
+void solve_transposed(const QpSolver& solver, const double* in, double* out) {
+  const int k = solver.active_count;
+  for (int j = 0; j < k; ++j) {
+    const double* upper = triangle_column(solver, j);
+    double total = in[j];
+    for (int i = 0; i < j; ++i) total -= upper[i] * out[i];
+    out[j] = total / upper[j];
+  }
+}
+
+void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
+  const int k = solver.active_count;
+  const double length = square_root(solver.direction_squared);
+  const Pair scale = both(1.0 / length);
+  double* q = column(solver, k);
+  for (int i = 0; i < solver.stride; i += kPair) pair(q + i) = scale * pair(solver.direction + i);
+  double* upper = triangle_column(solver, k);
+  for (int j = 0; j < k; ++j) upper[j] = solver.projection[j];
+  upper[k] = length;
+  solver.active[k] = row;
+  solver.multiplier[k] = multiplier;
+  solver.row_length[k] = square_root(solver.entering_squared);
+  solver.active_count = k + 1;
+}
+
+void drop_row(QpSolver& solver, int j, double* coordinates) {
+  const int last = solver.active_count - 1;
+  for (int c = j; c < last; ++c) shift_triangle_column(solver, j, c);
+  rotate_coordinates(solver, j, last, coordinates);
+  rotate_basis(solver, j, last);
+  for (int c = j; c < last; ++c) {
+    solver.active[c] = solver.active[c + 1];
+    solver.multiplier[c] = solver.multiplier[c + 1];
+    solver.row_length[c] = solver.row_length[c + 1];
+  }
+  solver.active_count = last;
+}
+
+}  // namespace tern::qp

@@ -1,0 +1,138 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "qp/hessian.hpp"
+
+#include "base/math.hpp"
+
+namespace tern::qp {
+namespace {
+
+/// beta' H^-1 beta below this part of its diagonal terms is lost in rounding. It only steers pricing.
+constexpr double kWeightFloor = 1e-12;
+
+void load_columns(const QpProblem& problem, QpSolver& solver) {
+  const int n = problem.unknowns;
+  for (int i = 0; i < n + kQpBand; ++i) {
+    for (int d = 0; d <= kQpBand; ++d) solver.factor[i][d] = i + d < n ? problem.hessian[i + d][d] : 0.0;
+  }
+}
+
+/// Subtracts what column i of L explains from the columns right of it.
+void eliminate(QpSolver& solver, int i) {
+  const double* column = solver.factor[i];
+  for (int d = 1; d <= kQpBand; ++d) {
+    double* target = solver.factor[i + d];
+    for (int e = 0; e <= kQpBand - d; ++e) target[e] -= column[d] * column[d + e];
+  }
+}
+
+/// Takahashi's recurrence: row i of H^-1 within the band, from the rows below it.
+void inverse_row(QpSolver& solver, int i) {
+  const double* column = solver.factor[i];
+  double* row = solver.inverse[i];
+  for (int j = kQpBand; j >= 1; --j) {
+    double total = 0.0;
+    for (int d = 1; d <= kQpBand; ++d) {
+      total += column[d] * (d <= j ? solver.inverse[i + d][j - d] : solver.inverse[i + j][d - j]);
+    }
+    row[j] = -column[0] * total;
+  }
+  double total = 0.0;
+  for (int d = 1; d <= kQpBand; ++d) total += column[d] * row[d];
+  row[0] = column[0] * (column[0] - total);
+}
+
+void invert_band(QpSolver& solver) {
+  const int n = solver.unknowns;
+  for (int i = n; i < n + kQpBand; ++i) {
+    for (int d = 0; d <= kQpBand; ++d) solver.inverse[i][d] = 0.0;
+  }
+  for (int i = n - 1; i >= 0; --i) inverse_row(solver, i);
+  solver.inverse_known = true;
+}
+
+}  // namespace
+
+bool factor_hessian(const QpProblem& problem, QpSolver& solver) {
+  load_columns(problem, solver);
+  for (int i = 0; i < problem.unknowns; ++i) {
+    double* column = solver.factor[i];
+    const double diagonal = problem.hessian[i][0];
+    if (!(column[0] > kPivotTolerance * diagonal) || !(diagonal > 0.0) || !finite(column[0])) return false;
+    column[0] = 1.0 / square_root(column[0]);
+    for (int d = 1; d <= kQpBand; ++d) column[d] *= column[0];
+    eliminate(solver, i);
+  }
+  return true;
+}
+
+void forward(const QpSolver& solver, const double* in, double* out) {
+  const int n = solver.unknowns;
+  for (int i = 0; i < kQpAxes * n; ++i) out[i] = in[i];
+  for (int i = kQpAxes * n; i < solver.stride; ++i) out[i] = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double* column = solver.factor[i];
+    double* at = out + kQpAxes * i;
+    const int reach = n - 1 - i < kQpBand ? n - 1 - i : kQpBand;
+    for (int a = 0; a < kQpAxes; ++a) at[a] *= column[0];
+    for (int d = 1; d <= reach; ++d) {
+      for (int a = 0; a < kQpAxes; ++a) at[kQpAxes * d + a] -= column[d] * at[a];
+    }
+  }
+}
+
+void unknowns_from(QpSolver& solver, const double* z) {
+  const int n = solver.unknowns;
+  for (int i = n; i < n + kQpBand; ++i) {
+    for (int lane = 0; lane < 4; ++lane) solver.x[i][lane] = 0.0;
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    const double* column = solver.factor[i];
+    Pair low = {z[kQpAxes * i], z[kQpAxes * i + 1]};
+    Pair high = {z[kQpAxes * i + 2], 0.0};
+    // The nearest unknown comes last: it was only just computed.
+    for (int d = kQpBand; d >= 1; --d) {
+      low -= both(column[d]) * pair(solver.x[i + d]);
+      high -= both(column[d]) * pair(solver.x[i + d] + kPair);
+    }
+    pair(solver.x[i]) = low * both(column[0]);
+    pair(solver.x[i] + kPair) = high * both(column[0]);
+  }
+}
+
+int transform_row(const QpPoint& point, const double* normal, QpSolver& solver) {
+  const int begin = kQpAxes * point.first;
+  double window[kQpBand + 1] = {};
+  for (int t = 0; t < point.terms; ++t) window[t] = point.coefficient[t];
+  for (int i = 0; i < begin; ++i) solver.row[i] = 0.0;
+  double squared = 0.0;
+  for (int i = point.first; i < solver.unknowns; ++i) {
+    const double* column = solver.factor[i];
+    const double w = window[0] * column[0];
+    for (int a = 0; a < kQpAxes; ++a) solver.row[kQpAxes * i + a] = normal[a] * w;
+    squared += w * w;
+    for (int d = 1; d <= kQpBand; ++d) window[d - 1] = window[d] - column[d] * w;
+    window[kQpBand] = 0.0;
+  }
+  for (int i = solver.dimension; i < solver.stride; ++i) solver.row[i] = 0.0;
+  solver.entering_squared = squared;  // the normal is unit
+  return begin / kPad * kPad;
+}
+
+double point_weight(const QpPoint& point, QpSolver& solver) {
+  if (!solver.inverse_known) invert_band(solver);
+  double diagonal = 0.0;
+  double coupling = 0.0;
+  for (int i = 0; i < point.terms; ++i) {
+    const double* row = solver.inverse[point.first + i];
+    const double beta = point.coefficient[i];
+    double total = 0.0;
+    for (int d = 1; d < point.terms - i; ++d) total += row[d] * point.coefficient[i + d];
+    diagonal += beta * beta * row[0];
+    coupling += beta * total;
+  }
+  if (!(diagonal > 0.0)) return 0.0;
+  return 1.0 / larger(diagonal + 2.0 * coupling, kWeightFloor * diagonal);
+}
+
+}  // namespace tern::qp

@@ -1,0 +1,34 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The banded Hessian that the three axes share: H = L L', substitutions with L, and the band of H^-1.
+#ifndef TERN_QP_HESSIAN_HPP
+#define TERN_QP_HESSIAN_HPP
+
+#include "qp/solver.hpp"
+
+namespace tern::qp {
+
+/// A pivot below this part of its diagonal element is rounding: H is not positive definite to working precision.
+/// Cholesky's factor does not change under diagonal scaling but for rounding, so H needs none.
+constexpr double kPivotTolerance = 1e-15;
+
+/// Fills solver.factor; false where H is not positive definite (or not finite).
+bool factor_hessian(const QpProblem& problem, QpSolver& solver);
+
+/// out = L^-1 in for interleaved 3-vectors, padding zeroed. `in` and `out` may be the same.
+void forward(const QpSolver& solver, const double* in, double* out);
+
+/// solver.x = L'^-1 z.
+void unknowns_from(QpSolver& solver, const double* z);
+
+/// solver.row = normal (x) L^-1 beta for a point's coefficients beta, and entering_squared = |row|^2. Returns the first
+/// element that is not zero by structure.
+int transform_row(const QpPoint& point, const double* normal, QpSolver& solver);
+
+/// 1 / |L^-1 beta|^2, from the band of H^-1; 0 where beta is zero.
+double point_weight(const QpPoint& point, QpSolver& solver);
+
+}  // namespace tern::qp
+
+#endif

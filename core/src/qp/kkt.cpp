@@ -1,0 +1,200 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "qp/kkt.hpp"
+
+#include "base/math.hpp"
+#include "qp/hessian.hpp"
+
+namespace tern::qp {
+namespace {
+
+/// What rounding leaves of A'y excludes only points within some distance. It has to be this many times farther than
+/// where the solver stands.
+constexpr double kProofRadius = 1e3;
+/// Part of the sum of |y_i b_i| that rounding may have made of b'y.
+constexpr double kGapRounding = 1e-13;
+
+/// b of a row in x: offset - normal . (constant part of the point).
+double right_side(const QpProblem& problem, const QpRow& row) {
+  const Halfspace& plane = problem.planes[row.plane];
+  return plane.offset - dot(plane.normal, problem.points[row.point].offset);
+}
+
+/// out += factor * a, interleaved.
+void add_gradient(const QpProblem& problem, const QpRow& row, double factor, double* out) {
+  const QpPoint& point = problem.points[row.point];
+  const Vec3 normal = factor * problem.planes[row.plane].normal;
+  for (int t = 0; t < point.terms; ++t) {
+    double* at = out + kQpAxes * (point.first + t);
+    at[0] += normal.x * point.coefficient[t];
+    at[1] += normal.y * point.coefficient[t];
+    at[2] += normal.z * point.coefficient[t];
+  }
+}
+
+/// solver.row = A'y.
+void gather_rows(const QpProblem& problem, QpSolver& solver, const QpSolution& solution) {
+  for (int i = 0; i < solver.stride; ++i) solver.row[i] = 0.0;
+  for (int j = 0; j < solution.active_count; ++j) {
+    add_gradient(problem, solution.active[j], solution.multiplier[j], solver.row);
+  }
+}
+
+/// Row i of H times x, all axes.
+void multiply(const QpProblem& problem, const QpSolver& solver, int i, double* out) {
+  Pair low = both(0.0);
+  Pair high = both(0.0);
+  const int left = i < kQpBand ? i : kQpBand;
+  const int right = problem.unknowns - 1 - i < kQpBand ? problem.unknowns - 1 - i : kQpBand;
+  for (int d = -left; d <= right; ++d) {
+    const Pair h = both(d <= 0 ? problem.hessian[i][-d] : problem.hessian[i + d][d]);
+    low += h * pair(solver.x[i + d]);
+    high += h * pair(solver.x[i + d] + kPair);
+  }
+  out[0] = low[0];
+  out[1] = low[1];
+  out[2] = high[0];
+}
+
+struct Sums {
+  double curvature = 0.0;  ///< x'Hx
+  double slope = 0.0;      ///< f'x
+};
+
+Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  Sums sums;
+  double residual = 0.0;
+  double term = 0.0;
+  for (int i = 0; i < problem.unknowns; ++i) {
+    double hx[kQpAxes];
+    multiply(problem, solver, i, hx);
+    const double scale = 1.0 / problem.hessian[i][0];
+    for (int a = 0; a < kQpAxes; ++a) {
+      const double f = problem.linear[a][i];
+      double& ay = solver.row[kQpAxes * i + a];
+      const double most = larger(larger(absolute(hx[a]), absolute(f)), absolute(ay));
+      const double rest = (hx[a] + f) + ay;
+      term = larger(most * most * scale, term);
+      residual = larger(rest * rest * scale, residual);
+      sums.curvature += hx[a] * solver.x[i][a];
+      sums.slope += f * solver.x[i][a];
+      ay = -rest;
+    }
+  }
+  solution.stationarity = term > 0.0 ? square_root(residual / term) : 0.0;
+  return sums;
+}
+
+double measure_complementarity(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution,
+                               const Sums& sums) {
+  double scale = larger(absolute(sums.curvature), absolute(sums.slope));
+  double product = 0.0;
+  for (int j = 0; j < solution.active_count; ++j) {
+    const double slack = unit_violation(problem, solver, solution.active[j]);
+    product = larger(absolute(solver.multiplier[j] * slack), product);
+    scale = larger(absolute(solution.multiplier[j] * right_side(problem, solution.active[j])), scale);
+  }
+  return scale > 0.0 ? product / scale : 0.0;
+}
+
+void copy_unknowns(const QpSolver& solver, QpSolution& solution) {
+  for (int i = 0; i < solver.unknowns; ++i) {
+    for (int a = 0; a < kQpAxes; ++a) solution.x[a][i] = solver.x[i][a];
+  }
+}
+
+void append(const QpProblem& problem, const QpRow& row, double unit_multiplier, QpSolution& solution) {
+  solution.active[solution.active_count] = row;
+  solution.multiplier[solution.active_count] = unit_multiplier * inverse_length(problem.planes[row.plane]);
+  ++solution.active_count;
+}
+
+/// max y = 1.
+void normalise(QpSolution& solution) {
+  double most = 0.0;
+  for (int j = 0; j < solution.active_count; ++j) most = larger(solution.multiplier[j], most);
+  for (int j = 0; j < solution.active_count; ++j) solution.multiplier[j] /= most;
+}
+
+/// -b'y into the solution; true where it is positive beyond rounding.
+bool measure_gap(const QpProblem& problem, QpSolution& solution) {
+  double gap = 0.0;
+  double terms = 0.0;
+  for (int j = 0; j < solution.active_count; ++j) {
+    const double product = solution.multiplier[j] * right_side(problem, solution.active[j]);
+    gap -= product;
+    terms += absolute(product);
+  }
+  solution.farkas_gap = gap;
+  return gap > kGapRounding * terms;
+}
+
+/// Largest element of A'y (in solver.row) over the largest of the rows' own.
+double certificate_residual(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution) {
+  double residual = 0.0;
+  for (int i = 0; i < solver.dimension; ++i) {
+    residual = larger(solver.row[i] * solver.row[i] / problem.hessian[i / kQpAxes][0], residual);
+  }
+  double term = 0.0;
+  for (int j = 0; j < solution.active_count; ++j) {
+    const QpPoint& point = problem.points[solution.active[j].point];
+    const Vec3& normal = problem.planes[solution.active[j].plane].normal;
+    const double size = solution.multiplier[j] * solution.multiplier[j] * dot(normal, normal);
+    for (int t = 0; t < point.terms; ++t) {
+      const double c = point.coefficient[t];
+      term = larger(size * c * c / problem.hessian[point.first + t][0], term);
+    }
+  }
+  return term > 0.0 ? square_root(residual / term) : 0.0;
+}
+
+}  // namespace
+
+void measure(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  copy_unknowns(solver, solution);
+  solution.active_count = 0;
+  for (int j = 0; j < solver.active_count; ++j) append(problem, solver.active[j], solver.multiplier[j], solution);
+  gather_rows(problem, solver, solution);
+  const Sums sums = measure_stationarity(problem, solver, solution);
+  solution.objective = 0.5 * sums.curvature + sums.slope;
+  solution.violation = solver.worst;
+  solution.complementarity = measure_complementarity(problem, solver, solution, sums);
+  solution.iterations = solver.iterations;
+  solution.farkas_residual = 0.0;
+  solution.farkas_gap = 0.0;
+}
+
+bool accurate(const QpSolution& solution) {
+  return solution.stationarity <= kQpStationarity && solution.violation <= kQpViolation &&
+         solution.complementarity <= kQpComplementarity && finite(solution.objective);
+}
+
+bool prove_infeasible(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  unknowns_from(solver, solver.z);
+  measure(problem, solver, solution);
+  solution.active_count = 0;
+  for (int j = 0; j < solver.active_count; ++j) {
+    if (solver.ratio[j] < 0.0) append(problem, solver.active[j], -solver.ratio[j], solution);
+  }
+  append(problem, solver.entering, 1.0, solution);
+  normalise(solution);
+  gather_rows(problem, solver, solution);
+  solution.farkas_residual = certificate_residual(problem, solver, solution);
+  const bool positive = measure_gap(problem, solution);
+  forward(solver, solver.row, solver.row);
+  const double residual = square_root(inner(solver.row, solver.row, 0, solver.stride));
+  const double here =
+      larger(inner(solver.z, solver.z, 0, solver.stride), inner(solver.target, solver.target, 0, solver.stride));
+  const double needed = solver.entering_violation * solver.entering_violation / solver.entering_squared;
+  return positive && solution.farkas_gap > kProofRadius * residual * square_root(larger(here, needed));
+}
+
+void contradict(const QpProblem& problem, const QpRow& row, QpSolution& solution) {
+  solution.active_count = 1;
+  solution.active[0] = row;
+  solution.multiplier[0] = 1.0;
+  solution.farkas_residual = 0.0;
+  measure_gap(problem, solution);
+}
+
+}  // namespace tern::qp

@@ -1,0 +1,194 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "qp/qp.hpp"
+
+#include "base/math.hpp"
+#include "qp/active_set.hpp"
+#include "qp/factor.hpp"
+#include "qp/hessian.hpp"
+#include "qp/kkt.hpp"
+
+namespace tern {
+namespace {
+
+/// Steps of iterative refinement in one solve. One is enough where the factors are worth anything.
+constexpr int kMaxRefinements = 3;
+
+void end(QpSolver& solver, Status status) {
+  solver.phase = QpPhase::kDone;
+  solver.status = status;
+}
+
+void clear_point(QpSolver& solver) {
+  for (int i = 0; i < solver.unknowns + kQpBand; ++i) {
+    for (int lane = 0; lane < 4; ++lane) solver.x[i][lane] = 0.0;
+  }
+  for (int i = 0; i < solver.stride; ++i) solver.z[i] = 0.0;
+}
+
+/// target = -L^-1 f: where the cost is least without rows.
+void aim(const QpProblem& problem, QpSolver& solver) {
+  for (int i = 0; i < problem.unknowns; ++i) {
+    for (int a = 0; a < kQpAxes; ++a) solver.target[kQpAxes * i + a] = -problem.linear[a][i];
+  }
+  qp::forward(solver, solver.target, solver.target);
+}
+
+void start(const QpProblem& problem, QpSolver& solver) {
+  solver.iterations = 0;
+  solver.refinements = 0;
+  solver.stalled = 0;
+  solver.gain = 0.0;
+  solver.worst = 0.0;
+  solver.phase = QpPhase::kWarmRow;
+  clear_point(solver);
+  solver.usable = solver.usable && qp::prepare_planes(problem, solver);
+  if (!solver.usable) return;
+  aim(problem, solver);
+}
+
+/// The working set's optimum, at x = 0 as solve_working_set() needs it: its multipliers decide which rows stay.
+void solve_warm(const QpProblem& problem, QpSolver& solver) {
+  qp::solve_working_set(problem, solver, solver.target);
+  qp::solve_triangle(solver, solver.projection, solver.multiplier);
+}
+
+/// The row with the most negative multiplier; -1 where there is none.
+int most_negative(const QpSolver& solver) {
+  int row = -1;
+  double least = 0.0;
+  for (int j = 0; j < solver.active_count; ++j) {
+    if (solver.multiplier[j] < least) {
+      least = solver.multiplier[j];
+      row = j;
+    }
+  }
+  return row;
+}
+
+void finish_warm(QpSolver& solver) {
+  for (int i = 0; i < solver.stride; ++i) solver.z[i] = solver.target[i];
+  qp::subtract(solver, solver.projection, solver.z);
+  solver.phase = QpPhase::kPrice;
+}
+
+void drop_negative(QpSolver& solver) {
+  qp::drop_row(solver, most_negative(solver), solver.projection);
+  qp::solve_triangle(solver, solver.projection, solver.multiplier);
+}
+
+/// No row is violated: the point is the answer if its residuals say so, else it is refined and priced again.
+void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  qp::measure(problem, solver, solution);
+  if (qp::accurate(solution)) return end(solver, Status::kOk);
+  if (solver.refinements == kMaxRefinements) return end(solver, Status::kNumerical);
+  ++solver.refinements;
+  qp::refine(problem, solver);
+}
+
+void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  qp::unknowns_from(solver, solver.z);
+  qp::Candidate candidate = solver.contradictory ? qp::contradiction(problem) : qp::Candidate{};
+  if (!candidate.found) candidate = qp::price(problem, solver);
+  if (!candidate.found) return conclude(problem, solver, solution);
+  if (candidate.constant) {
+    qp::measure(problem, solver, solution);
+    qp::contradict(problem, candidate.row, solution);
+    return end(solver, Status::kInfeasible);
+  }
+  qp::enter(problem, solver, candidate);
+  solver.phase = QpPhase::kStep;
+}
+
+/// Everything between two units of work; each call is bounded by a scan of the rows a refinement.
+void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  if (solver.phase == QpPhase::kWarmRow && solver.warm_next == solver.warm_count) {
+    solve_warm(problem, solver);
+    solver.phase = QpPhase::kWarmSigns;
+  }
+  if (solver.phase == QpPhase::kWarmSigns && most_negative(solver) < 0) finish_warm(solver);
+  for (int i = 0; i <= kMaxRefinements && solver.phase == QpPhase::kPrice; ++i) {
+    find_entering(problem, solver, solution);
+  }
+}
+
+/// The problem's numbers are no problem: nothing is computed from them.
+Status refuse(const QpSolver& solver, QpSolution& solution) {
+  for (int a = 0; a < kQpAxes; ++a) {
+    for (int i = 0; i < solver.unknowns; ++i) solution.x[a][i] = 0.0;
+  }
+  solution.objective = 0.0;
+  solution.active_count = 0;
+  solution.stationarity = solution.violation = solution.complementarity = 0.0;
+  solution.farkas_residual = solution.farkas_gap = 0.0;
+  solution.iterations = 0;
+  return Status::kNumerical;
+}
+
+void give_up(const QpProblem& problem, QpSolver& solver, Status status, QpSolution& solution) {
+  qp::unknowns_from(solver, solver.z);
+  qp::measure(problem, solver, solution);
+  end(solver, status);
+}
+
+void advance_step(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  switch (qp::step(problem, solver, solution)) {
+    case qp::Step::kFull:
+      solver.phase = QpPhase::kPrice;
+      return;
+    case qp::Step::kPartial:
+      return;
+    case qp::Step::kInfeasible:
+      return end(solver, Status::kInfeasible);
+    case qp::Step::kNoRoom:
+      return give_up(problem, solver, Status::kWorkingSetFull, solution);
+    case qp::Step::kStalled:
+      return give_up(problem, solver, Status::kNumerical, solution);
+  }
+}
+
+void iterate(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  ++solver.iterations;
+  if (solver.phase == QpPhase::kWarmRow) {
+    qp::add_warm_row(problem, solver, solver.warm[solver.warm_next++]);
+  } else if (solver.phase == QpPhase::kWarmSigns) {
+    drop_negative(solver);
+  } else {
+    advance_step(problem, solver, solution);
+  }
+}
+
+}  // namespace
+
+void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept {
+  solver.unknowns = problem.unknowns;
+  solver.dimension = kQpAxes * problem.unknowns;
+  solver.stride = qp::padded(solver.dimension);
+  solver.active_count = 0;
+  solver.warm_next = 0;
+  solver.warm_count = warm == nullptr ? 0 : (warm_count < kMaxActive ? warm_count : kMaxActive);
+  for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
+  solver.usable = qp::factor_hessian(problem, solver);
+  qp::forget_weights(problem, solver);
+  start(problem, solver);
+}
+
+void qp_begin_shifted(QpSolver& solver, const QpProblem& problem) noexcept {
+  solver.warm_next = solver.warm_count;
+  start(problem, solver);
+}
+
+Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
+  if (!solver.usable) return refuse(solver, solution);
+  for (int unit = 0; unit <= kMaxQpIterations; ++unit) {
+    settle(problem, solver, solution);
+    if (solver.phase == QpPhase::kDone) return solver.status;
+    if (solver.iterations == kMaxQpIterations) break;
+    if (!work.take()) return Status::kRunning;
+    iterate(problem, solver, solution);
+  }
+  give_up(problem, solver, Status::kIterationLimit, solution);
+  return solver.status;
+}
+
+}  // namespace tern
