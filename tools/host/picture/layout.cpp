@@ -13,7 +13,7 @@ constexpr double kHeading = 34.0;  // a panel's title
 constexpr double kProfileHeight = 230.0;
 constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
 constexpr double kColumn = 0.53 * kContent;
-constexpr double kMaxViews = 640.0;  // height of both views of a long map
+constexpr double kMaxViews = 690.0;  // height of both views of a long map
 constexpr double kMaxColumnViews = 760.0;
 
 struct Extents {

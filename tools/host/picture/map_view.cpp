@@ -49,7 +49,7 @@ double opacity(const tern::Box& box, const tern::Box& boundary, int depth) {
   const double lower = std::max(component(box.lower, depth), component(boundary.lower, depth));
   const double upper = std::min(component(box.upper, depth), component(boundary.upper, depth));
   const double all = component(boundary.upper, depth) - component(boundary.lower, depth);
-  return 0.30 + 0.55 * (all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0);
+  return 0.15 + 0.65 * (all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0);
 }
 
 void draw_obstacles(Canvas& canvas, const View& view, const Scenario& scenario) {
@@ -58,8 +58,8 @@ void draw_obstacles(Canvas& canvas, const View& view, const Scenario& scenario) 
   }
   for (const Block& block : scenario.blocks) {
     const std::string strength = fixed(opacity(block.box, scenario.boundary, view.depth()), 2);
-    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + (block.keepout ? "keepout" : "block") +
-                                              "\" fill-opacity=\"" + strength + "\"");
+    const char* const kind = block.keepout ? "keepout" : "block";
+    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + kind + "\" opacity=\"" + strength + "\"");
   }
 }
 
@@ -108,13 +108,22 @@ void draw_waypoints(Canvas& canvas, const std::vector<Pixel>& waypoints) {
   for (std::size_t i = 1; i + 1 < waypoints.size(); ++i) canvas.circle(waypoints[i], 3.6, "class=\"waypoint\"");
 }
 
-void draw_end(Canvas& canvas, const Axes& axes, Pixel at, const char* name, const char* colour) {
+/// An end of the flight. Its name stands on the side that the path does not leave by, and inside the frame.
+void draw_end(Canvas& canvas, const Axes& axes, Pixel at, Pixel towards, const char* name, const char* colour) {
   canvas.circle(at, 7.0, std::string("class=\"end\" fill=\"") + colour + "\"");
-  // The name stands where there is room: away from the frame's right and upper edges.
-  const bool near_right = at.x > axes.frame.right() - 60.0;
-  const bool near_top = at.y < axes.frame.y + 24.0;
-  canvas.text({at.x + (near_right ? -11.0 : 11.0), at.y + (near_top ? 20.0 : -9.0)}, name,
-              std::string("class=\"end-name\" text-anchor=\"") + (near_right ? "end" : "start") + "\"");
+  const bool left = (towards.x > at.x && at.x > axes.frame.x + 60.0) || at.x > axes.frame.right() - 60.0;
+  const bool below = (towards.y < at.y && at.y < axes.frame.bottom() - 26.0) || at.y < axes.frame.y + 24.0;
+  canvas.text({at.x + (left ? -10.0 : 10.0), at.y + (below ? 20.0 : -10.0)}, name,
+              std::string("class=\"end-name\" text-anchor=\"") + (left ? "end" : "start") + "\"");
+}
+
+void draw_ends(Canvas& canvas, const Axes& axes, const View& view, const Scenario& scenario,
+               const std::vector<Pixel>& waypoints) {
+  const Pixel start = view.world(scenario.start.position);
+  const Pixel goal = view.world(scenario.goal.position);
+  const bool known = waypoints.size() >= 2;
+  draw_end(canvas, axes, start, known ? waypoints[1] : goal, "start", "#2f8f5b");
+  draw_end(canvas, axes, goal, known ? waypoints[waypoints.size() - 2] : start, "goal", "#c23b3b");
 }
 
 }  // namespace
@@ -143,13 +152,13 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
     canvas.polyline(chain(view, result.path->raw, result.path->raw_count, origin), "class=\"raw\"");
   }
   draw_trajectory(canvas, view, result, speed_scale);
+  std::vector<Pixel> waypoints;
   if (result.path != nullptr) {
-    const std::vector<Pixel> waypoints = chain(view, result.path->points, result.path->count, origin);
+    waypoints = chain(view, result.path->points, result.path->count, origin);
     canvas.polyline(waypoints, "class=\"shortcut\"");
     draw_waypoints(canvas, waypoints);
   }
-  draw_end(canvas, axes, view.world(result.scenario.start.position), "start", "#2f8f5b");
-  draw_end(canvas, axes, view.world(result.scenario.goal.position), "goal", "#c23b3b");
+  draw_ends(canvas, axes, view, result.scenario, waypoints);
 }
 
 }  // namespace tern_host

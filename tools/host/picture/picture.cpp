@@ -33,8 +33,8 @@ std::string settings_line(const Scenario& scenario) {
     return x == y && y == z ? x : x + " / " + y + " / " + z;
   };
   return "resolution " + fixed(scenario.resolution, 3) + " m   \u00b7   robot radius " + fixed(scenario.radius, 2) +
-         " m   \u00b7   speed limit " + limit(scenario.limits.v_max) + " m/s   \u00b7   acceleration limit " +
-         limit(scenario.limits.a_max) + " m/s\u00b2";
+         " m   \u00b7   limits per axis " + limit(scenario.limits.v_max) + " m/s, " + limit(scenario.limits.a_max) +
+         " m/s\u00b2";
 }
 
 using Figure = std::pair<std::string, std::string>;  // name, value
@@ -44,8 +44,8 @@ std::vector<Figure> key_figures(const PlanResult& result, const Figures& figures
   return {{"duration", fixed(figures.duration, 2) + " s"},
           {"length", fixed(figures.length, 2) + " m"},
           {"segments", std::to_string(result.trajectory.count)},
-          {"peak speed", fixed(figures.speed, 2) + " m/s"},
-          {"peak acceleration", fixed(figures.acceleration, 2) + " m/s\u00b2"},
+          {"peak |v|", fixed(figures.speed, 2) + " m/s"},
+          {"peak |a|", fixed(figures.acceleration, 2) + " m/s\u00b2"},
           {"least clearance", std::isfinite(figures.clearance) ? fixed(figures.clearance, 3) + " m" : "no blocks"},
           {"snap cost", fixed(figures.snap, figures.snap < 100.0 ? 1 : 0)},
           {"computed in", us < 10000.0 ? fixed(us, 0) + " \u00b5s" : fixed(us / 1000.0, 1) + " ms"}};
@@ -76,7 +76,7 @@ void draw_legend(Canvas& canvas, const PlanResult& result) {
   const double y = kLegendTop;
   const auto swatch = [&](double x) { return Rect{x, y - 7.0, 28.0, 14.0}; };
   double x = kPageMargin;
-  canvas.rect(swatch(x), "class=\"block\" fill-opacity=\"0.8\"");
+  canvas.rect(swatch(x), "class=\"block\" opacity=\"0.8\"");
   x = legend_entry(canvas, x, "obstacle", 78.0);
   canvas.rect(swatch(x), "class=\"inflated\"", 7.0);
   x = legend_entry(canvas, x, "inflated by the radius", 162.0);
@@ -103,7 +103,7 @@ void draw_colour_bar(Canvas& canvas, double speed_scale) {
   const double right = kPageWidth - kPageMargin;
   const std::string high = fixed(speed_scale, 1) + " m/s";
   canvas.text({right, kLegendTop + 4.5}, high, "class=\"number\" text-anchor=\"end\"");
-  const Rect bar{right - 60.0 - 130.0, kLegendTop - 6.0, 130.0, 12.0};
+  const Rect bar{right - 54.0 - 130.0, kLegendTop - 6.0, 130.0, 12.0};
   canvas.rect(bar, "fill=\"url(#speed)\"", 3.0);
   canvas.text({bar.x - 6.0, kLegendTop + 4.5}, "trajectory, speed  0", "class=\"number\" text-anchor=\"end\"");
 }

@@ -86,8 +86,8 @@ void draw_key(Canvas& canvas, const Rect& frame, const char* norm) {
                  {"y", std::string("class=\"curve\" stroke=\"") + kAxisColours[1] + "\"", 46.0},
                  {"z", std::string("class=\"curve\" stroke=\"") + kAxisColours[2] + "\"", 46.0},
                  {norm, "class=\"norm\"", 54.0},
-                 {"limit an axis", "class=\"limit\" stroke=\"#8b2e2e\"", 112.0}};
-  double x = frame.right() - (3 * 46.0 + 54.0 + 112.0);
+                 {"limit per axis", "class=\"limit\" stroke=\"#8b2e2e\"", 118.0}};
+  double x = frame.right() - (3 * 46.0 + 54.0 + 118.0);
   const double y = frame.y - 17.0;
   for (const auto& entry : entries) {
     canvas.line({x, y}, {x + 20.0, y}, entry.style);
