@@ -1,0 +1,8 @@
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+enable_language(ASM)
+include(${CMAKE_CURRENT_LIST_DIR}/../baremetal/sources.cmake)
+target_sources(tern_board PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/start.S ${CMAKE_CURRENT_LIST_DIR}/vectors.S ${CMAKE_CURRENT_LIST_DIR}/memory_map.S
+  ${CMAKE_CURRENT_LIST_DIR}/fault.cpp ${CMAKE_CURRENT_LIST_DIR}/counters.cpp)
+set_target_properties(tern_board PROPERTIES TERN_LINKER_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/virt.ld)

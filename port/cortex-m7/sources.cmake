@@ -1,0 +1,7 @@
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+enable_language(ASM)
+include(${CMAKE_CURRENT_LIST_DIR}/../baremetal/sources.cmake)
+target_sources(tern_board PRIVATE
+  ${CMAKE_CURRENT_LIST_DIR}/start.S ${CMAKE_CURRENT_LIST_DIR}/fault.cpp ${CMAKE_CURRENT_LIST_DIR}/systick.cpp)
+set_target_properties(tern_board PROPERTIES TERN_LINKER_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/mps2_an500.ld)
