@@ -5,38 +5,19 @@
 #include "base/math.hpp"
 #include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/ellipsoid_fit.hpp"
-#include "corridor/ellipsoid_metric.hpp"
+#include "corridor/inscribe.hpp"
 #include "corridor/separation.hpp"
+#include "corridor/tangent_planes.hpp"
 
 namespace tern {
 namespace {
 
-/// A box counts as cut off though rounding says it is not quite, in parts of the coordinates' size.
-constexpr double kRounding = 1e-13;
-
 /// Half-spaces of the local box, the first of every polyhedron.
 constexpr int kBoxFaces = 6;
 
-/// The barrier's least distance to a plane, in voxels: a hundredth is less than any clearance worth a shape.
-constexpr double kLeastSlackCells = 0.01;
-
-/// Least semi-axis of an ellipsoid, in parts of its longest, where a half-space touches the segment.
-constexpr double kSliver = 1e-9;
-
-bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
-  const double beyond = support(plane.normal, box);
-  return beyond >= plane.offset + radius - kRounding * (1.0 + absolute(beyond));
-}
-
-/// Takes one half-space of the budget and of the polyhedron.
-Status append(const Halfspace& plane, GrowScratch& scratch, Polyhedron& out) {
-  if (scratch.planes >= scratch.planes_allowed) return Status::kBudgetCorridor;
-  if (out.count == kMaxPlanes) return Status::kPlanesFull;
-  ++scratch.planes;
-  out.planes[out.count++] = plane;
-  if (out.count > scratch.planes_high) scratch.planes_high = out.count;
-  return Status::kOk;
-}
+/// The barrier's least distance to a plane, in voxels: less than the half of a tunnel's width, so that it blurs no
+/// shape.
+constexpr double kLeastSlackCells = 0.1;
 
 /// The box around the segment that the polyhedron stays in.
 Box local_box(const Grid& grid, const Vec3& from, const Vec3& to, double margin) {
@@ -60,59 +41,6 @@ Status append_faces(const Box& box, GrowScratch& scratch, Polyhedron& out) {
     Status status = append(upper, scratch, out);
     if (status == Status::kOk) status = append(lower, scratch, out);
     if (status != Status::kOk) return status;
-  }
-  return Status::kOk;
-}
-
-/// The boxes that no face cuts off, with where the ellipsoid meets them. Returns how many.
-int measure(const EllipsoidMetric& metric, const Obstacles& obstacles, const Polyhedron& out, GrowScratch& scratch) {
-  int count = 0;
-  for (int i = 0; i < obstacles.count; ++i) {
-    bool cut = false;
-    for (int p = 0; p < out.count && !cut; ++p) cut = cut_off(out.planes[p], obstacles.boxes[i], obstacles.radius);
-    if (cut) continue;
-    scratch.scale[i] = contact_of(metric, obstacles.boxes[i], obstacles.radius).scale;
-    scratch.remaining[count++] = i;
-  }
-  return count;
-}
-
-/// The remaining box that the ellipsoid meets first; the lower index where two are met at once.
-std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
-  std::int32_t nearest = scratch.remaining[0];
-  for (int k = 1; k < count; ++k) {
-    const std::int32_t i = scratch.remaining[k];
-    if (scratch.scale[i] < scratch.scale[nearest]) nearest = i;
-  }
-  return nearest;
-}
-
-/// Keeps the remaining boxes that the half-space does not cut off. `made_for` goes in any case: its own support made
-/// the offset.
-int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_t made_for, GrowScratch& scratch,
-                 int count) {
-  int kept = 0;
-  for (int k = 0; k < count; ++k) {
-    const std::int32_t i = scratch.remaining[k];
-    if (i == made_for || cut_off(plane, obstacles.boxes[i], obstacles.radius)) continue;
-    scratch.remaining[kept++] = i;
-  }
-  return kept;
-}
-
-/// Step (2) of the section: half-spaces until no box remains. Each pass takes one box at least.
-Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
-                       GrowScratch& scratch, Polyhedron& out) {
-  int count = measure(metric, obstacles, out, scratch);
-  while (count > 0) {
-    const std::int32_t nearest = nearest_remaining(scratch, count);
-    const LocalBox& box = obstacles.boxes[nearest];
-    const Vec3 tangent = contact_of(metric, box, obstacles.radius).normal;
-    Halfspace plane;
-    Status status = separate(segment, box, obstacles.radius, tangent, plane);
-    if (status == Status::kOk) status = append(plane, scratch, out);
-    if (status != Status::kOk) return status;
-    count = drop_cut_off(plane, obstacles, nearest, scratch, count);
   }
   return Status::kOk;
 }
@@ -144,34 +72,6 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
   return Status::kOk;
 }
 
-/// Shrinks y and z by one factor until the ellipsoid lies inside every half-space. x stays: every half-space holds the
-/// segment, so that there is always such a factor. Where one touches the segment a sliver remains.
-void inscribe(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
-  double factor = 1.0;
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    const double room = plane.offset - dot(plane.normal, frame.center);
-    const double x = frame.semi_axis[0] * dot(plane.normal, frame.direction[0]);
-    const double y = frame.semi_axis[1] * dot(plane.normal, frame.direction[1]);
-    const double z = frame.semi_axis[2] * dot(plane.normal, frame.direction[2]);
-    const double across = y * y + z * z;
-    const double left = larger(room, 0.0) * room - x * x;
-    if (left < factor * factor * across) factor = square_root(larger(left, 0.0) / across);
-  }
-  frame.semi_axis[1] = larger(frame.semi_axis[1] * factor, kSliver * frame.semi_axis[0]);
-  frame.semi_axis[2] = larger(frame.semi_axis[2] * factor, kSliver * frame.semi_axis[0]);
-}
-
-/// A hover's ball shrinks as a whole.
-void inscribe_ball(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
-  double least = frame.semi_axis[0];
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    least = smaller(least, plane.offset - dot(plane.normal, frame.center));
-  }
-  for (double& semi_axis : frame.semi_axis) semi_axis = larger(least, kSliver * semi_axis);
-}
-
 /// Fits the ellipsoid, makes the half-spaces, improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
@@ -179,11 +79,7 @@ Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double 
   Status status = append_tangents(metric_of(frame), obstacles, segment, scratch, out);
   if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out);
   if (status != Status::kOk) return status;
-  if (distance(segment.from, segment.to) < kPointLike) {
-    inscribe_ball(out, frame);
-  } else {
-    inscribe(out, frame);
-  }
+  inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
   out.ellipsoid = ellipsoid_of(frame);
   out.from = segment.from;
   out.to = segment.to;
@@ -217,13 +113,6 @@ bool within(const Box& boundary, const Vec3& p) {
 }
 
 }  // namespace
-
-void reset_counters(GrowScratch& scratch) noexcept {
-  scratch.planes = 0;
-  scratch.planes_allowed = 0xFFFFFFFFu;
-  scratch.planes_high = 0;
-  scratch.boxes_high = 0;
-}
 
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept {

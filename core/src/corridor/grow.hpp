@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "corridor/local_boxes.hpp"
+#include "corridor/grow_scratch.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
@@ -29,23 +29,6 @@ constexpr int kImprovingRounds = 2;
 
 /// Half-spaces that one call may make: each size of the local box begins anew, each round after the box's faces.
 constexpr std::uint32_t kGrowBound = static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds) * kMaxPlanes);
-
-/// Scratch and counters of grow_polyhedron. The counters are kept across calls: set them before the first.
-struct GrowScratch {
-  std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
-  std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
-  std::int32_t planes_high;      ///< of the fullest polyhedron
-  std::int32_t boxes_high;       ///< of the busiest local box
-
-  LocalBox boxes[kMaxLocalBoxes];
-  double scale[kMaxLocalBoxes];            ///< where the swelling ellipsoid meets each box
-  std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
-  Polyhedron trial;                        ///< the round at hand
-  ExtractScratch extract;
-};
-
-/// Counters to zero, no budget.
-void reset_counters(GrowScratch& scratch) noexcept;
 
 /// Grows the polyhedron of the segment `from`, `to` (local frame, metres; may be a point), which must keep the radius
 /// from every obstacle and lie in the boundary.

@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_CORRIDOR_GROW_SCRATCH_HPP
+#define TERN_CORRIDOR_GROW_SCRATCH_HPP
+
+#include <cstdint>
+
+#include "corridor/local_boxes.hpp"
+#include "tern/corridor.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Scratch and counters of grow_polyhedron. The counters are kept across calls: set them before the first.
+struct GrowScratch {
+  std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
+  std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
+  std::int32_t planes_high;      ///< of the fullest polyhedron
+  std::int32_t boxes_high;       ///< of the busiest local box
+
+  LocalBox boxes[kMaxLocalBoxes];
+  double scale[kMaxLocalBoxes];            ///< where the swelling ellipsoid meets each box
+  std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
+  Polyhedron trial;                        ///< the round at hand
+  ExtractScratch extract;
+};
+
+/// Counters to zero, no budget.
+inline void reset_counters(GrowScratch& scratch) noexcept {
+  scratch.planes = 0;
+  scratch.planes_allowed = 0xFFFFFFFFu;
+  scratch.planes_high = 0;
+  scratch.boxes_high = 0;
+}
+
+/// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull; the polyhedron is as it was unless kOk.
+inline Status append(const Halfspace& plane, GrowScratch& scratch, Polyhedron& polyhedron) noexcept {
+  if (scratch.planes >= scratch.planes_allowed) return Status::kBudgetCorridor;
+  if (polyhedron.count == kMaxPlanes) return Status::kPlanesFull;
+  ++scratch.planes;
+  polyhedron.planes[polyhedron.count++] = plane;
+  if (polyhedron.count > scratch.planes_high) scratch.planes_high = polyhedron.count;
+  return Status::kOk;
+}
+
+}  // namespace tern
+
+#endif

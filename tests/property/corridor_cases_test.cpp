@@ -1,0 +1,115 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The shared corridor cases: maps of cuboids with segments between them. Skipped where the files are absent.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "check/check_stage.hpp"
+#include "corridor/grow.hpp"
+#include "support/corridor_reference.hpp"
+#include "support/random.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Box;
+using tern::GrowScratch;
+using tern::Polyhedron;
+using tern::Status;
+using tern::Vec3;
+
+struct Case {
+  Box boundary;
+  std::vector<Box> blocks;
+  std::vector<std::array<Vec3, 2>> segments;
+};
+
+bool read_vec3(std::istream& in, Vec3& v) {
+  return static_cast<bool>(in >> v.x >> v.y >> v.z);
+}
+
+bool read_case(const std::string& file, Case& out) {
+  std::ifstream in(file);
+  if (!in) return false;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string record;
+    Vec3 a;
+    Vec3 b;
+    words >> record;
+    if (record.empty() || record[0] == '#' || !read_vec3(words, a)) continue;
+    while (read_vec3(words, b)) {
+      if (record == "boundary") out.boundary = {a, b};
+      if (record == "block") out.blocks.push_back({a, b});
+      if (record == "segment" || record == "polyline") out.segments.push_back({a, b});
+      a = b;
+    }
+  }
+  return true;
+}
+
+/// The cubes within reach of the local box; the others are far from everything that is asserted about a polyhedron.
+std::vector<Box> cubes_near(const std::vector<Box>& cubes, const Polyhedron& p) {
+  std::vector<Box> near;
+  const Vec3 middle = mix3(p.from, p.to, 0.5);
+  for (const Box& cube : cubes) {
+    if (point_cube_distance(middle, cube) < 6.0) near.push_back(cube);
+  }
+  return near;
+}
+
+void expect_case_solved(const Case& c, Random& random, std::size_t stride) {
+  const auto scratch = std::make_unique<GrowScratch>();
+  const auto polyhedron = std::make_unique<Polyhedron>();
+  const double cell = 0.1;
+  const tern::Voxel dims{static_cast<int>(std::lround(c.boundary.upper.x / cell)),
+                         static_cast<int>(std::lround(c.boundary.upper.y / cell)),
+                         static_cast<int>(std::lround(c.boundary.upper.z / cell))};
+  World world(dims, cell, 0.0, c.boundary);
+  for (const Box& block : c.blocks) ASSERT_EQ(world.grid.mark_box(block), Status::kOk);
+  const std::vector<Box> cubes = obstacle_cubes(world.grid);
+  for (std::size_t i = 0; i < c.segments.size(); i += stride) {
+    const auto& segment = c.segments[i];
+    reset_counters(*scratch);
+    ASSERT_EQ(grow_polyhedron(world.grid, segment[0], segment[1], *scratch, *polyhedron), Status::kOk);
+    const std::vector<Box> near = cubes_near(cubes, *polyhedron);
+    const double clearance = segment_clearance(segment[0], segment[1], near, 1e9);
+    ASSERT_GT(clearance, 0.04);  // segments keep 0.1 m, pieces of polylines about half of it
+    ASSERT_NO_FATAL_FAILURE(expect_holds_segment(world.grid, *polyhedron, clearance));
+    ASSERT_NO_FATAL_FAILURE(expect_ellipsoid(*polyhedron, clearance));
+    ASSERT_TRUE(polyhedron_clear(world.grid, *polyhedron));
+    if (i % (4 * stride) == 0) {
+      ASSERT_NO_FATAL_FAILURE(expect_clear(*polyhedron, near, 0.0, random));
+    }
+  }
+}
+
+TEST(CorridorCases, EverySegmentHasAPolyhedron) {
+  Random random(1);
+  int files = 0;
+  const std::size_t stride = scaled(100) >= 100 ? 1 : 10;
+  for (const char* size : {"small", "medium", "large"}) {
+    for (const char* density : {"10", "30"}) {
+      for (int m = 0; m < 3; ++m) {
+        const std::string name = std::string(TERN_SHARED_DIR) + "/cases/corridor/" + size + "_" + density + "_m" +
+                                 std::to_string(m) + ".txt";
+        Case c;
+        if (!read_case(name, c)) continue;
+        ++files;
+        SCOPED_TRACE(name);
+        ASSERT_NO_FATAL_FAILURE(expect_case_solved(c, random, stride));
+      }
+    }
+  }
+  if (files == 0) GTEST_SKIP() << "no corridor cases under " << TERN_SHARED_DIR;
+}
+
+}  // namespace
+}  // namespace tern_test

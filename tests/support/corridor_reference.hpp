@@ -1,0 +1,248 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Slow and simple geometry to hold polyhedra against: voxel by voxel, vertex by vertex, nothing of the core's own.
+#ifndef TERN_TESTS_SUPPORT_CORRIDOR_REFERENCE_HPP
+#define TERN_TESTS_SUPPORT_CORRIDOR_REFERENCE_HPP
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "support/random.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+
+namespace tern_test {
+
+inline double dot3(const tern::Vec3& a, const tern::Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline double norm3(const tern::Vec3& a) {
+  return std::sqrt(dot3(a, a));
+}
+inline tern::Vec3 minus3(const tern::Vec3& a, const tern::Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline tern::Vec3 mix3(const tern::Vec3& a, const tern::Vec3& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+/// A grid with its storage, origin at zero so that the local frame is the world.
+struct World {
+  std::vector<std::uint64_t> words;
+  tern::Grid grid;
+
+  World(const tern::Voxel& dims, double cell, double radius) {
+    const tern::Box all{{0.0, 0.0, 0.0}, {dims.x * cell, dims.y * cell, dims.z * cell}};
+    bind(dims, cell, radius, all);
+  }
+  World(const tern::Voxel& dims, double cell, double radius, const tern::Box& boundary) {
+    bind(dims, cell, radius, boundary);
+  }
+  void bind(const tern::Voxel& dims, double cell, double radius, const tern::Box& boundary) {
+    words.assign(tern::grid_words(dims), 0);
+    tern::GridSpec spec{};
+    spec.cell = cell;
+    spec.dims = dims;
+    spec.boundary = boundary;
+    spec.radius = radius;
+    ASSERT_EQ(grid.bind(spec, words.data(), words.size()), tern::Status::kOk);
+  }
+  void mark(int x, int y, int z) { ASSERT_EQ(grid.mark_voxel({x, y, z}), tern::Status::kOk); }
+  /// Voxels lower <= v < upper.
+  void fill(const tern::Voxel& lower, const tern::Voxel& upper) {
+    for (int z = lower.z; z < upper.z; ++z) {
+      for (int y = lower.y; y < upper.y; ++y) {
+        for (int x = lower.x; x < upper.x; ++x) mark(x, y, z);
+      }
+    }
+  }
+  void clear(int x, int y, int z) { ASSERT_EQ(grid.clear_voxel({x, y, z}), tern::Status::kOk); }
+};
+
+/// Every obstacle voxel of the grid as a solid cube, asked for bit by bit.
+inline std::vector<tern::Box> obstacle_cubes(const tern::Grid& grid) {
+  std::vector<tern::Box> cubes;
+  const tern::GridSpec& spec = grid.spec();
+  const double c = spec.cell;
+  for (int z = 0; z < spec.dims.z; ++z) {
+    for (int y = 0; y < spec.dims.y; ++y) {
+      for (int x = 0; x < spec.dims.x; ++x) {
+        if (grid.obstacle({x, y, z})) cubes.push_back({{x * c, y * c, z * c}, {(x + 1) * c, (y + 1) * c, (z + 1) * c}});
+      }
+    }
+  }
+  return cubes;
+}
+
+inline double point_cube_distance(const tern::Vec3& p, const tern::Box& b) {
+  const double x = std::max({b.lower.x - p.x, 0.0, p.x - b.upper.x});
+  const double y = std::max({b.lower.y - p.y, 0.0, p.y - b.upper.y});
+  const double z = std::max({b.lower.z - p.z, 0.0, p.z - b.upper.z});
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+/// By golden sections would be faster; by thirds is plainer. The distance is convex along the segment.
+inline double segment_cube_distance(const tern::Vec3& a, const tern::Vec3& b, const tern::Box& cube) {
+  double lo = 0.0;
+  double hi = 1.0;
+  for (int i = 0; i < 80; ++i) {
+    const double p = lo + (hi - lo) / 3.0;
+    const double q = hi - (hi - lo) / 3.0;
+    if (point_cube_distance(mix3(a, b, p), cube) <= point_cube_distance(mix3(a, b, q), cube)) {
+      hi = q;
+    } else {
+      lo = p;
+    }
+  }
+  return point_cube_distance(mix3(a, b, 0.5 * (lo + hi)), cube);
+}
+
+/// The least distance of a segment from the cubes; `far` where none is nearer.
+inline double segment_clearance(const tern::Vec3& a, const tern::Vec3& b, const std::vector<tern::Box>& cubes,
+                                double far) {
+  const tern::Vec3 middle = mix3(a, b, 0.5);
+  const double half = 0.5 * norm3(minus3(b, a));
+  double least = far;
+  for (const tern::Box& cube : cubes) {
+    if (point_cube_distance(middle, cube) - half >= least) continue;
+    least = std::min(least, segment_cube_distance(a, b, cube));
+  }
+  return least;
+}
+
+inline double cube_support(const tern::Vec3& n, const tern::Box& b) {
+  return std::min(n.x * b.lower.x, n.x * b.upper.x) + std::min(n.y * b.lower.y, n.y * b.upper.y) +
+         std::min(n.z * b.lower.z, n.z * b.upper.z);
+}
+
+inline double signed_excess(const tern::Halfspace& h, const tern::Vec3& p) {
+  return dot3(h.normal, p) - h.offset;
+}
+
+/// All vertices, by intersecting every three planes.
+inline std::vector<tern::Vec3> vertices_of(const tern::Polyhedron& polyhedron) {
+  std::vector<tern::Vec3> vertices;
+  const auto cross = [](const tern::Vec3& a, const tern::Vec3& b) {
+    return tern::Vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  };
+  for (int i = 0; i < polyhedron.count; ++i) {
+    for (int j = i + 1; j < polyhedron.count; ++j) {
+      for (int k = j + 1; k < polyhedron.count; ++k) {
+        const tern::Halfspace& a = polyhedron.planes[i];
+        const tern::Halfspace& b = polyhedron.planes[j];
+        const tern::Halfspace& c = polyhedron.planes[k];
+        const tern::Vec3 bc = cross(b.normal, c.normal);
+        const tern::Vec3 ca = cross(c.normal, a.normal);
+        const tern::Vec3 ab = cross(a.normal, b.normal);
+        const double det = dot3(a.normal, bc);
+        if (std::fabs(det) < 1e-9) continue;
+        const tern::Vec3 p{(a.offset * bc.x + b.offset * ca.x + c.offset * ab.x) / det,
+                           (a.offset * bc.y + b.offset * ca.y + c.offset * ab.y) / det,
+                           (a.offset * bc.z + b.offset * ca.z + c.offset * ab.z) / det};
+        bool inside = true;
+        for (int m = 0; m < polyhedron.count && inside; ++m) inside = signed_excess(polyhedron.planes[m], p) <= 1e-9;
+        if (inside) vertices.push_back(p);
+      }
+    }
+  }
+  return vertices;
+}
+
+/// Contract C4, both ways: each cube is cut off by one half-space with the radius to spare, and points all over the
+/// polyhedron (vertices and random means of them) keep the radius from every cube.
+inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<tern::Box>& cubes, double radius,
+                         Random& random) {
+  for (const tern::Box& cube : cubes) {
+    double best = -1e300;
+    for (int p = 0; p < polyhedron.count; ++p) {
+      const tern::Halfspace& h = polyhedron.planes[p];
+      best = std::max(best, cube_support(h.normal, cube) - h.offset - radius);
+    }
+    ASSERT_GE(best, -1e-9) << "no half-space cuts off a cube";
+  }
+  const std::vector<tern::Vec3> vertices = vertices_of(polyhedron);
+  ASSERT_GE(vertices.size(), 4u) << "a bounded polyhedron with an interior has four vertices at least";
+  for (std::size_t i = 0; i < vertices.size() + 20; ++i) {
+    tern::Vec3 p = vertices[i % vertices.size()];
+    if (i >= vertices.size()) {
+      for (int k = 0; k < 3; ++k) {
+        const std::size_t other = static_cast<std::size_t>(random.integer(0, static_cast<int>(vertices.size()) - 1));
+        p = mix3(p, vertices[other], random.unit());
+      }
+    }
+    for (const tern::Box& cube : cubes) ASSERT_GE(point_cube_distance(p, cube), radius - 1e-6);
+  }
+}
+
+inline double determinant(const double (&e)[3][3]) {
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+/// |E^-1 (p - c)|, by Cramer's rule.
+inline double ellipsoid_norm(const tern::Ellipsoid& ellipsoid, const tern::Vec3& p) {
+  const tern::Vec3 d = minus3(p, ellipsoid.center);
+  const double right[3] = {d.x, d.y, d.z};
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    double replaced[3][3];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) replaced[i][j] = j == k ? right[i] : ellipsoid.axes[i][j];
+    }
+    const double q = determinant(replaced) / determinant(ellipsoid.axes);
+    sum += q * q;
+  }
+  return std::sqrt(sum);
+}
+
+/// E symmetric and positive definite, inside every half-space and, where `room` keeps it from being a sliver, around
+/// both ends of the segment.
+inline void expect_ellipsoid(const tern::Polyhedron& polyhedron, double room) {
+  const double(&e)[3][3] = polyhedron.ellipsoid.axes;
+  const tern::Vec3& c = polyhedron.ellipsoid.center;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) ASSERT_EQ(e[i][j], e[j][i]);
+  }
+  ASSERT_GT(e[0][0], 0.0);
+  ASSERT_GE(e[0][0] * e[1][1] - e[0][1] * e[1][0], 0.0);
+  if (room > 1e-3) {
+    ASSERT_GT(determinant(e), 0.0);
+    ASSERT_LE(ellipsoid_norm(polyhedron.ellipsoid, polyhedron.from), 1.0 + 1e-6);
+    ASSERT_LE(ellipsoid_norm(polyhedron.ellipsoid, polyhedron.to), 1.0 + 1e-6);
+  }
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const tern::Vec3& n = polyhedron.planes[p].normal;
+    const tern::Vec3 en{e[0][0] * n.x + e[0][1] * n.y + e[0][2] * n.z, e[1][0] * n.x + e[1][1] * n.y + e[1][2] * n.z,
+                        e[2][0] * n.x + e[2][1] * n.y + e[2][2] * n.z};
+    ASSERT_LE(dot3(n, c) + norm3(en), polyhedron.planes[p].offset + 1e-7);
+  }
+}
+
+/// Unit normals, the segment inside, the boundary kept, and the promised distance between planes and segment.
+inline void expect_holds_segment(const tern::Grid& grid, const tern::Polyhedron& polyhedron, double clearance) {
+  const double room = clearance - grid.spec().radius;
+  const double margin = std::min(room, tern::kSightMargin * grid.spec().cell);
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const tern::Halfspace& h = polyhedron.planes[p];
+    ASSERT_NEAR(norm3(h.normal), 1.0, 1e-12);
+    const double excess = std::max(signed_excess(h, polyhedron.from), signed_excess(h, polyhedron.to));
+    ASSERT_LE(excess, 1e-12);
+    // The first six are the box's faces, which may lie in the boundary that the segment touches.
+    if (p >= 6) {
+      ASSERT_LE(excess, -margin + 1e-9);
+    }
+  }
+  const tern::Box boundary = grid.local_boundary();
+  const double faces[6] = {boundary.upper.x,  -boundary.lower.x, boundary.upper.y,
+                           -boundary.lower.y, boundary.upper.z,  -boundary.lower.z};
+  for (int p = 0; p < 6; ++p) ASSERT_LE(polyhedron.planes[p].offset, faces[p]);
+}
+
+}  // namespace tern_test
+
+#endif

@@ -1,0 +1,172 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/corridor_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <initializer_list>
+#include <memory>
+
+#include "support/corridor_reference.hpp"
+#include "support/random.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Corridor;
+using tern::CorridorStage;
+using tern::Path;
+using tern::Polyhedron;
+using tern::Status;
+using tern::Vec3;
+using tern::Work;
+
+void expect_same(const Vec3& a, const Vec3& b) {
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.z, b.z);
+}
+
+class CorridorStageTest : public ::testing::Test {
+ protected:
+  void set_path(std::initializer_list<Vec3> points) {
+    path_->count = 0;
+    for (const Vec3& p : points) path_->points[path_->count++] = p;
+  }
+
+  /// Runs in slices of `slice` units on a scratch full of `fill`.
+  Status run(const World& world, std::uint32_t slice, std::uint32_t max_planes = 0xFFFFFFFFu, int fill = 0xA5) {
+    std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
+    std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
+    corridor_begin(*stage_, world.grid, *path_, max_planes);
+    for (std::uint32_t i = 0; i <= tern::kCorridorTries; ++i) {
+      Work work{slice};
+      const Status status = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
+      EXPECT_LE(stage_->planes, tern::kCorridorBound);
+      if (status != Status::kRunning) return status;
+    }
+    return Status::kRunning;
+  }
+
+  /// The chain begins at the start, ends at the goal, meets every waypoint and has no gap.
+  void expect_chain() {
+    ASSERT_GE(corridor_->count, 1);
+    expect_same(corridor_->polyhedra[0].from, path_->points[0]);
+    expect_same(corridor_->polyhedra[corridor_->count - 1].to, path_->points[path_->count - 1]);
+    int waypoint = 1;
+    for (int i = 0; i < corridor_->count; ++i) {
+      if (i + 1 < corridor_->count) expect_same(corridor_->polyhedra[i].to, corridor_->polyhedra[i + 1].from);
+      const Vec3& w = path_->points[waypoint];
+      const Vec3& end = corridor_->polyhedra[i].to;
+      if (norm3(minus3(w, end)) <= 0.0) ++waypoint;
+    }
+    EXPECT_EQ(waypoint, path_->count) << "a waypoint is no polyhedron's end";
+  }
+
+  std::unique_ptr<CorridorStage> stage_ = std::make_unique<CorridorStage>();
+  std::unique_ptr<Path> path_ = std::make_unique<Path>();
+  std::unique_ptr<Corridor> corridor_ = std::make_unique<Corridor>();
+};
+
+TEST_F(CorridorStageTest, OnePolyhedronALeg) {
+  World world({80, 80, 30}, 0.1, 0.2);
+  world.fill({30, 0, 0}, {35, 50, 30});
+  set_path({{1.0, 1.0, 1.5}, {2.5, 5.6, 1.5}, {3.9, 5.6, 1.5}, {6.0, 1.0, 1.5}});
+  ASSERT_EQ(run(world, 100), Status::kOk);
+  EXPECT_EQ(corridor_->count, 3);
+  expect_chain();
+  EXPECT_GE(stage_->planes_high, 6);
+  EXPECT_GE(stage_->boxes_high, 1);
+}
+
+TEST_F(CorridorStageTest, AHoverIsOnePolyhedron) {
+  const World world({40, 40, 40}, 0.1, 0.2);
+  set_path({{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 1);
+  expect_chain();
+}
+
+TEST_F(CorridorStageTest, CoincidentWaypointsAreLegsOfNoLength) {
+  const World world({40, 40, 40}, 0.1, 0.2);
+  set_path({{2.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 3);
+}
+
+TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {
+  const World world({300, 40, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {28.0, 2.0, 2.0}});
+  ASSERT_EQ(run(world, 100), Status::kOk);
+  ASSERT_EQ(corridor_->count, 4);
+  expect_chain();
+  for (int i = 0; i < 4; ++i) {
+    const Polyhedron& p = corridor_->polyhedra[i];
+    EXPECT_NEAR(norm3(minus3(p.to, p.from)), 27.0 / 4.0, 1e-9);
+  }
+}
+
+TEST_F(CorridorStageTest, ABlockedLegSaysSo) {
+  World world({40, 40, 40}, 0.1, 0.2);
+  world.mark(20, 20, 20);
+  set_path({{0.5, 0.5, 0.5}, {0.5, 2.0, 2.0}, {3.5, 2.0, 2.0}});
+  EXPECT_EQ(run(world, 100), Status::kCorridorBlocked);
+}
+
+TEST_F(CorridorStageTest, APathOutsideTheBoundarySaysSo) {
+  const World world({40, 40, 40}, 0.1, 0.2);
+  set_path({{0.5, 0.5, 0.5}, {5.0, 2.0, 2.0}});
+  EXPECT_EQ(run(world, 100), Status::kOutOfMap);
+}
+
+TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
+  const World world({40, 40, 40}, 0.1, 0.2);
+  set_path({{0.5, 0.5, 0.5}, {2.0, 2.0, 2.0}});
+  corridor_begin(*stage_, world.grid, *path_, 100);
+  for (int i = 0; i < 5; ++i) {
+    Work none{0};
+    EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, none, *corridor_), Status::kRunning);
+  }
+  EXPECT_EQ(stage_->planes, 0u);
+}
+
+TEST_F(CorridorStageTest, SlicesChangeNoBit) {
+  Random random(5);
+  World world({80, 80, 30}, 0.1, 0.1);
+  for (int i = 0; i < 300; ++i) world.mark(random.integer(0, 79), random.integer(0, 79), random.integer(0, 29));
+  for (int x = 0; x < 80; ++x) {
+    for (int y = 38; y < 43; ++y) {
+      for (int z = 12; z < 18; ++z) world.clear(x, y, z);
+    }
+  }
+  set_path({{0.5, 4.05, 1.5}, {3.0, 4.05, 1.5}, {7.5, 4.04, 1.5}});
+  ASSERT_EQ(run(world, 1000, 0xFFFFFFFFu, 0), Status::kOk);
+  const auto whole = std::make_unique<Corridor>(*corridor_);
+  const std::uint32_t planes = stage_->planes;
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(stage_->planes, planes);
+  ASSERT_EQ(corridor_->count, whole->count);
+  for (int i = 0; i < whole->count; ++i) {
+    const Polyhedron& a = whole->polyhedra[i];
+    const Polyhedron& b = corridor_->polyhedra[i];
+    ASSERT_EQ(a.count, b.count);
+    EXPECT_EQ(std::memcmp(a.planes, b.planes, sizeof(tern::Halfspace) * static_cast<std::size_t>(a.count)), 0);
+    EXPECT_EQ(std::memcmp(&a.ellipsoid, &b.ellipsoid, sizeof a.ellipsoid), 0);
+  }
+}
+
+TEST_F(CorridorStageTest, EveryBudgetEndsInBudgetOrInTheSameCorridor) {
+  World world({80, 80, 30}, 0.1, 0.2);
+  world.fill({30, 0, 0}, {35, 50, 30});
+  set_path({{1.0, 1.0, 1.5}, {2.5, 5.6, 1.5}, {3.9, 5.6, 1.5}, {6.0, 1.0, 1.5}});
+  ASSERT_EQ(run(world, 100), Status::kOk);
+  const std::uint32_t needed = stage_->planes;
+  for (std::uint32_t k = 0; k <= needed + 1; ++k) {
+    EXPECT_EQ(run(world, 100, k), k < needed ? Status::kBudgetCorridor : Status::kOk) << k;
+    EXPECT_LE(stage_->planes, k);
+  }
+}
+
+}  // namespace
+}  // namespace tern_test
