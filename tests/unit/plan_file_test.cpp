@@ -1,0 +1,208 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plan files say what was planned, to the last bit, in the world frame.
+#include "host/plan_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "host/figures.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using nlohmann::json;
+using tern::Status;
+using tern_host::PlanResult;
+
+std::uint64_t bits(double value) {
+  std::uint64_t word;
+  std::memcpy(&word, &value, sizeof word);
+  return word;
+}
+
+/// A result with awkward numbers in every place; not a plan that any planner would make.
+PlanResult awkward_result(std::uint64_t seed) {
+  tern_test::Random random(seed);
+  const auto number = [&random] { return random.real(-1.0, 1.0) * std::pow(10.0, random.integer(-12, 6)); };
+  const auto vec = [&number] { return tern::Vec3{number(), number(), number()}; };
+  PlanResult result;
+  result.scenario.name = "maps/\"odd\" name.txt";
+  result.scenario.resolution = 0.1;
+  result.scenario.start = {vec(), vec(), vec()};
+  result.scenario.goal = {vec(), vec(), vec()};
+  result.grid.origin = vec();
+  result.report.status = Status::kOk;
+  result.report.quality = tern::Quality::kOptimised;
+  result.report.qp_iterations = 17;
+  result.report.stages[static_cast<int>(tern::Stage::kSearch)].work = 4321;
+  result.timing.inflate = 1.5;
+  result.timing.stages[static_cast<int>(tern::Stage::kCheck)] = 2.25;
+  result.path = std::make_unique<tern::Path>();
+  result.path->raw_count = 3;
+  result.path->count = 2;
+  for (int i = 0; i < 3; ++i) result.path->raw[i] = vec();
+  for (int i = 0; i < 2; ++i) result.path->points[i] = vec();
+  result.corridor = std::make_unique<tern::Corridor>();
+  result.corridor->count = 1;
+  result.corridor->polyhedra[0].count = 2;
+  for (int i = 0; i < 2; ++i) result.corridor->polyhedra[0].planes[i] = {vec(), number()};
+  for (auto& row : result.corridor->polyhedra[0].ellipsoid.axes) {
+    for (double& value : row) value = number();
+  }
+  result.corridor->polyhedra[0].ellipsoid.center = vec();
+  result.trajectory.count = 2;
+  result.trajectory.origin = result.grid.origin;
+  for (int s = 0; s < 2; ++s) {
+    result.trajectory.segments[s].duration = 0.1 + std::fabs(number());
+    for (tern::Vec3& point : result.trajectory.segments[s].points) point = vec();
+  }
+  return result;
+}
+
+void expect_bits(const json& array, const tern::Vec3& v) {
+  ASSERT_EQ(array.size(), 3u);
+  EXPECT_EQ(bits(array[0].get<double>()), bits(v.x));
+  EXPECT_EQ(bits(array[1].get<double>()), bits(v.y));
+  EXPECT_EQ(bits(array[2].get<double>()), bits(v.z));
+}
+
+tern::Vec3 sum(const tern::Vec3& a, const tern::Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+TEST(PlanFile, NumbersReadBackToTheSameBits) {
+  for (int seed = 0; seed < tern_test::scaled(200); ++seed) {
+    const PlanResult result = awkward_result(static_cast<std::uint64_t>(seed));
+    const json plan = json::parse(tern_host::plan_json(result));
+    const tern::Vec3& origin = result.grid.origin;
+    expect_bits(plan["start_state"]["velocity"], result.scenario.start.velocity);
+    expect_bits(plan["goal_state"]["acceleration"], result.scenario.goal.acceleration);
+    for (int i = 0; i < 3; ++i) expect_bits(plan["search"]["jps_path"][i], sum(result.path->raw[i], origin));
+    for (int i = 0; i < 2; ++i) expect_bits(plan["search"]["path"][i], sum(result.path->points[i], origin));
+    for (int s = 0; s < 2; ++s) {
+      const tern::Segment& segment = result.trajectory.segments[s];
+      EXPECT_EQ(bits(plan["segments"][s]["duration"].get<double>()), bits(segment.duration));
+      for (int p = 0; p < tern::kControlPoints; ++p) {
+        expect_bits(plan["segments"][s]["control_points"][p], sum(segment.points[p], origin));
+      }
+    }
+    EXPECT_EQ(bits(plan["cost"]["snap"].get<double>()), bits(tern::snap_cost(result.trajectory)));
+  }
+}
+
+TEST(PlanFile, HasEveryPartOfTheFormat) {
+  const json plan = json::parse(tern_host::plan_json(awkward_result(1)));
+  EXPECT_EQ(plan["format"], "tern-plan/1");
+  EXPECT_EQ(plan["status"], "ok");
+  EXPECT_EQ(plan["detail"], "");
+  EXPECT_EQ(plan["scenario"], "maps/\"odd\" name.txt");
+  EXPECT_EQ(plan["robot_radius"], 0.25);
+  EXPECT_EQ(plan["limits"]["v_max"], json({2.0, 2.0, 2.0}));
+  EXPECT_EQ(plan["search"]["expanded"], 4321);
+  EXPECT_EQ(plan["corridor"].size(), 1u);
+  EXPECT_EQ(plan["corridor"][0]["ellipsoid"]["E"].size(), 3u);
+  EXPECT_EQ(plan["qp"]["iterations"], 17);
+  for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization"}) {
+    EXPECT_TRUE(plan["timing_us"][stage].is_number()) << stage;
+  }
+  EXPECT_EQ(plan["timing_us"]["total"], 3.75);
+}
+
+TEST(PlanFile, HalfspacesMoveWithTheOrigin) {
+  PlanResult result = awkward_result(2);
+  result.grid.origin = {10.0, -20.0, 0.5};
+  result.corridor->polyhedra[0].planes[0] = {{0.6, 0.0, 0.8}, 1.0};
+  const json plan = json::parse(tern_host::plan_json(result));
+  // The local point (0, 0, 1.25) lies on the plane; so must its world position (10, -20, 1.75).
+  EXPECT_NEAR(plan["corridor"][0]["halfspaces"][0][3].get<double>(), 0.6 * 10.0 + 0.8 * 1.75, 1e-12);
+}
+
+TEST(PlanFile, FailureCarriesStatusDetailAndThePartsReached) {
+  PlanResult result = awkward_result(3);
+  result.report.status = Status::kGoalOccupied;
+  result.report.stage = tern::Stage::kSearch;
+  result.report.field = tern::Field::kGoalPosition;
+  result.report.has_nearest_free = true;
+  result.report.nearest_free = {1.5, 2.5, 3.5};
+  result.path.reset();
+  result.corridor.reset();
+  const json plan = json::parse(tern_host::plan_json(result));
+  EXPECT_EQ(plan["format"], "tern-plan/1");
+  EXPECT_EQ(plan["status"], "goal_occupied");
+  const std::string detail = plan["detail"];
+  EXPECT_NE(detail.find("goal position"), std::string::npos) << detail;
+  EXPECT_NE(detail.find("(1.5, 2.5, 3.5)"), std::string::npos) << detail;
+  EXPECT_NE(detail.find("too close"), std::string::npos) << detail;
+  for (const char* part : {"search", "corridor", "segments", "cost", "qp"}) EXPECT_FALSE(plan.contains(part)) << part;
+}
+
+TEST(PlanFile, InvalidUtf8InANameStaysJson) {
+  PlanResult result = awkward_result(4);
+  result.scenario.name = "bad\xff.txt";
+  EXPECT_TRUE(json::accept(tern_host::plan_json(result)));
+}
+
+/// One segment from rest at x = 0 to rest at x = 1 in `duration` seconds.
+tern::Trajectory unit_step(double duration) {
+  tern::Trajectory trajectory{};
+  trajectory.count = 1;
+  trajectory.segments[0].duration = duration;
+  for (int i = 4; i < tern::kControlPoints; ++i) trajectory.segments[0].points[i].x = 1.0;
+  return trajectory;
+}
+
+TEST(TrajectoryCsv, HasARowAStepAndTheEndOnce) {
+  const std::string csv = tern_host::trajectory_csv(unit_step(0.3), 0.1);
+  std::istringstream lines(csv);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[0], "t,px,py,pz,vx,vy,vz,ax,ay,az,jx,jy,jz,sx,sy,sz");
+  EXPECT_EQ(rows[1].substr(0, 6), "0,0,0,");
+  EXPECT_EQ(rows[2].substr(0, 4), "0.10");
+  EXPECT_NE(rows[4].find(",1,0,0,0,0,0,"), std::string::npos) << rows[4];
+  for (const std::string& row : rows) EXPECT_EQ(std::count(row.begin(), row.end(), ','), 15) << row;
+}
+
+TEST(TrajectoryCsv, RefusesStepsThatMakeNoTable) {
+  EXPECT_THROW(tern_host::trajectory_csv(unit_step(1.0), 0.0), std::invalid_argument);
+  EXPECT_THROW(tern_host::trajectory_csv(unit_step(1.0), -1.0), std::invalid_argument);
+  EXPECT_THROW(tern_host::trajectory_csv(unit_step(1.0), 1e-9), std::invalid_argument);
+  EXPECT_THROW(tern_host::trajectory_csv(unit_step(1.0), std::numeric_limits<double>::quiet_NaN()),
+               std::invalid_argument);
+}
+
+TEST(Figures, AreMeasuredFromSamplesAndTheBlocksAsWritten) {
+  tern_host::Scenario scenario;
+  scenario.blocks.push_back({{{0.5, 0.3, -1.0}, {0.6, 1.0, 1.0}}, false});
+  const tern_host::Figures figures = tern_host::measure(unit_step(2.0), scenario);
+  EXPECT_DOUBLE_EQ(figures.duration, 2.0);
+  EXPECT_NEAR(figures.length, 1.0, 1e-9);
+  EXPECT_NEAR(figures.clearance, 0.3, 1e-9);
+  // The degree-7 step's top speed is 35/16 of the mean speed, in the middle.
+  EXPECT_NEAR(figures.speed, 35.0 / 16.0 / 2.0, 1e-5);
+  EXPECT_NEAR(figures.v_peak.x, figures.speed, 1e-12);
+  EXPECT_DOUBLE_EQ(figures.v_peak.y, 0.0);
+}
+
+TEST(Figures, DistanceToBlocksIsEuclidean) {
+  tern_host::Scenario scenario;
+  EXPECT_TRUE(std::isinf(tern_host::distance_to_blocks({0, 0, 0}, scenario)));
+  scenario.blocks.push_back({{{1, 1, 1}, {2, 2, 2}}, false});
+  EXPECT_DOUBLE_EQ(tern_host::distance_to_blocks({0, 0, 0}, scenario), std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(tern_host::distance_to_blocks({1.5, 1.5, 5}, scenario), 3.0);
+  EXPECT_DOUBLE_EQ(tern_host::distance_to_blocks({1.5, 1.5, 1.5}, scenario), 0.0);
+}
+
+}  // namespace

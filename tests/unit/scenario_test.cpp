@@ -1,0 +1,234 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Scenario files: what is read, and that every error names the file, the line and the reason (F23).
+#include "host/scenario.hpp"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <string>
+#include <vector>
+
+#include "host/grid_layout.hpp"
+
+namespace {
+
+using tern_host::parse_scenario;
+using tern_host::Scenario;
+using tern_host::ScenarioError;
+
+const std::string kMinimal = "boundary 0 0 0 4 3 2\nstart 1 1 1\ngoal 3 2 1\n";
+
+/// The message of the error that a text makes; empty where it is read.
+std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    tern_host::lay_out_grid(parse_scenario(text, "map.txt", overrides));
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expect_vec(const tern::Vec3& v, double x, double y, double z) {
+  EXPECT_DOUBLE_EQ(v.x, x);
+  EXPECT_DOUBLE_EQ(v.y, y);
+  EXPECT_DOUBLE_EQ(v.z, z);
+}
+
+TEST(Scenario, DefaultsHoldWhereNothingIsSaid) {
+  const Scenario s = parse_scenario(kMinimal, "map.txt");
+  EXPECT_EQ(s.name, "map.txt");
+  EXPECT_DOUBLE_EQ(s.resolution, 0.1);
+  EXPECT_DOUBLE_EQ(s.radius, 0.25);
+  expect_vec(s.limits.v_max, 2, 2, 2);
+  expect_vec(s.limits.a_max, 2, 2, 2);
+  expect_vec(s.start.velocity, 0, 0, 0);
+  expect_vec(s.goal.acceleration, 0, 0, 0);
+  expect_vec(s.boundary.upper, 4, 3, 2);
+  EXPECT_TRUE(s.blocks.empty());
+}
+
+TEST(Scenario, EveryRecordIsRead) {
+  const Scenario s = parse_scenario(
+      "# a map\n"
+      "boundary -1 -2 -3 4 5 6   # trailing comment\r\n"
+      "\n"
+      "\tblock 0 0 0 1 1 1\n"
+      "block 1 1 1 2 2 2 255 0 12.5\n"
+      "keepout 2 2 2 3 3 3\n"
+      "start .5 1. -1e-1\n"
+      "goal +2 3 4E0\n"
+      "start_velocity 0.1 0.2 0.3\nstart_acceleration 0.4 0.5 0.6\n"
+      "goal_velocity 1 2 3\ngoal_acceleration 4 5 6\n"
+      "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3",
+      "m");
+  ASSERT_EQ(s.blocks.size(), 3u);
+  EXPECT_FALSE(s.blocks[1].keepout);
+  EXPECT_TRUE(s.blocks[2].keepout);
+  expect_vec(s.blocks[1].box.upper, 2, 2, 2);
+  expect_vec(s.start.position, 0.5, 1, -0.1);
+  expect_vec(s.goal.position, 2, 3, 4);
+  expect_vec(s.start.velocity, 0.1, 0.2, 0.3);
+  expect_vec(s.start.acceleration, 0.4, 0.5, 0.6);
+  expect_vec(s.goal.velocity, 1, 2, 3);
+  expect_vec(s.goal.acceleration, 4, 5, 6);
+  EXPECT_DOUBLE_EQ(s.resolution, 0.05);
+  EXPECT_DOUBLE_EQ(s.radius, 0);
+  expect_vec(s.limits.v_max, 3, 3, 3);
+  expect_vec(s.limits.a_max, 1, 2, 3);
+}
+
+TEST(Scenario, NumbersDoNotFollowTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  const bool comma = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  const Scenario s = parse_scenario(kMinimal + "resolution 0.25\n", "m");
+  std::setlocale(LC_ALL, before.c_str());
+  EXPECT_DOUBLE_EQ(s.resolution, 0.25);
+  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed; read in the C locale only";
+}
+
+struct Fault {
+  const char* text;
+  const char* message;
+};
+
+TEST(Scenario, ErrorsNameFileLineAndReason) {
+  const Fault faults[] = {
+      {"boundery 0 0 0 1 1 1\n", "map.txt:1: unknown record 'boundery'"},
+      {"boundary 0 0 0 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 5"},
+      {"boundary 0 0 0 1 1 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 7"},
+      {"\n\nblock 0 0 0 1 1\n", "map.txt:3: 'block' needs 6 numbers, or 9 with a colour, found 5"},
+      {"block 0 0 0 1 1 1 9 9\n", "map.txt:1: 'block' needs 6 numbers, or 9 with a colour, found 8"},
+      {"keepout 0 0 0 1 1 1 9 9 9\n", "map.txt:1: 'keepout' needs 6 numbers, found 9"},
+      {"block 0 0 0 1 1 1x\n", "map.txt:1: '1x' is not a number"},
+      {"block 0 0 0 1 1 1 junk\n", "map.txt:1: 'junk' is not a number"},
+      {"block 0 0 0 1 1 0x10\n", "map.txt:1: '0x10' is not a number"},
+      {"block 0 0 0 1 1 1,5\n", "map.txt:1: '1,5' is not a number"},
+      {"block 0 0 0 1 1 1e\n", "map.txt:1: '1e' is not a number"},
+      {"block 0 0 0 1 1 .\n", "map.txt:1: '.' is not a number"},
+      {"block 0 0 0 1 1 --1\n", "map.txt:1: '--1' is not a number"},
+      {"block 0 0 0 1 1 nan\n", "map.txt:1: 'nan' is not a finite number"},
+      {"block 0 0 0 1 1 -Infinity\n", "map.txt:1: '-Infinity' is not a finite number"},
+      {"block 0 0 0 1 1 1e999\n", "map.txt:1: '1e999' is not a finite number"},
+      {"block 0 2 0 1 1 1\n", "map.txt:1: 'block' has its corners the wrong way round in y: 2 > 1"},
+      {"boundary 0 0 3 1 1 1\n", "map.txt:1: 'boundary' has its corners the wrong way round in z: 3 > 1"},
+      {"start 1 2\n", "map.txt:1: 'start' needs 3 numbers, found 2"},
+      {"goal\n", "map.txt:1: 'goal' needs 3 numbers, found 0"},
+      {"resolution 1 2\n", "map.txt:1: 'resolution' needs 1 number, found 2"},
+      {"v_max 1 2\n", "map.txt:1: 'v_max' needs 1 or 3 numbers, found 2"},
+      {"start 1 1 1\ngoal 1 1 1\nstart 1 1 1\n", "map.txt:3: 'start' is given twice (first in line 1)"},
+      {"", "map.txt:1: the file ends without a 'boundary'"},
+      {"boundary 0 0 0 1 1 1\n", "map.txt:1: the file ends without a 'start'"},
+      {"boundary 0 0 0 1 1 1\nstart 0 0 0\n# end\n", "map.txt:3: the file ends without a 'goal'"},
+      {"start 1 1 1\n\001\n", "map.txt:2: not a text file: byte 1"},
+  };
+  for (const Fault& fault : faults) EXPECT_EQ(error_of(fault.text), fault.message) << fault.text;
+}
+
+TEST(Scenario, ErrorsOfWholeScenariosNameTheRecord) {
+  const Fault faults[] = {
+      {"boundary 0 0 0 1 1 1\n", "map.txt:4: 'boundary' is given twice (first in line 1)"},
+      {"resolution 0\n", "map.txt:4: 'resolution' must be more than 0"},
+      {"resolution -0.1\n", "map.txt:4: 'resolution' must be more than 0"},
+      {"radius -1\n", "map.txt:4: 'radius' must not be less than 0"},
+  };
+  for (const Fault& fault : faults) EXPECT_EQ(error_of(kMinimal + fault.text), fault.message) << fault.text;
+}
+
+TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
+  EXPECT_EQ(error_of("boundary 0 0 0 1 1 1\nstart 0 0 0\ngoal 0 0"), "map.txt:3: 'goal' needs 3 numbers, found 2");
+}
+
+TEST(Scenario, HostileWordsAreQuotedShortAndPrintable) {
+  const std::string message = error_of("a\x1b[31m\n");
+  EXPECT_EQ(message, "map.txt:1: not a text file: byte 27");
+  EXPECT_EQ(error_of("\xff\xfe\n"), "map.txt:1: unknown record '\?\?'");
+  EXPECT_EQ(error_of(std::string(1000, 'k')), "map.txt:1: unknown record '" + std::string(40, 'k') + "...'");
+  EXPECT_EQ(error_of(std::string("goal\0 1 1 1\n", 12)), "map.txt:1: not a text file: byte 0");
+}
+
+TEST(Scenario, LinesBlocksAndFilesAreBounded) {
+  EXPECT_EQ(error_of(kMinimal + "#" + std::string(tern_host::kMaxLineBytes, 'x')),
+            "map.txt:4: the line is longer than 4096 bytes");
+  std::string many = kMinimal;
+  for (std::size_t i = 0; i <= tern_host::kMaxBlocks; ++i) many += "block 0 0 0 1 1 1\n";
+  EXPECT_EQ(error_of(many), "map.txt:200004: more than 200000 blocks");
+  EXPECT_EQ(error_of(std::string(tern_host::kMaxScenarioBytes + 1, '\n')), "map.txt: larger than 67108864 bytes");
+}
+
+TEST(Scenario, CapacitiesNameTheRecordThatExceedsThem) {
+  EXPECT_EQ(error_of(kMinimal + "resolution 1e-9\n"),
+            "map.txt:4: a grid of 1.0000000000000001e-09 m voxels over the boundary has more than 2048 voxels along an "
+            "axis (TERN_MAX_DIMENSION)");
+  EXPECT_EQ(error_of("start 0 0 0\ngoal 1 1 1\nboundary -1e300 0 0 1e300 1 1\n").substr(0, 10), "map.txt:3:");
+  const std::string cells = error_of("boundary 0 0 0 100 100 100\nstart 0 0 0\ngoal 1 1 1\n");
+  EXPECT_NE(cells.find("map.txt:1: a grid of"), std::string::npos);
+  EXPECT_NE(cells.find("TERN_MAX_CELLS"), std::string::npos);
+}
+
+TEST(Scenario, OverridesReplaceOrCompleteRecords) {
+  const Scenario s = parse_scenario(kMinimal + "radius 0.5\n", "m",
+                                    {"radius=0.1", "goal=1,2,0.5", "start=0.5 1 1", "v_max=1,2, 3", "a_max=4"});
+  EXPECT_DOUBLE_EQ(s.radius, 0.1);
+  expect_vec(s.goal.position, 1, 2, 0.5);
+  expect_vec(s.start.position, 0.5, 1, 1);
+  expect_vec(s.limits.v_max, 1, 2, 3);
+  expect_vec(s.limits.a_max, 4, 4, 4);
+  const Scenario completed = parse_scenario("boundary 0 0 0 1 1 1\nstart 0 0 0\n", "m", {"goal=1,1,1"});
+  expect_vec(completed.goal.position, 1, 1, 1);
+}
+
+TEST(Scenario, OverridesAreCheckedLikeRecords) {
+  EXPECT_EQ(error_of(kMinimal, {"radius"}), "--set radius: expected key=value");
+  EXPECT_EQ(error_of(kMinimal, {"=1"}), "--set =1: expected key=value");
+  EXPECT_EQ(error_of(kMinimal, {"colour=1"}), "--set colour=1: unknown or not a setting: 'colour'");
+  EXPECT_EQ(error_of(kMinimal, {"boundary=0,0,0,1,1,1"}),
+            "--set boundary=0,0,0,1,1,1: unknown or not a setting: 'boundary'");
+  EXPECT_EQ(error_of(kMinimal, {"goal=1,2"}), "--set goal=1,2: 'goal' needs 3 numbers, found 2");
+  EXPECT_EQ(error_of(kMinimal, {"radius=inf"}), "--set radius=inf: 'inf' is not a finite number");
+  EXPECT_EQ(error_of(kMinimal, {"resolution=0"}), "--set resolution=0: 'resolution' must be more than 0");
+  EXPECT_EQ(error_of(kMinimal, {"resolution=1e-9"}).substr(0, 23), "--set resolution=1e-9: ");
+}
+
+TEST(Scenario, FilesThatCannotBeReadSayWhy) {
+  const auto error = [](const char* path) {
+    try {
+      tern_host::read_scenario(path);
+    } catch (const ScenarioError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error("/nonexistent/map.txt"), "/nonexistent/map.txt: cannot be opened: No such file or directory");
+  EXPECT_EQ(error("/"), "/: cannot be read: Is a directory");
+}
+
+TEST(GridLayout, CoversTheBoundaryFromItsLowerCorner) {
+  const tern::GridSpec exact = tern_host::lay_out_grid(parse_scenario(kMinimal, "m"));
+  EXPECT_EQ(exact.dims.x, 40);
+  EXPECT_EQ(exact.dims.y, 30);
+  EXPECT_EQ(exact.dims.z, 20);
+  expect_vec(exact.origin, 0, 0, 0);
+  EXPECT_DOUBLE_EQ(exact.radius, 0.25);
+  const tern::GridSpec rounded_up = tern_host::lay_out_grid(parse_scenario(kMinimal, "m", {"resolution=0.3"}));
+  EXPECT_EQ(rounded_up.dims.x, 14);
+  EXPECT_EQ(rounded_up.dims.y, 10);
+  EXPECT_EQ(rounded_up.dims.z, 7);
+}
+
+TEST(GridLayout, WidensForBlocksBeyondTheBoundary) {
+  const Scenario inside = parse_scenario(kMinimal + "block 0 0 0 4 3 1\n", "m");
+  EXPECT_EQ(tern_host::lay_out_grid(inside).dims.x, 40);
+  // 0.25 m are 2.5 voxels: three whole ones and one more on every side.
+  const Scenario beyond = parse_scenario(kMinimal + "block 4.1 0 0 4.2 3 1\n", "m");
+  const tern::GridSpec spec = tern_host::lay_out_grid(beyond);
+  EXPECT_EQ(spec.dims.x, 48);
+  EXPECT_EQ(spec.dims.y, 38);
+  EXPECT_EQ(spec.dims.z, 28);
+  expect_vec(spec.origin, -0.4, -0.4, -0.4);
+  expect_vec(spec.boundary.lower, 0, 0, 0);
+  expect_vec(spec.boundary.upper, 4, 3, 2);
+}
+
+}  // namespace
