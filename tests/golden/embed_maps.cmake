@@ -4,7 +4,7 @@
 # tern_embed_maps(OUTPUT FILE...): scenario files as C++ initialisers, so that the corpus needs no file at run time.
 # The compiler reads the decimals; the result is the double nearest to each, as a correct strtod's is.
 function(tern_embed_maps output)
-  set(text "// Generated from the scenario files; do not edit.\nstatic const Scenario kMaps[] = {\n")
+  set(text "// Generated from the scenario files; do not edit.\nstatic const tern_golden::Scenario kMaps[] = {\n")
   foreach(map ${ARGN})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${map})
     file(STRINGS ${map} lines REGEX "^[a-z]")
