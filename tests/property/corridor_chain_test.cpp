@@ -47,7 +47,7 @@ TEST(CorridorChain, NeighboursShareABallAroundTheirPoint) {
   const auto path = std::make_unique<Path>();
   const auto corridor = std::make_unique<Corridor>();
   int joints = 0;
-  for (int i = 0; i < scaled(600); ++i) {
+  for (int i = 0; i < scaled(400); ++i) {
     const double cell = random.chance(0.5) ? 0.1 : 0.25;
     const double radius = random.chance(0.3) ? 0.0 : random.real(0.0, 0.3);
     World world({random.integer(10, 60), random.integer(10, 40), random.integer(8, 20)}, cell, radius);
@@ -73,7 +73,7 @@ TEST(CorridorChain, NeighboursShareABallAroundTheirPoint) {
       if (k > 0) ++joints;
     }
   }
-  EXPECT_GT(joints, scaled(600));
+  EXPECT_GT(joints, scaled(400));
 }
 
 }  // namespace
