@@ -79,7 +79,9 @@ void expect_every_budget(std::uint32_t tern::Budget::*field, tern::Stage stage, 
       EXPECT_EQ(world.report.stage, stage);
       EXPECT_TRUE(world.trajectory_untouched());
     }
-    if (k == need) EXPECT_EQ(status, Status::kOk);
+    if (k == need) {
+      EXPECT_EQ(status, Status::kOk);
+    }
   }
 }
 
@@ -108,8 +110,12 @@ TEST(CallFault, EveryIterationBudgetStillFlies) {  // F17, C6
     } else {
       EXPECT_EQ(world.report.optimiser, Status::kBudgetOptimise);
     }
-    if (k == 0) EXPECT_EQ(world.report.quality, tern::Quality::kStopAndGo);
-    if (k == need) EXPECT_TRUE(same_bits(world.trajectory, reference.trajectory));
+    if (k == 0) {
+      EXPECT_EQ(world.report.quality, tern::Quality::kStopAndGo);
+    }
+    if (k == need) {
+      EXPECT_TRUE(same_bits(world.trajectory, reference.trajectory));
+    }
   }
 }
 
@@ -146,7 +152,9 @@ TEST(CallFault, ClockChangesNothing) {  // F18
     world.planner.set_clock(&fake_ticks, &clock);
     ASSERT_EQ(world.replan(), Status::kOk);
     EXPECT_TRUE(same_bits(world.trajectory, reference.trajectory));
-    if (kind != FakeClock::kJumping) EXPECT_FALSE(world.report.timing_known) << kind;
+    if (kind != FakeClock::kJumping) {
+      EXPECT_FALSE(world.report.timing_known) << kind;
+    }
     if (!world.report.timing_known) {
       for (const tern::StageReport& stage : world.report.stages) EXPECT_EQ(stage.ticks, 0u);
     }

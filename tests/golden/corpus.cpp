@@ -4,11 +4,12 @@
 
 #include <cstring>
 
-#include "golden_maps.inc"
 #include "support/random.hpp"
 
 namespace tern_golden {
 namespace {
+
+#include "golden_maps.inc"
 
 using tern::Box;
 using tern::Vec3;

@@ -70,7 +70,7 @@ class World {
   std::unique_ptr<unsigned char[]> memory;
   tern::Grid grid;
   tern::Planner planner;
-  tern::Request request;
+  tern::Request request{};
   tern::Trajectory trajectory{};
   tern::Report report{};
   tern::Status bind_status = tern::Status::kOk;

@@ -96,10 +96,9 @@ TEST_F(CheckTest, SlicesReachTheSameAnswer) {
   tern::check_begin(stage_);
   for (int i = 0; i < 4; ++i) {
     tern::Work one{1};
-    EXPECT_EQ(tern::check_advance(stage_, grid_, *corridor_, *trajectory_, query_, one), Status::kRunning);
+    EXPECT_EQ(tern::check_advance(stage_, grid_, *corridor_, *trajectory_, query_, one),
+              i < 3 ? Status::kRunning : Status::kOk);
   }
-  tern::Work none{0};
-  EXPECT_EQ(tern::check_advance(stage_, grid_, *corridor_, *trajectory_, query_, none), Status::kOk);
 }
 
 TEST_F(CheckTest, PolyhedronWithinTheRadius) {

@@ -41,10 +41,10 @@ enum class ShortcutMode : std::uint8_t {
 
 /// One planning query.
 struct Request {
-  State start;
-  State goal;
-  Limits limits;
-  Budget budget;
+  State start{};
+  State goal{};
+  Limits limits{};
+  Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
 };
 
