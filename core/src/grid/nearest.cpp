@@ -36,9 +36,9 @@ void offer(Nearest& nearest, const Voxel& voxel) {
   nearest.voxel = voxel;
 }
 
-/// The last free voxel of a row at or before x; -1 where there is none.
+/// The last free voxel of a row before x; -1 where there is none.
 std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
-  std::uint64_t mask = ~std::uint64_t{0} >> (63 - (x & 63));
+  std::uint64_t mask = ~(~std::uint64_t{0} << (x & 63));
   for (std::int32_t k = x >> 6; k >= 0; --k, mask = ~std::uint64_t{0}) {
     const std::uint64_t free = ~row[k] & mask;
     if (free != 0) return 64 * k + 63 - __builtin_clzll(free);
@@ -56,7 +56,7 @@ std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32
   return -1;
 }
 
-/// Within a row only the free voxels next to the point's x on either side can be nearest.
+/// Within a row only the last free voxel before the point's own and the first from there on can be nearest.
 void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z, Nearest& nearest) {
   const std::uint64_t* row = grid.blocked_row(y, z);
   const std::int32_t before = free_before(row, x);
