@@ -36,6 +36,29 @@ Vec3 random_point(Random& random, int nx, int ny, int nz) {
           random.integer(0, 100 * nz) / 1000.0};
 }
 
+/// Squared distance of a point from a box.
+double distance_squared(const Vec3& p, const Box& box) {
+  const double x = p.x < box.lower.x ? box.lower.x - p.x : (p.x > box.upper.x ? p.x - box.upper.x : 0.0);
+  const double y = p.y < box.lower.y ? box.lower.y - p.y : (p.y > box.upper.y ? p.y - box.upper.y : 0.0);
+  const double z = p.z < box.lower.z ? box.lower.z - p.z : (p.z > box.upper.z ? p.z - box.upper.z : 0.0);
+  return x * x + y * y + z * z;
+}
+
+bool has_room(const Vec3& point, const Scenario& scenario) {
+  const double room = scenario.radius + scenario.resolution;
+  for (int b = 0; b < scenario.block_count; ++b) {
+    if (distance_squared(point, scenario.blocks[b]) < room * room) return false;
+  }
+  return true;
+}
+
+/// A point that keeps away from the blocks, if one comes up in a few draws; else the corpus has an occupied end.
+Vec3 random_free_point(Random& random, int nx, int ny, int nz, const Scenario& scenario) {
+  Vec3 point = random_point(random, nx, ny, nz);
+  for (int draw = 0; draw < 5 && !has_room(point, scenario); ++draw) point = random_point(random, nx, ny, nz);
+  return point;
+}
+
 Vec3 random_vector(Random& random, double most) {
   const double step = most / 1024.0;
   return {step * random.integer(-512, 512), step * random.integer(-512, 512), step * random.integer(-512, 512)};
@@ -55,8 +78,8 @@ void random_scenario(int index, Scenario& out) {
   const double v = random.integer(5, 40) / 10.0;
   const double a = random.integer(5, 40) / 10.0;
   out.request.limits = {{v, v, 0.5 * v}, {a, a, 0.5 * a}};
-  out.request.start.position = random_point(random, nx, ny, nz);
-  out.request.goal.position = random_point(random, nx, ny, nz);
+  out.request.start.position = random_free_point(random, nx, ny, nz, out);
+  out.request.goal.position = random_free_point(random, nx, ny, nz, out);
   // One in four starts in flight.
   if (index % 4 == 3) out.request.start.velocity = random_vector(random, 0.5 * v);
 }
