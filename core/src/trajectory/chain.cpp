@@ -16,6 +16,12 @@ constexpr Vec3 kZero{0.0, 0.0, 0.0};
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
 
+/// Durations of the first two segments beside a moving end, in times that braking from its speed takes, and the part of
+/// the limit speed that counts as its speed at least.
+constexpr double kOuterPart = 0.4;
+constexpr double kInnerPart = 0.8;
+constexpr double kLeastEndSpeed = 0.25;
+
 bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
 }
@@ -42,10 +48,13 @@ int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits,
   return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
 }
 
-/// Seconds that an end needs for its own speed, whatever the way.
-double end_duration(const JointState& end, const Limits& limits) {
+/// Seconds that the slowest axis needs to lose the speed of an end.
+double braking_time(const JointState& end, const Limits& limits) {
   double time = 0.0;
-  for (int a = 0; a < 3; ++a) time = larger(time, absolute(axis(end.d[1], a)) / axis(limits.a_max, a));
+  for (int a = 0; a < 3; ++a) {
+    const double speed = larger(absolute(axis(end.d[1], a)), kLeastEndSpeed * axis(limits.v_max, a));
+    time = larger(time, speed / axis(limits.a_max, a));
+  }
   return time;
 }
 
@@ -119,6 +128,21 @@ JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }
 
+/// Next to a moving end two short segments: its acceleration must come and go before the way matters.
+void shorten_moving_ends(const Limits& limits, Chain& chain) {
+  const int last = chain.count - 1;
+  if (last == 0) return;
+  const JointState* const ends[2] = {&chain.start, &chain.goal};
+  for (int side = 0; side < 2; ++side) {
+    if (!moves(*ends[side])) continue;
+    const double braking = braking_time(*ends[side], limits);
+    double& outer = chain.duration[side == 0 ? 0 : last];
+    double& inner = chain.duration[side == 0 ? 1 : last - 1];
+    outer = larger(kMinDuration, kOuterPart * braking);
+    if (last > 2) inner = smaller(inner, larger(kMinDuration, kInnerPart * braking));
+  }
+}
+
 }  // namespace
 
 void make_chain(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
@@ -135,10 +159,7 @@ void make_chain(const Corridor& corridor, const State& start, const State& goal,
     const int split = split_of(chain, corridor, limits, i, third);
     append_pieces(corridor.polyhedra[i], i, split < most ? split : most, limits, chain);
   }
-  double& first = chain.duration[0];
-  double& last = chain.duration[chain.count - 1];
-  first = larger(first, end_duration(chain.start, limits));
-  last = larger(last, end_duration(chain.goal, limits));
+  shorten_moving_ends(limits, chain);
 }
 
 void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {

@@ -37,7 +37,7 @@ struct Round {
   double stretch[kMaxSegments];  ///< of each of its segments, to meet the limits exactly (shape only)
 };
 
-constexpr int kShapeRounds = 3;
+constexpr int kShapeRounds = 2;
 constexpr int kClimbRounds = 12;
 constexpr double kClimbStep = 1.35;
 constexpr double kFirstGap = 0.15;

@@ -1,0 +1,188 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Random corridors, limits and boundary states: whatever the stage gives out holds up to dense sampling.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "support/box_corridor.hpp"
+#include "trajectory/trajectory_stage.hpp"
+
+namespace {
+
+using namespace tern;
+
+constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
+
+class RandomCorridors : public testing::Test {
+ protected:
+  Status plan(const TrajectoryQuery& query) {
+    std::memset(static_cast<void*>(stage_.get()), 0xA5, sizeof(TrajectoryStage));
+    trajectory_begin(*stage_, corridor_, query);
+    Work work{kUnlimited};
+    return trajectory_advance(*stage_, corridor_, work, plan_);
+  }
+  void expect_good(const TrajectoryQuery& query) const {
+    expect_inside();
+    expect_limits(query.limits);
+    expect_joints();
+    expect_ends(query);
+    expect_cost();
+  }
+  void expect_inside() const {
+    for (int i = 0; i < plan_.count; ++i) {
+      const Polyhedron& polyhedron = corridor_.polyhedra[plan_.segments[i].polyhedron];
+      for (const Vec3& c : plan_.segments[i].points) {
+        for (int p = 0; p < polyhedron.count; ++p) {
+          const Vec3& n = polyhedron.planes[p].normal;
+          EXPECT_LE(n.x * c.x + n.y * c.y + n.z * c.z, polyhedron.planes[p].offset + 1e-8);
+        }
+      }
+    }
+  }
+  void expect_limits(const Limits& limits) const {
+    double v = 0.0, a = 0.0;
+    const double end = duration(plan_);
+    const int steps = 60 * plan_.count;
+    for (int i = 0; i <= steps; ++i) {
+      const Sample s = evaluate(plan_, end * i / steps);
+      v = std::fmax(
+          v, std::fmax(std::fmax(std::fabs(s.velocity.x) / limits.v_max.x, std::fabs(s.velocity.y) / limits.v_max.y),
+                       std::fabs(s.velocity.z) / limits.v_max.z));
+      a = std::fmax(a, std::fmax(std::fmax(std::fabs(s.acceleration.x) / limits.a_max.x,
+                                           std::fabs(s.acceleration.y) / limits.a_max.y),
+                                 std::fabs(s.acceleration.z) / limits.a_max.z));
+    }
+    EXPECT_LE(v, 1.0 + 1e-8);
+    EXPECT_LE(a, 1.0 + 1e-8);
+  }
+  void expect_joints() const {
+    double at = 0.0;
+    for (int i = 0; i + 1 < plan_.count; ++i) {
+      EXPECT_EQ(std::memcmp(&plan_.segments[i].points[kDegree], &plan_.segments[i + 1].points[0], sizeof(Vec3)), 0);
+      at += plan_.segments[i].duration;
+      const Sample before = evaluate(plan_, at - 1e-9 * at);
+      const Sample after = evaluate(plan_, at + 1e-9 * at);
+      EXPECT_NEAR(before.velocity.x, after.velocity.x, 1e-6);
+      EXPECT_NEAR(before.acceleration.y, after.acceleration.y, 1e-5);
+      EXPECT_NEAR(before.jerk.z, after.jerk.z, 1e-3 * (1.0 + std::fabs(after.jerk.z)));
+    }
+  }
+  void expect_ends(const TrajectoryQuery& query) const {
+    const Sample first = evaluate(plan_, 0.0);
+    EXPECT_EQ(first.position.x, query.start.position.x);
+    EXPECT_NEAR(first.velocity.y, query.start.velocity.y, 1e-9);
+    EXPECT_NEAR(first.acceleration.z, query.start.acceleration.z, 1e-7);
+    EXPECT_NEAR(first.jerk.x, 0.0, 1e-5);
+    const Sample last = evaluate(plan_, std::nextafter(duration(plan_), 0.0));
+    EXPECT_NEAR(last.position.x, query.goal.position.x, 1e-9);
+    EXPECT_NEAR(last.velocity.y, query.goal.velocity.y, 1e-7);
+    EXPECT_NEAR(last.acceleration.z, query.goal.acceleration.z, 1e-5);
+  }
+  void expect_cost() const {
+    double sum = 0.0;
+    for (int i = 0; i < plan_.count; ++i) {
+      Trajectory one{};
+      one.count = 1;
+      one.segments[0] = plan_.segments[i];
+      const int steps = 400;
+      for (int k = 0; k < steps; ++k) {
+        const Vec3 s = evaluate(one, one.segments[0].duration * (k + 0.5) / steps).snap;
+        sum += (s.x * s.x + s.y * s.y + s.z * s.z) * one.segments[0].duration / steps;
+      }
+    }
+    EXPECT_NEAR(snap_cost(plan_), sum, 1e-3 * sum + 1e-9);
+  }
+  TrajectoryQuery query_at_rest(tern_test::Random& random) const {
+    TrajectoryQuery query{};
+    query.start.position = corridor_.polyhedra[0].from;
+    query.goal.position = corridor_.polyhedra[corridor_.count - 1].to;
+    query.limits = tern_test::random_limits(random);
+    query.max_iterations = kUnlimited;
+    return query;
+  }
+
+  std::unique_ptr<TrajectoryStage> stage_ = std::make_unique<TrajectoryStage>();
+  Corridor corridor_{};
+  Trajectory plan_{};
+};
+
+Vec3 part_of(tern_test::Random& random, const Vec3& limit, double part) {
+  return {random.real(-part, part) * limit.x, random.real(-part, part) * limit.y, random.real(-part, part) * limit.z};
+}
+
+TEST_F(RandomCorridors, RestToRestAlwaysHasAPlanAndItIsGood) {
+  tern_test::Random random(1);
+  int optimised = 0;
+  const int cases = tern_test::scaled(400);
+  for (int i = 0; i < cases; ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 12), 5.0, 0.05);
+    const TrajectoryQuery query = query_at_rest(random);
+    ASSERT_EQ(plan(query), Status::kOk) << i;
+    optimised += stage_->quality == Quality::kOptimised ? 1 : 0;
+    EXPECT_LE(stage_->solves, kMaxQpSolves);
+    expect_good(query);
+  }
+  EXPECT_EQ(optimised, cases);
+}
+
+TEST_F(RandomCorridors, MovingEndsAreMetWhereThereIsAPlan) {
+  tern_test::Random random(2);
+  int planned = 0;
+  const int cases = tern_test::scaled(300);
+  for (int i = 0; i < cases; ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 1.0);
+    TrajectoryQuery query = query_at_rest(random);
+    query.start.velocity = part_of(random, query.limits.v_max, 0.5);
+    query.start.acceleration = part_of(random, query.limits.a_max, 0.4);
+    if (random.chance(0.5)) query.goal.velocity = part_of(random, query.limits.v_max, 0.4);
+    if (random.chance(0.3)) query.goal.acceleration = part_of(random, query.limits.a_max, 0.4);
+    const Status status = plan(query);
+    ASSERT_TRUE(status == Status::kOk || status == Status::kNoTrajectory);
+    if (status != Status::kOk) continue;
+    ++planned;
+    expect_good(query);
+  }
+  EXPECT_GE(planned, cases * 6 / 10);
+}
+
+TEST_F(RandomCorridors, VeryUnequalLegs) {
+  tern_test::Random random(3);
+  for (int i = 0; i < tern_test::scaled(100); ++i) {
+    corridor_ = Corridor{};
+    Vec3 from{0, 0, 0};
+    for (int k = 0; k < 5; ++k) {
+      const double leg = k % 2 == 0 ? random.real(1e-6, 1e-3) : random.real(5.0, 50.0);
+      const Vec3 to{from.x + leg * random.real(0.1, 1.0), from.y + leg * random.real(-1.0, 1.0), from.z};
+      corridor_.polyhedra[corridor_.count++] = tern_test::box_around(from, to, random.real(0.01, 1.0));
+      from = to;
+    }
+    const TrajectoryQuery query = query_at_rest(random);
+    ASSERT_EQ(plan(query), Status::kOk) << i;
+    expect_good(query);
+  }
+}
+
+TEST_F(RandomCorridors, SlicesGiveTheSameBits) {
+  tern_test::Random random(4);
+  for (int i = 0; i < tern_test::scaled(60); ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.1);
+    const TrajectoryQuery query = query_at_rest(random);
+    std::memset(static_cast<void*>(&plan_), 0, sizeof(plan_));
+    ASSERT_EQ(plan(query), Status::kOk);
+    const Trajectory whole = plan_;
+    std::memset(static_cast<void*>(&plan_), 0, sizeof(plan_));
+    trajectory_begin(*stage_, corridor_, query);
+    Status status = Status::kRunning;
+    while (status == Status::kRunning) {
+      Work work{static_cast<std::uint32_t>(random.integer(1, 20))};
+      status = trajectory_advance(*stage_, corridor_, work, plan_);
+    }
+    EXPECT_EQ(std::memcmp(&whole, &plan_, sizeof(plan_)), 0);
+  }
+}
+
+}  // namespace
