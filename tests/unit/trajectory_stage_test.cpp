@@ -1,0 +1,255 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/trajectory_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "support/box_corridor.hpp"
+#include "trajectory/motion_limits.hpp"
+#include "trajectory/stop_and_go.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::box_around;
+
+constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
+
+State resting(const Vec3& point) {
+  return State{point, {0, 0, 0}, {0, 0, 0}};
+}
+
+/// A plan with everything that it was made from and says about itself.
+struct Flight {
+  std::unique_ptr<TrajectoryStage> stage = std::make_unique<TrajectoryStage>();
+  Trajectory plan;
+  Status status;
+
+  Flight(const Corridor& corridor, const TrajectoryQuery& query, std::uint32_t slice = kUnlimited, int fill = 0) {
+    std::memset(static_cast<void*>(stage.get()), fill, sizeof(TrajectoryStage));
+    std::memset(static_cast<void*>(&plan), 0, sizeof(plan));
+    trajectory_begin(*stage, corridor, query);
+    do {
+      Work work{slice};
+      status = trajectory_advance(*stage, corridor, work, plan);
+    } while (status == Status::kRunning);
+  }
+  bool same_plan(const Flight& other) const { return std::memcmp(&plan, &other.plan, sizeof(plan)) == 0; }
+};
+
+Corridor corner() {
+  Corridor corridor{};
+  corridor.count = 3;
+  corridor.polyhedra[0] = box_around({0, 0, 1}, {4, 0, 1}, 0.4);
+  corridor.polyhedra[1] = box_around({4, 0, 1}, {4, 3, 1}, 0.3);
+  corridor.polyhedra[2] = box_around({4, 3, 1}, {8, 3, 2}, 0.5);
+  return corridor;
+}
+
+TrajectoryQuery rest_to_rest(const Corridor& corridor, std::uint32_t iterations = kUnlimited) {
+  return {resting(corridor.polyhedra[0].from), resting(corridor.polyhedra[corridor.count - 1].to), kTwo, iterations};
+}
+
+TEST(TrajectoryStage, StartIsGoalHovers) {
+  Corridor corridor{};
+  corridor.count = 1;
+  corridor.polyhedra[0] = box_around({1, 2, 3}, {1, 2, 3}, 0.5);
+  const Flight run(corridor, rest_to_rest(corridor));
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kHover);
+  EXPECT_EQ(run.stage->optimiser, Status::kOk);
+  ASSERT_EQ(run.plan.count, 1);
+  EXPECT_EQ(run.plan.segments[0].duration, kHoverDuration);
+  for (const Vec3& point : run.plan.segments[0].points) EXPECT_EQ(point.y, 2.0);
+}
+
+TEST(TrajectoryStage, OneLongBoxIsFlownNearTheTrapezoid) {
+  Corridor corridor{};
+  corridor.count = 1;
+  corridor.polyhedra[0] = box_around({0, 0, 0}, {14, 0, 0}, 1.0);
+  const Flight run(corridor, rest_to_rest(corridor));
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kOptimised);
+  EXPECT_EQ(run.plan.count, 3);
+  // The trapezoid takes 8 s with infinite jerk; one segment of degree 7 would take 15.3 s.
+  EXPECT_GT(duration(run.plan), 8.0);
+  EXPECT_LT(duration(run.plan), 9.5);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(run.plan.segments[i].polyhedron, 0);
+}
+
+TEST(TrajectoryStage, ACornerIsFlownFasterThanFromStopToStop) {
+  const Corridor corridor = corner();
+  const Flight run(corridor, rest_to_rest(corridor));
+  const Flight stops(corridor, rest_to_rest(corridor, 0));
+  ASSERT_EQ(run.status, Status::kOk);
+  ASSERT_EQ(run.stage->quality, Quality::kOptimised);
+  EXPECT_EQ(run.stage->optimiser, Status::kOk);
+  EXPECT_LT(duration(run.plan), 0.8 * duration(stops.plan));
+  EXPECT_LE(run.stage->iterations, kTrajectoryBound);
+  EXPECT_LE(run.stage->solves, kMaxQpSolves);
+  EXPECT_GT(run.stage->active, 0);
+  EXPECT_LE(run.stage->active, run.stage->active_high);
+  EXPECT_EQ(run.stage->variables, 12 * (run.plan.count - 1));
+  EXPECT_GT(run.stage->inequalities, 0);
+  EXPECT_LT(run.stage->kkt_residual, 1e-6);
+}
+
+TEST(TrajectoryStage, ALimitIsReached) {
+  const Corridor corridor = corner();
+  const Flight run(corridor, rest_to_rest(corridor));
+  double stretch = 0.0;
+  for (int i = 0; i < run.plan.count; ++i) {
+    stretch = std::fmax(stretch, stretch_to_limits(run.plan.segments[i], kTwo));
+  }
+  EXPECT_NEAR(stretch, 1.0, 1e-6);
+}
+
+TEST(TrajectoryStage, NoIterationsIsStopAndGo) {
+  const Corridor corridor = corner();
+  const Flight run(corridor, rest_to_rest(corridor, 0));
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kStopAndGo);
+  EXPECT_EQ(run.stage->optimiser, Status::kBudgetOptimise);
+  EXPECT_EQ(run.stage->solves, 0);
+  EXPECT_EQ(run.plan.count, 3);
+}
+
+TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
+  const Corridor corridor = corner();
+  const Flight full(corridor, rest_to_rest(corridor));
+  const std::uint32_t all = full.stage->iterations;
+  double last = 1e9;
+  for (std::uint32_t budget = 0; budget <= all + 1; ++budget) {
+    const Flight run(corridor, rest_to_rest(corridor, budget));
+    ASSERT_EQ(run.status, Status::kOk);
+    EXPECT_LE(run.stage->iterations, budget);
+    // More budget never gives a slower plan; the whole of it gives the same bits as no bound.
+    EXPECT_LE(duration(run.plan), last);
+    last = duration(run.plan);
+    if (budget > all) {
+      EXPECT_EQ(run.stage->optimiser, Status::kOk);
+      EXPECT_TRUE(run.same_plan(full));
+    } else if (budget < all) {
+      EXPECT_EQ(run.stage->optimiser, Status::kBudgetOptimise);
+    }
+  }
+}
+
+TEST(TrajectoryStage, SlicingChangesNothing) {
+  const Corridor corridor = corner();
+  const Flight whole(corridor, rest_to_rest(corridor));
+  for (const std::uint32_t slice : {1u, 2u, 3u, 7u, 50u}) {
+    const Flight sliced(corridor, rest_to_rest(corridor), slice);
+    EXPECT_TRUE(sliced.same_plan(whole));
+    EXPECT_EQ(sliced.stage->iterations, whole.stage->iterations);
+    EXPECT_EQ(sliced.stage->solves, whole.stage->solves);
+  }
+}
+
+TEST(TrajectoryStage, SlicingAndABudgetAgree) {
+  const Corridor corridor = corner();
+  for (std::uint32_t budget = 1; budget < 40; budget += 3) {
+    const Flight whole(corridor, rest_to_rest(corridor, budget));
+    for (const std::uint32_t slice : {1u, 2u, 5u}) {
+      const Flight sliced(corridor, rest_to_rest(corridor, budget), slice);
+      EXPECT_TRUE(sliced.same_plan(whole));
+      EXPECT_EQ(sliced.stage->optimiser, whole.stage->optimiser);
+    }
+  }
+}
+
+TEST(TrajectoryStage, NoWorkIsNoProgress) {
+  const Corridor corridor = corner();
+  const auto stage = std::make_unique<TrajectoryStage>();
+  trajectory_begin(*stage, corridor, rest_to_rest(corridor));
+  Trajectory plan{};
+  plan.count = 77;
+  Work work{0};
+  EXPECT_EQ(trajectory_advance(*stage, corridor, work, plan), Status::kRunning);
+  EXPECT_EQ(stage->solves, 0);
+  EXPECT_EQ(plan.count, 77);
+}
+
+TEST(TrajectoryStage, TheWorkspacesContentDoesNotMatter) {
+  const Corridor corridor = corner();
+  const Flight zero(corridor, rest_to_rest(corridor));
+  for (const int fill : {0xA5, 0xFF}) {
+    const Flight garbage(corridor, rest_to_rest(corridor), kUnlimited, fill);
+    EXPECT_TRUE(garbage.same_plan(zero));
+    EXPECT_EQ(garbage.stage->iterations, zero.stage->iterations);
+  }
+}
+
+TEST(TrajectoryStage, StartsExactlyAtTheLimitSpeed) {
+  Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.start.velocity = {2.0, 0, 0};
+  const Flight run(corridor, query);
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kOptimised);
+  const Sample sample = evaluate(run.plan, 0.0);
+  EXPECT_NEAR(sample.velocity.x, 2.0, 1e-9);
+  EXPECT_NEAR(sample.jerk.x, 0.0, 1e-7);
+}
+
+TEST(TrajectoryStage, EndsMovingAndAccelerating) {
+  Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.goal.velocity = {1.0, 0, 0.2};
+  query.goal.acceleration = {0.5, 0, 0};
+  const Flight run(corridor, query);
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kOptimised);
+  const Sample sample = evaluate(run.plan, std::nextafter(duration(run.plan), 0.0));
+  EXPECT_NEAR(sample.velocity.x, 1.0, 1e-7);
+  EXPECT_NEAR(sample.acceleration.x, 0.5, 1e-6);
+}
+
+TEST(TrajectoryStage, TurnsAroundInABoxOfNoLength) {
+  Corridor corridor{};
+  corridor.count = 1;
+  corridor.polyhedra[0] = box_around({0, 0, 0}, {0, 0, 0}, 2.0);
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.start.velocity = {1.0, 0, 0};
+  const Flight run(corridor, query);
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kOptimised);
+  for (int i = 0; i < run.plan.count; ++i) EXPECT_TRUE(inside(run.plan.segments[i], corridor.polyhedra[0]));
+}
+
+TEST(TrajectoryStage, BrakesFirstWhereThereIsNoBudget) {
+  Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor, 0);
+  query.start.velocity = {1.0, 0, 0};
+  const Flight run(corridor, query);
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_EQ(run.stage->quality, Quality::kStopAndGo);
+  EXPECT_EQ(run.plan.count, 4);
+}
+
+TEST(TrajectoryStage, NoTrajectoryWhereAWallIsTooClose) {
+  const Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.start.velocity = {0, 2.0, 0};  // one metre to stop in, 0.4 m to the wall
+  const Flight run(corridor, query);
+  EXPECT_EQ(run.status, Status::kNoTrajectory);
+  EXPECT_EQ(run.stage->quality, Quality::kNone);
+  EXPECT_NE(run.stage->optimiser, Status::kOk);
+  EXPECT_EQ(run.plan.count, 0);
+}
+
+TEST(TrajectoryStage, FullOfSegments) {
+  tern_test::Random random(5);
+  const auto corridor = std::make_unique<Corridor>(tern_test::random_corridor(random, kMaxSegments, 1.5, 0.3));
+  const Flight run(*corridor, rest_to_rest(*corridor));
+  ASSERT_EQ(run.status, Status::kOk);
+  EXPECT_NE(run.stage->quality, Quality::kNone);
+  EXPECT_EQ(run.plan.count, kMaxSegments);
+}
+
+}  // namespace
