@@ -1,0 +1,42 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the exact start or goal reaches the grid.
+#ifndef TERN_PATH_JOIN_HPP
+#define TERN_PATH_JOIN_HPP
+
+#include <cstdint>
+
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Free voxels whose centres a point may join are at most so many voxels away from its own on every axis.
+constexpr int kJoinReach = 2;
+constexpr int kMaxJoins = (2 * kJoinReach + 1) * (2 * kJoinReach + 1) * (2 * kJoinReach + 1) - 1;
+
+enum class JoinState : std::uint8_t {
+  kJoined,   ///< `voxel` is free, and the straight line from the point to its centre is clear
+  kTrying,   ///< candidates are left
+  kRefused,  ///< the point is too close to an obstacle, or no line to a free voxel near it is clear
+};
+
+/// One end of the query on its way to the grid. Plain data; needs no initialisation before join_begin.
+struct Join {
+  JoinState state;
+  Voxel voxel;
+  std::int32_t count;
+  std::int32_t next;
+  Voxel candidates[kMaxJoins];  ///< free voxels, nearest centre first, then least z, y, x
+};
+
+/// A point in a free voxel is joined at once. A point whose voxel is not free, but that keeps the radius itself, has
+/// the free voxels around it as candidates.
+void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
+
+/// Checks the line to the next candidate; only while kTrying.
+void join_try(Join& join, const Grid& grid, const Vec3& point) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,43 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_PATH_NEIGHBOURHOOD_HPP
+#define TERN_PATH_NEIGHBOURHOOD_HPP
+
+#include <cstdint>
+
+#include "path/direction.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Three neighbouring bits of a row of the blocked layer, x - 1 in bit 0; blocked outside the row. `x` lies in the row.
+inline CellMask blocked_triple(const std::uint64_t* row, std::int32_t words, std::int32_t x) noexcept {
+  const std::int32_t word = x >> 6;
+  const int bit = x & 63;
+  if (bit != 0 && bit != 63) return static_cast<CellMask>(row[word] >> (bit - 1)) & 7u;
+  if (bit == 0) {
+    const CellMask below = word > 0 ? static_cast<CellMask>(row[word - 1] >> 63) : 1u;
+    return below | (static_cast<CellMask>(row[word]) & 3u) << 1;
+  }
+  const CellMask above = word + 1 < words ? static_cast<CellMask>(row[word + 1]) & 1u : 1u;
+  return static_cast<CellMask>(row[word] >> 62) | above << 2;
+}
+
+/// The free cells of the 3x3x3 neighbourhood of a voxel inside the grid; nothing is free outside the grid.
+inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  const std::int32_t words = grid.row_words();
+  CellMask free = 0;
+  int shift = 0;
+  for (std::int32_t z = v.z - 1; z <= v.z + 1; ++z) {
+    for (std::int32_t y = v.y - 1; y <= v.y + 1; ++y, shift += 3) {
+      if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) continue;
+      free |= (blocked_triple(grid.blocked_row(y, z), words, v.x) ^ 7u) << shift;
+    }
+  }
+  return free;
+}
+
+}  // namespace tern
+
+#endif

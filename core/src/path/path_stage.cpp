@@ -1,0 +1,149 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path/path_stage.hpp"
+
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+#include "path/direction.hpp"
+
+namespace tern {
+namespace {
+
+bool same_point(const Vec3& a, const Vec3& b) {
+  return !(a.x < b.x) && !(b.x < a.x) && !(a.y < b.y) && !(b.y < a.y) && !(a.z < b.z) && !(b.z < a.z);
+}
+
+Status occupied(PathStage& stage, const Grid& grid, const Vec3& point, Status status) {
+  stage.raw_occupied = !point_clear(grid, point, 0.0);
+  Voxel voxel{};
+  stage.has_nearest_free = nearest_free_voxel(grid, point, voxel);
+  if (stage.has_nearest_free) stage.nearest_free = grid.center(voxel);
+  return status;
+}
+
+/// One unit of the search stage against its budget and the slice; kOk where it may be spent.
+Status take_expansion(PathStage& stage, Work& work) {
+  if (stage.expansions >= stage.query.max_expansions) return Status::kBudgetSearch;
+  if (!work.take()) return Status::kRunning;
+  ++stage.expansions;
+  return Status::kOk;
+}
+
+/// kOk when the end has joined the grid.
+Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
+  while (join.state == JoinState::kTrying) {
+    const Status taken = take_expansion(stage, work);
+    if (taken != Status::kOk) return taken;
+    join_try(join, grid, point);
+  }
+  if (join.state == JoinState::kJoined) return Status::kOk;
+  const bool at_start = &join == &stage.start;
+  return occupied(stage, grid, point, at_start ? Status::kStartOccupied : Status::kGoalOccupied);
+}
+
+/// A path that needs no grid: the points coincide, or share one free voxel.
+void direct_path(PathStage& stage, Path& out) {
+  out.raw_count = 2;
+  out.raw[0] = stage.query.start;
+  out.raw[1] = stage.query.goal;
+  out.grid_length = 0.0;
+}
+
+bool is_direct(const PathStage& stage, const Grid& grid) {
+  const PathQuery& query = stage.query;
+  const Voxel a = grid.voxel_of(query.start);
+  const Voxel b = grid.voxel_of(query.goal);
+  if (same(a, b) && grid.free(a)) return true;
+  return same_point(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
+}
+
+void begin_shortcut(PathStage& stage, const Grid& grid, Path& out) {
+  stage.phase = PathPhase::kShortcut;
+  stage.stage = Stage::kShortcut;
+  shortcut_begin(stage.shortcut, grid, stage.query.mode, out);
+}
+
+/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that is the exact point itself is left
+/// out.
+Status write_raw(PathStage& stage, const Grid& grid, Path& out) {
+  const PathQuery& query = stage.query;
+  out.raw_count = 0;
+  if (!same_point(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
+  const bool at_center = same_point(query.goal, grid.center(stage.goal.voxel));
+  const Status status = search_extract(stage.search, grid, at_center ? 0 : 1, out);
+  if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
+  stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;
+  return status;
+}
+
+Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out) {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    const Status taken = take_expansion(stage, work);
+    if (taken != Status::kOk) return taken;
+    status = search_expand(stage.search, grid);
+    stage.nodes_high = static_cast<std::int32_t>(stage.search.store.count);
+    stage.heap_high = stage.search.open.high;
+  }
+  if (status != Status::kOk) return status;
+  status = write_raw(stage, grid, out);
+  if (status == Status::kOk) begin_shortcut(stage, grid, out);
+  return status;
+}
+
+Status advance_shortcut(PathStage& stage, const Grid& grid, Work& work, Path& out) {
+  while (shortcut_needs_line(stage.shortcut, out)) {
+    if (stage.sight_lines >= stage.query.max_sight_lines) return Status::kBudgetShortcut;
+    if (!work.take()) return Status::kRunning;
+    ++stage.sight_lines;
+    shortcut_walk_line(stage.shortcut, grid, out);
+  }
+  const Status status = shortcut_finish(stage.shortcut, out);
+  stage.segments_high = status == Status::kOk ? out.count - 1 : kMaxSegments;
+  return status;
+}
+
+}  // namespace
+
+void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept {
+  stage.expansions = 0;
+  stage.sight_lines = 0;
+  stage.nodes_high = 0;
+  stage.heap_high = 0;
+  stage.raw_high = 0;
+  stage.segments_high = 0;
+  stage.raw_occupied = false;
+  stage.has_nearest_free = false;
+  stage.nearest_free = {0.0, 0.0, 0.0};
+  stage.stage = Stage::kSearch;
+  stage.phase = PathPhase::kJoinStart;
+  stage.query = query;
+  join_begin(stage.start, grid, query.start);
+  join_begin(stage.goal, grid, query.goal);
+}
+
+Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) noexcept {
+  if (stage.phase == PathPhase::kJoinStart) {
+    if (is_direct(stage, grid)) {
+      direct_path(stage, out);
+      begin_shortcut(stage, grid, out);
+    } else {
+      const Status status = advance_join(stage, grid, work, stage.start, stage.query.start);
+      if (status != Status::kOk) return status;
+      stage.phase = PathPhase::kJoinGoal;
+    }
+  }
+  if (stage.phase == PathPhase::kJoinGoal) {
+    const Status status = advance_join(stage, grid, work, stage.goal, stage.query.goal);
+    if (status != Status::kOk) return status;
+    search_begin(stage.search, grid, stage.start.voxel, stage.goal.voxel);
+    stage.phase = PathPhase::kSearch;
+  }
+  if (stage.phase == PathPhase::kSearch) {
+    const Status status = advance_search(stage, grid, work, out);
+    if (status != Status::kOk) return status;
+  }
+  return advance_shortcut(stage, grid, work, out);
+}
+
+}  // namespace tern

@@ -1,0 +1,71 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The path stage: from the exact start to the exact goal through free space, in few straight segments.
+#ifndef TERN_PATH_PATH_STAGE_HPP
+#define TERN_PATH_PATH_STAGE_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "path/join.hpp"
+#include "path/search.hpp"
+#include "path/shortcut.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Bound on PathStage::expansions: those of the search, and the lines that join both ends to the grid.
+constexpr std::uint32_t kSearchBound = kExpansionBound + 2u * kMaxJoins;
+
+/// What to find. Local frame; both points inside the grid's boundary.
+struct PathQuery {
+  Vec3 start;
+  Vec3 goal;
+  ShortcutMode mode;
+  std::uint32_t max_expansions;   ///< Budget::expansions
+  std::uint32_t max_sight_lines;  ///< Budget::sight_lines
+};
+
+enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut };
+
+/// Plain data; needs no initialisation before path_begin.
+struct PathStage {
+  std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
+  std::uint32_t sight_lines;   ///< lines of sight walked; <= kSightLineBound and the budget
+  std::int32_t nodes_high;     ///< jump points generated
+  std::int32_t heap_high;      ///< most open at once
+  std::int32_t raw_high;       ///< points of the jump-point path
+  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments where more would have been needed
+  bool raw_occupied;           ///< kStartOccupied / kGoalOccupied: the point is inside an obstacle, radius apart
+  bool has_nearest_free;
+  Vec3 nearest_free;  ///< local frame: centre of the free voxel nearest to an occupied start or goal
+  Stage stage;        ///< kSearch, then kShortcut
+
+  PathPhase phase;
+  PathQuery query;
+  Join start;
+  Join goal;
+  Search search;
+  Shortcut shortcut;
+};
+
+/// The grid must be inflated and must not change until the stage ends.
+void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept;
+
+/// One unit of work is one expansion, one line that joins an end to the grid, or one line of sight. kRunning, or the
+/// end: kOk with `out` full; else kStartOccupied, kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull,
+/// kSegmentsFull (the raw path in `out` is whole), kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise.
+/// `out` must be the same object until then.
+///
+/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
+/// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of
+/// the point's own voxel, or, where that voxel is not free, along a line that keeps the radius to a free voxel near it.
+Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,64 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which moves a search must follow from a voxel that it reached by a given move: natural and forced neighbours of jump
+// point search in three dimensions, without corner cutting.
+//
+// With p the voxel before n and m the one after, m is pruned where the 3x3x3 cells around n hold a way from p to m that
+// avoids n and is shorter, or as long with a first move along more axes (space diagonals before plane diagonals
+// before straight moves). Of all cheapest paths the one that turns to fewer axes last survives this in every step.
+#ifndef TERN_PATH_PRUNE_HPP
+#define TERN_PATH_PRUNE_HPP
+
+#include "path/direction.hpp"
+#include "path/prune_table.hpp"
+
+namespace tern {
+
+/// True where the move is allowed from the centre of a neighbourhood: every cell of its 1x2, 2x2 or 2x2x2 box is free.
+inline bool legal_move(int move, CellMask free) noexcept {
+  return prune::covers(free, prune::kPrune.box[move]);
+}
+
+/// The moves of a set that are allowed.
+inline CellMask legal_moves(CellMask moves, CellMask free) noexcept {
+  CellMask legal = 0;
+  for (CellMask left = moves; left != 0; left &= left - 1) {
+    const int d = __builtin_ctz(left);
+    if (legal_move(d, free)) legal |= cell_bit(d);
+  }
+  return legal;
+}
+
+/// Moves that continue an arrival by `arrival` whatever the map: the arrival itself and its parts along fewer axes;
+/// all moves for kHere, which is how a search starts. Not all of them need be legal.
+inline CellMask natural_moves(int arrival) noexcept {
+  return prune::kPrune.rule[arrival].natural;
+}
+
+/// False where nothing can be forced: the cells beside the voxel come from are all free.
+inline bool may_force(int arrival, CellMask free) noexcept {
+  return !prune::covers(free, prune::kPrune.rule[arrival].watch);
+}
+
+/// Legal moves that are neither natural nor pruned. `free` holds the free cells around the voxel reached.
+inline CellMask forced_moves(int arrival, CellMask free) noexcept {
+  if (!may_force(arrival, free)) return 0;
+  const prune::PruneRule& rule = prune::kPrune.rule[arrival];
+  CellMask moves = 0;
+  for (int k = 0; k < rule.count; ++k) {
+    const prune::Detour& detour = rule.detours[k];
+    const bool pruned = prune::covers(free, detour.first) || prune::covers(free, detour.second);
+    if (!pruned && legal_move(detour.move, free)) moves |= cell_bit(detour.move);
+  }
+  return moves;
+}
+
+/// Natural and forced moves that are legal.
+inline CellMask successor_moves(int arrival, CellMask free) noexcept {
+  return legal_moves(natural_moves(arrival), free) | forced_moves(arrival, free);
+}
+
+}  // namespace tern
+
+#endif

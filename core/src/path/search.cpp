@@ -1,0 +1,55 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path/search.hpp"
+
+#include "path/jump.hpp"
+#include "path/neighbourhood.hpp"
+#include "path/prune.hpp"
+
+namespace tern {
+namespace {
+
+/// How far beyond the node's own f a sweep goes on.
+constexpr Cost kSweepSlack = 0;
+
+/// Moves to follow from a node: those that some arrival calls for, without those that were followed at this cost.
+CellMask moves_to_follow(const SearchNode& node, CellMask free) {
+  CellMask moves = 0;
+  for (CellMask left = node.arrivals; left != 0; left &= left - 1) {
+    moves |= successor_moves(__builtin_ctz(left), free);
+  }
+  return moves & ~node.followed;
+}
+
+}  // namespace
+
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  search.start = start;
+  search.goal = goal;
+  search.nodes_full = false;
+  search.heap_full = false;
+  store_reset(search.store, std::int64_t{dims.x} * dims.y * dims.z);
+  open_reset(search.open);
+  const std::uint32_t node = store_find_or_add(search.store, voxel_index(grid, start));
+  search.store.nodes[node].arrivals = cell_bit(kHere);
+  open_put(search.open, search.store, node, open_key(0, octile(start, goal), search.store.nodes[node].voxel));
+}
+
+Status search_expand(Search& search, const Grid& grid) noexcept {
+  const Cost f = search.open.keys[0].f;
+  const std::uint32_t index = open_take(search.open, search.store);
+  SearchNode& node = search.store.nodes[index];
+  const Voxel at = voxel_at(grid, node.voxel);
+  if (same(at, search.goal)) return Status::kOk;
+  const CellMask free = free_cells(grid, at);
+  const CellMask moves = moves_to_follow(node, free);
+  node.followed |= moves;
+  const Expansion expansion{search, grid, index, at, node.g, f + kSweepSlack};
+  for (CellMask left = moves; left != 0; left &= left - 1) jump(expansion, __builtin_ctz(left), free);
+  if (search.nodes_full) return Status::kNodesFull;
+  if (search.heap_full) return Status::kHeapFull;
+  return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
+}
+
+}  // namespace tern

@@ -1,0 +1,63 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Jump point search in three dimensions: 26 neighbours, no corner cutting, optimal. docs/search.md has the rules and
+// why they lose no optimal path.
+#ifndef TERN_PATH_SEARCH_HPP
+#define TERN_PATH_SEARCH_HPP
+
+#include <cstdint>
+
+#include "path/direction.hpp"
+#include "path/node_store.hpp"
+#include "path/open_list.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Bound on expansions: the heuristic is consistent, so a node's cost is final when it is first taken off the open
+/// list, and each further time needs a move by which a way of that cost had not arrived yet.
+constexpr std::uint32_t kExpansionBound =
+    static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
+
+/// A search between two free voxels. Plain data; needs no initialisation before search_begin.
+struct Search {
+  Voxel start;
+  Voxel goal;
+  bool nodes_full;
+  bool heap_full;
+  NodeStore store;
+  OpenList open;
+};
+
+/// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
+
+/// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kHeapFull; not to be called after the end.
+Status search_expand(Search& search, const Grid& grid) noexcept;
+
+/// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets
+/// path.grid_length. Leaves room for `reserve` more points: kOk or kWaypointsFull. Once, after kOk.
+Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
+
+/// A node's voxel.
+inline Voxel voxel_at(const Grid& grid, std::uint32_t index) noexcept {
+  const auto nx = static_cast<std::uint32_t>(grid.spec().dims.x);
+  const auto ny = static_cast<std::uint32_t>(grid.spec().dims.y);
+  const std::uint32_t row = index / nx;
+  return {static_cast<std::int32_t>(index % nx), static_cast<std::int32_t>(row % ny),
+          static_cast<std::int32_t>(row / ny)};
+}
+
+inline std::uint32_t voxel_index(const Grid& grid, const Voxel& v) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  return static_cast<std::uint32_t>(v.x) +
+         static_cast<std::uint32_t>(dims.x) *
+             (static_cast<std::uint32_t>(v.y) + static_cast<std::uint32_t>(dims.y) * static_cast<std::uint32_t>(v.z));
+}
+
+}  // namespace tern
+
+#endif

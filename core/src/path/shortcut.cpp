@@ -1,0 +1,125 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path/shortcut.hpp"
+
+#include "base/math.hpp"
+#include "path/bresenham.hpp"
+#include "path/sight.hpp"
+
+namespace tern {
+namespace {
+
+double leg_cost(const Grid& grid, const Path& path, std::int32_t i, std::int32_t j) {
+  return distance(path.raw[i], path.raw[j]) + kLegPrice * grid.spec().cell;
+}
+
+/// The point before `head` with the cheapest chain to it that was not refused, if that beats the best known; the lower
+/// index of equals. -1 where nothing beats it.
+std::int32_t best_probe(const Shortcut& shortcut, const Grid& grid, const Path& path) {
+  std::int32_t best = -1;
+  double least = shortcut.ends[shortcut.head].cost;
+  for (std::int32_t i = 0; i + 1 < shortcut.head; ++i) {
+    if (shortcut.ends[i].refused) continue;
+    const double cost = shortcut.ends[i].cost + leg_cost(grid, path, i, shortcut.head);
+    if (cost < least) {
+      least = cost;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// Sets up the next point that some line of sight could serve better than the path's own leg does; head == raw_count at
+/// the end.
+void chain_advance(Shortcut& shortcut, const Grid& grid, const Path& path) {
+  while (++shortcut.head < path.raw_count) {
+    const std::int32_t j = shortcut.head;
+    for (std::int32_t i = 0; i < j; ++i) shortcut.ends[i].refused = false;
+    shortcut.ends[j] = {shortcut.ends[j - 1].cost + leg_cost(grid, path, j - 1, j), j - 1, false};
+    shortcut.probe = best_probe(shortcut, grid, path);
+    if (shortcut.probe >= 0) return;
+  }
+}
+
+void chain_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
+  ChainEnd& end = shortcut.ends[shortcut.head];
+  ChainEnd& probe = shortcut.ends[shortcut.probe];
+  // Probes come cheapest first: the first in sight is the best.
+  if (line_of_sight(grid, path.raw[shortcut.probe], path.raw[shortcut.head])) {
+    end.cost = probe.cost + leg_cost(grid, path, shortcut.probe, shortcut.head);
+    end.from = shortcut.probe;
+    return chain_advance(shortcut, grid, path);
+  }
+  probe.refused = true;
+  shortcut.probe = best_probe(shortcut, grid, path);
+  if (shortcut.probe < 0) chain_advance(shortcut, grid, path);
+}
+
+/// The next point is in sight without asking.
+void greedy_settle(Shortcut& shortcut, const Path& path) {
+  while (shortcut.probe <= shortcut.head + 1 && shortcut.head + 1 < path.raw_count) {
+    shortcut.ends[shortcut.head + 1].from = shortcut.head;
+    ++shortcut.head;
+    shortcut.probe = path.raw_count - 1;
+  }
+}
+
+void greedy_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
+  const Voxel a = grid.voxel_of(path.raw[shortcut.head]);
+  const Voxel b = grid.voxel_of(path.raw[shortcut.probe]);
+  if (bresenham_free(grid, a, b)) {
+    shortcut.ends[shortcut.probe].from = shortcut.head;
+    shortcut.head = shortcut.probe;
+    shortcut.probe = path.raw_count - 1;
+  } else {
+    --shortcut.probe;
+  }
+  greedy_settle(shortcut, path);
+}
+
+}  // namespace
+
+void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Path& path) noexcept {
+  shortcut.mode = mode;
+  shortcut.head = 0;
+  shortcut.probe = path.raw_count - 1;
+  shortcut.ends[0] = {0.0, 0, false};
+  path.raw_length = 0.0;
+  for (int i = 1; i < path.raw_count; ++i) path.raw_length += distance(path.raw[i - 1], path.raw[i]);
+  if (mode == ShortcutMode::kShortestChain) {
+    chain_advance(shortcut, grid, path);
+  } else {
+    greedy_settle(shortcut, path);
+  }
+}
+
+bool shortcut_needs_line(const Shortcut& shortcut, const Path& path) noexcept {
+  const std::int32_t last = path.raw_count - 1;
+  return shortcut.mode == ShortcutMode::kShortestChain ? shortcut.head <= last : shortcut.head < last;
+}
+
+void shortcut_walk_line(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
+  if (shortcut.mode == ShortcutMode::kShortestChain) {
+    chain_walk(shortcut, grid, path);
+  } else {
+    greedy_walk(shortcut, grid, path);
+  }
+}
+
+Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept {
+  const std::int32_t last = path.raw_count - 1;
+  int count = 1;
+  for (std::int32_t i = last; i > 0; i = shortcut.ends[i].from) ++count;
+  path.count = count;
+  if (count > kMaxWaypoints) return Status::kSegmentsFull;
+  path.length = 0.0;
+  std::int32_t at = last;
+  for (int k = count - 1; k >= 0; --k) {
+    path.points[k] = path.raw[at];
+    at = shortcut.ends[at].from;
+  }
+  for (int k = 1; k < count; ++k) path.length += distance(path.points[k - 1], path.points[k]);
+  return Status::kOk;
+}
+
+}  // namespace tern

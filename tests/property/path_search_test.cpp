@@ -1,0 +1,139 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Jump point search against a plain A*: equal cost, valid paths, and the same path whatever the memory held and
+// however the work was cut.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/path_world.hpp"
+#include "support/reference_search.hpp"
+
+namespace {
+
+using tern::Status;
+using tern::Vec3;
+using tern::Voxel;
+using tern_test::PathRunner;
+using tern_test::Random;
+using tern_test::random_free;
+using tern_test::random_world;
+using tern_test::ReferenceSearch;
+using tern_test::scaled;
+using tern_test::VoxelWorld;
+
+int sign(int v) {
+  return (v > 0) - (v < 0);
+}
+
+/// Walks a raw path move by move. Every leg goes straight along one of the 26 directions and cuts no corner; returns
+/// the path's cost, -1 where a move is not allowed.
+double walked_cost(const tern::Grid& grid, const ReferenceSearch& reference, const tern::Path& path) {
+  double cost = 0.0;
+  for (int k = 1; k < path.raw_count; ++k) {
+    Voxel at = grid.voxel_of(path.raw[k - 1]);
+    const Voxel to = grid.voxel_of(path.raw[k]);
+    const Voxel step{sign(to.x - at.x), sign(to.y - at.y), sign(to.z - at.z)};
+    while (at.x != to.x || at.y != to.y || at.z != to.z) {
+      if (!reference.allowed(at, step)) return -1.0;
+      at = {at.x + step.x, at.y + step.y, at.z + step.z};
+      cost += std::sqrt(step.x * step.x + step.y * step.y + step.z * step.z);
+    }
+  }
+  return cost;
+}
+
+void expect_same_path(const tern::Path& a, const tern::Path& b) {
+  ASSERT_EQ(a.raw_count, b.raw_count);
+  ASSERT_EQ(a.count, b.count);
+  EXPECT_EQ(std::memcmp(a.raw, b.raw, sizeof(Vec3) * static_cast<std::size_t>(a.raw_count)), 0);
+  EXPECT_EQ(std::memcmp(a.points, b.points, sizeof(Vec3) * static_cast<std::size_t>(a.count)), 0);
+}
+
+TEST(PathSearch, CostEqualsPlainAStarOnRandomGrids) {
+  PathRunner runner;
+  Random random(1);
+  int solved = 0;
+  int unsolvable = 0;
+  for (int k = 0; k < scaled(24000); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    ReferenceSearch reference(world.grid);
+    const double optimum = reference.cost(start, goal);
+    const Status status = runner.run(world.grid, start, goal);
+    if (optimum < 0.0) {
+      ASSERT_EQ(status, Status::kNoPath) << "case " << k;
+      ++unsolvable;
+      continue;
+    }
+    // A maze may need more segments than a trajectory has; its jump-point path is there all the same.
+    ASSERT_TRUE(status == Status::kOk || status == Status::kSegmentsFull) << "case " << k;
+    ASSERT_NEAR(runner.path().grid_length, optimum, 1e-9) << "case " << k;
+    ASSERT_NEAR(walked_cost(world.grid, reference, runner.path()), optimum, 1e-9) << "case " << k;
+    ASSERT_NEAR(runner.path().raw_length, optimum, 1e-9) << "case " << k;
+    ++solved;
+  }
+  EXPECT_GT(solved, scaled(24000) / 2);
+  EXPECT_GT(unsolvable, scaled(24000) / 100);
+}
+
+TEST(PathSearch, SlicesDoNotChangeThePath) {
+  PathRunner whole;
+  PathRunner sliced;
+  Random random(2);
+  for (int k = 0; k < scaled(400); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    const tern::PathQuery query{world.grid.center(start), world.grid.center(goal), tern::ShortcutMode::kShortestChain,
+                                0xFFFFFFFFu, 0xFFFFFFFFu};
+    const Status status = whole.run(world.grid, query);
+    for (const std::uint32_t slice : {1u, 2u, 7u}) {
+      ASSERT_EQ(sliced.run(world.grid, query, slice), status);
+      ASSERT_EQ(sliced.stage().expansions, whole.stage().expansions);
+      ASSERT_EQ(sliced.stage().sight_lines, whole.stage().sight_lines);
+      if (status == Status::kOk) expect_same_path(whole.path(), sliced.path());
+    }
+  }
+}
+
+TEST(PathSearch, MemoryMayBeginWithAnyBits) {
+  PathRunner reused;
+  PathRunner filled;
+  Random random(3);
+  for (int k = 0; k < scaled(60); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    const Status status = reused.run(world.grid, start, goal);
+    for (const unsigned char byte : {0x00, 0x01, 0xA5, 0xFF}) {
+      filled.fill(byte);
+      ASSERT_EQ(filled.run(world.grid, start, goal), status);
+      ASSERT_EQ(filled.stage().expansions, reused.stage().expansions);
+      if (status == Status::kOk) expect_same_path(reused.path(), filled.path());
+    }
+  }
+}
+
+TEST(PathSearch, WorkStaysWithinItsBounds) {
+  PathRunner runner;
+  Random random(4);
+  for (int k = 0; k < scaled(1000); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    runner.run(world.grid, start, goal);
+    const tern::PathStage& stage = runner.stage();
+    EXPECT_LE(stage.expansions, 27u * static_cast<unsigned>(stage.nodes_high));
+    EXPECT_LE(stage.heap_high, stage.nodes_high);
+    EXPECT_LE(stage.sight_lines, tern::kSightLineBound);
+  }
+}
+
+}  // namespace
