@@ -169,6 +169,18 @@ TEST(NearestFree, PrefersTheNearestThenTheLowestIndex) {
   EXPECT_EQ(out.x, 7);
 }
 
+TEST(NearestFree, OnAPlaneBetweenVoxelsTheLowerIsTaken) {
+  OwnedGrid owned(whole_grid({9, 9, 9}, 1.0, 0.0));
+  owned.grid.inflate();
+  Voxel out{-5, -5, -5};
+  for (const Vec3 p : {Vec3{4.0, 4.5, 4.5}, Vec3{4.5, 4.0, 4.5}, Vec3{4.5, 4.5, 4.0}, Vec3{4.0, 4.0, 4.0}}) {
+    ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, p, out));
+    EXPECT_EQ(out.x, p.x > 4.0 ? 4 : 3);
+    EXPECT_EQ(out.y, p.y > 4.0 ? 4 : 3);
+    EXPECT_EQ(out.z, p.z > 4.0 ? 4 : 3);
+  }
+}
+
 TEST(NearestFree, SearchesTheWholeGridAndSaysWhereNothingIsFree) {
   OwnedGrid owned(whole_grid({130, 7, 5}, 0.1, 0.0));
   ASSERT_EQ(owned.grid.mark_box({{0, 0, 0}, {13, 0.7, 0.5}}), Status::kOk);

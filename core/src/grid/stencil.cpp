@@ -31,7 +31,7 @@ std::int32_t least(std::int32_t a, std::int32_t b) {
 }  // namespace
 
 Stencil::Stencil(const GridSpec& spec) : limit_(largest_blocking_gap(spec)), last_row_(spec.dims.y - 1) {
-  const std::int32_t gap = none() ? -1 : floor_root(limit_);
+  const std::int32_t gap = limit_ < 0 ? -1 : floor_root(limit_);
   gap_x_ = least(gap, spec.dims.x);
   gap_z_ = least(gap, spec.dims.z);
   for (std::int32_t z = 0; z < kTable; ++z) {

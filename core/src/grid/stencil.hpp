@@ -10,15 +10,14 @@
 namespace tern {
 
 /// The ball that inflation spreads each obstacle by, in exact integers. A voxel is blocked where the squared gap
-/// between its cube and an obstacle's, in cells, is at most `limit`; the gap on one axis is |difference of indices| -
-/// 1, or 0.
+/// between its cube and an obstacle's, in cells, is below (radius / cell)^2. The gap on one axis is |difference of
+/// indices| - 1, or 0 for equal indices.
 class Stencil {
  public:
   explicit Stencil(const GridSpec& spec);
 
-  /// True for radius 0: obstacles block themselves only.
-  bool none() const { return limit_ < 0; }
-  /// Largest gaps along x and z that matter in a grid of these dimensions; -1 where none() holds.
+  /// Largest gaps along x and z that matter in a grid of these dimensions; -1 for radius 0, where obstacles block
+  /// themselves only.
   std::int32_t gap_x() const { return gap_x_; }
   std::int32_t gap_z() const { return gap_z_; }
 
@@ -33,7 +32,7 @@ class Stencil {
 
   std::int32_t compute(std::int32_t gap_z, std::int32_t gap_x) const;
 
-  std::int32_t limit_;
+  std::int32_t limit_;  // largest squared gap that blocks
   std::int32_t gap_x_;
   std::int32_t gap_z_;
   std::int32_t last_row_;
