@@ -159,7 +159,7 @@ TEST(Scenario, LinesBlocksAndFilesAreBounded) {
 
 TEST(Scenario, CapacitiesNameTheRecordThatExceedsThem) {
   EXPECT_EQ(error_of(kMinimal + "resolution 1e-9\n"),
-            "map.txt:4: a grid of 1.0000000000000001e-09 m voxels over the boundary has more than 2048 voxels along an "
+            "map.txt:4: a grid of 1e-09 m voxels over the boundary has more than 2048 voxels along an "
             "axis (TERN_MAX_DIMENSION)");
   EXPECT_EQ(error_of("start 0 0 0\ngoal 1 1 1\nboundary -1e300 0 0 1e300 1 1\n").substr(0, 10), "map.txt:3:");
   const std::string cells = error_of("boundary 0 0 0 100 100 100\nstart 0 0 0\ngoal 1 1 1\n");

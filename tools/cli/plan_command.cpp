@@ -65,7 +65,7 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->type_name("FILE");
   command->add_option("--csv-step", options->csv_step, "Time between the table's rows, seconds")
       ->capture_default_str()
-      ->check(check_step, "SECONDS")
+      ->check(check_step, "")
       ->type_name("SECONDS");
   command->add_option("--svg", options->svg, "Draw map, paths, corridor, trajectory and profiles")->type_name("FILE");
   command

@@ -25,7 +25,7 @@ bool block_sticks_out(const Scenario& scenario) {
 [[noreturn]] void throw_too_large(const Scenario& scenario, const std::string& reason) {
   const bool default_resolution = scenario.resolution_place.file.empty();
   throw ScenarioError(default_resolution ? scenario.boundary_place : scenario.resolution_place,
-                      "a grid of " + exact(scenario.resolution) + " m voxels over the boundary " + reason);
+                      "a grid of " + brief(scenario.resolution) + " m voxels over the boundary " + reason);
 }
 
 /// Voxels that cover an extent, at least one; kLatticeTolerance lets a multiple of the resolution be one.

@@ -76,6 +76,13 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
+std::string brief(double value) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::setprecision(9) << value;
+  return out.str();
+}
+
 std::string exact(double value) {
   std::ostringstream out;
   out.imbue(std::locale::classic());

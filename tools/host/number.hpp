@@ -20,6 +20,9 @@ NumberError parse_number(const std::string& text, double& value);
 /// `value` with a fixed number of decimals and a point, whatever the locale; "-0.00" is written "0.00".
 std::string fixed(double value, int decimals);
 
+/// `value` with at most nine significant digits, for messages.
+std::string brief(double value);
+
 /// `value` with 17 significant digits: reads back to the same bits.
 std::string exact(double value);
 

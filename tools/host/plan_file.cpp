@@ -94,7 +94,7 @@ Json qp_json(const tern::Report& report) {
 }
 
 std::string point_text(const Vec3& v) {
-  return "(" + exact(v.x) + ", " + exact(v.y) + ", " + exact(v.z) + ")";
+  return "(" + brief(v.x) + ", " + brief(v.y) + ", " + brief(v.z) + ")";
 }
 
 bool is_occupied(tern::Status status) {

@@ -43,8 +43,8 @@ std::vector<double> numbers(const std::vector<std::string>& words, const Place& 
 tern::Box box(const std::vector<double>& v, const std::string& key, const Place& place) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (v[a] <= v[a + 3]) continue;
-    throw ScenarioError(place, "'" + key + "' has its corners the wrong way round in " + "xyz"[a] + ": " + exact(v[a]) +
-                                   " > " + exact(v[a + 3]));
+    throw ScenarioError(place, "'" + key + "' has its corners the wrong way round in " + "xyz"[a] + ": " + brief(v[a]) +
+                                   " > " + brief(v[a + 3]));
   }
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }

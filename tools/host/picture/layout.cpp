@@ -15,6 +15,7 @@ constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
 constexpr double kColumn = 0.53 * kContent;
 constexpr double kMaxViews = 690.0;  // height of both views of a long map
 constexpr double kMaxColumnViews = 760.0;
+constexpr double kMaxLoneViews = 900.0;
 
 struct Extents {
   double across;  // metres along the page's width
@@ -48,6 +49,12 @@ void lay_out_columns(PageLayout& page, const Extents& map, double scale, double 
   page.height = end;
 }
 
+/// Without a trajectory there are no profiles: the views have the page.
+void lay_out_views_only(PageLayout& page, const Extents& map, double y) {
+  const double scale = std::min((kContent - kLeft) / map.across, kMaxLoneViews / (map.top + map.side));
+  page.height = stack_views(page, map, scale, y);
+}
+
 }  // namespace
 
 PageLayout lay_out_page(const PlanResult& result, double y) {
@@ -61,7 +68,9 @@ PageLayout lay_out_page(const PlanResult& result, double y) {
   const Extents map{extents[page.top.horizontal], extents[page.top.vertical], extents[2]};
   const double wide = std::min((kContent - kLeft) / map.across, kMaxViews / (map.top + map.side));
   const double column = std::min((kColumn - kLeft) / map.across, kMaxColumnViews / (map.top + map.side));
-  if (wide * map.across > 0.8 * (kContent - kLeft)) {
+  if (!result.ok()) {
+    lay_out_views_only(page, map, y);
+  } else if (wide * map.across > 0.8 * (kContent - kLeft)) {
     lay_out_wide(page, map, wide, y);
   } else {
     lay_out_columns(page, map, column, y);

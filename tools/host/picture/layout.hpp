@@ -22,7 +22,8 @@ struct PageLayout {
 };
 
 /// Lays the page out below `y`. The longer horizontal axis of the map runs across the page, both views share it and
-/// one scale. A long map's views take the whole width, with the profiles below; other maps leave them the right half.
+/// one scale. A long map's views take the whole width, with the profiles below; other maps leave them the right half. A
+/// failed plan has no profiles.
 PageLayout lay_out_page(const PlanResult& result, double y);
 
 }  // namespace tern_host

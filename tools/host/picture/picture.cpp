@@ -62,9 +62,15 @@ void draw_key_figures(Canvas& canvas, const std::vector<Figure>& figures) {
 }
 
 void draw_failure(Canvas& canvas, const PlanResult& result) {
-  canvas.text({kPageMargin, kFiguresTop + 4.0}, std::string("No plan: ") + tern::status_name(result.report.status),
+  constexpr std::size_t kLineLength = 160;
+  canvas.text({kPageMargin, kFiguresTop - 2.0}, std::string("No plan: ") + tern::status_name(result.report.status),
               "class=\"figure\" style=\"fill:#b03030\"");
-  canvas.text({kPageMargin, kFiguresTop + 26.0}, describe_status(result.report), "class=\"subtitle\"");
+  const std::string text = describe_status(result.report);
+  const std::size_t split = text.size() > kLineLength ? text.rfind(' ', kLineLength) : text.size();
+  canvas.text({kPageMargin, kFiguresTop + 16.0}, text.substr(0, split), "class=\"figure-name\"");
+  if (split < text.size()) {
+    canvas.text({kPageMargin, kFiguresTop + 32.0}, text.substr(split + 1), "class=\"figure-name\"");
+  }
 }
 
 double legend_entry(Canvas& canvas, double x, const char* name, double name_width) {
