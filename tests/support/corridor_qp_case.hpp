@@ -125,6 +125,12 @@ class CorridorQp {
     if (moved) {
       c_.start[0] = {c.start[0].x + c.shift.x, c.start[0].y + c.shift.y, c.start[0].z + c.shift.z};
     }
+    for (int k = 0; k < 8; ++k) {
+      for (int l = 0; l < 8; ++l) {
+        gram_[at(k)][at(l)] = snap_gram(k, l);
+        largest_gram_ = std::max(largest_gram_, std::fabs(gram_[at(k)][at(l)]));
+      }
+    }
     const int first = c.start_jerk_fixed ? 0 : 1;
     unknowns_ = first + 4 * (c.segments - 1) + (c.goal_jerk_fixed ? 0 : 1);
   }
@@ -227,13 +233,7 @@ class CorridorQp {
     return total;
   }
   /// cost_scale / T^7.
-  double cost_of(int s) const {
-    double q = 0.0;
-    for (int k = 0; k < 8; ++k) {
-      for (int l = 0; l < 8; ++l) q = std::max(q, std::fabs(snap_gram(k, l)));
-    }
-    return std::pow(tau_ / c_.durations[at(s)], 7) / q;
-  }
+  double cost_of(int s) const { return std::pow(tau_ / c_.durations[at(s)], 7) / largest_gram_; }
 
   /// Control point k of a segment as a combination of the states at its ends.
   Local control_point(int s, int k) const {
@@ -283,6 +283,7 @@ class CorridorQp {
   }
 
   void add_cost(int s, tern::QpProblem& problem) const {
+    const double cost = 2.0 * cost_of(s);
     std::array<Local, 8> map{};
     for (int k = 0; k < 8; ++k) map[at(k)] = control_point(s, k);
     for (int i = 0; i < 8; ++i) {
@@ -292,7 +293,7 @@ class CorridorQp {
         double h = 0.0;
         for (int k = 0; k < 8; ++k) {
           for (int l = 0; l < 8; ++l) {
-            h += 2.0 * cost_of(s) * snap_gram(k, l) * map[at(k)][at(i)] * map[at(l)][at(j)];
+            h += cost * gram_[at(k)][at(l)] * map[at(k)][at(i)] * map[at(l)][at(j)];
           }
         }
         const int column = unknown(s, j);
@@ -353,6 +354,8 @@ class CorridorQp {
   }
 
   CorridorQpCase c_;
+  std::array<Local, 8> gram_{};  ///< of snap, over control points
+  double largest_gram_ = 0.0;
   double tau_ = 0.0;
   int unknowns_ = 0;
 };

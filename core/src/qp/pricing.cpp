@@ -12,8 +12,9 @@ namespace {
 constexpr int kTile = 8;
 constexpr int kTilePairs = kTile / kPair;
 
-/// Below every violation that there can be.
+/// Below every violation that there can be, and above: that of a point that is no number.
 constexpr double kNoViolation = -1e300;
+constexpr double kNoNumber = 1e300;
 /// Squared lengths in this range neither overflow nor lose digits.
 constexpr double kSmallSquare = 1e-200;
 constexpr double kLargeSquare = 1e200;
@@ -24,6 +25,7 @@ constexpr double kUnitTolerance = 1e-14;
 struct Tile {
   alignas(16) double at[kQpAxes][kTile];
   alignas(16) double worst[kTile];
+  Pair finite;  ///< 0 times every coordinate so far: 0 where all of them were numbers
 };
 
 /// offset + sum coefficient * x, as two lanes of two.
@@ -50,6 +52,7 @@ void fill(const QpPoint* points, int count, const QpSolver& solver, Tile& tile) 
     tile.at[0][lane] = value.low[0];
     tile.at[1][lane] = value.low[1];
     tile.at[2][lane] = value.high[0];
+    tile.finite += both(0.0) * (value.low + value.high);
   }
 }
 
@@ -96,10 +99,9 @@ void consider(const QpProblem& problem, QpSolver& solver, int group, int point, 
   best = {group, point, violation, merit, constant};
 }
 
-void price_group(const QpProblem& problem, QpSolver& solver, int index, Best& best) {
+void price_group(const QpProblem& problem, QpSolver& solver, int index, Tile& tile, Best& best) {
   const QpGroup& group = problem.groups[index];
   const QpUnitPlane* planes = solver.planes + group.plane_begin;
-  Tile tile;
   for (int begin = group.point_begin; begin < group.point_end; begin += kTile) {
     const int left = group.point_end - begin;
     const int count = left < kTile ? left : kTile;
@@ -176,8 +178,11 @@ Candidate contradiction(const QpProblem& problem) {
 
 Candidate price(const QpProblem& problem, QpSolver& solver) {
   Best best;
+  Tile tile;
+  tile.finite = both(0.0);
   solver.worst = 0.0;
-  for (int g = 0; g < problem.group_count; ++g) price_group(problem, solver, g, best);
+  for (int g = 0; g < problem.group_count; ++g) price_group(problem, solver, g, tile, best);
+  if (!finite(sum(tile.finite))) solver.worst = kNoNumber;
   if (best.group < 0) return {};
   const int plane = worst_plane(problem, solver, problem.groups[best.group], best.point);
   return {true, best.constant, {best.point, plane}, best.violation};

@@ -12,7 +12,7 @@ namespace tern {
 namespace {
 
 /// Steps of iterative refinement in one solve. One is enough where the factors are worth anything.
-constexpr int kMaxRefinements = 3;
+constexpr int kMaxRefinements = 2;
 
 void end(QpSolver& solver, Status status) {
   solver.phase = QpPhase::kDone;
@@ -100,7 +100,7 @@ void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solut
   solver.phase = QpPhase::kStep;
 }
 
-/// Everything between two units of work; each call is bounded by a scan of the rows a refinement.
+/// Everything between two units of work; bounded by a few scans of the rows.
 void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   if (solver.phase == QpPhase::kWarmRow && solver.warm_next == solver.warm_count) {
     solve_warm(problem, solver);
