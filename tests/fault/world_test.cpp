@@ -75,7 +75,9 @@ TEST(WorldFault, StraightAlongEachAxis) {  // F08
     World world({20, 20, 20}, 0.1, 0.1);
     world.from({0.25, 0.25, 0.25}).to(end);
     ASSERT_EQ(world.plan(), Status::kOk);
-    EXPECT_EQ(world.trajectory.count, 1);
+    ASSERT_NE(world.planner.path(), nullptr);
+    EXPECT_EQ(world.planner.path()->count, 2);
+    EXPECT_EQ(world.planner.corridor()->count, 1);
   }
 }
 

@@ -103,6 +103,8 @@ Status Planner::run_path(Work& work) noexcept {
   count(report_, Stage::kShortcut, stage.sight_lines, least(local_.budget.sight_lines, kSightLineBound));
   report_.high_water.nodes = stage.nodes_high;
   report_.high_water.heap = stage.heap_high;
+  report_.high_water.jump_points = stage.raw_high;
+  report_.high_water.segments = stage.segments_high;
   if (status == Status::kRunning) return status;
   if (status != Status::kOk) {
     report_.raw_occupied = stage.raw_occupied;
@@ -111,7 +113,6 @@ Status Planner::run_path(Work& work) noexcept {
     return end(stage.stage, status);
   }
   has_path_ = true;
-  report_.high_water.jump_points = memory.path.raw_count;
   enter(Phase::kCorridor);
   return status;
 }
@@ -124,6 +125,7 @@ Status Planner::run_corridor(Work& work) noexcept {
   report_.high_water.planes = stage.planes_high;
   report_.high_water.local_boxes = stage.boxes_high;
   if (status == Status::kRunning) return status;
+  if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
   if (status != Status::kOk) return end(Stage::kCorridor, status);
   has_corridor_ = true;
   report_.high_water.segments = memory.corridor.count;

@@ -30,10 +30,10 @@ double way(const Polyhedron& polyhedron) {
   return distance(polyhedron.from, polyhedron.to);
 }
 
-/// Metres that it takes to reach the limit speed and stop again, twice over.
+/// Metres that it takes to reach the limit speed and stop again.
 double comfortable_length(const Polyhedron& polyhedron, const Limits& limits) {
   const LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
-  return 2.0 * line.speed * line.speed / line.acceleration;
+  return line.speed * line.speed / line.acceleration;
 }
 
 int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits, int index, double third) {

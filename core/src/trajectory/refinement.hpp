@@ -20,11 +20,11 @@
 
 namespace tern {
 
-enum class Search : std::uint8_t { kShape, kClimb, kDescend, kDone };
+enum class Course : std::uint8_t { kShape, kClimb, kDescend, kDone };
 
 struct Refinement {
-  Search search;
-  int round;                  ///< of this search
+  Course course;
+  int round;                  ///< of this course
   int failures;               ///< of the descent
   double gap;                 ///< part of the duration that the descent tries to save
   double base[kMaxSegments];  ///< durations that the climb started from
@@ -37,7 +37,7 @@ struct Round {
   double stretch[kMaxSegments];  ///< of each of its segments, to meet the limits exactly (shape only)
 };
 
-constexpr int kShapeRounds = 2;
+constexpr int kShapeRounds = 3;
 constexpr int kClimbRounds = 12;
 constexpr double kClimbStep = 1.35;
 constexpr double kFirstGap = 0.15;

@@ -38,7 +38,7 @@ int most(int a, int b) {
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
-  if (stage.refinement.search == Search::kDone || stage.solves == kMaxQpSolves) {
+  if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
