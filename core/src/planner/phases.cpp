@@ -128,7 +128,6 @@ Status Planner::run_corridor(Work& work) noexcept {
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
   if (status != Status::kOk) return end(Stage::kCorridor, status);
   has_corridor_ = true;
-  report_.high_water.segments = memory.corridor.count;
   enter(Phase::kTrajectory);
   return status;
 }
@@ -151,6 +150,7 @@ Status Planner::run_trajectory(Work& work) noexcept {
   report_.kkt_residual = stage.kkt_residual;
   if (status != Status::kOk) return end(Stage::kTrajectory, status);
   memory.trajectory.origin = grid_->spec().origin;
+  report_.high_water.segments = memory.trajectory.count;
   enter(Phase::kCheck);
   return status;
 }
