@@ -63,6 +63,10 @@ void draw_obstacles(Canvas& canvas, const View& view, const Scenario& scenario) 
   }
 }
 
+std::string axis_title(int axis) {
+  return std::string(1, "xyz"[axis]) + " (m)";
+}
+
 void draw_corridor(Canvas& canvas, const View& view, const PlanResult& result) {
   if (result.corridor == nullptr) return;
   for (int i = 0; i < result.corridor->count; ++i) {
@@ -148,6 +152,8 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
   draw_obstacles(canvas, view, result.scenario);
   draw_corridor(canvas, view, result);
   canvas.end_group();
+  // Below what may lie on the frame: the boundary belongs to free space.
+  draw_frame(canvas, axes, axis_title(projection.horizontal), axis_title(projection.vertical));
   if (result.path != nullptr) {
     canvas.polyline(chain(view, result.path->raw, result.path->raw_count, origin), "class=\"raw\"");
   }

@@ -24,7 +24,8 @@ double component(const tern::Vec3& v, int axis);
 /// What a view shows of the world along one axis.
 Range view_range(const PlanResult& result, int axis);
 
-/// Draws into axes.frame, whose ranges are those of view_range(). `speed_scale`: the speed of the last colour, m/s.
+/// Draws into axes.frame, with frame and axis titles; its ranges are those of view_range(). `speed_scale`: the speed of
+/// the last colour, m/s.
 void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
                    double speed_scale);
 

@@ -107,15 +107,11 @@ void draw_colour_bar(Canvas& canvas, double speed_scale) {
   }
   canvas.raw("<defs><linearGradient id=\"speed\">" + stops + "</linearGradient></defs>\n");
   const double right = kPageWidth - kPageMargin;
-  const std::string high = fixed(speed_scale, 1) + " m/s";
+  const std::string high = fixed(speed_scale, 2) + " m/s";
   canvas.text({right, kLegendTop + 4.5}, high, "class=\"number\" text-anchor=\"end\"");
-  const Rect bar{right - 54.0 - 130.0, kLegendTop - 6.0, 130.0, 12.0};
+  const Rect bar{right - 62.0 - 130.0, kLegendTop - 6.0, 130.0, 12.0};
   canvas.rect(bar, "fill=\"url(#speed)\"", 3.0);
   canvas.text({bar.x - 6.0, kLegendTop + 4.5}, "trajectory, speed  0", "class=\"number\" text-anchor=\"end\"");
-}
-
-std::string axis_title(int axis) {
-  return std::string(1, "xyz"[axis]) + " (m)";
 }
 
 void draw_panel(Canvas& canvas, const PlanResult& result, const Projection& projection, const Rect& frame,
@@ -124,7 +120,6 @@ void draw_panel(Canvas& canvas, const PlanResult& result, const Projection& proj
                   projection.down};
   canvas.text({frame.x, frame.y - 12.0}, title, "class=\"heading\"");
   draw_map_view(canvas, axes, projection, result, speed_scale);
-  draw_frame(canvas, axes, axis_title(projection.horizontal), axis_title(projection.vertical));
 }
 
 void draw_header(Canvas& canvas, const PlanResult& result, const Figures& figures) {
