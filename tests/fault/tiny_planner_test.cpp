@@ -1,0 +1,94 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// F09 through the whole planner, in the tiny configuration: each capacity runs out with its own status and its
+// high-water mark at the capacity, and the caller's trajectory stays as it was.
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "support/world.hpp"
+
+namespace {
+
+using tern::Stage;
+using tern::Status;
+using tern_test::Random;
+using tern_test::World;
+
+/// Walls across y with doors at alternating ends: a path of many turns.
+World slalom(int walls) {
+  World world({4 * walls + 4, 12, 4}, 0.25, 0.0);
+  for (int i = 0; i < walls; ++i) {
+    const double x = 1.0 * (i + 1);
+    world.block({x, i % 2 == 0 ? 0.0 : 0.5, 0.0}, {x + 0.25, i % 2 == 0 ? 2.5 : 3.0, 1.0});
+  }
+  world.from({0.375, 0.375, 0.375}).to({walls + 0.625, 0.375, 0.375});
+  return world;
+}
+
+/// Single voxels strewn at random: many jump points.
+World noise(double density, std::uint64_t seed) {
+  World world({32, 32, 16}, 0.25, 0.0);
+  Random random(seed);
+  for (int z = 0; z < 16; ++z) {
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) {
+        const bool ends = x + y + z <= 2 || x + y + z >= 75;
+        if (!ends && random.chance(density)) world.grid.mark_voxel({x, y, z});
+      }
+    }
+  }
+  world.from({0.125, 0.125, 0.125}).to({7.875, 7.875, 3.875});
+  return world;
+}
+
+TEST(TinyPlanner, OpenSpaceFits) {
+  World world({32, 32, 16}, 0.25, 0.3);
+  world.from({0.5, 0.5, 0.5}).to({2.0, 1.5, 1.0});
+  EXPECT_EQ(world.plan(), Status::kOk);
+}
+
+/// The capacities that random worlds run into, each with its mark.
+TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
+  int nodes = 0;
+  int heap = 0;
+  int jump_points = 0;
+  int segments = 0;
+  int planes = 0;
+  int boxes = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    World world = seed % 2 == 0 ? noise(0.02 * static_cast<double>(1 + seed % 14), seed)
+                                : slalom(static_cast<int>(1 + seed % 12));
+    const Status status = world.plan();
+    const tern::HighWater& high = world.report.high_water;
+    EXPECT_LE(high.nodes, tern::kMaxNodes);
+    EXPECT_LE(high.heap, tern::kMaxHeap);
+    EXPECT_LE(high.segments, tern::kMaxSegments);
+    if (status == Status::kNodesFull && ++nodes > 0) {
+      EXPECT_EQ(high.nodes, tern::kMaxNodes);
+    }
+    if (status == Status::kHeapFull && ++heap > 0) {
+      EXPECT_EQ(high.heap, tern::kMaxHeap);
+    }
+    if (status == Status::kWaypointsFull && ++jump_points > 0) {
+      EXPECT_EQ(high.jump_points, tern::kMaxJumpPoints);
+    }
+    if (status == Status::kSegmentsFull && ++segments > 0) {
+      EXPECT_EQ(high.segments, tern::kMaxSegments);
+    }
+    if (status == Status::kPlanesFull && ++planes > 0) {
+      EXPECT_EQ(high.planes, tern::kMaxPlanes);
+    }
+    if (status == Status::kObstaclesFull && ++boxes > 0) {
+      EXPECT_EQ(high.local_boxes, tern::kMaxLocalBoxes);
+    }
+    if (status != Status::kOk) {
+      EXPECT_TRUE(world.trajectory_untouched());
+    }
+  }
+  EXPECT_GT(nodes, 0);
+  EXPECT_GT(heap, 0);
+  EXPECT_GT(segments, 0);
+}
+
+}  // namespace
