@@ -97,13 +97,13 @@ TEST_F(CorridorStageTest, CoincidentWaypointsAreLegsOfNoLength) {
 
 TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {
   const World world({300, 40, 40}, 0.1, 0.2);
-  set_path({{1.0, 2.0, 2.0}, {28.0, 2.0, 2.0}});
+  set_path({{28.1, 2.3, 1.7}, {0.3, 2.1, 1.9}});
   ASSERT_EQ(run(world, 100), Status::kOk);
   ASSERT_EQ(corridor_->count, 4);
   expect_chain();
   for (int i = 0; i < 4; ++i) {
     const Polyhedron& p = corridor_->polyhedra[i];
-    EXPECT_NEAR(norm3(minus3(p.to, p.from)), 27.0 / 4.0, 1e-9);
+    EXPECT_NEAR(norm3(minus3(p.to, p.from)), std::sqrt(27.8 * 27.8 + 0.2 * 0.2 + 0.2 * 0.2) / 4.0, 1e-9);
   }
 }
 

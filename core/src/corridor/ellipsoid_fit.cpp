@@ -8,7 +8,7 @@ namespace tern {
 namespace {
 
 constexpr double kFitTolerance = 1e-3;
-constexpr double kThinnest = 0.05;
+constexpr double kThinnest = 0.01;
 /// Shrinking steps of each of the two phases; each makes the axis shorter, and most fits need two or three.
 constexpr int kFitSteps = 16;
 
@@ -118,6 +118,13 @@ EllipsoidFrame ball_about(const Vec3& center, double cell) {
 }
 
 }  // namespace
+
+EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept {
+  EllipsoidFrame thick = frame;
+  const double least = share * frame.semi_axis[0];
+  for (double& semi_axis : thick.semi_axis) semi_axis = larger(semi_axis, least);
+  return thick;
+}
 
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
                              std::int32_t* inside) noexcept {

@@ -27,11 +27,14 @@ constexpr double kPointLike = 1e-6;
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` gives a point-like segment's
 /// ball its size. `inside` is scratch for obstacles.count indices.
 ///
-/// The paper shrinks for every obstacle inside. Here an obstacle may stay inside by kFitTolerance of the ellipsoid's
-/// size, and no axis falls below kThinnest of the longest: the half-spaces are exact whatever the ellipsoid is, and a
-/// segment that grazes an obstacle would otherwise get a needle whose half-spaces are all parallel to one plane.
+/// The paper shrinks until no obstacle is inside. Here one may stay inside by a thousandth of the ellipsoid's size, and
+/// no axis falls below a hundredth of the longest: what is stored with a polyhedron is inscribed in it afterwards.
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
                              std::int32_t* inside) noexcept;
+
+/// The ellipsoid with no semi-axis below `share` of the first. A segment that grazes an obstacle has a needle for an
+/// ellipsoid; the tangents of a needle are all nearly parallel, and cut away space that no obstacle takes.
+EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept;
 
 }  // namespace tern
 

@@ -15,6 +15,9 @@ namespace {
 /// Half-spaces of the local box, the first of every polyhedron.
 constexpr int kBoxFaces = 6;
 
+/// Least thickness of the ellipsoid that the first half-spaces are tangent to, in parts of the segment's half length.
+constexpr double kThickness = 0.3;
+
 /// The barrier's least distance to a plane, in voxels: less than the half of a tunnel's width, so that it blurs no
 /// shape.
 constexpr double kLeastSlackCells = 0.1;
@@ -76,7 +79,8 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
   EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
-  Status status = append_tangents(metric_of(frame), obstacles, segment, scratch, out);
+  const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
+  Status status = append_tangents(metric, obstacles, segment, scratch, out);
   if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out);
   if (status != Status::kOk) return status;
   inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
