@@ -8,7 +8,7 @@ namespace tern::qp {
 namespace {
 
 /// beta' H^-1 beta below this part of its diagonal terms is lost in rounding. It only steers pricing.
-constexpr double kWeightFloor = 1e-12;
+constexpr double kNormFloor = 1e-12;
 
 void load_columns(const QpProblem& problem, QpSolver& solver) {
   const int n = problem.unknowns;
@@ -119,7 +119,7 @@ int transform_row(const QpPoint& point, const double* normal, QpSolver& solver) 
   return begin / kPad * kPad;
 }
 
-double point_weight(const QpPoint& point, QpSolver& solver) {
+double point_inverse_norm(const QpPoint& point, QpSolver& solver) {
   if (!solver.inverse_known) invert_band(solver);
   double diagonal = 0.0;
   double coupling = 0.0;
@@ -132,7 +132,7 @@ double point_weight(const QpPoint& point, QpSolver& solver) {
     coupling += beta * total;
   }
   if (!(diagonal > 0.0)) return 0.0;
-  return 1.0 / larger(diagonal + 2.0 * coupling, kWeightFloor * diagonal);
+  return 1.0 / square_root(larger(diagonal + 2.0 * coupling, kNormFloor * diagonal));
 }
 
 }  // namespace tern::qp

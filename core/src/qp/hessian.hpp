@@ -26,8 +26,8 @@ void unknowns_from(QpSolver& solver, const double* z);
 /// element that is not zero by structure.
 int transform_row(const QpPoint& point, const double* normal, QpSolver& solver);
 
-/// 1 / |L^-1 beta|^2, from the band of H^-1; 0 where beta is zero.
-double point_weight(const QpPoint& point, QpSolver& solver);
+/// 1 / |L^-1 beta|, from the band of H^-1; 0 where beta is zero.
+double point_inverse_norm(const QpPoint& point, QpSolver& solver);
 
 }  // namespace tern::qp
 

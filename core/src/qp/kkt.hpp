@@ -5,7 +5,7 @@
 #ifndef TERN_QP_KKT_HPP
 #define TERN_QP_KKT_HPP
 
-#include "qp/pricing.hpp"
+#include "qp/rows.hpp"
 
 namespace tern::qp {
 

@@ -42,6 +42,7 @@ void start(const QpProblem& problem, QpSolver& solver) {
   solver.worst = 0.0;
   solver.phase = QpPhase::kWarmRow;
   clear_point(solver);
+  qp::forget_reach(solver);
   solver.usable = solver.usable && qp::prepare_planes(problem, solver);
   if (!solver.usable) return;
   aim(problem, solver);
@@ -84,18 +85,22 @@ void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) 
   if (solver.refinements == kMaxRefinements) return end(solver, Status::kNumerical);
   ++solver.refinements;
   qp::refine(problem, solver);
+  qp::forget_reach(solver);
+}
+
+void contradict(const QpProblem& problem, QpSolver& solver, const QpRow& row, QpSolution& solution) {
+  qp::measure(problem, solver, solution);
+  qp::contradict(problem, row, solution);
+  end(solver, Status::kInfeasible);
 }
 
 void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   qp::unknowns_from(solver, solver.z);
-  qp::Candidate candidate = solver.contradictory ? qp::contradiction(problem) : qp::Candidate{};
-  if (!candidate.found) candidate = qp::price(problem, solver);
+  QpRow row;
+  if (solver.contradictory && qp::find_contradiction(problem, row)) return contradict(problem, solver, row, solution);
+  const qp::Candidate candidate = qp::price(problem, solver);
   if (!candidate.found) return conclude(problem, solver, solution);
-  if (candidate.constant) {
-    qp::measure(problem, solver, solution);
-    qp::contradict(problem, candidate.row, solution);
-    return end(solver, Status::kInfeasible);
-  }
+  if (candidate.constant) return contradict(problem, solver, candidate.row, solution);
   qp::enter(problem, solver, candidate);
   solver.phase = QpPhase::kStep;
 }
@@ -169,7 +174,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   solver.warm_count = warm == nullptr ? 0 : (warm_count < kMaxActive ? warm_count : kMaxActive);
   for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
   solver.usable = qp::factor_hessian(problem, solver);
-  qp::forget_weights(problem, solver);
+  qp::forget_lengths(problem, solver);
   start(problem, solver);
 }
 

@@ -12,6 +12,9 @@ namespace tern {
 constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
 /// Rows that can be active at once: the capacity, or what linear independence leaves.
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
+/// Points are scanned in tiles of this many: four registers of two lanes. A group's last tile may be partly empty.
+constexpr int kQpTile = 8;
+constexpr int kQpMaxTiles = kQpMaxPoints / kQpTile + kQpMaxGroups;
 constexpr int kQpPackedRank = kQpMaxRank * (kQpMaxRank + 1) / 2;
 
 /// What qp_advance does next.
@@ -27,6 +30,7 @@ enum class QpPhase : std::uint8_t {
 struct QpUnitPlane {
   double normal[kQpAxes];
   double offset;
+  int axis;  ///< that the normal lies along; -1: none
 };
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
@@ -43,7 +47,9 @@ struct QpSolver {
 
   // Of the rows.
   QpUnitPlane planes[kQpMaxPlanes];
-  double weight[kQpMaxPoints];  ///< 1 / |L^-1 beta|^2 of a point; negative: not yet known; 0: a constant point
+  double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
+  double reach[kQpMaxTiles];          ///< of a tile: most violated distance when it was scanned, less `travelled` then
+  double travelled;                   ///< length of the path of z
 
   // The working set.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
@@ -75,6 +81,7 @@ struct QpSolver {
   int warm_count;
   int warm_next;
   int iterations;
+  int scans;
   int stalled;  ///< full steps in a row that raised the dual objective by rounding at most
   int refinements;
   bool inverse_known;

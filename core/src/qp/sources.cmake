@@ -7,4 +7,5 @@ set(TERN_STAGE_SOURCES
   kkt.cpp
   pricing.cpp
   qp.cpp
+  rows.cpp
 )

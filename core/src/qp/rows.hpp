@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rows as (point, plane) pairs: values of points, planes with unit normals, and the rows that no unknown moves.
+#ifndef TERN_QP_ROWS_HPP
+#define TERN_QP_ROWS_HPP
+
+#include "qp/solver.hpp"
+
+namespace tern::qp {
+
+/// A 3-vector as two lanes of two; the last lane is zero.
+struct Value {
+  Pair low;
+  Pair high;
+};
+
+/// offset + sum coefficient * x.
+inline Value evaluate(const QpPoint& point, const QpSolver& solver) {
+  Value value = {{point.offset.x, point.offset.y}, {point.offset.z, 0.0}};
+  const double(*x)[4] = solver.x + point.first;
+  for (int t = 0; t < point.terms; ++t) {
+    const Pair factor = both(point.coefficient[t]);
+    value.low += factor * pair(x[t]);
+    value.high += factor * pair(x[t] + kPair);
+  }
+  return value;
+}
+
+/// Makes the planes unit. False where a plane is not a number. A zero normal becomes a unit plane that is met, or
+/// violated by 1 where its offset is negative; the latter sets solver.contradictory.
+bool prepare_planes(const QpProblem& problem, QpSolver& solver);
+
+/// 1 / |normal| of a plane; 0 for a zero normal.
+double inverse_length(const Halfspace& plane);
+
+/// normal . (point at x) - offset of one unit row.
+double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row);
+
+/// True where the row is one of the problem's: its point and plane meet in a group.
+bool is_row(const QpProblem& problem, const QpRow& row);
+
+/// Finds a row whose plane has a zero normal and a negative offset.
+bool find_contradiction(const QpProblem& problem, QpRow& row);
+
+}  // namespace tern::qp
+
+#endif
