@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Steps of one sweep: bounds the work of one expansion.
-constexpr int kSweepSteps = 4;
+/// Steps of one sweep: bounds the work of one expansion to a few thousand straight scans a space diagonal.
+constexpr int kSweepSteps = 32;
 
 /// Records a way to `voxel` that arrives by `arrival`: a better one replaces what was known, an equally good one adds
 /// its arrival, a worse one is forgotten.
@@ -38,7 +38,7 @@ void relax(const Expansion& from, const Voxel& voxel, int arrival) {
 
 void scan(const Expansion& from, const Voxel& cursor, int move) {
   Voxel found;
-  if (scan_straight(from.grid, from.search.goal, cursor, move, found)) relax(from, found, move);
+  if (scan_straight(from.search.map, from.grid, from.search.goal, cursor, move, found)) relax(from, found, move);
 }
 
 /// True where a sweep must leave the voxel to a node of its own.

@@ -11,6 +11,7 @@
 #include "path/direction.hpp"
 #include "path/node_store.hpp"
 #include "path/open_list.hpp"
+#include "path/scan.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
@@ -28,8 +29,10 @@ struct Search {
   Voxel goal;
   bool nodes_full;
   bool heap_full;
+  std::uint32_t expanded;  ///< nodes so far
   NodeStore store;
   OpenList open;
+  ScanMap map;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
