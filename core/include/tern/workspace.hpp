@@ -12,9 +12,40 @@ namespace tern {
 /// Alignment of the planner's memory; a block that is not aligned is served from its first aligned byte.
 constexpr std::size_t kWorkspaceAlignment = 64;
 
-/// Bytes that a planner needs, a constant of the configuration. An upper bound on the core's own layout that this
-/// header can state without showing it; the core asserts at compile time that it holds.
-constexpr std::size_t kWorkspaceBytes = std::size_t{64} * 1024 * 1024;
+namespace workspace {
+
+// What each part takes, from the capacities: an upper bound, a tenth or so above the truth, that this header can state
+// without showing the core's own structures. The core asserts at compile time that it holds.
+constexpr std::size_t kNodes = kMaxNodes, kHeap = kMaxHeap, kCells = static_cast<std::size_t>(kMaxCells);
+constexpr std::size_t kJumps = kMaxJumpPoints, kSegments = kMaxSegments, kPlanes = kMaxPlanes;
+constexpr std::size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive;
+
+constexpr std::size_t larger(std::size_t a, std::size_t b) {
+  return a < b ? b : a;
+}
+
+/// Nodes with their hash slots, the open list, two turned copies of the blocked layer.
+constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 4 + kCells / 256 + 8192;
+/// Solid boxes with what merging and measuring them takes.
+constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
+/// The quadratic programme's points and planes, and the dense factor of its working set.
+constexpr std::size_t kTrajectory =
+    kSegments * (8800 + kPlanes * 80) + kActive * (kSegments * 96 + kActive * 4 + 128) + 4096;
+/// Path, corridor and trajectory, which outlive the stages that made them.
+constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlanes * 32 + 384) + 512;
+
+}  // namespace workspace
+
+/// Bytes that a planner needs, a constant of the configuration: 52 KB for tiny, 2.7 MB for mcu, 50 MB for companion,
+/// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
+#ifdef TERN_WORKSPACE_BYTES
+constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
+#else
+constexpr std::size_t kWorkspaceBytes =
+    (workspace::larger(workspace::kSearch, workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
+     workspace::kResults + 2 * kWorkspaceAlignment - 1) /
+    kWorkspaceAlignment * kWorkspaceAlignment;
+#endif
 
 /// A block of the right size for a static, a linker section or an arena.
 struct alignas(kWorkspaceAlignment) Workspace {

@@ -26,7 +26,8 @@ struct Layout {
 };
 
 static_assert(alignof(Layout) <= kWorkspaceAlignment, "raise kWorkspaceAlignment");
-static_assert(sizeof(Layout) + kWorkspaceAlignment <= kWorkspaceBytes, "raise kWorkspaceBytes in workspace.hpp");
+static_assert(sizeof(Layout) + kWorkspaceAlignment <= kWorkspaceBytes,
+              "define TERN_WORKSPACE_BYTES: the estimate in workspace.hpp falls short");
 
 }  // namespace tern
 
