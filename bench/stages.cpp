@@ -16,7 +16,7 @@ namespace {
 
 using tern::Stage;
 
-constexpr int kRepetitions = 200;
+constexpr int kRepetitions = 100;
 
 struct Row {
   const char* name;

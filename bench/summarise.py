@@ -22,7 +22,7 @@ def main():
                     row[counter] = int(entry[counter])
     with open(sys.argv[2], "w", newline="") as out:
         out.write(f"# {context['num_cpus']} cores at {context['mhz_per_cpu']} MHz, {context['date'][:10]}, ")
-        out.write("host preset (gcc, -O3), 200 plans a row, microseconds\n")
+        out.write("host preset (gcc, -O3), 100 plans a row, microseconds\n")
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["map", "stage", "median_us", "p99_us", "max_us", "work", "bound"])
         for (name, stage), row in rows.items():

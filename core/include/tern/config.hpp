@@ -36,13 +36,13 @@
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 512, 2048)
 #endif
 
-/// Jump points a search may generate, 24 to 40 bytes each with their hash slot. The six maps of the
+/// Jump points a search may generate, 48 bytes each with their hash slots. The six maps of the
 /// paper at 0.05 m need some tens of thousands. Beyond it: Status::kNodesFull.
 #ifndef TERN_MAX_NODES
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
 #endif
 
-/// Entries of the search's open list, 16 to 24 bytes each. Beyond it: Status::kHeapFull.
+/// Entries of the search's open list, 20 bytes each. Beyond it: Status::kHeapFull.
 #ifndef TERN_MAX_HEAP
 #define TERN_MAX_HEAP TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
 #endif
@@ -63,7 +63,7 @@
 #define TERN_MAX_PLANES TERN_DEFAULT(10, 24, 40)
 #endif
 
-/// Solid boxes that the obstacles around one segment merge into, 64 bytes each. Beyond it the
+/// Solid boxes that the obstacles around one segment merge into, 88 bytes each with their scratch. Beyond it the
 /// polyhedron's box shrinks; where the smallest does not do: Status::kObstaclesFull.
 #ifndef TERN_MAX_LOCAL_BOXES
 #define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 8192)
