@@ -88,7 +88,7 @@ std::vector<std::string> cells(const PlanResult& result) {
           std::to_string(result.path->count),
           std::to_string(result.trajectory.count),
           fixed(figures.duration, 2),
-          fixed(figures.snap, 2),
+          fixed(figures.snap, figures.snap < 10000.0 ? 2 : 0),
           fixed(largest(figures.v_peak), 3),
           fixed(largest(figures.a_peak), 3),
           clearance_text(figures.clearance),
