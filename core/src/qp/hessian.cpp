@@ -9,6 +9,8 @@ namespace {
 
 /// beta' H^-1 beta below this part of its diagonal terms is lost in rounding. It only steers pricing.
 constexpr double kNormFloor = 1e-12;
+/// Stands for a length that overflowed: such a point is not constant, whatever else it is.
+constexpr double kNormCeiling = 1e300;
 
 void load_columns(const QpProblem& problem, QpSolver& solver) {
   const int n = problem.unknowns;
@@ -22,6 +24,7 @@ void eliminate(QpSolver& solver, int i) {
   const double* column = solver.factor[i];
   for (int d = 1; d <= kQpBand; ++d) {
     double* target = solver.factor[i + d];
+    if (!(absolute(column[d]) > 0.0)) continue;
     for (int e = 0; e <= kQpBand - d; ++e) target[e] -= column[d] * column[d + e];
   }
 }
@@ -131,8 +134,9 @@ double point_inverse_norm(const QpPoint& point, QpSolver& solver) {
     diagonal += beta * beta * row[0];
     coupling += beta * total;
   }
-  if (!(diagonal > 0.0)) return 0.0;
-  return 1.0 / square_root(larger(diagonal + 2.0 * coupling, kNormFloor * diagonal));
+  if (diagonal <= 0.0) return 0.0;
+  const double squared = larger(diagonal + 2.0 * coupling, kNormFloor * diagonal);
+  return 1.0 / square_root(finite(squared) ? squared : kNormCeiling);
 }
 
 }  // namespace tern::qp

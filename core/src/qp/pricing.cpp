@@ -85,7 +85,7 @@ double inverse_norm(const QpProblem& problem, QpSolver& solver, int point) {
 
 void consider(const QpProblem& problem, QpSolver& solver, int group, int point, double violation, Scan& scan) {
   solver.worst = larger(solver.worst, violation);
-  if (!(violation > kQpEntering) || scan.constant) return;
+  if (!(violation > kQpEntering) || !finite(violation) || scan.constant) return;
   const double inverse = inverse_norm(problem, solver, point);
   const bool constant = !(inverse > 0.0);
   const double distance = violation * inverse;
@@ -152,10 +152,11 @@ void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
 
 /// The first plane that the point violates most.
 int worst_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point) {
+  const Value at = evaluate(problem.points[point], solver);
   int plane = group.plane_begin;
   double worst = kNoViolation;
   for (int p = group.plane_begin; p < group.plane_end; ++p) {
-    const double violation = unit_violation(problem, solver, {point, p});
+    const double violation = violation_at(at, solver.planes[p]);
     if (violation > worst) {
       worst = violation;
       plane = p;

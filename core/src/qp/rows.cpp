@@ -13,18 +13,14 @@ constexpr double kLargeSquare = 1e200;
 /// A normal whose squared length is this close to 1 is unit.
 constexpr double kUnitTolerance = 1e-14;
 
-bool is_zero(double v) {
-  return !(absolute(v) > 0.0);
-}
-
 /// The axis that the unit normal lies along, -1 for none.
 int axis_of(const QpUnitPlane& plane) {
-  const bool x = is_zero(plane.normal[0]);
-  const bool y = is_zero(plane.normal[1]);
-  const bool z = is_zero(plane.normal[2]);
-  if (y && z) return 0;
-  if (x && z) return 1;
-  return x && y ? 2 : -1;
+  for (int a = 0; a < kQpAxes; ++a) {
+    if (absolute(plane.normal[a]) < 1.0) continue;
+    const double rest = absolute(plane.normal[(a + 1) % kQpAxes]) + absolute(plane.normal[(a + 2) % kQpAxes]);
+    return rest > 0.0 ? -1 : a;
+  }
+  return -1;
 }
 
 bool in_group(const QpGroup& group, const QpRow& row) {
@@ -67,9 +63,7 @@ bool prepare_planes(const QpProblem& problem, QpSolver& solver) {
 }
 
 double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row) {
-  const Value at = evaluate(problem.points[row.point], solver);
-  const QpUnitPlane& plane = solver.planes[row.plane];
-  return ((plane.normal[0] * at.low[0] + plane.normal[1] * at.low[1]) + plane.normal[2] * at.high[0]) - plane.offset;
+  return violation_at(evaluate(problem.points[row.point], solver), solver.planes[row.plane]);
 }
 
 bool is_row(const QpProblem& problem, const QpRow& row) {

@@ -19,12 +19,25 @@ struct Value {
 inline Value evaluate(const QpPoint& point, const QpSolver& solver) {
   Value value = {{point.offset.x, point.offset.y}, {point.offset.z, 0.0}};
   const double(*x)[4] = solver.x + point.first;
-  for (int t = 0; t < point.terms; ++t) {
-    const Pair factor = both(point.coefficient[t]);
-    value.low += factor * pair(x[t]);
-    value.high += factor * pair(x[t] + kPair);
+  const double* c = point.coefficient;
+  int t = 0;
+  // Two at a time: points of one joint have four terms, of two joints eight.
+  for (; t + 2 <= point.terms; t += 2) {
+    value.low += both(c[t]) * pair(x[t]);
+    value.high += both(c[t]) * pair(x[t] + kPair);
+    value.low += both(c[t + 1]) * pair(x[t + 1]);
+    value.high += both(c[t + 1]) * pair(x[t + 1] + kPair);
+  }
+  if (t < point.terms) {
+    value.low += both(c[t]) * pair(x[t]);
+    value.high += both(c[t]) * pair(x[t] + kPair);
   }
   return value;
+}
+
+/// normal . value - offset.
+inline double violation_at(const Value& at, const QpUnitPlane& plane) {
+  return ((plane.normal[0] * at.low[0] + plane.normal[1] * at.low[1]) + plane.normal[2] * at.high[0]) - plane.offset;
 }
 
 /// Makes the planes unit. False where a plane is not a number. A zero normal becomes a unit plane that is met, or
