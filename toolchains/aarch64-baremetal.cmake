@@ -17,6 +17,8 @@ set(tern_bare "-mcpu=cortex-a57 -mno-outline-atomics -fno-PIE -fno-stack-protect
 set(CMAKE_ASM_FLAGS_INIT "-mcpu=cortex-a57")
 set(CMAKE_C_FLAGS_INIT "${tern_bare}")
 set(CMAKE_CXX_FLAGS_INIT "${tern_bare} -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit")
+# After every library: the core needs libgcc's integer helpers, too.
+set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-lgcc")
 
 set(TERN_PORT "baremetal-aarch64" CACHE STRING "Platform folder under port/")
 # The image follows as -kernel's argument; whatever follows it goes to QEMU, e.g. -append "--each" for the image.

@@ -16,10 +16,12 @@ set(tern_bare "${tern_core_m7} -fno-stack-protector -fno-unwind-tables -fno-asyn
 set(CMAKE_ASM_FLAGS_INIT "${tern_core_m7}")
 set(CMAKE_C_FLAGS_INIT "${tern_bare}")
 set(CMAKE_CXX_FLAGS_INIT "${tern_bare} -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit")
+# After every library: the core needs libgcc's integer helpers, too.
+set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-lgcc")
 
 set(TERN_PORT "cortex-m7" CACHE STRING "Platform folder under port/")
 set(TERN_PROFILE "mcu" CACHE STRING "Capacity profile: tiny, mcu or companion")
 # The image follows as -kernel's argument; whatever follows it goes to QEMU, e.g. -append "--each" for the image.
 set(CMAKE_CROSSCOMPILING_EMULATOR
-  "timeout;-k;5;1200;qemu-system-arm;-M;mps2-an500;-nic;user,restrict=on,model=lan9118;-icount;shift=6;-nodefaults;-display;none;\
+  "timeout;-k;5;1200;qemu-system-arm;-M;mps2-an500;-icount;shift=6;-nodefaults;-display;none;\
 -chardev;stdio,id=sh;-semihosting-config;enable=on,target=native,chardev=sh;-kernel")

@@ -40,8 +40,8 @@ void start_counters() noexcept {
   asm volatile("isb");
 }
 
-// One wrap between two reads is seen by its overflow flag; 2^33 instructions without a read would lose one. The value
-// comes first: a wrap after it raises the flag, and the value is then read again.
+// A wrap between two reads is seen by its overflow flag. The value comes first: a wrap after it raises the flag, and
+// the value is then read again.
 std::uint64_t instructions() noexcept {
   std::uint64_t value;
   std::uint64_t overflow;

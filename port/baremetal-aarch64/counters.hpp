@@ -7,7 +7,8 @@
 
 namespace tern_board {
 
-/// Instructions retired since start-up (PMU event 0x08), widened to 64 bits; read it at least every 2^32 of them.
+/// Instructions retired since start-up (PMU event 0x08), widened to 64 bits; read it at least every 2^31 of them, for
+/// QEMU sees a 32-bit counter's overflow only where its top bit fell between two readings.
 std::uint64_t instructions() noexcept;
 
 /// Processor cycles since start-up (PMCCNTR_EL0). Under -icount shift=0 the same as instructions; on a chip, time.

@@ -14,14 +14,14 @@ target_compile_options(tern_board PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-mgeneral-re
   -Wshadow -fno-tree-loop-distribute-patterns $<$<BOOL:${TERN_WERROR}>:-Werror>>)
 set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/memory.cpp PROPERTIES COMPILE_OPTIONS -fno-builtin)
 
-# tern_add_image(NAME SOURCE...): an executable for the board. Only libgcc's integer helpers are linked: a stray
-# operator new, exception or printf is a link error.
+# tern_add_image(NAME SOURCE...): an executable for the board. Only libgcc's integer helpers are linked (the toolchain
+# file names them): a stray operator new, exception or printf is a link error.
 function(tern_add_image name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE tern_board gcc)
+  target_link_libraries(${name} PRIVATE tern_board)
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${TERN_WERROR}>:-Werror>)
   get_target_property(script tern_board TERN_LINKER_SCRIPT)
-  target_link_options(${name} PRIVATE -nostdlib -nostartfiles -static -no-pie -Wl,--gc-sections -Wl,--build-id=none -Wl,--fatal-warnings
-    -Wl,-Map=${CMAKE_CURRENT_BINARY_DIR}/${name}.map -T ${script})
+  target_link_options(${name} PRIVATE -nostdlib -nostartfiles -static -no-pie -Wl,--gc-sections -Wl,--build-id=none
+    -Wl,--fatal-warnings -Wl,-Map=${CMAKE_CURRENT_BINARY_DIR}/${name}.map -T ${script})
   set_target_properties(${name} PROPERTIES LINK_DEPENDS ${script})
 endfunction()

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""symbols.py NM ARCHIVE: contract C1 on the archive itself. Every undefined symbol must be the archive's own or on the
-allow-list, and there must be no writable data."""
+"""symbols.py NM ARCHIVE [SYMBOL...]: contract C1 on the archive itself. Every undefined symbol must be the archive's own,
+on the allow-list or one of the further ones given (a 32-bit processor's integer helpers), and there must be no writable
+data."""
 import subprocess
 import sys
 
@@ -10,6 +11,7 @@ ALLOWED = {"memcpy", "memset", "memmove", "memcmp", "sqrt", "_GLOBAL_OFFSET_TABL
 
 
 def main():
+    allowed = ALLOWED | set(sys.argv[3:])
     text = subprocess.run([sys.argv[1], sys.argv[2]], capture_output=True, text=True, check=True).stdout
     defined, undefined, writable = set(), set(), set()
     for line in text.splitlines():
@@ -23,12 +25,12 @@ def main():
             defined.add(name)
             if kind in "BbDdGgSsC":
                 writable.add(name)
-    foreign = sorted(undefined - defined - ALLOWED)
+    foreign = sorted(undefined - defined - allowed)
     for name in foreign:
         print(f"needs {name}, which is not on the allow-list")
     for name in sorted(writable):
         print(f"{name} is writable global data")
-    used = sorted((undefined - defined) & ALLOWED)
+    used = sorted((undefined - defined) & allowed)
     print(f"{len(defined)} symbols defined; from outside: {', '.join(used) or 'nothing'}")
     return 1 if foreign or writable or not defined else 0
 

@@ -1,0 +1,146 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The timing gate's image: plans every case of the corpus in one call, then again one unit of work at a time, and
+// prints as CSV what each stage and the longest unit counted. Lines that begin with # are notes. What the figures mean
+// and leave out is in docs/timing.md.
+#include <cstdint>
+
+#include "baremetal-aarch64/counters.hpp"
+#include "baremetal/board.hpp"
+#include "tern_port/port.hpp"
+#include "timing/cases.hpp"
+
+namespace {
+
+using tern_board::print;
+using tern_timing::Case;
+
+/// Grids up to 16 M voxels.
+constexpr std::size_t kGridWords = 2 * 16 * 1024 * 1024 / 64;
+
+TERN_BOARD_LARGE tern::Workspace workspace;
+TERN_BOARD_LARGE std::uint64_t words[kGridWords];
+tern::Trajectory trajectory;
+
+/// What a case cost beside the stages that the report counts.
+struct Cost {
+  std::uint64_t mark = 0;
+  std::uint64_t inflate = 0;
+  std::uint64_t plan = 0;             // the whole call
+  std::uint64_t path_unit = 0;        // the longest unit of search and shortcut
+  std::uint64_t corridor_unit = 0;    // of the corridor
+  std::uint64_t trajectory_unit = 0;  // of trajectory and check
+  std::size_t stack = 0;
+};
+
+std::int32_t cells(double extent, double resolution) {
+  const double exact = extent / resolution - tern::kLatticeTolerance;
+  const auto whole = static_cast<std::int32_t>(exact);
+  return static_cast<double>(whole) < exact ? whole + 1 : whole;
+}
+
+tern::GridSpec spec_of(const Case& input) {
+  const tern::Vec3& lower = input.boundary.lower;
+  const tern::Vec3& upper = input.boundary.upper;
+  tern::GridSpec spec{};
+  spec.origin = lower;
+  spec.cell = input.resolution;
+  spec.dims = {cells(upper.x - lower.x, spec.cell), cells(upper.y - lower.y, spec.cell),
+               cells(upper.z - lower.z, spec.cell)};
+  spec.boundary = input.boundary;
+  spec.radius = input.radius;
+  return spec;
+}
+
+tern::Status build(const Case& input, tern::Grid& grid, Cost& cost) {
+  const tern::Status status = grid.bind(spec_of(input), words, kGridWords);
+  if (status != tern::Status::kOk) return status;
+  const std::uint64_t begin = tern_board::counter();
+  for (int b = 0; b < input.block_count; ++b) grid.mark_box(input.blocks[b]);
+  const std::uint64_t marked = tern_board::counter();
+  grid.inflate();
+  cost.mark = marked - begin;
+  cost.inflate = tern_board::counter() - marked;
+  return status;
+}
+
+/// Each unit's count goes to the stage that it spends it in: a slice belongs to the stage that it began in.
+tern::Status plan_in_units(const Case& input, const tern::Grid& grid, tern::Planner& planner, tern::Report& report,
+                           Cost& cost) {
+  tern::Status status = planner.begin(grid, input.request);
+  while (status == tern::Status::kRunning) {
+    std::uint64_t& longest = planner.corridor() != nullptr ? cost.trajectory_unit
+                             : planner.path() != nullptr   ? cost.corridor_unit
+                                                           : cost.path_unit;
+    const std::uint64_t begin = tern_board::counter();
+    status = planner.step(1);
+    const std::uint64_t count = tern_board::counter() - begin;
+    if (count > longest) longest = count;
+  }
+  return planner.finish(trajectory, report);
+}
+
+tern::Status run(const Case& input, tern::Planner& planner, tern::Report& report, Cost& cost) {
+  tern::Grid grid;
+  const tern::Status status = build(input, grid, cost);
+  if (status != tern::Status::kOk) return status;
+  tern_board::paint_stack();
+  const std::uint64_t begin = tern_board::counter();
+  const tern::Status whole = planner.plan(grid, input.request, trajectory, report);
+  cost.plan = tern_board::counter() - begin;
+  cost.stack = tern_board::stack_used();
+  if (whole != tern::Status::kOk) return whole;
+  return plan_in_units(input, grid, planner, report, cost);
+}
+
+void row(const Case& input, const char* stage, std::uint64_t count, std::uint32_t work, std::uint32_t bound) {
+  print(input.name, ",", stage, ",", count, ",", work, ",", bound, "\n");
+}
+
+void report_case(const Case& input, tern::Status status, const tern::Report& report, const Cost& cost) {
+  const tern::HighWater& high = report.high_water;
+  print("# ", input.name, ": ", tern::status_name(status), ", optimiser ", tern::status_name(report.optimiser),
+        "; nodes ", high.nodes, " heap ", high.heap, " segments ", high.segments, " planes ", high.planes, " boxes ",
+        high.local_boxes, " active ", high.active, " iterations ", high.qp_iterations, " solves ", high.qp_solves,
+        " stack ", cost.stack, "\n");
+  row(input, "mark", cost.mark, static_cast<std::uint32_t>(input.block_count), 0);
+  row(input, "inflate", cost.inflate, 0, 0);
+  for (int s = 1; s < tern::kStageCount; ++s) {
+    const tern::StageReport& stage = report.stages[s];
+    row(input, tern::stage_name(static_cast<tern::Stage>(s)), stage.ticks, stage.work, stage.bound);
+  }
+  row(input, "plan", cost.plan, 0, 0);
+  row(input, "path unit", cost.path_unit, 1, 1);
+  row(input, "corridor unit", cost.corridor_unit, 1, 1);
+  row(input, "trajectory unit", cost.trajectory_unit, 1, 1);
+}
+
+/// Under -icount shift=0 a cycle is an instruction, and the cycle counter has 64 bits: where the two part, the
+/// instruction counter's overflow was missed and the figures are wrong.
+bool counters_agree() {
+  constexpr std::uint64_t kReading = 4096;
+  const std::uint64_t instructions = tern_board::instructions();
+  const bool agree = tern_board::cycles() - instructions < kReading;
+  if (!agree) print("# the counter lost an overflow: some stage took more than 2^31 instructions\n");
+  return agree;
+}
+
+}  // namespace
+
+int main() {
+  print("# ", tern_board::name(), ", ", tern_board::counter_unit(), "\n# compiler ", __VERSION__, "\n");
+  tern::Planner planner(&workspace, sizeof workspace);
+  planner.set_clock(tern_port::ticks, nullptr);
+  print("scenario,stage,count,work,bound\n");
+  bool all_planned = true;
+  for (int i = 0; i < tern_timing::kCaseCount; ++i) {
+    const Case& input = tern_timing::kCases[i];
+    tern::Report report{};
+    Cost cost;
+    const tern::Status status = run(input, planner, report, cost);
+    report_case(input, status, report, cost);
+    all_planned = all_planned && status == tern::Status::kOk;
+  }
+  return all_planned && counters_agree() ? 0 : 1;
+}
