@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/path_world.hpp"
+#include "support/reference_search.hpp"
 
 namespace {
 
@@ -52,7 +53,9 @@ TEST(TinySearch, SegmentsThenWaypointsRunOut) {
       EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
       ++waypoints_full;
     }
-    if (status == Status::kOk) EXPECT_LE(runner.path().count, tern::kMaxWaypoints);
+    if (status == Status::kOk) {
+      EXPECT_LE(runner.path().count, tern::kMaxWaypoints);
+    }
   }
   EXPECT_GT(segments_full, 0);
   EXPECT_GT(waypoints_full, 0);
@@ -96,6 +99,29 @@ TEST(TinySearch, HeapRunsOut) {
     ++full;
   }
   EXPECT_GT(full, 0);
+}
+
+// 24 x 24 rows of one word each are more than a turned copy holds here: scans along y and z go step by step.
+TEST(TinySearch, ScansWithoutTurnedCopiesFindTheSameCost) {
+  static_assert(24 * 24 > tern::kTurnedWords, "the map must not fit");
+  PathRunner runner;
+  Random random(64);
+  int solved = 0;
+  for (int k = 0; k < 500; ++k) {
+    VoxelWorld world({24, 24, 24});
+    for (int m = 0; m < 300; ++m) {
+      world.grid.mark_voxel({random.integer(0, 23), random.integer(0, 23), random.integer(0, 23)});
+    }
+    world.grid.inflate();
+    const Voxel start{random.integer(0, 23), random.integer(0, 23), random.integer(0, 23)};
+    // Near enough for the tiny capacities.
+    const Voxel goal{(start.x + random.integer(0, 6)) % 24, (start.y + random.integer(0, 6)) % 24,
+                     (start.z + random.integer(0, 6)) % 24};
+    if (runner.run(world.grid, start, goal) != Status::kOk) continue;
+    ASSERT_NEAR(runner.path().grid_length, tern_test::ReferenceSearch(world.grid).cost(start, goal), 1e-9);
+    ++solved;
+  }
+  EXPECT_GT(solved, 50);
 }
 
 TEST(TinySearch, OverflowIsTheSameInEverySlice) {

@@ -78,7 +78,9 @@ TEST(PathNodeStore, FindsWhatItHolds) {
     const auto [known, added] = reference.emplace(voxel, static_cast<std::uint32_t>(reference.size()));
     ASSERT_EQ(index, known->second);
     ASSERT_EQ(f.store->nodes[index].voxel, voxel);
-    if (added) ASSERT_EQ(f.store->nodes[index].arrivals, 0u);
+    if (added) {
+      ASSERT_EQ(f.store->nodes[index].arrivals, 0u);
+    }
   }
   EXPECT_EQ(f.store->count, reference.size());
 }

@@ -84,8 +84,12 @@ TEST(PathSight, AgreesWithBruteForceUpToRounding) {
       const bool sees = tern::line_of_sight(world.grid, a, b);
       // Safe: what is visible is clear even by a hair more than the margin; tight: what is not visible is not clear by
       // a hair more than the rounding allowance.
-      if (sees) ASSERT_FALSE(blocked_by_brute_force(world.grid, a, b, tern::kSightMargin));
-      if (!sees) ASSERT_TRUE(blocked_by_brute_force(world.grid, a, b, tern::kSightMargin + 1e-8));
+      if (sees) {
+        ASSERT_FALSE(blocked_by_brute_force(world.grid, a, b, tern::kSightMargin));
+      }
+      if (!sees) {
+        ASSERT_TRUE(blocked_by_brute_force(world.grid, a, b, tern::kSightMargin + 1e-8));
+      }
       seen += sees ? 1 : 0;
     }
   }
@@ -103,7 +107,9 @@ TEST(PathSight, RowsBeyondOneWord) {
     const Vec3 a = random_point({200, 4, 4}, random);
     const Vec3 b = random_point({200, 4, 4}, random);
     const bool blocked = blocked_by_brute_force(world.grid, a, b, tern::kSightMargin);
-    if (tern::line_of_sight(world.grid, a, b)) ASSERT_FALSE(blocked);
+    if (tern::line_of_sight(world.grid, a, b)) {
+      ASSERT_FALSE(blocked);
+    }
   }
 }
 
