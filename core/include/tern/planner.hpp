@@ -53,13 +53,14 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : std::uint8_t { kIdle, kPath, kCorridor, kTrajectory, kCheck, kDone };
+  enum class Phase : std::uint8_t { kIdle, kPath, kCorridor, kTimes, kTrajectory, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
   Status run_phase(Work& work) noexcept;
   Status run_path(Work& work) noexcept;
   Status run_corridor(Work& work) noexcept;
+  Status run_times() noexcept;
   Status run_trajectory(Work& work) noexcept;
   Status run_check(Work& work) noexcept;
   Stage stage_of_phase() const noexcept;

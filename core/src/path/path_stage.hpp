@@ -56,10 +56,10 @@ struct PathStage {
 /// The grid must be inflated and must not change until the stage ends.
 void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept;
 
-/// One unit of work is one expansion, one line that joins an end to the grid, or one line of sight. kRunning, or the
-/// end: kOk with `out` full; else kStartOccupied, kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull,
-/// kSegmentsFull (the raw path in `out` is whole), kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise.
-/// `out` must be the same object until then.
+/// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
+/// joins an end to the grid, or one line of sight. kRunning, or the end: kOk with `out` full; else kStartOccupied,
+/// kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull, kSegmentsFull (the raw path in `out` is whole),
+/// kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise. `out` must be the same object until then.
 ///
 /// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
 /// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of

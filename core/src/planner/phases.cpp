@@ -33,6 +33,8 @@ Stage Planner::stage_of_phase() const noexcept {
       return static_cast<const Layout*>(workspace_)->stage.path.stage;
     case Phase::kCorridor:
       return Stage::kCorridor;
+    case Phase::kTimes:
+      return Stage::kTimes;
     case Phase::kTrajectory:
       return Stage::kTrajectory;
     case Phase::kCheck:
@@ -55,12 +57,10 @@ void Planner::enter(Phase phase) noexcept {
     }
     case Phase::kCorridor:
       return corridor_begin(memory.stage.corridor, *grid_, memory.path, local_.budget.planes);
-    case Phase::kTrajectory: {
-      const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.budget.iterations};
-      return trajectory_begin(memory.stage.trajectory, memory.corridor, query);
-    }
     case Phase::kCheck:
       return check_begin(memory.stage.check);
+    case Phase::kTimes:
+    case Phase::kTrajectory:
     case Phase::kIdle:
     case Phase::kDone:
       break;
@@ -77,6 +77,9 @@ Status Planner::run_phase(Work& work) noexcept {
       break;
     case Phase::kCorridor:
       status = run_corridor(work);
+      break;
+    case Phase::kTimes:
+      status = run_times();
       break;
     case Phase::kTrajectory:
       status = run_trajectory(work);
@@ -128,8 +131,17 @@ Status Planner::run_corridor(Work& work) noexcept {
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
   if (status != Status::kOk) return end(Stage::kCorridor, status);
   has_corridor_ = true;
-  enter(Phase::kTrajectory);
+  enter(Phase::kTimes);
   return status;
+}
+
+Status Planner::run_times() noexcept {
+  Layout& memory = layout(workspace_);
+  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.budget.iterations};
+  trajectory_begin(memory.stage.trajectory, memory.corridor, query);
+  count(report_, Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kMaxSegments);
+  enter(Phase::kTrajectory);
+  return Status::kOk;
 }
 
 Status Planner::run_trajectory(Work& work) noexcept {

@@ -78,10 +78,10 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
 Status Planner::step(std::uint32_t work) noexcept {
   if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
   Work slice{work};
-  // Four phases follow one another; each ends the plan, ends the slice or enters the next.
+  // Five phases follow one another; each ends the plan, ends the slice or enters the next.
   while (phase_ != Phase::kDone) {
     if (grid_->revision() != revision_) return end(stage_of_phase(), Status::kMapChanged);
-    if (run_phase(slice) == Status::kRunning) return Status::kRunning;
+    if (run_phase(slice) == Status::kRunning && slice.left == 0) return Status::kRunning;
   }
   return status_;
 }
