@@ -114,7 +114,7 @@ constexpr double kLatticeTolerance = 1e-9;
 /// that polyhedra around it hold it with a margin and neighbours share a ball around a waypoint.
 constexpr double kSightMargin = 0.05;
 
-static_assert(kMaxCells <= (std::int64_t{1} << 31) - 64, "a voxel index is 32 bits");
+static_assert(kMaxCells <= std::int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");
 static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
 static_assert(kMaxNodes < (1 << 30) && kMaxHeap < (1 << 30), "node indices are 32 bits");
