@@ -54,7 +54,7 @@
 
 /// Segments of a trajectory, each with its polyhedron. Beyond it: Status::kSegmentsFull.
 #ifndef TERN_MAX_SEGMENTS
-#define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 16, 48)
+#define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 32, 48)
 #endif
 
 /// Half-spaces of one polyhedron, its six box faces included, 32 bytes each. Beyond it the
@@ -72,13 +72,13 @@
 /// Constraints active at once in the quadratic programme. The working set's factor is dense and
 /// thin: (12 * segments + this) * this * 8 bytes or so. Beyond it: Status::kWorkingSetFull.
 #ifndef TERN_MAX_ACTIVE
-#define TERN_MAX_ACTIVE TERN_DEFAULT(12, 96, 192)
+#define TERN_MAX_ACTIVE TERN_DEFAULT(12, 192, 192)
 #endif
 
 /// Iterations of one quadratic programme: the bound that its worst-case time is measured at.
 /// Beyond it: Status::kIterationLimit.
 #ifndef TERN_MAX_QP_ITERATIONS
-#define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 400, 1500)
+#define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 1500)
 #endif
 
 /// Quadratic programmes solved for one plan: first solution, stretches and refinements together.
