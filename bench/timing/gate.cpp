@@ -65,9 +65,8 @@ tern::Status build(const Case& input, tern::Grid& grid, Cost& cost) {
   return status;
 }
 
-/// Each unit's count goes to the stage that it spends it in: a slice belongs to the stage that it began in.
-tern::Status plan_in_units(const Case& input, const tern::Grid& grid, tern::Planner& planner, tern::Report& report,
-                           Cost& cost) {
+/// Finds the longest units; a slice belongs to the stage that it began in.
+tern::Status plan_in_units(const Case& input, const tern::Grid& grid, tern::Planner& planner, Cost& cost) {
   tern::Status status = planner.begin(grid, input.request);
   while (status == tern::Status::kRunning) {
     std::uint64_t& longest = planner.corridor() != nullptr ? cost.trajectory_unit
@@ -78,6 +77,7 @@ tern::Status plan_in_units(const Case& input, const tern::Grid& grid, tern::Plan
     const std::uint64_t count = tern_board::counter() - begin;
     if (count > longest) longest = count;
   }
+  tern::Report report;
   return planner.finish(trajectory, report);
 }
 
@@ -91,7 +91,7 @@ tern::Status run(const Case& input, tern::Planner& planner, tern::Report& report
   cost.plan = tern_board::counter() - begin;
   cost.stack = tern_board::stack_used();
   if (whole != tern::Status::kOk) return whole;
-  return plan_in_units(input, grid, planner, report, cost);
+  return plan_in_units(input, grid, planner, cost);
 }
 
 void row(const Case& input, const char* stage, std::uint64_t count, std::uint32_t work, std::uint32_t bound) {

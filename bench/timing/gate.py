@@ -15,7 +15,7 @@ HEADROOM = 1.10
 SLACK = 0.70
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
-STAGES = ["mark", "inflate", "search", "shortcut", "corridor", "trajectory", "check", "plan"]
+STAGES = ["mark", "inflate", "search", "shortcut", "corridor", "times", "trajectory", "check", "plan"]
 UNITS = ["path unit", "corridor unit", "trajectory unit"]
 
 
