@@ -19,14 +19,6 @@ struct Work {
   }
 };
 
-/// Counts a stage's units against the caller's budget for the whole plan.
-struct Meter {
-  std::uint32_t used = 0;
-  std::uint32_t allowed = 0;
-
-  bool spent() const noexcept { return used >= allowed; }
-};
-
 }  // namespace tern
 
 #endif
