@@ -45,6 +45,9 @@ Status search_expand(Search& search, const Grid& grid) noexcept;
 /// path.grid_length. Leaves room for `reserve` more points: kOk or kWaypointsFull. Once, after kOk.
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
 
+/// The cost of the path found. Only after kOk, before or after search_extract.
+Cost search_cost(Search& search, const Grid& grid) noexcept;
+
 /// A node's voxel.
 inline Voxel voxel_at(const Grid& grid, std::uint32_t index) noexcept {
   const auto nx = static_cast<std::uint32_t>(grid.spec().dims.x);

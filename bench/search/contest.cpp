@@ -1,0 +1,75 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "search/contest.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace tern_bench {
+namespace {
+
+/// A query that took longer than this is not repeated more than kLongRepetitions times.
+constexpr double kLongQuery = 200e3;
+constexpr int kLongRepetitions = 3;
+
+/// Processor time of this thread, microseconds: other work on the machine counts only by what it does to the caches.
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) * 1e6 + static_cast<double>(t.tv_nsec) * 1e-3;
+}
+
+template <typename Run>
+double timed(Run run) {
+  const double begin = now();
+  run();
+  return now() - begin;
+}
+
+tern::Status run_tern(tern::Search& search, const tern::Grid& grid, const Query& query) {
+  tern::search_begin(search, grid, query.start, query.goal);
+  tern::Status status = tern::Status::kRunning;
+  while (status == tern::Status::kRunning) status = tern::search_expand(search, grid);
+  return status;
+}
+
+}  // namespace
+
+Contest::Contest(std::string set, int repetitions) : repetitions_(repetitions), search_(new tern::Search) {
+  outcome_.set = std::move(set);
+  outcome_.least_ratio = std::numeric_limits<double>::infinity();
+}
+
+void Contest::add(const World& world, const std::vector<Query>& queries) {
+  PlainAStar astar(world.grid);
+  for (const Query& query : queries) add_query(world.grid, astar, query);
+}
+
+void Contest::add_query(const tern::Grid& grid, PlainAStar& astar, const Query& query) {
+  double astar_time = std::numeric_limits<double>::infinity();
+  double tern_time = astar_time;
+  bool found = false;
+  tern::Status status = tern::Status::kOk;
+  // The two take turns, so that neither has the quieter machine.
+  for (int k = 0; k < repetitions_ && (k < kLongRepetitions || astar_time < kLongQuery); ++k) {
+    astar_time = std::min(astar_time, timed([&] { found = astar.run(query.start, query.goal); }));
+    tern_time = std::min(tern_time, timed([&] { status = run_tern(*search_, grid, query); }));
+  }
+  if (!found && status == tern::Status::kNoPath) {
+    ++outcome_.unsolved;
+    return;
+  }
+  const bool equal = found && status == tern::Status::kOk && tern::search_cost(*search_, grid) == astar.cost();
+  if (!equal) ++outcome_.wrong;
+  outcome_.astar.times.push_back(astar_time);
+  outcome_.astar.expanded += astar.expanded();
+  outcome_.tern.times.push_back(tern_time);
+  outcome_.tern.expanded += search_->expanded;
+  outcome_.least_ratio = std::min(outcome_.least_ratio, astar_time / tern_time);
+  outcome_.nodes = std::max(outcome_.nodes, search_->store.count);
+  outcome_.heap = std::max(outcome_.heap, search_->open.high);
+}
+
+}  // namespace tern_bench

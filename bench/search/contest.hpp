@@ -1,0 +1,56 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tern's search and the plain A*, one query after the other, side by side.
+#ifndef TERN_BENCH_CONTEST_HPP
+#define TERN_BENCH_CONTEST_HPP
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "baselines/plain_astar.hpp"
+#include "path/search.hpp"
+#include "search/worlds.hpp"
+
+namespace tern_bench {
+
+/// One searcher on one set of queries. Times are the least processor time of each query's repetitions, microseconds.
+struct Tally {
+  std::vector<double> times;
+  std::uint64_t expanded = 0;  ///< over all queries
+};
+
+/// Both on one set.
+struct Outcome {
+  std::string set;
+  Tally astar;
+  Tally tern;
+  int unsolved = 0;          ///< queries without a path, by both; they are not counted otherwise
+  int wrong = 0;             ///< queries whose verdicts or costs differ
+  double least_ratio = 0.0;  ///< A*'s time over Tern's, of the query where Tern does worst
+  std::uint32_t nodes = 0;   ///< most nodes of one query
+  std::int32_t heap = 0;     ///< most open entries of one query
+};
+
+/// Runs queries on both and tells the outcome.
+class Contest {
+ public:
+  /// `repetitions` of every query, fewer where one takes long.
+  Contest(std::string set, int repetitions);
+
+  void add(const World& world, const std::vector<Query>& queries);
+  const Outcome& outcome() const { return outcome_; }
+
+ private:
+  void add_query(const tern::Grid& grid, PlainAStar& astar, const Query& query);
+
+  int repetitions_;
+  Outcome outcome_;
+  std::unique_ptr<tern::Search> search_;
+};
+
+}  // namespace tern_bench
+
+#endif
