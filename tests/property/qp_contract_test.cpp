@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "support/qp_random.hpp"
+#include "support/random_corridor.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ using namespace tern_test;
 /// Programmes of every kind: loose, tight, contradictory, corridors.
 void make_programme(Random& random, QpBench& bench) {
   if (random.chance(0.2)) {
-    CorridorQp(random_corridor(random, random.integer(1, 6), 3.0), false).assemble(*bench.problem);
+    tern_host::CorridorProgramme(random_corridor(random, random.integer(1, 6), 3.0), false).assemble(*bench.problem);
     return;
   }
   QpRecipe recipe;

@@ -3,9 +3,9 @@
 //
 // Every answer is judged without the solver: a point with small KKT residuals is optimal, a Farkas certificate is a
 // proof, and small programmes are solved again by trying every active set.
-#include "support/qp_random.hpp"
-
 #include <gtest/gtest.h>
+
+#include "support/random_corridor.hpp"
 
 namespace {
 
@@ -109,7 +109,7 @@ TEST(QpRandom, CorridorsWithUnequalDurationsAreSolved) {
   Random random(14);
   QpBench bench;
   for (int n = 0; n < scaled(400); ++n) {
-    CorridorQp(random_corridor(random, random.integer(2, 10), 30.0), false).assemble(*bench.problem);
+    tern_host::CorridorProgramme(random_corridor(random, random.integer(2, 10), 30.0), false).assemble(*bench.problem);
     const Status status = bench.solve();
     ASSERT_EQ(status, Status::kOk) << "corridor " << n;
     expect_proven(bench, status);
@@ -124,7 +124,7 @@ TEST(QpRandom, DurationsFourDecadesApartAreSolvedOrDeclined) {
   int solved = 0;
   const int cases = scaled(400);
   for (int n = 0; n < cases; ++n) {
-    CorridorQp(random_corridor(random, random.integer(2, 10), 1e4), false).assemble(*bench.problem);
+    tern_host::CorridorProgramme(random_corridor(random, random.integer(2, 10), 1e4), false).assemble(*bench.problem);
     const Status status = bench.solve();
     ASSERT_TRUE(status == Status::kOk || status == Status::kNumerical) << "corridor " << n;
     if (status == Status::kOk) {

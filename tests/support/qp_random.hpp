@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/corridor_qp_case.hpp"
 #include "support/qp_dense.hpp"
 #include "support/random.hpp"
 
@@ -133,34 +132,6 @@ inline void random_programme(Random& random, const QpRecipe& recipe, QpBench& be
     random_planes(random, recipe, inside, bench);
     bench.add_group(point_begin, bench.problem->point_count, plane_begin, bench.problem->plane_count);
   }
-}
-
-/// A walk of boxes that overlap, with segment durations up to `ratio` apart.
-inline CorridorQpCase random_corridor(Random& random, int segments, double ratio) {
-  CorridorQpCase c;
-  c.segments = segments;
-  c.v_max = 1e6;
-  c.a_max = 1e9;
-  c.waypoints.push_back({0.0, 0.0, 0.0});
-  for (int s = 0; s < segments; ++s) {
-    const tern::Vec3 from = c.waypoints.back();
-    const tern::Vec3 way = random_unit(random);
-    const double length = random.real(0.5, 3.0);
-    const tern::Vec3 to{from.x + length * way.x, from.y + length * way.y, from.z + length * way.z};
-    c.waypoints.push_back(to);
-    c.durations.push_back(std::pow(ratio, random.unit()));
-    std::vector<tern::Halfspace> planes;
-    for (const double side : {1.0, -1.0}) {
-      const double margin = random.real(0.05, 0.6);
-      planes.push_back({{side, 0, 0}, std::max(side * from.x, side * to.x) + margin});
-      planes.push_back({{0, side, 0}, std::max(side * from.y, side * to.y) + margin});
-      planes.push_back({{0, 0, side}, std::max(side * from.z, side * to.z) + margin});
-    }
-    c.corridor.push_back(planes);
-  }
-  c.start[0] = c.waypoints.front();
-  c.goal = c.waypoints.back();
-  return c;
 }
 
 }  // namespace tern_test

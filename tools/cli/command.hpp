@@ -11,11 +11,12 @@
 namespace tern_cli {
 
 constexpr int kExitOk = 0;
-constexpr int kExitBadInput = 2;  ///< wrong usage, a bad scenario file, or an output that cannot be written
+constexpr int kExitBadInput = 2;  ///< wrong usage, a bad file, or an output that cannot be written
 constexpr int kExitNoPlan = 3;    ///< the planner answered, and the answer is no
 
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_table_command(CLI::App& app, int& exit_status);
+void add_solve_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli
 

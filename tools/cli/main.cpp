@@ -38,13 +38,15 @@ std::vector<std::string> reversed_arguments(int argc, char** argv) {
 int run(int argc, char** argv) {
   CLI::App app("Tern plans safe, smooth trajectories for multirotors through maps of obstacles.", "tern");
   app.footer(
-      "Exit status: 0 where there is a plan, 2 for wrong usage or a bad file, 3 where there is no plan.\n"
+      "Exit status: 0 where there is a plan, 2 for wrong usage or a bad file, 3 where there is no plan (solve: no "
+      "verdict).\n"
       "`tern COMMAND --help` explains a command; docs/tools.md and docs/formats.md explain all of them.");
   app.set_version_flag("--version", version_text(), "Print version, capacity profile and configuration hash");
   app.require_subcommand(1);
   int exit_status = tern_cli::kExitOk;
   tern_cli::add_plan_command(app, exit_status);
   tern_cli::add_table_command(app, exit_status);
+  tern_cli::add_solve_command(app, exit_status);
   try {
     app.parse(reversed_arguments(argc, argv));
   } catch (const CLI::ParseError& error) {

@@ -6,38 +6,19 @@
 #define TERN_HOST_SCENARIO_HPP
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "host/text_records.hpp"
 #include "tern/request.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern_host {
 
-/// Larger input is refused before it is parsed.
-constexpr std::size_t kMaxScenarioBytes = std::size_t{64} * 1024 * 1024;
-constexpr std::size_t kMaxLineBytes = 4096;
 constexpr std::size_t kMaxBlocks = 200000;
 
-/// Where a value was written. `line` counts from 1; 0 for what has no lines, such as an option.
-struct Place {
-  std::string file;
-  int line = 0;
-};
-
-/// What is wrong with a scenario and where; what() reads "file:line: reason".
-class ScenarioError : public std::runtime_error {
- public:
-  ScenarioError(const Place& place, const std::string& reason);
-
-  const Place& place() const noexcept { return place_; }
-  const std::string& reason() const noexcept { return reason_; }
-
- private:
-  Place place_;
-  std::string reason_;
-};
+/// What is wrong with a scenario and where.
+using ScenarioError = RecordError;
 
 /// A solid cuboid; world frame, metres.
 struct Block {
@@ -64,7 +45,7 @@ struct Scenario {
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::vector<std::string>& overrides = {});
 
-/// Reads and parses a file of at most kMaxScenarioBytes. Throws ScenarioError.
+/// Reads and parses a file of at most kMaxTextBytes. Throws ScenarioError.
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {});
 
 }  // namespace tern_host

@@ -7,39 +7,6 @@
 namespace tern_host {
 namespace {
 
-constexpr std::size_t kQuotedBytes = 40;
-
-/// A word of the file for a message: hostile bytes and lengths must not reach the terminal.
-std::string quote(const std::string& word) {
-  std::string out = "'";
-  for (const char c : word.substr(0, kQuotedBytes)) out += c >= 0x20 && c < 0x7F ? c : '?';
-  return out + (word.size() > kQuotedBytes ? "...'" : "'");
-}
-
-double number(const std::string& word, const Place& place) {
-  double value = 0.0;
-  switch (parse_number(word, value)) {
-    case NumberError::kNone:
-      break;
-    case NumberError::kMalformed:
-      throw ScenarioError(place, quote(word) + " is not a number");
-    case NumberError::kNotFinite:
-      throw ScenarioError(place, quote(word) + " is not a finite number");
-  }
-  return value;
-}
-
-std::vector<double> numbers(const std::vector<std::string>& words, const Place& place) {
-  std::vector<double> values;
-  for (std::size_t i = 1; i < words.size(); ++i) values.push_back(number(words[i], place));
-  return values;
-}
-
-[[noreturn]] void throw_count(const std::string& key, const std::string& wanted, std::size_t found,
-                              const Place& place) {
-  throw ScenarioError(place, "'" + key + "' needs " + wanted + ", found " + std::to_string(found));
-}
-
 tern::Box box(const std::vector<double>& v, const std::string& key, const Place& place) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (v[a] <= v[a + 3]) continue;
@@ -54,11 +21,6 @@ std::string first_given(const Place& place) {
 }
 
 }  // namespace
-
-ScenarioError::ScenarioError(const Place& place, const std::string& reason)
-    : std::runtime_error(place.file + (place.line > 0 ? ":" + std::to_string(place.line) : "") + ": " + reason),
-      place_(place),
-      reason_(reason) {}
 
 ScenarioBuilder::ScenarioBuilder(const std::string& name) {
   scenario_.name = name;
