@@ -176,6 +176,49 @@ TEST(RequestFault, InvalidLimits) {  // F11
   }
 }
 
+TEST(RequestFault, InvalidLowerAndHorizontalLimits) {  // F11
+  const struct {
+    Field field;
+    double& (*limit)(tern::Limits&);
+    double sign;
+  } limits[] = {{Field::kVMin, [](tern::Limits& l) -> double& { return l.v_min.z; }, -1.0},
+                {Field::kAMin, [](tern::Limits& l) -> double& { return l.a_min.y; }, -1.0},
+                {Field::kVHorizontal, [](tern::Limits& l) -> double& { return l.v_horizontal; }, 1.0},
+                {Field::kAHorizontal, [](tern::Limits& l) -> double& { return l.a_horizontal; }, 1.0}};
+  for (const auto& entry : limits) {
+    for (const double bad : {-1.0, 5e-324, 1e300, 1001.0}) {
+      World world = open_world();
+      entry.limit(world.request.limits) = entry.sign * bad;
+      EXPECT_EQ(world.plan(), Status::kLimitsInvalid) << bad;
+      EXPECT_EQ(world.report.field, entry.field);
+      EXPECT_TRUE(world.trajectory_untouched());
+    }
+    for (const double value : {0.0, -0.0, entry.sign * 1.5}) {
+      World world = open_world();
+      entry.limit(world.request.limits) = value;
+      EXPECT_EQ(world.plan(), Status::kOk) << value;
+    }
+    World world = open_world();
+    entry.limit(world.request.limits) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(world.plan(), Status::kNonFiniteInput);
+    EXPECT_EQ(world.report.field, entry.field);
+  }
+}
+
+TEST(RequestFault, BoundaryStatesBeyondLowerAndHorizontalLimits) {  // F12
+  World world = open_world();
+  world.request.limits.v_min.z = -0.5;
+  world.request.start.velocity.z = -0.6;
+  EXPECT_EQ(world.plan(), Status::kStartExceedsLimits);
+  EXPECT_EQ(world.report.field, Field::kStartVelocity);
+  world.request.start.velocity.z = 0.6;
+  EXPECT_EQ(world.plan(), Status::kOk);
+  world.request.limits.a_horizontal = 1.0;
+  world.request.goal.acceleration = {0.8, 0.8, 0.0};
+  EXPECT_EQ(world.plan(), Status::kGoalExceedsLimits);
+  EXPECT_EQ(world.report.field, Field::kGoalAcceleration);
+}
+
 TEST(RequestFault, LimitsAtTheEndsOfTheirRange) {  // F11
   for (const double limit : {tern::kMinLimit, tern::kMaxLimit}) {
     World world = open_world();

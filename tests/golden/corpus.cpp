@@ -84,6 +84,13 @@ void random_scenario(int index, Scenario& out) {
   if (index % 4 == 3) out.request.start.velocity = random_vector(random, 0.5 * v);
 }
 
+void make_limits_uneven(int index, tern::Limits& limits) {
+  limits.v_min.z = -0.5 * limits.v_max.z;
+  limits.a_min.z = -0.75 * limits.a_max.z;
+  if (index % 2 == 0) limits.v_horizontal = limits.v_max.x;
+  if (index % 3 == 0) limits.a_horizontal = limits.a_max.x;
+}
+
 void add(std::uint64_t& hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x100000001B3u;
 }
@@ -115,6 +122,7 @@ bool scenario(int index, Scenario& out) {
     out = kMaps[index];
   } else {
     random_scenario(index - kMapCount, out);
+    if (index >= kMapCount + kRandomCount) make_limits_uneven(index, out.request.limits);
   }
   return true;
 }

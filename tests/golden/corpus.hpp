@@ -16,7 +16,8 @@ namespace tern_golden {
 constexpr int kMaxBlocks = 32;
 constexpr int kMapCount = 6;
 constexpr int kRandomCount = 240;
-constexpr int kScenarioCount = kMapCount + kRandomCount;
+constexpr int kUnevenCount = 40;  ///< random ones with different limits up and down, and on the horizontal norm
+constexpr int kScenarioCount = kMapCount + kRandomCount + kUnevenCount;
 
 /// A scenario as its file would say it. World frame, SI units.
 struct Scenario {

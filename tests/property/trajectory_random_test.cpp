@@ -43,21 +43,34 @@ class RandomCorridors : public testing::Test {
       }
     }
   }
-  void expect_limits(const Limits& limits) const {
-    double v = 0.0, a = 0.0;
+  /// The highest parts of the velocity and of the acceleration limits that dense samples use.
+  struct Use {
+    double v = 0.0;
+    double a = 0.0;
+  };
+  Use sampled_use(const Limits& limits) const {
+    Use use;
     const double end = duration(plan_);
     const int steps = 60 * plan_.count;
     for (int i = 0; i <= steps; ++i) {
       const Sample s = evaluate(plan_, end * i / steps);
-      v = std::fmax(
-          v, std::fmax(std::fmax(std::fabs(s.velocity.x) / limits.v_max.x, std::fabs(s.velocity.y) / limits.v_max.y),
-                       std::fabs(s.velocity.z) / limits.v_max.z));
-      a = std::fmax(a, std::fmax(std::fmax(std::fabs(s.acceleration.x) / limits.a_max.x,
-                                           std::fabs(s.acceleration.y) / limits.a_max.y),
-                                 std::fabs(s.acceleration.z) / limits.a_max.z));
+      use.v = std::fmax(use.v, part(s.velocity, limits.v_max, limits.v_min, limits.v_horizontal));
+      use.a = std::fmax(use.a, part(s.acceleration, limits.a_max, limits.a_min, limits.a_horizontal));
     }
-    EXPECT_LE(v, 1.0 + 1e-8);
-    EXPECT_LE(a, 1.0 + 1e-8);
+    return use;
+  }
+  static double part(const Vec3& v, const Vec3& most, const Vec3& least, double horizontal) {
+    const auto side = [](double x, double upper, double lower) {
+      return std::fabs(x) / (x < 0.0 && lower < 0.0 ? -lower : upper);
+    };
+    const double box =
+        std::fmax(std::fmax(side(v.x, most.x, least.x), side(v.y, most.y, least.y)), side(v.z, most.z, least.z));
+    return horizontal > 0.0 ? std::fmax(box, std::hypot(v.x, v.y) / horizontal) : box;
+  }
+  void expect_limits(const Limits& limits) const {
+    const Use use = sampled_use(limits);
+    EXPECT_LE(use.v, 1.0 + 1e-8);
+    EXPECT_LE(use.a, 1.0 + 1e-8);
   }
   void expect_joints() const {
     double at = 0.0;
@@ -147,6 +160,38 @@ TEST_F(RandomCorridors, MovingEndsAreMetWhereThereIsAPlan) {
     expect_good(query);
   }
   EXPECT_GE(planned, cases * 6 / 10);
+}
+
+TEST_F(RandomCorridors, UnevenLimitsHoldAndAreReached) {
+  tern_test::Random random(5);
+  for (int i = 0; i < tern_test::scaled(300); ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.05);
+    TrajectoryQuery query = query_at_rest(random);
+    query.limits = tern_test::random_uneven_limits(random);
+    ASSERT_EQ(plan(query), Status::kOk) << i;
+    expect_good(query);
+    const Use use = sampled_use(query.limits);
+    EXPECT_GE(std::fmax(use.v, use.a), 0.95) << i;
+  }
+}
+
+TEST_F(RandomCorridors, UnevenLimitsHoldFromMovingStarts) {
+  tern_test::Random random(6);
+  int planned = 0;
+  const int cases = tern_test::scaled(150);
+  for (int i = 0; i < cases; ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 1.0);
+    TrajectoryQuery query = query_at_rest(random);
+    query.limits = tern_test::random_uneven_limits(random);
+    query.start.velocity = part_of(random, {0.5, 0.5, 0.3}, 0.6);
+    query.goal.velocity = part_of(random, {0.5, 0.5, 0.3}, 0.6);
+    const Status status = plan(query);
+    ASSERT_TRUE(status == Status::kOk || status == Status::kNoTrajectory);
+    if (status != Status::kOk) continue;
+    ++planned;
+    expect_good(query);
+  }
+  EXPECT_GE(planned, cases * 9 / 10);
 }
 
 TEST_F(RandomCorridors, VeryUnequalLegs) {

@@ -48,6 +48,16 @@ inline tern::Limits random_limits(Random& random) {
           {random.real(0.5, 5.0), random.real(0.5, 5.0), random.real(0.5, 3.0)}};
 }
 
+/// Different limits up and down, and a horizontal norm that cuts the corners of the axes' box.
+inline tern::Limits random_uneven_limits(Random& random) {
+  tern::Limits limits = random_limits(random);
+  limits.v_min = {0.0, 0.0, -random.real(0.3, 3.0)};
+  limits.a_min = {-random.real(0.5, 5.0), 0.0, -random.real(0.3, 3.0)};
+  if (random.chance(0.7)) limits.v_horizontal = random.real(0.5, 4.0);
+  if (random.chance(0.7)) limits.a_horizontal = random.real(0.5, 4.0);
+  return limits;
+}
+
 }  // namespace tern_test
 
 #endif

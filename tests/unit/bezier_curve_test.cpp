@@ -11,27 +11,69 @@ namespace {
 
 using namespace tern;
 
-double bernstein(const Curve& curve, double u) {
-  double sum = 0.0;
+constexpr Bounds kUnit{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, 0.0};
+
+void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+Vec3 bernstein(const Curve& curve, double u) {
+  Vec3 sum{0.0, 0.0, 0.0};
   double binomial = 1.0;
   for (int i = 0; i <= curve.degree; ++i) {
-    sum += curve.c[i] * binomial * std::pow(u, i) * std::pow(1.0 - u, curve.degree - i);
+    sum = sum + (binomial * std::pow(u, i) * std::pow(1.0 - u, curve.degree - i)) * curve.c[i];
     binomial = binomial * (curve.degree - i) / (i + 1);
   }
   return sum;
 }
 
+Vec3 random_point(tern_test::Random& random) {
+  return {random.real(-5.0, 5.0), random.real(-5.0, 5.0), random.real(-5.0, 5.0)};
+}
+
 Curve random_curve(tern_test::Random& random) {
   Curve curve{};
   curve.degree = random.integer(1, kDegree);
-  for (int i = 0; i <= curve.degree; ++i) curve.c[i] = random.real(-5.0, 5.0);
+  for (int i = 0; i <= curve.degree; ++i) curve.c[i] = random_point(random);
   return curve;
 }
 
-double sampled_peak(const Curve& curve, int steps) {
+/// Different limits up and down on every axis, and in half of the cases on the horizontal norm.
+Bounds random_bounds(tern_test::Random& random) {
+  const Vec3 lower{random.real(-4.0, -0.5), random.real(-4.0, -0.5), random.real(-4.0, -0.5)};
+  const Vec3 upper{random.real(0.5, 4.0), random.real(0.5, 4.0), random.real(0.5, 4.0)};
+  return {lower, upper, random.chance(0.5) ? random.real(0.5, 4.0) : 0.0};
+}
+
+double sampled_peak(const Curve& curve, const Bounds& bounds, int steps) {
   double peak = 0.0;
-  for (int i = 0; i <= steps; ++i) peak = std::fmax(peak, std::fabs(value(curve, static_cast<double>(i) / steps)));
+  for (int i = 0; i <= steps; ++i) {
+    peak = std::fmax(peak, gauge(bounds, value(curve, static_cast<double>(i) / steps)));
+  }
   return peak;
+}
+
+TEST(Gauge, TakesTheLimitOfEachSideAndOfTheHorizontalNorm) {
+  const Bounds bounds{{-2.0, -2.0, -1.0}, {2.0, 2.0, 4.0}, 0.0};
+  EXPECT_EQ(gauge(bounds, {0.0, 0.0, 2.0}), 0.5);
+  EXPECT_EQ(gauge(bounds, {0.0, 0.0, -2.0}), 2.0);
+  EXPECT_EQ(gauge(bounds, {1.5, -2.0, 0.0}), 1.0);
+  EXPECT_EQ(gauge({bounds.lower, bounds.upper, 2.0}, {1.5, -2.0, 0.0}), 1.25);
+  EXPECT_EQ(gauge(bounds, {0.0, 0.0, 0.0}), 0.0);
+}
+
+TEST(Bounds, ALowerLimitOfZeroIsTheUpperOnesOpposite) {
+  Limits limits{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
+  limits.v_min.z = -0.5;
+  const Bounds velocity = velocity_bounds(limits);
+  expect_near(velocity.lower, {-1.0, -2.0, -0.5}, 0.0);
+  expect_near(velocity.upper, {1.0, 2.0, 3.0}, 0.0);
+  expect_near(acceleration_bounds(limits).lower, {-4.0, -5.0, -6.0}, 0.0);
+  const Bounds reversed = velocity_bounds(backwards(limits));
+  expect_near(reversed.lower, {-1.0, -2.0, -3.0}, 0.0);
+  expect_near(reversed.upper, {1.0, 2.0, 0.5}, 0.0);
 }
 
 TEST(Curve, ValueIsTheBernsteinSum) {
@@ -39,26 +81,26 @@ TEST(Curve, ValueIsTheBernsteinSum) {
   for (int i = 0; i < tern_test::scaled(500); ++i) {
     const Curve curve = random_curve(random);
     const double u = random.unit();
-    EXPECT_NEAR(value(curve, u), bernstein(curve, u), 1e-12);
+    expect_near(value(curve, u), bernstein(curve, u), 1e-12);
   }
 }
 
 TEST(Curve, EndsAreExact) {
-  const Curve curve{{0.1, 0.7, -0.3, 0.2, 0.0, 0.0, 0.0, 0.0}, 3};
-  EXPECT_EQ(value(curve, 0.0), 0.1);
-  EXPECT_EQ(value(curve, 1.0), 0.2);
+  const Curve curve{{{0.1, 0.3, 0.7}, {0.7, 1.0, 1.0}, {-0.3, 2.0, 1.0}, {0.2, 0.9, -0.7}}, 3};
+  expect_near(value(curve, 0.0), {0.1, 0.3, 0.7}, 0.0);
+  expect_near(value(curve, 1.0), {0.2, 0.9, -0.7}, 0.0);
 }
 
 TEST(Curve, HodographOfAParabola) {
   // p(u) = u^2 over two seconds: v = 2 u / 2, a = 2 / 4.
-  const Curve parabola{{0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 2};
+  const Curve parabola{{{}, {}, {1.0, 0.0, -1.0}}, 2};
   const Curve velocity = hodograph(parabola, 2.0);
   ASSERT_EQ(velocity.degree, 1);
-  EXPECT_EQ(velocity.c[0], 0.0);
-  EXPECT_EQ(velocity.c[1], 1.0);
+  expect_near(velocity.c[0], {0.0, 0.0, 0.0}, 0.0);
+  expect_near(velocity.c[1], {1.0, 0.0, -1.0}, 0.0);
   const Curve acceleration = hodograph(velocity, 2.0);
   ASSERT_EQ(acceleration.degree, 0);
-  EXPECT_EQ(acceleration.c[0], 0.5);
+  expect_near(acceleration.c[0], {0.5, 0.0, -0.5}, 0.0);
 }
 
 TEST(Curve, HalvesAreTheCurve) {
@@ -68,26 +110,28 @@ TEST(Curve, HalvesAreTheCurve) {
     Curve first = curve;
     const Curve second = split(first);
     const double u = random.unit();
-    EXPECT_NEAR(value(first, u), value(curve, 0.5 * u), 1e-12);
-    EXPECT_NEAR(value(second, u), value(curve, 0.5 + 0.5 * u), 1e-12);
-    EXPECT_EQ(first.c[first.degree], second.c[0]);
+    expect_near(value(first, u), value(curve, 0.5 * u), 1e-12);
+    expect_near(value(second, u), value(curve, 0.5 + 0.5 * u), 1e-12);
+    expect_near(first.c[first.degree], second.c[0], 0.0);
   }
 }
 
 TEST(PeakBound, OfTheRestToRestSegment) {
   // 35 u^4 - 84 u^5 + 70 u^6 - 20 u^7 peaks at 35 / 16 in speed and 84 sqrt(5) / 25 in acceleration.
-  const Curve position{{0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0}, 7};
+  const Vec3 end{1.0, 0.0, -2.0};
+  const Curve position{{{}, {}, {}, {}, end, end, end, end}, 7};
   const Curve velocity = hodograph(position, 1.0);
-  EXPECT_NEAR(peak_bound(velocity, 0.0, 1e-9), 35.0 / 16.0, 1e-8);
-  EXPECT_NEAR(peak_bound(hodograph(velocity, 1.0), 0.0, 1e-9), 84.0 * std::sqrt(5.0) / 25.0, 1e-7);
+  EXPECT_NEAR(peak_bound(velocity, kUnit, 0.0, 1e-9), 35.0 / 8.0, 1e-7);
+  EXPECT_NEAR(peak_bound(hodograph(velocity, 1.0), kUnit, 0.0, 1e-9), 168.0 * std::sqrt(5.0) / 25.0, 1e-6);
 }
 
 TEST(PeakBound, HoldsAndIsTight) {
   tern_test::Random random(3);
   for (int i = 0; i < tern_test::scaled(500); ++i) {
     const Curve curve = random_curve(random);
-    const double bound = peak_bound(curve, 0.0, 1e-7);
-    const double sampled = sampled_peak(curve, 4000);
+    const Bounds bounds = random_bounds(random);
+    const double bound = peak_bound(curve, bounds, 0.0, 1e-7);
+    const double sampled = sampled_peak(curve, bounds, 4000);
     EXPECT_GE(bound, sampled * (1.0 - 1e-14));
     EXPECT_LE(bound, sampled * (1.0 + 1e-4));
   }
@@ -97,19 +141,22 @@ TEST(PeakBound, IsTheFloorExactlyBelowIt) {
   tern_test::Random random(4);
   for (int i = 0; i < tern_test::scaled(500); ++i) {
     const Curve curve = random_curve(random);
-    const double peak = peak_bound(curve, 0.0, 1e-12);
-    const double above = peak * (1.0 + 1e-9);
-    EXPECT_EQ(peak_bound(curve, above, 0.0), above);
-    EXPECT_GT(peak_bound(curve, peak * (1.0 - 1e-9), 0.0), peak * (1.0 - 1e-9));
+    const Bounds bounds = random_bounds(random);
+    const double peak = peak_bound(curve, bounds, 0.0, 1e-10);
+    const double above = peak * (1.0 + 1e-8);
+    EXPECT_EQ(peak_bound(curve, bounds, above, 0.0), above);
+    EXPECT_GT(peak_bound(curve, bounds, peak * (1.0 - 1e-8), 0.0), peak * (1.0 - 1e-8));
   }
 }
 
 TEST(PeakBound, OfAConstantAndOfZero) {
-  const Curve constant{{-2.0, -2.0, -2.0, -2.0, -2.0, -2.0, -2.0, 0.0}, 6};
-  EXPECT_EQ(peak_bound(constant, 0.0, 0.0), 2.0);
-  EXPECT_EQ(peak_bound(constant, 3.0, 0.0), 3.0);
+  Curve constant{};
+  constant.degree = 6;
+  for (Vec3& c : constant.c) c = {0.0, -2.0, 1.0};
+  EXPECT_EQ(peak_bound(constant, kUnit, 0.0, 0.0), 2.0);
+  EXPECT_EQ(peak_bound(constant, kUnit, 3.0, 0.0), 3.0);
   const Curve zero{{}, 6};
-  EXPECT_EQ(peak_bound(zero, 0.0, 0.0), 0.0);
+  EXPECT_EQ(peak_bound(zero, kUnit, 0.0, 0.0), 0.0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // The check against plans made by hand: a good one passes, and each way of spoiling it is found and named.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -163,6 +164,33 @@ TEST_F(CheckTest, AccelerationLimitIsExact) {
   EXPECT_EQ(run(), Status::kOk);
   query_.limits.a_max.y *= 1.0 - 1e-6;
   expect(Finding::kAcceleration, 1);
+}
+
+// The first segment flies along +x alone, so a limit on -x is met by its braking and by no velocity.
+TEST_F(CheckTest, LowerLimitsAreTheirOwn) {
+  query_.limits.v_max = {100.0, 100.0, 100.0};
+  query_.limits.a_max = {100.0, 100.0, 100.0};
+  query_.limits.v_min.x = -1e-3;
+  EXPECT_EQ(run(), Status::kOk);
+  query_.limits.a_min.x = -84.0 * 2.2360679774997896 / 25.0 * 2.5 / 16.0;
+  EXPECT_EQ(run(), Status::kOk);
+  query_.limits.a_min.x *= 1.0 - 1e-6;
+  expect(Finding::kAcceleration, 0);
+}
+
+TEST_F(CheckTest, HorizontalLimitIsOnTheNorm) {
+  query_.limits.v_max = {100.0, 100.0, 100.0};
+  query_.limits.a_max = {100.0, 100.0, 100.0};
+  const Vec3& from = trajectory_->segments[0].points[0];
+  const Vec3& to = trajectory_->segments[0].points[7];
+  const double way = std::hypot(to.x - from.x, to.y - from.y);
+  query_.limits.v_horizontal = 35.0 / 16.0 * way / trajectory_->segments[0].duration;
+  EXPECT_EQ(run(), Status::kOk);
+  query_.limits.v_horizontal *= 1.0 - 1e-6;
+  expect(Finding::kVelocity, 0);
+  query_.limits.v_horizontal = 0.0;
+  query_.limits.a_horizontal = 1e-3;
+  expect(Finding::kAcceleration, 0);
 }
 
 TEST_F(CheckTest, Joints) {

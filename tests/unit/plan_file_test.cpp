@@ -109,6 +109,8 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["scenario"], "maps/\"odd\" name.txt");
   EXPECT_EQ(plan["robot_radius"], 0.25);
   EXPECT_EQ(plan["limits"]["v_max"], json({2.0, 2.0, 2.0}));
+  EXPECT_EQ(plan["limits"]["v_min"], json({-2.0, -2.0, -2.0}));
+  EXPECT_FALSE(plan["limits"].contains("v_horizontal"));
   EXPECT_EQ(plan["search"]["expanded"], 4321);
   EXPECT_EQ(plan["corridor"].size(), 1u);
   EXPECT_EQ(plan["corridor"][0]["ellipsoid"]["E"].size(), 3u);

@@ -61,7 +61,8 @@ TEST(Scenario, EveryRecordIsRead) {
       "goal +2 3 4E0\n"
       "start_velocity 0.1 0.2 0.3\nstart_acceleration 0.4 0.5 0.6\n"
       "goal_velocity 1 2 3\ngoal_acceleration 4 5 6\n"
-      "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3",
+      "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3\n"
+      "v_min -1 -2 -0.5\na_min -4\nv_horizontal 2.5\na_horizontal 1.5",
       "m");
   ASSERT_EQ(s.blocks.size(), 3u);
   EXPECT_FALSE(s.blocks[1].keepout);
@@ -77,6 +78,21 @@ TEST(Scenario, EveryRecordIsRead) {
   EXPECT_DOUBLE_EQ(s.radius, 0);
   expect_vec(s.limits.v_max, 3, 3, 3);
   expect_vec(s.limits.a_max, 1, 2, 3);
+  expect_vec(s.limits.v_min, -1, -2, -0.5);
+  expect_vec(s.limits.a_min, -4, -4, -4);
+  EXPECT_DOUBLE_EQ(s.limits.v_horizontal, 2.5);
+  EXPECT_DOUBLE_EQ(s.limits.a_horizontal, 1.5);
+}
+
+TEST(Scenario, LimitsAreWrittenOutWhereTheyAreNotGiven) {
+  const Scenario s = parse_scenario(kMinimal + "v_max 1 2 3\nv_min 0 0 -0.5\na_horizontal 1\n", "m");
+  const tern_host::LimitRange velocity = tern_host::velocity_range(s.limits);
+  expect_vec(velocity.upper, 1, 2, 3);
+  expect_vec(velocity.lower, -1, -2, -0.5);
+  EXPECT_DOUBLE_EQ(velocity.horizontal, 0);
+  const tern_host::LimitRange acceleration = tern_host::acceleration_range(s.limits);
+  expect_vec(acceleration.lower, -2, -2, -2);
+  EXPECT_DOUBLE_EQ(acceleration.horizontal, 1);
 }
 
 TEST(Scenario, NumbersDoNotFollowTheLocale) {
@@ -116,6 +132,8 @@ TEST(Scenario, ErrorsNameFileLineAndReason) {
       {"start 1 2\n", "map.txt:1: 'start' needs 3 numbers, found 2"},
       {"goal\n", "map.txt:1: 'goal' needs 3 numbers, found 0"},
       {"resolution 1 2\n", "map.txt:1: 'resolution' needs 1 number, found 2"},
+      {"a_min -1 -2\n", "map.txt:1: 'a_min' needs 1 or 3 numbers, found 2"},
+      {"v_horizontal 1 2\n", "map.txt:1: 'v_horizontal' needs 1 number, found 2"},
       {"v_max 1 2\n", "map.txt:1: 'v_max' needs 1 or 3 numbers, found 2"},
       {"start 1 1 1\ngoal 1 1 1\nstart 1 1 1\n", "map.txt:3: 'start' is given twice (first in line 1)"},
       {"", "map.txt:1: the file ends without a 'boundary'"},

@@ -57,6 +57,19 @@ TEST(LimitsAlong, AxesAndDiagonals) {
   EXPECT_NEAR(limits_along({1.0, 1.0, 0.0}, limits).speed, 2.0 * std::sqrt(2.0), 1e-12);
 }
 
+TEST(LimitsAlong, UpAndDownAndTheHorizontalNorm) {
+  Limits limits{{2.0, 2.0, 4.0}, {2.0, 2.0, 6.0}};
+  limits.v_min.z = -1.0;
+  limits.a_min.z = -3.0;
+  EXPECT_NEAR(limits_along({0.0, 0.0, 5.0}, limits).speed, 4.0, 1e-12);
+  EXPECT_NEAR(limits_along({0.0, 0.0, -5.0}, limits).speed, 1.0, 1e-12);
+  // Speeding up at 6 and slowing down at 3 m/s^2 take as long as 4 m/s^2 both ways.
+  EXPECT_NEAR(limits_along({0.0, 0.0, 5.0}, limits).acceleration, 4.0, 1e-12);
+  EXPECT_NEAR(limits_along({1.0, 1.0, 0.0}, limits).speed, 2.0 * std::sqrt(2.0), 1e-12);
+  limits.v_horizontal = 2.0;
+  EXPECT_NEAR(limits_along({1.0, 1.0, 0.0}, limits).speed, 2.0, 1e-12);
+}
+
 TEST(LimitsAlong, NoAxisExceedsItsOwnAndOneReachesIt) {
   tern_test::Random random(12);
   for (int i = 0; i < tern_test::scaled(1000); ++i) {

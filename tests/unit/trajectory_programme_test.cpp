@@ -90,10 +90,10 @@ TEST(SnapForm, MatchesQuadrature) {
   Segment segment{};
   segment.duration = 1.0;
   control_points(states[0], states[1], 1.0, segment.points);
-  Curve snap = coordinate(segment, 0);
+  Curve snap = curve_of(segment);
   for (int k = 0; k < 4; ++k) snap = hodograph(snap, 1.0);
   double quadrature = 0.0;
-  for (int i = 0; i < 20000; ++i) quadrature += std::pow(value(snap, (i + 0.5) / 20000), 2) / 20000;
+  for (int i = 0; i < 20000; ++i) quadrature += std::pow(value(snap, (i + 0.5) / 20000).x, 2) / 20000;
   double form = 0.0;
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 8; ++j) form += kSnapForm[i][j] * end[i] * end[j];
@@ -145,14 +145,13 @@ TEST(Programme, JointsAreSharedToJerk) {
   const Trajectory trajectory = c->trajectory();
   for (int i = 0; i + 1 < trajectory.count; ++i) {
     EXPECT_EQ(trajectory.segments[i].points[kDegree].x, trajectory.segments[i + 1].points[0].x);
-    for (int a = 0; a < 3; ++a) {
-      Curve before = coordinate(trajectory.segments[i], a);
-      Curve after = coordinate(trajectory.segments[i + 1], a);
-      for (int k = 0; k < 4; ++k) {
-        EXPECT_NEAR(before.c[before.degree], after.c[0], 1e-9 * (1.0 + std::fabs(after.c[0])));
-        before = hodograph(before, trajectory.segments[i].duration);
-        after = hodograph(after, trajectory.segments[i + 1].duration);
-      }
+    Curve before = curve_of(trajectory.segments[i]);
+    Curve after = curve_of(trajectory.segments[i + 1]);
+    for (int k = 0; k < 4; ++k) {
+      const double largest = std::sqrt(dot(after.c[0], after.c[0]));
+      expect_near(before.c[before.degree], after.c[0], 1e-9 * (1.0 + largest));
+      before = hodograph(before, trajectory.segments[i].duration);
+      after = hodograph(after, trajectory.segments[i + 1].duration);
     }
   }
 }
@@ -171,9 +170,9 @@ TEST(Programme, PointsAreTheControlPointsAndTheHodographsHalves) {
   }
   // The first row of velocity that has unknowns: of the first half's hodograph, the fourth control point.
   const double unit = std::fmin(std::fmin(c->limits.v_max.x, c->limits.v_max.y), c->limits.v_max.z);
-  Curve half = hodograph(coordinate(trajectory.segments[0], 0), trajectory.segments[0].duration);
+  Curve half = hodograph(curve_of(trajectory.segments[0]), trajectory.segments[0].duration);
   split(half);
-  EXPECT_NEAR(c->point(index).x * unit, half.c[3], 1e-10);
+  EXPECT_NEAR(c->point(index).x * unit, half.c[3].x, 1e-10);
 }
 
 TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurationsAndKindsOfRows) {
@@ -191,6 +190,7 @@ TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurationsAndKindsOfRows) {
 
 TEST(HodographRows, BoundTheWholeCurve) {
   tern_test::Random random(7);
+  constexpr Bounds unit{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, 0.0};
   for (int n = 0; n < tern_test::scaled(200); ++n) {
     Segment segment{};
     segment.duration = 1.0;
@@ -201,7 +201,7 @@ TEST(HodographRows, BoundTheWholeCurve) {
       for (int k = 0; k < kControlPoints; ++k) sum += row[k] * segment.points[k].x;
       velocity = std::fmax(velocity, std::fabs(sum));
     }
-    EXPECT_GE(velocity, peak_bound(hodograph(coordinate(segment, 0), 1.0), 0.0, 1e-9) * (1.0 - 1e-8));
+    EXPECT_GE(velocity, peak_bound(hodograph(curve_of(segment), 1.0), unit, 0.0, 1e-9) * (1.0 - 1e-8));
   }
 }
 

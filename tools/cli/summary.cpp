@@ -28,6 +28,10 @@ std::string clearance_text(double clearance) {
   return std::isfinite(clearance) ? fixed(clearance, 3) : "-";
 }
 
+std::string percent(double part) {
+  return fixed(100.0 * part, 1);
+}
+
 double largest(const tern::Vec3& v) {
   return std::max({v.x, v.y, v.z});
 }
@@ -63,7 +67,8 @@ std::string trajectory_lines(const PlanResult& result) {
          std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
          "  peaks       v " + fixed(largest(figures.v_peak), 3) + " m/s, a " + fixed(largest(figures.a_peak), 3) +
          " m/s^2 an axis; |v| " + fixed(figures.speed, 3) + ", |a| " + fixed(figures.acceleration, 3) + "\n" +
-         "  clearance   " + clearance + "\n";
+         "  limits used v " + percent(figures.v_use) + " %, a " + percent(figures.a_use) + " %\n" + "  clearance   " +
+         clearance + "\n";
 }
 
 struct Column {
@@ -75,10 +80,10 @@ struct Column {
 constexpr std::size_t kNameWidth = 14;
 constexpr std::size_t kStatusWidth = 12;
 constexpr Column kColumns[] = {
-    {"path", "m", 8},     {"way-", "points", 7}, {"seg-", "ments", 6},  {"duration", "s", 9},
-    {"snap", "m2/s7", 9}, {"v peak", "m/s", 7},  {"a peak", "m/s2", 7}, {"clear", "m", 7},
-    {"inflate", "us", 8}, {"search", "us", 8},   {"shortc.", "us", 8},  {"corridor", "us", 9},
-    {"times", "us", 6},   {"optim.", "us", 8},   {"check", "us", 7},    {"total", "us", 8},
+    {"path", "m", 8},     {"way-", "points", 7}, {"seg-", "ments", 6}, {"duration", "s", 9},  {"snap", "m2/s7", 9},
+    {"v peak", "m/s", 7}, {"a peak", "m/s2", 7}, {"v use", "%", 7},    {"a use", "%", 7},     {"clear", "m", 7},
+    {"inflate", "us", 8}, {"search", "us", 8},   {"shortc.", "us", 8}, {"corridor", "us", 9}, {"times", "us", 6},
+    {"optim.", "us", 8},  {"check", "us", 7},    {"total", "us", 8},
 };
 
 std::vector<std::string> cells(const PlanResult& result) {
@@ -91,6 +96,8 @@ std::vector<std::string> cells(const PlanResult& result) {
           fixed(figures.snap, figures.snap < 10000.0 ? 2 : 0),
           fixed(largest(figures.v_peak), 3),
           fixed(largest(figures.a_peak), 3),
+          percent(figures.v_use),
+          percent(figures.a_use),
           clearance_text(figures.clearance),
           fixed(timing.inflate, 0),
           fixed(timing.of(Stage::kSearch), 0),

@@ -18,6 +18,8 @@ struct Figures {
   double acceleration = 0.0;  ///< highest |a|, m/s^2
   tern::Vec3 v_peak{};        ///< highest |v| an axis, m/s
   tern::Vec3 a_peak{};        ///< highest |a| an axis, m/s^2
+  double v_use = 0.0;         ///< highest part of a velocity limit that is used, 1 where it is reached
+  double a_use = 0.0;         ///< likewise of an acceleration limit
   double clearance = 0.0;     ///< smallest distance to a block as written in the scenario, m; infinite with none
 };
 

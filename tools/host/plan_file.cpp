@@ -27,6 +27,18 @@ Json json(const tern::State& state) {
           {"acceleration", json(state.acceleration)}};
 }
 
+Json limits_json(const tern::Limits& limits) {
+  const LimitRange velocity = velocity_range(limits);
+  const LimitRange acceleration = acceleration_range(limits);
+  Json result = {{"v_max", json(velocity.upper)},
+                 {"a_max", json(acceleration.upper)},
+                 {"v_min", json(velocity.lower)},
+                 {"a_min", json(acceleration.lower)}};
+  if (velocity.horizontal > 0.0) result["v_horizontal"] = velocity.horizontal;
+  if (acceleration.horizontal > 0.0) result["a_horizontal"] = acceleration.horizontal;
+  return result;
+}
+
 Json points_json(const Vec3* local, int count, const Vec3& origin) {
   Json points = Json::array();
   for (int i = 0; i < count; ++i) points.push_back(json(to_world(local[i], origin)));
@@ -131,7 +143,7 @@ std::string plan_json(const PlanResult& result) {
                {"scenario", scenario.name},
                {"resolution", scenario.resolution},
                {"robot_radius", scenario.radius},
-               {"limits", {{"v_max", json(scenario.limits.v_max)}, {"a_max", json(scenario.limits.a_max)}}},
+               {"limits", limits_json(scenario.limits)},
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
   if (result.path != nullptr) plan["search"] = search_json(result);

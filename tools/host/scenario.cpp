@@ -14,7 +14,20 @@ void parse_override(const std::string& option, ScenarioBuilder& builder) {
   builder.override_setting(option.substr(0, equals), split_words(option.substr(equals + 1), true), place);
 }
 
+LimitRange range(const tern::Vec3& upper, const tern::Vec3& lower, double horizontal) {
+  const auto given = [](double least, double most) { return least < 0.0 ? least : -most; };
+  return {{given(lower.x, upper.x), given(lower.y, upper.y), given(lower.z, upper.z)}, upper, horizontal};
+}
+
 }  // namespace
+
+LimitRange velocity_range(const tern::Limits& limits) {
+  return range(limits.v_max, limits.v_min, limits.v_horizontal);
+}
+
+LimitRange acceleration_range(const tern::Limits& limits) {
+  return range(limits.a_max, limits.a_min, limits.a_horizontal);
+}
 
 Scenario parse_scenario(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
   ScenarioBuilder builder(name);

@@ -33,12 +33,21 @@ struct Scenario {
   std::vector<Block> blocks;
   tern::State start{};
   tern::State goal{};
-  tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite
   double resolution = 0.1;
   double radius = 0.25;
   Place boundary_place;    ///< for errors that show only once the grid is laid out
   Place resolution_place;  ///< empty file name where the default holds
 };
+
+/// One kind of limit, written out: lower < 0 < upper; horizontal 0 where there is none.
+struct LimitRange {
+  tern::Vec3 lower;
+  tern::Vec3 upper;
+  double horizontal;
+};
+LimitRange velocity_range(const tern::Limits& limits);
+LimitRange acceleration_range(const tern::Limits& limits);
 
 /// Parses a whole scenario. `overrides` are "key=value" with the value's numbers separated by commas or blanks; they
 /// replace records of the text, or stand for missing ones. Throws ScenarioError.

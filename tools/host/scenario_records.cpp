@@ -36,6 +36,10 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"radius", Shape::kScalar, &s.radius, nullptr, false, false, {}},
       {"v_max", Shape::kLimit, nullptr, &s.limits.v_max, false, false, {}},
       {"a_max", Shape::kLimit, nullptr, &s.limits.a_max, false, false, {}},
+      {"v_min", Shape::kLimit, nullptr, &s.limits.v_min, false, false, {}},
+      {"a_min", Shape::kLimit, nullptr, &s.limits.a_min, false, false, {}},
+      {"v_horizontal", Shape::kScalar, &s.limits.v_horizontal, nullptr, false, false, {}},
+      {"a_horizontal", Shape::kScalar, &s.limits.a_horizontal, nullptr, false, false, {}},
   };
 }
 

@@ -16,10 +16,16 @@ struct State {
   Vec3 acceleration;
 };
 
-/// Limits per axis, symmetric, within [kMinLimit, kMaxLimit].
+/// What velocity and acceleration keep for all t: upper and lower limits per axis (z is up, so that climbing and
+/// sinking may differ) and, where given, the Euclidean norm of the horizontal vector (x, y). Magnitudes within
+/// [kMinLimit, kMaxLimit]. Where only v_max and a_max are given they hold both ways.
 struct Limits {
-  Vec3 v_max;  ///< m/s
-  Vec3 a_max;  ///< m/s^2
+  Vec3 v_max;                 ///< m/s, > 0
+  Vec3 a_max;                 ///< m/s^2, > 0
+  Vec3 v_min{};               ///< m/s, < 0; an axis of 0 stands for -v_max
+  Vec3 a_min{};               ///< m/s^2, < 0; an axis of 0 stands for -a_max
+  double v_horizontal = 0.0;  ///< m/s, limit of sqrt(vx^2 + vy^2); 0: none
+  double a_horizontal = 0.0;  ///< m/s^2, likewise
 };
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;

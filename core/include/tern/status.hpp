@@ -84,6 +84,10 @@ enum class Field : std::uint8_t {
   kWorkspace,
   kCallOrder,
   kBox,
+  kVMin,
+  kAMin,
+  kVHorizontal,
+  kAHorizontal,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

@@ -13,7 +13,7 @@
 #include "tern/config.hpp"
 
 /* Grows with every incompatible change of a type or function below. */
-#define TERN_ABI 1
+#define TERN_ABI 2
 
 /* Storage for the two objects that C cannot see into; checked against the library at compile time of the core. */
 #define TERN_GRID_WORDS 32
@@ -43,7 +43,10 @@ typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
 typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
 typedef struct { tern_vec3 position, velocity, acceleration; } tern_state;
-typedef struct { tern_vec3 v_max, a_max; } tern_limits;
+typedef struct {
+  tern_vec3 v_max, a_max, v_min, a_min; /* a lower limit of 0 stands for the upper one's opposite */
+  double v_horizontal, a_horizontal;    /* 0: none */
+} tern_limits;
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
 typedef struct { tern_state start, goal; tern_limits limits; tern_budget budget; uint8_t shortcut; } tern_request;
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;

@@ -109,6 +109,10 @@ const char* field_name(Field field) noexcept {
     case Field::kWorkspace: return "workspace";
     case Field::kCallOrder: return "call order";
     case Field::kBox: return "box";
+    case Field::kVMin: return "v_min";
+    case Field::kAMin: return "a_min";
+    case Field::kVHorizontal: return "v_horizontal";
+    case Field::kAHorizontal: return "a_horizontal";
   }
   return "unknown";
 }

@@ -22,6 +22,8 @@ namespace tern {
 constexpr double kCheckDistance = 1e-7;
 /// Relative excess over a limit, and relative mismatch of a derivative at a joint or an end.
 constexpr double kCheckRelative = 1e-7;
+/// Jerk at both ends of a plan, m/s^3 an axis: zero but for rounding over the cube of a short duration.
+constexpr double kCheckJerk = 1e-5;
 
 /// Units of one check: every polyhedron and every segment.
 constexpr std::uint32_t kCheckBound = 2 * kMaxSegments;
@@ -32,8 +34,8 @@ enum class Finding : std::uint8_t {
   kMalformed,     ///< counts, indices, durations or coordinates that are not a trajectory at all
   kObstacle,      ///< a polyhedron comes closer than the radius to an obstacle voxel
   kOutside,       ///< a control point outside its polyhedron or the boundary
-  kVelocity,      ///< some |v(t)| on an axis above its limit
-  kAcceleration,  ///< some |a(t)| on an axis above its limit
+  kVelocity,      ///< some v(t) beyond a limit
+  kAcceleration,  ///< some a(t) beyond a limit
   kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
   kBoundary,      ///< a boundary state is not met
 };

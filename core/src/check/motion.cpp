@@ -6,21 +6,21 @@
 namespace tern {
 namespace {
 
-/// Halvings of a curve's parameter range before a bound is given up; the hull of a piece shrinks fourfold a level.
-constexpr int kMaxDepth = 24;
-/// Pieces looked at for one axis of one segment: a curve that needs more is refused.
+/// Halvings of a curve's parameter range before a bound is given up; the hull's excess shrinks fourfold a level.
+constexpr int kMaxDepth = 16;
+/// Pieces looked at for one derivative of one segment: a curve that needs more is refused.
 constexpr int kMaxPieces = 4096;
 
-/// Bernstein coefficients of one coordinate of a curve.
+/// Bernstein coefficients of a curve.
 struct Curve {
-  double c[kControlPoints];
+  Vec3 c[kControlPoints];
   int degree;
 };
 
-Curve coordinate(const Segment& segment, int a) {
-  Curve curve{};
+Curve position_of(const Segment& segment) {
+  Curve curve;
   curve.degree = kDegree;
-  for (int i = 0; i <= kDegree; ++i) curve.c[i] = axis(segment.points[i], a);
+  for (int i = 0; i <= kDegree; ++i) curve.c[i] = segment.points[i];
   return curve;
 }
 
@@ -28,14 +28,8 @@ Curve coordinate(const Segment& segment, int a) {
 Curve derivative(const Curve& curve, double duration) {
   Curve result{};
   result.degree = curve.degree - 1;
-  for (int i = 0; i < curve.degree; ++i) result.c[i] = curve.degree * (curve.c[i + 1] - curve.c[i]) / duration;
+  for (int i = 0; i < curve.degree; ++i) result.c[i] = (curve.degree / duration) * (curve.c[i + 1] - curve.c[i]);
   return result;
-}
-
-double largest(const Curve& curve) {
-  double value = 0.0;
-  for (int i = 0; i <= curve.degree; ++i) value = larger(value, absolute(curve.c[i]));
-  return value;
 }
 
 /// de Casteljau at 1/2: `curve` becomes its left half, the right half is returned.
@@ -50,14 +44,45 @@ Curve split(Curve& curve) {
   return right;
 }
 
-/// True where |curve(u)| <= limit for all u in [0, 1], proven by hulls of ever smaller pieces.
-bool bounded_by(Curve curve, double limit) {
-  Curve stack[kMaxDepth + 1];
-  int depth_of[kMaxDepth + 1];
+/// What a velocity or an acceleration may be, as the request says it, with the check's tolerance.
+struct Allowed {
+  Vec3 most;
+  Vec3 least;
+  double horizontal_squared;  ///< 0: no limit on the horizontal norm
+};
+
+Allowed allowed(const Vec3& most, const Vec3& least, double horizontal) {
+  constexpr double kWider = 1.0 + kCheckRelative;
+  Allowed result{kWider * most, kWider * least, (horizontal * kWider) * (horizontal * kWider)};
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(least, a) < 0.0)) axis(result.least, a) = -axis(result.most, a);
+  }
+  return result;
+}
+
+bool allows(const Allowed& limit, const Vec3& value) {
+  for (int a = 0; a < 3; ++a) {
+    if (axis(value, a) > axis(limit.most, a) || axis(value, a) < axis(limit.least, a)) return false;
+  }
+  return !(limit.horizontal_squared > 0.0) || value.x * value.x + value.y * value.y <= limit.horizontal_squared;
+}
+
+/// What is allowed is convex: where it holds all control points it holds the curve.
+bool allows_hull(const Allowed& limit, const Curve& curve) {
+  for (int i = 0; i <= curve.degree; ++i) {
+    if (!allows(limit, curve.c[i])) return false;
+  }
+  return true;
+}
+
+/// True where the curve is allowed for all u in [0, 1], proven by hulls of ever smaller pieces.
+bool allowed_throughout(Curve curve, const Allowed& limit) {
+  Curve stack[kMaxDepth];
+  int depth_of[kMaxDepth];
   int height = 0;
   int depth = 0;
   for (int piece = 0; piece < kMaxPieces; ++piece) {
-    if (largest(curve) <= limit) {
+    if (allows_hull(limit, curve)) {
       if (height == 0) return true;
       --height;
       curve = stack[height];
@@ -65,7 +90,7 @@ bool bounded_by(Curve curve, double limit) {
       continue;
     }
     // The ends of a hull are values of the curve: above the limit there is nothing left to prove.
-    if (absolute(curve.c[0]) > limit || absolute(curve.c[curve.degree]) > limit || depth == kMaxDepth) return false;
+    if (!allows(limit, curve.c[0]) || !allows(limit, curve.c[curve.degree]) || depth == kMaxDepth) return false;
     ++depth;
     stack[height] = split(curve);
     depth_of[height] = depth;
@@ -107,14 +132,18 @@ bool close(double a, double b) {
   return absolute(a - b) <= kCheckRelative * (1.0 + absolute(b));
 }
 
-/// Value and derivatives to jerk of a coordinate at its beginning or end.
+bool close(const Vec3& a, const Vec3& b) {
+  return close(a.x, b.x) && close(a.y, b.y) && close(a.z, b.z);
+}
+
+/// Position and derivatives to jerk at a segment's beginning or end.
 struct Jet {
-  double d[4];
+  Vec3 d[4];
 };
 
-Jet jet(const Segment& segment, int a, bool at_end) {
+Jet jet(const Segment& segment, bool at_end) {
   Jet result{};
-  Curve curve = coordinate(segment, a);
+  Curve curve = position_of(segment);
   for (int k = 0; k < 4; ++k) {
     result.d[k] = at_end ? curve.c[curve.degree] : curve.c[0];
     if (k < 3) curve = derivative(curve, segment.duration);
@@ -122,37 +151,29 @@ Jet jet(const Segment& segment, int a, bool at_end) {
   return result;
 }
 
-bool meets(const Jet& jet, const State& state, int a) {
-  return close(jet.d[0], axis(state.position, a)) && close(jet.d[1], axis(state.velocity, a)) &&
-         close(jet.d[2], axis(state.acceleration, a)) && absolute(jet.d[3]) <= 1e-5;
-}
-
 bool joins(const Segment& before, const Segment& after) {
-  for (int a = 0; a < 3; ++a) {
-    const Jet left = jet(before, a, true);
-    const Jet right = jet(after, a, false);
-    for (int k = 0; k < 4; ++k) {
-      if (!close(left.d[k], right.d[k])) return false;
-    }
+  const Jet left = jet(before, true);
+  const Jet right = jet(after, false);
+  for (int k = 0; k < 4; ++k) {
+    if (!close(left.d[k], right.d[k])) return false;
   }
   return true;
 }
 
 bool boundary_met(const Segment& segment, const State& state, bool at_end) {
-  for (int a = 0; a < 3; ++a) {
-    if (!meets(jet(segment, a, at_end), state, a)) return false;
-  }
-  return true;
+  const Jet end = jet(segment, at_end);
+  return close(end.d[0], state.position) && close(end.d[1], state.velocity) && close(end.d[2], state.acceleration) &&
+         absolute(end.d[3].x) <= kCheckJerk && absolute(end.d[3].y) <= kCheckJerk && absolute(end.d[3].z) <= kCheckJerk;
 }
 
 Finding check_limits(const Segment& segment, const Limits& limits) {
-  for (int a = 0; a < 3; ++a) {
-    const Curve velocity = derivative(coordinate(segment, a), segment.duration);
-    if (!bounded_by(velocity, axis(limits.v_max, a) * (1.0 + kCheckRelative))) return Finding::kVelocity;
-    const Curve acceleration = derivative(velocity, segment.duration);
-    if (!bounded_by(acceleration, axis(limits.a_max, a) * (1.0 + kCheckRelative))) return Finding::kAcceleration;
+  const Curve velocity = derivative(position_of(segment), segment.duration);
+  if (!allowed_throughout(velocity, allowed(limits.v_max, limits.v_min, limits.v_horizontal))) {
+    return Finding::kVelocity;
   }
-  return Finding::kNone;
+  const Curve acceleration = derivative(velocity, segment.duration);
+  const bool kept = allowed_throughout(acceleration, allowed(limits.a_max, limits.a_min, limits.a_horizontal));
+  return kept ? Finding::kNone : Finding::kAcceleration;
 }
 
 }  // namespace

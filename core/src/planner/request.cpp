@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/request.hpp"
 
-#include "base/math.hpp"
+#include "base/bounds.hpp"
 
 namespace tern {
 namespace {
@@ -25,25 +25,67 @@ Verdict check_finite(const Request& request) {
       {request.goal.acceleration, Field::kGoalAcceleration},
       {request.limits.v_max, Field::kVMax},
       {request.limits.a_max, Field::kAMax},
+      {request.limits.v_min, Field::kVMin},
+      {request.limits.a_min, Field::kAMin},
   };
   for (const auto& entry : fields) {
     if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
   }
+  if (!finite(request.limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
+  if (!finite(request.limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
   return kAccepted;
 }
 
-bool valid_limit(const Vec3& limit) {
+bool in_range(double limit) {
+  return limit >= kMinLimit && limit <= kMaxLimit;
+}
+
+/// Zero, in any axis or the number, is the limit that was not given.
+bool is_given(double limit) {
+  return limit < 0.0 || limit > 0.0;
+}
+
+bool valid_upper(const Vec3& limit) {
+  return in_range(limit.x) && in_range(limit.y) && in_range(limit.z);
+}
+
+bool valid_lower(const Vec3& limit) {
   for (int a = 0; a < 3; ++a) {
-    if (axis(limit, a) < kMinLimit || axis(limit, a) > kMaxLimit) return false;
+    if (is_given(axis(limit, a)) && !in_range(-axis(limit, a))) return false;
   }
   return true;
 }
 
-bool within_limit(const Vec3& value, const Vec3& limit) {
-  for (int a = 0; a < 3; ++a) {
-    if (absolute(axis(value, a)) > axis(limit, a) * (1.0 + kLimitSlack)) return false;
+bool valid_horizontal(double limit) {
+  return !is_given(limit) || in_range(limit);
+}
+
+Verdict check_limits(const Limits& limits) {
+  if (!valid_upper(limits.v_max)) return {Status::kLimitsInvalid, Field::kVMax};
+  if (!valid_upper(limits.a_max)) return {Status::kLimitsInvalid, Field::kAMax};
+  if (!valid_lower(limits.v_min)) return {Status::kLimitsInvalid, Field::kVMin};
+  if (!valid_lower(limits.a_min)) return {Status::kLimitsInvalid, Field::kAMin};
+  if (!valid_horizontal(limits.v_horizontal)) return {Status::kLimitsInvalid, Field::kVHorizontal};
+  if (!valid_horizontal(limits.a_horizontal)) return {Status::kLimitsInvalid, Field::kAHorizontal};
+  return kAccepted;
+}
+
+bool within_limit(const Vec3& value, const Bounds& bounds) {
+  return gauge(bounds, value) <= 1.0 + kLimitSlack;
+}
+
+Verdict check_states(const Request& request) {
+  const Bounds velocity = velocity_bounds(request.limits);
+  const Bounds acceleration = acceleration_bounds(request.limits);
+  if (!within_limit(request.start.velocity, velocity)) return {Status::kStartExceedsLimits, Field::kStartVelocity};
+  if (!within_limit(request.start.acceleration, acceleration)) {
+    return {Status::kStartExceedsLimits, Field::kStartAcceleration};
   }
-  return true;
+  if (!within_limit(request.goal.velocity, velocity)) return {Status::kGoalExceedsLimits, Field::kGoalVelocity};
+  if (!within_limit(request.goal.acceleration, acceleration)) {
+    return {Status::kGoalExceedsLimits, Field::kGoalAcceleration};
+  }
+  return kAccepted;
 }
 
 bool in_map(const Grid& grid, const Vec3& world) {
@@ -72,23 +114,11 @@ State state_to_local(const Grid& grid, const State& state) {
 Verdict validate(const Grid& grid, const Request& request) noexcept {
   const Verdict numbers = check_finite(request);
   if (numbers.status != Status::kOk) return numbers;
-  if (!valid_limit(request.limits.v_max)) return {Status::kLimitsInvalid, Field::kVMax};
-  if (!valid_limit(request.limits.a_max)) return {Status::kLimitsInvalid, Field::kAMax};
+  const Verdict limits = check_limits(request.limits);
+  if (limits.status != Status::kOk) return limits;
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
-  if (!within_limit(request.start.velocity, request.limits.v_max)) {
-    return {Status::kStartExceedsLimits, Field::kStartVelocity};
-  }
-  if (!within_limit(request.start.acceleration, request.limits.a_max)) {
-    return {Status::kStartExceedsLimits, Field::kStartAcceleration};
-  }
-  if (!within_limit(request.goal.velocity, request.limits.v_max)) {
-    return {Status::kGoalExceedsLimits, Field::kGoalVelocity};
-  }
-  if (!within_limit(request.goal.acceleration, request.limits.a_max)) {
-    return {Status::kGoalExceedsLimits, Field::kGoalAcceleration};
-  }
-  return kAccepted;
+  return check_states(request);
 }
 
 Request to_local(const Grid& grid, const Request& request) noexcept {

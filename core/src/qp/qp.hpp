@@ -29,7 +29,7 @@ constexpr int kQpPointTerms = 8;                            ///< unknowns that o
 constexpr int kQpPointsPerSegment = 8 + 4 * 7 + 4 * 6;      ///< positions, velocities and accelerations on quarters
 constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment;
 constexpr int kQpMaxGroups = 3 * kMaxSegments;
-constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 12;
+constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 2 * 22;  ///< polyhedra, velocity and acceleration limits
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
 /// terms = 0 is a constant point: its rows can only be checked.

@@ -21,8 +21,9 @@ struct LineLimits {
   double acceleration;  ///< m/s^2
 };
 
-/// The limits per axis turned into limits along the direction of `delta` (any length but zero): the largest that keep
-/// every axis within its own.
+/// The limits along the direction of `delta` (any length but zero): the largest that keep all of them. Where speeding
+/// up and slowing down have different limits the acceleration is their harmonic mean, which gives a profile from rest
+/// to rest the same duration.
 LineLimits limits_along(const Vec3& delta, const Limits& limits) noexcept;
 
 /// Seconds of the trapezoidal velocity profile over `length` metres from rest to rest, x / v + v / a; triangular,

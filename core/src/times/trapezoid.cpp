@@ -1,21 +1,16 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/math.hpp"
+#include "base/bounds.hpp"
 #include "times/times.hpp"
 
 namespace tern {
 
 LineLimits limits_along(const Vec3& delta, const Limits& limits) noexcept {
-  // Seconds per metre, and seconds squared per metre, that the slowest axis needs.
-  const double norm = length(delta);
-  double slowness = 0.0;
-  double sluggishness = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const double part = absolute(axis(delta, a)) / norm;
-    slowness = larger(slowness, part / axis(limits.v_max, a));
-    sluggishness = larger(sluggishness, part / axis(limits.a_max, a));
-  }
-  return LineLimits{1.0 / slowness, 1.0 / sluggishness};
+  const Vec3 direction = (1.0 / length(delta)) * delta;
+  const Bounds acceleration = acceleration_bounds(limits);
+  // Gaining and losing a speed each take their own limit; together they last as if both had the harmonic mean.
+  const double sluggishness = gauge(acceleration, direction) + gauge(acceleration, -1.0 * direction);
+  return LineLimits{1.0 / gauge(velocity_bounds(limits), direction), 2.0 / sluggishness};
 }
 
 double trapezoid_time(double length, const LineLimits& limits) noexcept {

@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/bezier.hpp"
 
-#include "base/math.hpp"
-
 namespace tern {
 namespace {
 
-double hull(const Curve& curve) {
+Vec3 blend(const Vec3& a, const Vec3& b, double u) {
+  return (1.0 - u) * a + u * b;
+}
+
+double hull(const Curve& curve, const Bounds& bounds) {
   double result = 0.0;
-  for (int i = 0; i <= curve.degree; ++i) result = larger(result, absolute(curve.c[i]));
+  for (int i = 0; i <= curve.degree; ++i) result = larger(result, gauge(bounds, curve.c[i]));
   return result;
 }
 
 /// The ends of a Bernstein form are values of the curve.
-double reached(const Curve& curve) {
-  return larger(absolute(curve.c[0]), absolute(curve.c[curve.degree]));
+double reached(const Curve& curve, const Bounds& bounds) {
+  return larger(gauge(bounds, curve.c[0]), gauge(bounds, curve.c[curve.degree]));
 }
 
 /// Pieces still to be looked into, the deepest on top. Each level leaves one sibling at most.
@@ -33,10 +35,10 @@ void push(Pieces& pieces, const Curve& curve, int depth) {
 
 }  // namespace
 
-Curve coordinate(const Segment& segment, int a) noexcept {
-  Curve curve{};
+Curve curve_of(const Segment& segment) noexcept {
+  Curve curve;
   curve.degree = kDegree;
-  for (int i = 0; i <= kDegree; ++i) curve.c[i] = axis(segment.points[i], a);
+  for (int i = 0; i <= kDegree; ++i) curve.c[i] = segment.points[i];
   return curve;
 }
 
@@ -48,9 +50,9 @@ Curve hodograph(const Curve& curve, double duration) noexcept {
   return result;
 }
 
-double value(Curve curve, double u) noexcept {
+Vec3 value(Curve curve, double u) noexcept {
   for (int level = curve.degree; level > 0; --level) {
-    for (int i = 0; i < level; ++i) curve.c[i] = (1.0 - u) * curve.c[i] + u * curve.c[i + 1];
+    for (int i = 0; i < level; ++i) curve.c[i] = blend(curve.c[i], curve.c[i + 1], u);
   }
   return curve.c[0];
 }
@@ -66,28 +68,28 @@ Curve split(Curve& curve) noexcept {
   return second;
 }
 
-double peak_bound(const Curve& curve, double floor, double tolerance) noexcept {
+double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept {
+  double lower = reached(curve, bounds);
+  double bound = larger(lower, floor);
   Pieces pieces;
   pieces.count = 0;
-  double lower = reached(curve);
-  double bound = larger(lower, floor);
   push(pieces, curve, 0);
   for (int step = 0; step < kPeakPieces && pieces.count > 0; ++step) {
     --pieces.count;
     Curve first = pieces.curve[pieces.count];
     const int depth = pieces.depth[pieces.count];
-    const double top = hull(first);
+    const double top = hull(first, bounds);
     if (top <= larger(floor, lower * (1.0 + tolerance)) || depth == kPeakDepth) {
       bound = larger(bound, top);
       continue;
     }
     const Curve second = split(first);
-    lower = larger(lower, reached(first));
+    lower = larger(lower, reached(first, bounds));
     bound = larger(bound, lower);
     push(pieces, second, depth + 1);
     push(pieces, first, depth + 1);
   }
-  for (int i = 0; i < pieces.count; ++i) bound = larger(bound, hull(pieces.curve[i]));
+  for (int i = 0; i < pieces.count; ++i) bound = larger(bound, hull(pieces.curve[i], bounds));
   return bound;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/chain.hpp"
 
-#include "base/math.hpp"
+#include "base/bounds.hpp"
 #include "times/times.hpp"
 #include "trajectory/hodograph_rows.hpp"
 #include "trajectory/motion_limits.hpp"
@@ -48,12 +48,11 @@ int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits,
   return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
 }
 
-/// Seconds that the slowest axis needs to lose the speed of an end.
+/// Seconds that it takes to lose the speed of an end, or a part of the limit speed.
 double braking_time(const JointState& end, const Limits& limits) {
-  double time = 0.0;
+  double time = gauge(acceleration_bounds(limits), kZero - end.d[1]);
   for (int a = 0; a < 3; ++a) {
-    const double speed = larger(absolute(axis(end.d[1], a)), kLeastEndSpeed * axis(limits.v_max, a));
-    time = larger(time, speed / axis(limits.a_max, a));
+    time = larger(time, kLeastEndSpeed * axis(limits.v_max, a) / axis(limits.a_max, a));
   }
   return time;
 }
@@ -82,16 +81,9 @@ void append_pieces(const Polyhedron& polyhedron, int index, int pieces, const Li
   }
 }
 
-bool within(const Vec3& value, const Vec3& limit) {
-  for (int a = 0; a < 3; ++a) {
-    if (absolute(axis(value, a)) > axis(limit, a) * (1.0 + kLimitTolerance)) return false;
-  }
-  return true;
-}
-
 /// True where the rows that depend on the first four control points only keep the limit.
 bool fixed_rows_hold(const double (*rows)[kControlPoints], int count, const Vec3* points, double scale,
-                     const Vec3& limit) {
+                     const Bounds& bounds) {
   for (int r = 0; r < count; ++r) {
     Vec3 value = kZero;
     bool fixed = true;
@@ -99,7 +91,7 @@ bool fixed_rows_hold(const double (*rows)[kControlPoints], int count, const Vec3
       if (k < kJointOrder) value = value + (scale * rows[r][k]) * (points[k] - points[0]);
       if (k >= kJointOrder && (rows[r][k] < 0.0 || rows[r][k] > 0.0)) fixed = false;
     }
-    if (fixed && !within(value, limit)) return false;
+    if (fixed && gauge(bounds, value) > 1.0 + kLimitTolerance) return false;
   }
   return true;
 }
@@ -110,8 +102,9 @@ bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Limits
   for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = end.d[0];
   const double rate = 1.0 / duration;
   return inside(segment, polyhedron) &&
-         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, limits.v_max) &&
-         fixed_rows_hold(kHodographRows.acceleration, kAccelerationRows, segment.points, rate * rate, limits.a_max);
+         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, velocity_bounds(limits)) &&
+         fixed_rows_hold(kHodographRows.acceleration, kAccelerationRows, segment.points, rate * rate,
+                         acceleration_bounds(limits));
 }
 
 double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const Limits& limits, double duration) {
@@ -165,8 +158,8 @@ void make_chain(const Corridor& corridor, const State& start, const State& goal,
 void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {
   const int last = chain.count - 1;
   chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
-  chain.duration[last] =
-      fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1], limits, chain.duration[last]);
+  chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
+                                          backwards(limits), chain.duration[last]);
 }
 
 double chain_duration(const Chain& chain) noexcept {

@@ -17,12 +17,10 @@ int segments_of(const Trajectory& trajectory) {
 Sample sample(const Segment& segment, double u) {
   Sample result{};
   Vec3* const derivatives[] = {&result.position, &result.velocity, &result.acceleration, &result.jerk, &result.snap};
-  for (int a = 0; a < 3; ++a) {
-    Curve curve = coordinate(segment, a);
-    for (Vec3* const derivative : derivatives) {
-      axis(*derivative, a) = value(curve, u);
-      curve = hodograph(curve, segment.duration);
-    }
+  Curve curve = curve_of(segment);
+  for (Vec3* const derivative : derivatives) {
+    *derivative = value(curve, u);
+    curve = hodograph(curve, segment.duration);
   }
   return result;
 }

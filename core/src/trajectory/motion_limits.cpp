@@ -8,31 +8,19 @@
 namespace tern {
 
 double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept {
-  // Peaks over their limits; a ratio below the largest yet is not looked into.
-  double speed = 0.0;
-  double squared = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const Curve velocity = hodograph(coordinate(segment, a), segment.duration);
-    const double v_max = axis(limits.v_max, a);
-    const double a_max = axis(limits.a_max, a);
-    speed = larger(speed, peak_bound(velocity, speed * v_max, kPeakTolerance) / v_max);
-    squared = larger(squared, speed * speed);
-    squared =
-        larger(squared, peak_bound(hodograph(velocity, segment.duration), squared * a_max, kPeakTolerance) / a_max);
-    speed = square_root(squared);
-  }
-  return speed;
+  const Curve velocity = hodograph(curve_of(segment), segment.duration);
+  const double speed = peak_bound(velocity, velocity_bounds(limits), 0.0, kPeakTolerance);
+  // A peak of the acceleration that asks for no more than the speed does is not looked into.
+  const Curve acceleration = hodograph(velocity, segment.duration);
+  return square_root(peak_bound(acceleration, acceleration_bounds(limits), speed * speed, kPeakTolerance));
 }
 
 bool within_limits(const Segment& segment, const Limits& limits) noexcept {
-  for (int a = 0; a < 3; ++a) {
-    const Curve velocity = hodograph(coordinate(segment, a), segment.duration);
-    const double v_max = axis(limits.v_max, a) * (1.0 + kLimitTolerance);
-    const double a_max = axis(limits.a_max, a) * (1.0 + kLimitTolerance);
-    if (peak_bound(velocity, v_max, 0.0) > v_max) return false;
-    if (peak_bound(hodograph(velocity, segment.duration), a_max, 0.0) > a_max) return false;
-  }
-  return true;
+  constexpr double kMost = 1.0 + kLimitTolerance;
+  const Curve velocity = hodograph(curve_of(segment), segment.duration);
+  if (peak_bound(velocity, velocity_bounds(limits), kMost, 0.0) > kMost) return false;
+  const Curve acceleration = hodograph(velocity, segment.duration);
+  return !(peak_bound(acceleration, acceleration_bounds(limits), kMost, 0.0) > kMost);
 }
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {

@@ -19,11 +19,11 @@ constexpr double kInsideTolerance = 1e-9;
 constexpr double kPeakTolerance = 1e-7;
 
 /// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly: the
-/// largest over the axes of |v| / v_max and sqrt(|a| / a_max), over all t; below 1 where it could be faster. Never less
-/// than the truth, and more by kPeakTolerance at most.
+/// largest over all t of the gauge of v and the root of the gauge of a (see base/bounds.hpp); below 1 where it could be
+/// faster. Never less than the truth, and more by kPeakTolerance at most.
 double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept;
 
-/// True where |v| and |a| are within (1 + kLimitTolerance) of the limits on every axis, for all t.
+/// True where v and a are within (1 + kLimitTolerance) times the limits for all t.
 bool within_limits(const Segment& segment, const Limits& limits) noexcept;
 
 /// True where all control points are inside, so that the segment is.

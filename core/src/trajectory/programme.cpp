@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "trajectory/hodograph_rows.hpp"
+#include "trajectory/limit_planes.hpp"
 
 namespace tern {
 namespace {
@@ -178,35 +179,25 @@ void add_corridor(const Chain& chain, const Corridor& corridor, const ProgrammeS
   }
 }
 
-double least_axis(const Vec3& v) {
-  return smaller(smaller(v.x, v.y), v.z);
-}
-
-/// Both sides of every axis, in units of the smallest axis' limit: rows then have the size of metres.
-void add_limit_planes(const Vec3& limit, QpProblem& problem) {
-  const double unit = least_axis(limit);
-  for (int side = 0; side < 6; ++side) {
-    Vec3 normal{0.0, 0.0, 0.0};
-    axis(normal, side / 2) = side % 2 == 0 ? 1.0 : -1.0;
-    problem.planes[problem.plane_count] = Halfspace{normal, axis(limit, side / 2) / unit * (1.0 - kRowMargin)};
-    ++problem.plane_count;
-  }
-}
-
 /// One kind of limit for every segment. The first row of a segment is the last one of the segment before.
 void add_limit_rows(const Chain& chain, const ProgrammeScale& scale, const double (*rows)[kControlPoints], int count,
-                    const Vec3& limit, int order, QpProblem& problem) {
+                    const LimitPlanes& limit, int order, QpProblem& problem) {
   const int plane_begin = problem.plane_count;
-  add_limit_planes(limit, problem);
-  const double unit = least_axis(limit);
+  for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
+  problem.plane_count += limit.count;
   for (int i = 0; i < chain.count; ++i) {
     const Piece piece = piece_of(chain, scale, i);
     const double duration = chain.duration[i];
-    const double multiplier = 1.0 / ((order == 1 ? duration : duration * duration) * unit);
+    const double multiplier = 1.0 / ((order == 1 ? duration : duration * duration) * limit.unit);
     const int point_begin = problem.point_count;
     for (int r = i == 0 ? 0 : 1; r < count; ++r) add_point(piece, rows[r], multiplier, problem);
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
+}
+
+/// The horizontal direction in which a limit is kept without loss: that of a boundary state, which is given.
+Vec3 kept_direction(const Chain& chain, int order) {
+  return horizontal_length(chain.start.d[order]) > 0.0 ? chain.start.d[order] : chain.goal.d[order];
 }
 
 void clear(int unknowns, QpProblem& problem) {
@@ -244,8 +235,10 @@ void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
   add_corridor(chain, corridor, scale, problem);
   if (rows == Rows::kCorridor) return;
-  add_limit_rows(chain, scale, kHodographRows.velocity, kVelocityRows, limits.v_max, 1, problem);
-  add_limit_rows(chain, scale, kHodographRows.acceleration, kAccelerationRows, limits.a_max, 2, problem);
+  const LimitPlanes velocity = limit_planes(velocity_bounds(limits), kept_direction(chain, 1));
+  const LimitPlanes acceleration = limit_planes(acceleration_bounds(limits), kept_direction(chain, 2));
+  add_limit_rows(chain, scale, kHodographRows.velocity, kVelocityRows, velocity, 1, problem);
+  add_limit_rows(chain, scale, kHodographRows.acceleration, kAccelerationRows, acceleration, 2, problem);
 }
 
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

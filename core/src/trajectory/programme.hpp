@@ -26,9 +26,6 @@ enum class Rows : std::uint8_t {
   kCorridorAndLimits,  ///< also velocity and acceleration, for all t
 };
 
-/// Part of a limit that its rows leave free, so that a solution within the solver's tolerance is within the limit.
-constexpr double kRowMargin = 1e-8;
-
 /// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns (they follow from the
 /// boundary states and the durations alone) are left out: whoever accepts a solution checks all control points anyway.
 /// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations and limits, and the

@@ -17,7 +17,7 @@ double squared_snap(Curve curve, double duration) {
   for (int k = 0; k < 4; ++k) curve = hodograph(curve, duration);
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) sum += kCubicGram[i][j] * (curve.c[i] * curve.c[j]);
+    for (int j = 0; j < 4; ++j) sum += kCubicGram[i][j] * dot(curve.c[i], curve.c[j]);
   }
   return duration * sum;
 }
@@ -29,7 +29,7 @@ double snap_cost(const Trajectory& trajectory) noexcept {
   const int count = trajectory.count < kMaxSegments ? trajectory.count : kMaxSegments;
   for (int i = 0; i < count; ++i) {
     const Segment& segment = trajectory.segments[i];
-    for (int a = 0; a < 3; ++a) cost += squared_snap(coordinate(segment, a), segment.duration);
+    cost += squared_snap(curve_of(segment), segment.duration);
   }
   return cost;
 }

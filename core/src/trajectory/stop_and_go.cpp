@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/stop_and_go.hpp"
 
-#include "base/math.hpp"
+#include "base/bounds.hpp"
 #include "times/times.hpp"
 #include "trajectory/hermite.hpp"
 #include "trajectory/motion_limits.hpp"
@@ -26,9 +26,7 @@ bool same_point(const Vec3& a, const Vec3& b) {
 
 /// Seconds below which no braking from that state can keep the limits.
 double least_braking_time(const State& state, const Limits& limits) {
-  double time = kMinDuration;
-  for (int a = 0; a < 3; ++a) time = larger(time, absolute(axis(state.velocity, a)) / axis(limits.a_max, a));
-  return time;
+  return larger(kMinDuration, gauge(acceleration_bounds(limits), kZero - state.velocity));
 }
 
 /// The first four control points follow from the state, the last four are where it stops: half a step past the fourth,
@@ -94,13 +92,11 @@ bool at_rest(const State& state) noexcept {
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept {
   Segment segment{};
   segment.polyhedron = polyhedron;
-  double time = kMinDuration;
-  for (int a = 0; a < 3; ++a) {
-    const double way = absolute(axis(to, a) - axis(from, a));
-    time = larger(time, kRestPeakSpeed * way / axis(limits.v_max, a));
-    time = larger(time, square_root(kRestPeakAcceleration * way / axis(limits.a_max, a)));
-  }
-  segment.duration = time;
+  const Vec3 way = to - from;
+  const Bounds acceleration = acceleration_bounds(limits);
+  const double pull = larger(gauge(acceleration, way), gauge(acceleration, kZero - way));
+  const double cruise = kRestPeakSpeed * gauge(velocity_bounds(limits), way);
+  segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
   for (int k = 0; k < kJointOrder; ++k) {
     segment.points[k] = from;
     segment.points[kDegree - k] = to;
@@ -127,7 +123,7 @@ Status stop_and_go(const Corridor& corridor, const State& start, const State& go
   Segment brake{};
   Segment launch{};
   if (brakes && !brake_segment(start, corridor.polyhedra[0], 0, limits, brake)) return Status::kNoTrajectory;
-  if (launches && !brake_segment(backwards(goal), corridor.polyhedra[last], last, limits, launch)) {
+  if (launches && !brake_segment(backwards(goal), corridor.polyhedra[last], last, backwards(limits), launch)) {
     return Status::kNoTrajectory;
   }
   const Vec3 from = brakes ? brake.points[kDegree] : start.position;

@@ -25,7 +25,7 @@ constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 2
 /// True where velocity and acceleration are zero.
 bool at_rest(const State& state) noexcept;
 
-/// The straight segment from rest to rest, as fast as the limits of every axis allow. kMinDuration at least; where both
+/// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
 /// ends are the same point it stays there that long.
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept;
 

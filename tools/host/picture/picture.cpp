@@ -25,16 +25,25 @@ std::string base_name(const std::string& path) {
   return file.size() > 4 && file.compare(file.size() - 4, 4, ".txt") == 0 ? file.substr(0, file.size() - 4) : file;
 }
 
+std::string vector_text(const tern::Vec3& v) {
+  const std::string x = fixed(v.x, 2);
+  const std::string y = fixed(v.y, 2);
+  const std::string z = fixed(v.z, 2);
+  return x == y && y == z ? x : x + " / " + y + " / " + z;
+}
+
+/// "2.00", or what differs: "2.00 / 2.00 / 3.00, down to -2.00 / -2.00 / -1.00, horizontal 2.00".
+std::string limit_text(const LimitRange& limit) {
+  const std::string upper = vector_text(limit.upper);
+  const std::string lower = vector_text({-limit.lower.x, -limit.lower.y, -limit.lower.z});
+  return upper + (lower == upper ? "" : ", down to " + vector_text(limit.lower)) +
+         (limit.horizontal > 0.0 ? ", horizontal " + fixed(limit.horizontal, 2) : "");
+}
+
 std::string settings_line(const Scenario& scenario) {
-  const auto limit = [](const tern::Vec3& v) {
-    const std::string x = fixed(v.x, 2);
-    const std::string y = fixed(v.y, 2);
-    const std::string z = fixed(v.z, 2);
-    return x == y && y == z ? x : x + " / " + y + " / " + z;
-  };
   return "resolution " + fixed(scenario.resolution, 3) + " m   \u00b7   robot radius " + fixed(scenario.radius, 2) +
-         " m   \u00b7   limits per axis " + limit(scenario.limits.v_max) + " m/s, " + limit(scenario.limits.a_max) +
-         " m/s\u00b2";
+         " m   \u00b7   limits per axis " + limit_text(velocity_range(scenario.limits)) + " m/s, " +
+         limit_text(acceleration_range(scenario.limits)) + " m/s\u00b2";
 }
 
 using Figure = std::pair<std::string, std::string>;  // name, value

@@ -34,12 +34,12 @@ Curves sample(const tern::Trajectory& trajectory, Profile profile) {
   return curves;
 }
 
-Range value_range(const Curves& curves, const Vec3& limit) {
-  double high = std::max({limit.x, limit.y, limit.z});
+Range value_range(const Curves& curves, const LimitRange& limit) {
+  double high = std::max({limit.upper.x, limit.upper.y, limit.upper.z, limit.horizontal});
   for (const std::vector<double>& values : curves.values) {
     for (const double v : values) high = std::max(high, std::fabs(v));
   }
-  return {-1.1 * std::max({limit.x, limit.y, limit.z}), 1.1 * high};
+  return {1.1 * std::min({limit.lower.x, limit.lower.y, limit.lower.z}), 1.1 * high};
 }
 
 void draw_curve(Canvas& canvas, const Axes& axes, const Curves& curves, int index, const std::string& style) {
@@ -58,14 +58,15 @@ bool equal(const Vec3& v) {
   return !(v.x < v.y) && !(v.y < v.x) && !(v.y < v.z) && !(v.z < v.y);
 }
 
-/// One pair of grey lines where the axes share a limit, else a pair in each axis' colour.
-void draw_limits(Canvas& canvas, const Axes& axes, const Vec3& limit) {
-  const bool shared = equal(limit);
+/// One pair of red lines where the axes share their limits, else a pair in each axis' colour; and the horizontal limit.
+void draw_limits(Canvas& canvas, const Axes& axes, const LimitRange& limit) {
+  const bool shared = equal(limit.upper) && equal(limit.lower);
   for (int a = 0; a < (shared ? 1 : 3); ++a) {
     const std::string style = std::string("class=\"limit\" stroke=\"") + (shared ? "#8b2e2e" : kAxisColours[a]) + "\"";
-    draw_level(canvas, axes, component(limit, a), style);
-    draw_level(canvas, axes, -component(limit, a), style);
+    draw_level(canvas, axes, component(limit.upper, a), style);
+    draw_level(canvas, axes, component(limit.lower, a), style);
   }
+  if (limit.horizontal > 0.0) draw_level(canvas, axes, limit.horizontal, "class=\"limit\" stroke=\"#333333\"");
 }
 
 void draw_joints(Canvas& canvas, const Axes& axes, const tern::Trajectory& trajectory) {
@@ -100,7 +101,8 @@ void draw_key(Canvas& canvas, const Rect& frame, const char* norm) {
 
 void draw_profile(Canvas& canvas, const Rect& frame, Profile profile, const PlanResult& result) {
   const bool velocity = profile == Profile::kVelocity;
-  const Vec3& limit = velocity ? result.scenario.limits.v_max : result.scenario.limits.a_max;
+  const tern::Limits& limits = result.scenario.limits;
+  const LimitRange limit = velocity ? velocity_range(limits) : acceleration_range(limits);
   const Curves curves = sample(result.trajectory, profile);
   const Axes axes{frame, {0.0, tern::duration(result.trajectory)}, value_range(curves, limit)};
   canvas.begin_clipped(frame);

@@ -1,0 +1,60 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A request's limits as the stages read them: one convex set around zero for velocities, one for accelerations.
+#ifndef TERN_BASE_BOUNDS_HPP
+#define TERN_BASE_BOUNDS_HPP
+
+#include "base/math.hpp"
+#include "tern/request.hpp"
+
+namespace tern {
+
+/// A box around zero, cut by an upright cylinder.
+struct Bounds {
+  Vec3 lower;         ///< < 0 on every axis
+  Vec3 upper;         ///< > 0 on every axis
+  double horizontal;  ///< radius of the cylinder; 0: there is none
+};
+
+/// A lower limit of 0 stands for the upper one's opposite.
+inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal) {
+  Bounds bounds{least, most, horizontal};
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(least, a) < 0.0)) axis(bounds.lower, a) = -axis(most, a);
+  }
+  return bounds;
+}
+
+inline Bounds velocity_bounds(const Limits& limits) {
+  return make_bounds(limits.v_min, limits.v_max, limits.v_horizontal);
+}
+
+inline Bounds acceleration_bounds(const Limits& limits) {
+  return make_bounds(limits.a_min, limits.a_max, limits.a_horizontal);
+}
+
+/// The bounds' gauge: the least g >= 0 for which `value` is within g times the bounds. 1 where it touches them, and
+/// convex: over the hull of some points it is largest at one of them.
+inline double gauge(const Bounds& bounds, const Vec3& value) {
+  double result = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double x = axis(value, a);
+    result = larger(result, x / (x < 0.0 ? axis(bounds.lower, a) : axis(bounds.upper, a)));
+  }
+  if (!(bounds.horizontal > 0.0)) return result;
+  return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
+}
+
+/// Limits of the same flight backwards in time: velocities change sign, accelerations do not.
+inline Limits backwards(const Limits& limits) {
+  const Bounds velocity = velocity_bounds(limits);
+  Limits result = limits;
+  result.v_max = -1.0 * velocity.lower;
+  result.v_min = -1.0 * velocity.upper;
+  return result;
+}
+
+}  // namespace tern
+
+#endif

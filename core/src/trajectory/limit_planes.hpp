@@ -1,0 +1,36 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Limits on velocity or acceleration as half-spaces that a quadratic programme takes.
+#ifndef TERN_TRAJECTORY_LIMIT_PLANES_HPP
+#define TERN_TRAJECTORY_LIMIT_PLANES_HPP
+
+#include "base/bounds.hpp"
+#include "tern/corridor.hpp"
+
+namespace tern {
+
+/// Sides of the regular polygon that stands for a limit on the horizontal norm. It lies inside the circle: a direction
+/// half-way between two corners loses 1 - cos(pi / 16), 1.92 %, one at a corner nothing.
+constexpr int kHorizontalSides = 16;
+constexpr int kMaxLimitPlanes = 6 + kHorizontalSides;
+
+/// Part of a limit that its rows leave free, so that a solution within the solver's tolerance is within the limit.
+constexpr double kRowMargin = 1e-8;
+
+/// The half-spaces, over values divided by `unit`, the smallest limit among them: rows then have the size of metres.
+struct LimitPlanes {
+  double unit;
+  int count;
+  Halfspace planes[kMaxLimitPlanes];
+};
+
+double horizontal_length(const Vec3& value) noexcept;
+
+/// Both sides of every axis that the cylinder does not imply, then the polygon, with a corner in the horizontal
+/// direction of `along` (any length; none: along x). The same bounds give the same number of planes.
+LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along) noexcept;
+
+}  // namespace tern
+
+#endif
