@@ -39,6 +39,8 @@ class Canvas {
   /// A raw element, for definitions.
   void raw(const std::string& element);
 
+  /// The elements so far.
+  const std::string& body() const { return body_; }
   /// The whole document.
   std::string document(double width, double height, const std::string& style_sheet) const;
 

@@ -21,9 +21,7 @@ class View {
  public:
   View(const Axes& axes, const Projection& projection) : axes_(axes), projection_(projection) {}
 
-  Pixel world(const Vec3& p) const {
-    return axes_.at(component(p, projection_.horizontal), component(p, projection_.vertical));
-  }
+  Pixel world(const Vec3& p) const { return project(axes_, projection_, p); }
   Rect box(const tern::Box& box, double margin) const {
     const Pixel a = world(box.lower);
     const Pixel b = world(box.upper);
@@ -50,17 +48,6 @@ double opacity(const tern::Box& box, const tern::Box& boundary, int depth) {
   const double upper = std::min(component(box.upper, depth), component(boundary.upper, depth));
   const double all = component(boundary.upper, depth) - component(boundary.lower, depth);
   return 0.15 + 0.65 * (all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0);
-}
-
-void draw_obstacles(Canvas& canvas, const View& view, const Scenario& scenario) {
-  for (const Block& block : scenario.blocks) {
-    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
-  }
-  for (const Block& block : scenario.blocks) {
-    const std::string strength = fixed(opacity(block.box, scenario.boundary, view.depth()), 2);
-    const char* const kind = block.keepout ? "keepout" : "block";
-    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + kind + "\" opacity=\"" + strength + "\"");
-  }
 }
 
 std::string axis_title(int axis) {
@@ -121,15 +108,6 @@ void draw_end(Canvas& canvas, const Axes& axes, Pixel at, Pixel towards, const c
               std::string("class=\"end-name\" text-anchor=\"") + (left ? "end" : "start") + "\"");
 }
 
-void draw_ends(Canvas& canvas, const Axes& axes, const View& view, const Scenario& scenario,
-               const std::vector<Pixel>& waypoints) {
-  const Pixel start = view.world(scenario.start.position);
-  const Pixel goal = view.world(scenario.goal.position);
-  const bool known = waypoints.size() >= 2;
-  draw_end(canvas, axes, start, known ? waypoints[1] : goal, "start", "#2f8f5b");
-  draw_end(canvas, axes, goal, known ? waypoints[waypoints.size() - 2] : start, "goal", "#c23b3b");
-}
-
 }  // namespace
 
 double component(const Vec3& v, int axis) {
@@ -143,13 +121,38 @@ Range view_range(const PlanResult& result, int axis) {
   return range;
 }
 
+Pixel project(const Axes& axes, const Projection& projection, const Vec3& p) {
+  return axes.at(component(p, projection.horizontal), component(p, projection.vertical));
+}
+
+void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario) {
+  const View view(axes, projection);
+  for (const Block& block : scenario.blocks) {
+    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
+  }
+  for (const Block& block : scenario.blocks) {
+    const std::string strength = fixed(opacity(block.box, scenario.boundary, view.depth()), 2);
+    const char* const kind = block.keepout ? "keepout" : "block";
+    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + kind + "\" opacity=\"" + strength + "\"");
+  }
+}
+
+void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
+               const std::vector<Pixel>& waypoints) {
+  const Pixel start = project(axes, projection, scenario.start.position);
+  const Pixel goal = project(axes, projection, scenario.goal.position);
+  const bool known = waypoints.size() >= 2;
+  draw_end(canvas, axes, start, known ? waypoints[1] : goal, "start", "#2f8f5b");
+  draw_end(canvas, axes, goal, known ? waypoints[waypoints.size() - 2] : start, "goal", "#c23b3b");
+}
+
 void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
                    double speed_scale) {
   const View view(axes, projection);
   const Vec3& origin = result.grid.origin;
   canvas.begin_clipped(axes.frame);
   draw_grid(canvas, axes);
-  draw_obstacles(canvas, view, result.scenario);
+  draw_obstacles(canvas, axes, projection, result.scenario);
   draw_corridor(canvas, view, result);
   canvas.end_group();
   // Below what may lie on the frame: the boundary belongs to free space.
@@ -164,7 +167,7 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
     canvas.polyline(waypoints, "class=\"shortcut\"");
     draw_waypoints(canvas, waypoints);
   }
-  draw_ends(canvas, axes, view, result.scenario, waypoints);
+  draw_ends(canvas, axes, projection, result.scenario, waypoints);
 }
 
 }  // namespace tern_host

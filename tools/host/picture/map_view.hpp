@@ -24,6 +24,17 @@ double component(const tern::Vec3& v, int axis);
 /// What a view shows of the world along one axis.
 Range view_range(const PlanResult& result, int axis);
 
+/// Where a point of the world stands in a view.
+Pixel project(const Axes& axes, const Projection& projection, const tern::Vec3& point);
+
+/// The blocks, with the space that the radius takes around them below.
+void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario);
+
+/// Start and goal with their names, on the sides that the way does not leave by. `waypoints`: the way in pixels; may be
+/// empty.
+void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
+               const std::vector<Pixel>& waypoints);
+
 /// Draws into axes.frame, with frame and axis titles; its ranges are those of view_range(). `speed_scale`: the speed of
 /// the last colour, m/s.
 void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
