@@ -8,9 +8,11 @@
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/prm/PRM.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -72,6 +74,58 @@ ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information, OmplAlgori
   return std::make_shared<og::RRTstar>(information);
 }
 
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A planner at work on a query, which goes on from where it stopped.
+class OmplRun {
+ public:
+  OmplRun(const tern::Grid& grid, const OmplQuery& query)
+      : grid_(grid), space_(space_of(grid)), setup_(space_), begin_(seconds_now()) {
+    const ob::SpaceInformationPtr information = setup_.getSpaceInformation();
+    setup_.setStateValidityChecker(
+        [&grid](const ob::State* state) { return grid.free(grid.voxel_of(point_of(state))); });
+    information->setMotionValidator(std::make_shared<VoxelLines>(information, grid));
+    setup_.setStartAndGoalStates(state_of(space_, grid.to_local(query.start)),
+                                 state_of(space_, grid.to_local(query.goal)));
+    objective_ = std::make_shared<ob::PathLengthOptimizationObjective>(information);
+    setup_.setOptimizationObjective(objective_);
+    setup_.setPlanner(planner_of(information, query.algorithm));
+  }
+
+  double elapsed() const { return seconds_now() - begin_; }
+
+  /// For so many seconds, or until there is any solution.
+  void solve(double seconds, bool first) {
+    objective_->setCostThreshold(first ? objective_->infiniteCost() : objective_->identityCost());
+    // A solution of the lower aim would be taken for the better one whatever its length.
+    setup_.getProblemDefinition()->clearSolutionPaths();
+    setup_.solve(seconds);
+  }
+
+  OmplResult result(double seconds) const {
+    OmplResult result;
+    result.seconds = seconds;
+    result.solved = setup_.haveExactSolutionPath();
+    if (!result.solved) return result;
+    result.length = setup_.getSolutionPath().length();
+    const tern::Vec3& origin = grid_.spec().origin;
+    for (const ob::State* state : setup_.getSolutionPath().getStates()) {
+      const tern::Vec3 local = point_of(state);
+      result.path.push_back({local.x + origin.x, local.y + origin.y, local.z + origin.z});
+    }
+    return result;
+  }
+
+ private:
+  const tern::Grid& grid_;
+  ob::StateSpacePtr space_;
+  og::SimpleSetup setup_;
+  ob::OptimizationObjectivePtr objective_;
+  double begin_;
+};
+
 /// The parameters of the segment at which it passes from one voxel to the next along one axis.
 void add_crossings(double from, double to, double cell, std::vector<double>& out) {
   const double low = std::min(from, to) / cell;
@@ -99,30 +153,21 @@ bool voxels_free(const tern::Grid& grid, const tern::Vec3& a, const tern::Vec3& 
   return true;
 }
 
-OmplResult ompl_plan(const tern::Grid& grid, const OmplQuery& query) {
+std::vector<OmplResult> ompl_plan(const tern::Grid& grid, const OmplQuery& query) {
   ompl::msg::noOutputHandler();
   ompl::RNG::setSeed(query.seed);
-  const ob::StateSpacePtr space = space_of(grid);
-  og::SimpleSetup setup(space);
-  const ob::SpaceInformationPtr information = setup.getSpaceInformation();
-  setup.setStateValidityChecker([&grid](const ob::State* state) { return grid.free(grid.voxel_of(point_of(state))); });
-  information->setMotionValidator(std::make_shared<VoxelLines>(information, grid));
-  setup.setStartAndGoalStates(state_of(space, grid.to_local(query.start)), state_of(space, grid.to_local(query.goal)));
-  setup.setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(information));
-  setup.setPlanner(planner_of(information, query.algorithm));
-  const bool solved = setup.solve(query.seconds) == ob::PlannerStatus::EXACT_SOLUTION;
-  OmplResult result;
-  result.seconds = setup.getLastPlanComputationTime();
-  if (!solved) return result;
-  result.solved = true;
-  if (query.simplify) setup.simplifySolution();
-  result.length = setup.getSolutionPath().length();
-  const tern::Vec3& origin = grid.spec().origin;
-  for (const ob::State* state : setup.getSolutionPath().getStates()) {
-    const tern::Vec3 local = point_of(state);
-    result.path.push_back({local.x + origin.x, local.y + origin.y, local.z + origin.z});
+  OmplRun run(grid, query);
+  std::vector<OmplResult> results;
+  run.solve(query.times.back(), true);
+  results.push_back(run.result(run.elapsed()));
+  for (const double time : query.times) {
+    const double left = time - run.elapsed();
+    if (left > 0.0) run.solve(left, false);
+    // What took longer than this to find was not there by then.
+    const bool late = results.front().seconds > time;
+    results.push_back(late ? OmplResult{} : run.result(time));
   }
-  return result;
+  return results;
 }
 
 }  // namespace tern_bench

@@ -104,12 +104,14 @@ MapViews lay_out_views(const tern_host::Scenario& scenario, double y) {
   const double width = kFigureWidth - 2.0 * kFigureMargin;
   const double stacked = std::min((width - kPanelLeft) / across, kMaxViewsHeight / (top + side));
   const double beside = std::min((0.5 * width - kPanelLeft) / across, kMaxViewsHeight / std::max(top, side));
-  const double scale = std::max(stacked, beside);
+  // Beside each other they need less of the page.
+  const bool above = stacked > 1.2 * beside;
+  const double scale = above ? stacked : beside;
   const double x = kFigureMargin + kPanelLeft;
   const Rect first{x, y + kPanelAbove, scale * across, scale * top};
   const Rect below{x, first.bottom() + kPanelBelow + kPanelAbove, scale * across, scale * side};
   const Rect right{x + 0.5 * width, y + kPanelAbove, scale * across, scale * side};
-  const Rect& second = stacked >= beside ? below : right;
+  const Rect& second = above ? below : right;
   views.top_axes = panel(first, views.top, box);
   views.side_axes = panel(second, views.side, box);
   views.bottom = std::max(first.bottom(), second.bottom()) + kPanelBelow;

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "baselines/paper_search.hpp"
-#include "baselines/sampling.hpp"
+#ifdef TERN_HAVE_OMPL
+#include "baselines/ompl_planner.hpp"
+#endif
 #include "host/number.hpp"
 #include "paper/experiments.hpp"
 #include "paper/figure.hpp"
@@ -20,7 +22,6 @@ using tern_host::fixed;
 
 constexpr int kMaps = 6;
 constexpr int kRepetitions = 7;
-constexpr const char* kMethods[] = {"RRT*", "PRM"};
 
 /// What one method came to on one map over its runs (one where it is deterministic).
 struct Outcome {
@@ -71,25 +72,39 @@ void run_grid_methods(Table& table, int map, const tern_host::Scenario& scenario
   shown.tern = add("Tern", "", tern.shortened);
 }
 
+#ifdef TERN_HAVE_OMPL
 /// One planner's runs with all seeds; returns what the first seed has at the end.
-std::vector<tern::Vec3> run_sampling_method(Table& table, const Run& run, int map, const tern_host::Scenario& scenario,
-                                            const ScenarioGrid& world, Sampler sampler) {
+std::vector<tern::Vec3> run_sampling(Table& table, const Run& run, int map, const tern_host::Scenario& scenario,
+                                     const ScenarioGrid& world, OmplAlgorithm algorithm) {
   const std::vector<double> times = run.quick ? std::vector<double>{0.05} : std::vector<double>{0.1, 1.0};
   std::vector<Outcome> outcomes(times.size() + 1);
-  std::vector<tern::Vec3> first;
+  std::vector<tern::Vec3> shown;
   for (int seed = 1; seed <= pick(run, 20, 2); ++seed) {
-    const std::vector<Snapshot> snapshots =
-        run_sampler(sampler, world.grid(), scenario, static_cast<std::uint32_t>(seed), times);
-    for (std::size_t i = 0; i < snapshots.size(); ++i) {
-      outcomes[i].add({snapshots[i].route, 1e3 * snapshots[i].time}, scenario);
+    const std::vector<OmplResult> results = ompl_plan(
+        world.grid(),
+        {algorithm, scenario.start.position, scenario.goal.position, times, static_cast<std::uint32_t>(seed)});
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      outcomes[i].add({{results[i].solved, results[i].path, 0}, 1e3 * results[i].seconds}, scenario);
     }
-    if (seed == 1) first = snapshots.back().route.points;
+    if (seed == 1) shown = results.back().path;
   }
-  const char* const name = kMethods[sampler == Sampler::kPrm ? 1 : 0];
+  const char* const name = algorithm == OmplAlgorithm::kPrm ? "PRM" : "RRT*";
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     write_row(table, map, name, i == 0 ? "first" : fixed(times[i - 1], 2) + " s", outcomes[i]);
   }
-  return first;
+  return shown;
+}
+#endif
+
+void run_sampling_methods(Table& table, const Run& run, int map, const tern_host::Scenario& scenario,
+                          const ScenarioGrid& world, Shown& shown) {
+#ifdef TERN_HAVE_OMPL
+  shown.rrt = run_sampling(table, run, map, scenario, world, OmplAlgorithm::kRrtStar);
+  shown.prm = run_sampling(table, run, map, scenario, world, OmplAlgorithm::kPrm);
+#else
+  if (map == 1) progress("built without OMPL: RRT* and PRM are left out");
+  (void)table, (void)run, (void)scenario, (void)world, (void)shown;
+#endif
 }
 
 void draw_figure(const Run& run, int map, const tern_host::Scenario& scenario, const Shown& shown) {
@@ -117,17 +132,13 @@ void draw_figure(const Run& run, int map, const tern_host::Scenario& scenario, c
 
 void front_end_experiment(const Run& run) {
   Table table("map,method,state,found,runs,length_m,length_sd,waypoints,time_ms,time_sd,expanded,clearance_m");
-  if (!has_sampling()) progress("built without OMPL: RRT* and PRM are left out");
   for (int map = 1; map <= kMaps; ++map) {
     progress("map " + std::to_string(map));
     const tern_host::Scenario scenario = paper_map(map);
     const ScenarioGrid world(scenario);
     Shown shown;
     run_grid_methods(table, map, scenario, world, shown);
-    if (has_sampling()) {
-      shown.rrt = run_sampling_method(table, run, map, scenario, world, Sampler::kRrtStar);
-      shown.prm = run_sampling_method(table, run, map, scenario, world, Sampler::kPrm);
-    }
+    run_sampling_methods(table, run, map, scenario, world, shown);
     draw_figure(run, map, scenario, shown);
   }
   table.write(run, "front_end.csv");
