@@ -15,7 +15,8 @@ struct Part {
   const char* name;
   void (*run)(const tern_bench::Run&);
 };
-constexpr Part kParts[] = {{"front_end", tern_bench::front_end_experiment}};
+constexpr Part kParts[] = {{"front_end", tern_bench::front_end_experiment},
+                           {"monte_carlo", tern_bench::monte_carlo_experiment}};
 
 }  // namespace
 

@@ -8,9 +8,10 @@ import shutil
 import sys
 
 import front_end
+import monte_carlo
 from markdown import Results
 
-CHAPTERS = [front_end]
+CHAPTERS = [front_end, monte_carlo]
 
 HEAD = """# The paper's experiments
 
