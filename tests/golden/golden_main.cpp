@@ -9,17 +9,15 @@
 #include <cstring>
 #include <memory>
 
-#include "golden/corpus.hpp"
+#include "golden/corpus_run.hpp"
 #include "golden/golden_hash.hpp"
 
 namespace {
 
-struct Memory {
-  std::uint64_t words[tern_golden::kGridWords];
-  tern::Workspace workspace;
-  tern_golden::Scenario scenario;
-  tern::Trajectory trajectory;
-};
+void print_scenario(int index, tern::Status status, const tern::Report& report, std::uint64_t hash) {
+  std::printf("%3d %-20s quality %d optimiser %-16s %016" PRIx64 "\n", index, tern::status_name(status),
+              static_cast<int>(report.quality), tern::status_name(report.optimiser), hash);
+}
 
 }  // namespace
 
@@ -30,25 +28,13 @@ int main(int argc, char** argv) {
     std::printf("self-test failed: faults 0x%" PRIx32 "\n", faults);
     return 1;
   }
-  const auto memory = std::make_unique<Memory>();
-  tern::Planner planner(&memory->workspace, sizeof memory->workspace);
-  std::uint64_t hash = tern_golden::kHashSeed;
-  int ok = 0;
-  for (int i = 0; i < tern_golden::kScenarioCount; ++i) {
-    tern::Grid grid;
-    tern::Report report;
-    tern_golden::scenario(i, memory->scenario);
-    tern::Status status = tern_golden::build_grid(memory->scenario, memory->words, tern_golden::kGridWords, grid);
-    if (status == tern::Status::kOk) status = planner.plan(grid, memory->scenario.request, memory->trajectory, report);
-    hash = tern_golden::hash_plan(hash, status, memory->trajectory);
-    ok += status == tern::Status::kOk ? 1 : 0;
-    if (each) {
-      std::printf("%3d %-20s quality %d optimiser %-16s %016" PRIx64 "\n", i, tern::status_name(status),
-                  static_cast<int>(report.quality), tern::status_name(report.optimiser), hash);
-    }
-  }
-  std::printf("golden hash %016" PRIx64 ", recorded %016" PRIx64 ": %s; %d of %d scenarios have a plan\n", hash,
-              tern_golden::kGoldenHash, hash == tern_golden::kGoldenHash ? "equal" : "DIFFERENT", ok,
-              tern_golden::kScenarioCount);
-  return hash == tern_golden::kGoldenHash ? 0 : 1;
+  const auto memory = std::make_unique<tern_golden::Memory>();
+  const auto see = [each](int index, tern::Status status, const tern::Report& report, std::uint64_t hash) {
+    if (each) print_scenario(index, status, report, hash);
+  };
+  const tern_golden::Totals totals = tern_golden::run_corpus(*memory, see);
+  const bool equal = totals.hash == tern_golden::kGoldenHash;
+  std::printf("golden hash %016" PRIx64 ", recorded %016" PRIx64 ": %s; %d of %d scenarios have a plan\n", totals.hash,
+              tern_golden::kGoldenHash, equal ? "equal" : "DIFFERENT", totals.plans, tern_golden::kScenarioCount);
+  return equal ? 0 : 1;
 }

@@ -8,10 +8,6 @@
 namespace tern_host {
 namespace {
 
-double microseconds(std::uint64_t ticks) {
-  return static_cast<double>(ticks) * (1e6 / tern_port::ticks_per_second());
-}
-
 tern::Request request_of(const Scenario& scenario) {
   tern::Request request{};
   request.start = scenario.start;
@@ -28,16 +24,25 @@ tern::Status refuse(PlanResult& result, tern::Status status) {
 
 }  // namespace
 
+Clock platform_clock() {
+  return {tern_port::ticks, nullptr, tern_port::ticks_per_second()};
+}
+
 double Timing::total() const {
   double sum = inflate;
   for (const double stage : stages) sum += stage;
   return sum;
 }
 
-Session::Session()
-    : memory_(new unsigned char[tern::kWorkspaceBytes + tern::kWorkspaceAlignment]),
+Session::Session(const Clock& clock)
+    : clock_(clock),
+      memory_(new unsigned char[tern::kWorkspaceBytes + tern::kWorkspaceAlignment]),
       planner_(memory_.get(), tern::kWorkspaceBytes + tern::kWorkspaceAlignment) {
-  planner_.set_clock(tern_port::ticks, nullptr);
+  planner_.set_clock(clock_.read, clock_.context);
+}
+
+double Session::microseconds(std::uint64_t ticks) const {
+  return static_cast<double>(ticks) * (1e6 / clock_.ticks_per_second);
 }
 
 tern::Status Session::build_grid(PlanResult& result) {
@@ -48,9 +53,9 @@ tern::Status Session::build_grid(PlanResult& result) {
     const tern::Status marked = grid_.mark_box(block.box);
     if (marked != tern::Status::kOk) return refuse(result, marked);
   }
-  const std::uint64_t before = tern_port::ticks(nullptr);
+  const std::uint64_t before = clock_.read(clock_.context);
   grid_.inflate();
-  result.timing.inflate = microseconds(tern_port::ticks(nullptr) - before);
+  result.timing.inflate = microseconds(clock_.read(clock_.context) - before);
   return status;
 }
 

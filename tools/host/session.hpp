@@ -11,7 +11,17 @@
 
 namespace tern_host {
 
-/// Microseconds a stage; zeros where the clock said nothing.
+/// What a session measures with.
+struct Clock {
+  tern::ClockFn read;
+  void* context;            ///< handed to `read`; outlives the session
+  double ticks_per_second;  ///< 1e6 leaves a counter's ticks as they are where Timing says microseconds
+};
+
+/// The platform's own clock, by tern_port.
+Clock platform_clock();
+
+/// Microseconds a stage by the session's clock; zeros where the clock said nothing.
 struct Timing {
   double inflate = 0.0;
   double stages[tern::kStageCount] = {};
@@ -36,14 +46,16 @@ struct PlanResult {
 /// A planner with the memory it needs, for one scenario after another.
 class Session {
  public:
-  Session();
+  explicit Session(const Clock& clock = platform_clock());
 
   /// Lays out, fills and inflates the grid, and plans. Throws ScenarioError where the grid does not fit.
   PlanResult plan(const Scenario& scenario);
 
  private:
   tern::Status build_grid(PlanResult& result);
+  double microseconds(std::uint64_t ticks) const;
 
+  Clock clock_;
   std::unique_ptr<unsigned char[]> memory_;
   std::vector<std::uint64_t> words_;
   tern::Grid grid_;

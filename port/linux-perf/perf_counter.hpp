@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TERN_PORT_AARCH64_LINUX_PERF_COUNTER_HPP
-#define TERN_PORT_AARCH64_LINUX_PERF_COUNTER_HPP
+#ifndef TERN_PORT_LINUX_PERF_COUNTER_HPP
+#define TERN_PORT_LINUX_PERF_COUNTER_HPP
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "aarch64-linux/perf_counter.hpp"
+#include "linux-perf/perf_counter.hpp"
 
 #include <linux/perf_event.h>
 #include <sys/syscall.h>
