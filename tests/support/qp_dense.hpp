@@ -103,10 +103,17 @@ inline double dense_objective(const DenseQp& dense, const Column& x) {
   return 0.5 * dense_dot(x, dense_times(dense.hessian, x)) + dense_dot(dense.linear, x);
 }
 
-/// Violation of the worst row, over its normal's length.
+/// Part of a row's largest term by which two ways to add the row up may differ.
+constexpr double kDenseRounding = 1e-15;
+
+/// Violation of the worst row, over its normal's length, less what rounding may have made of it.
 inline double dense_violation(const DenseQp& dense, const Column& x) {
   double worst = 0.0;
-  for (const DenseRow& row : dense.rows) worst = std::max(worst, (dense_dot(row.a, x) - row.b) / row.length);
+  for (const DenseRow& row : dense.rows) {
+    double largest = std::fabs(row.b);
+    for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::fabs(row.a[i] * x[i]));
+    worst = std::max(worst, (dense_dot(row.a, x) - row.b - kDenseRounding * largest) / row.length);
+  }
   return worst;
 }
 

@@ -12,45 +12,47 @@ constexpr double kNormFloor = 1e-12;
 /// Stands for a length that overflowed: such a point is not constant, whatever else it is.
 constexpr double kNormCeiling = 1e300;
 
+/// How far column i of L reaches below its diagonal.
+int reach_of(int i, int n) {
+  return n - 1 - i < kQpBand ? n - 1 - i : kQpBand;
+}
+
 void load_columns(const QpProblem& problem, QpSolver& solver) {
   const int n = problem.unknowns;
-  for (int i = 0; i < n + kQpBand; ++i) {
-    for (int d = 0; d <= kQpBand; ++d) solver.factor[i][d] = i + d < n ? problem.hessian[i + d][d] : 0.0;
+  for (int i = 0; i < n; ++i) {
+    const int reach = reach_of(i, n);
+    for (int d = 0; d <= reach; ++d) solver.factor[i][d] = problem.hessian[i + d][d];
+    for (int d = reach + 1; d <= kQpBand; ++d) solver.factor[i][d] = 0.0;
   }
 }
 
 /// Subtracts what column i of L explains from the columns right of it.
-void eliminate(QpSolver& solver, int i) {
+void eliminate(QpSolver& solver, int i, int reach) {
   const double* column = solver.factor[i];
-  for (int d = 1; d <= kQpBand; ++d) {
+  for (int d = 1; d <= reach; ++d) {
     double* target = solver.factor[i + d];
-    if (!(absolute(column[d]) > 0.0)) continue;
-    for (int e = 0; e <= kQpBand - d; ++e) target[e] -= column[d] * column[d + e];
+    for (int e = 0; e <= reach - d; ++e) target[e] -= column[d] * column[d + e];
   }
 }
 
 /// Takahashi's recurrence: row i of H^-1 within the band, from the rows below it.
-void inverse_row(QpSolver& solver, int i) {
+void inverse_row(QpSolver& solver, int i, int reach) {
   const double* column = solver.factor[i];
   double* row = solver.inverse[i];
-  for (int j = kQpBand; j >= 1; --j) {
+  for (int j = reach; j >= 1; --j) {
     double total = 0.0;
-    for (int d = 1; d <= kQpBand; ++d) {
-      total += column[d] * (d <= j ? solver.inverse[i + d][j - d] : solver.inverse[i + j][d - j]);
-    }
+    for (int d = 1; d <= j; ++d) total += column[d] * solver.inverse[i + d][j - d];
+    for (int d = j + 1; d <= reach; ++d) total += column[d] * solver.inverse[i + j][d - j];
     row[j] = -column[0] * total;
   }
   double total = 0.0;
-  for (int d = 1; d <= kQpBand; ++d) total += column[d] * row[d];
+  for (int d = 1; d <= reach; ++d) total += column[d] * row[d];
   row[0] = column[0] * (column[0] - total);
 }
 
 void invert_band(QpSolver& solver) {
   const int n = solver.unknowns;
-  for (int i = n; i < n + kQpBand; ++i) {
-    for (int d = 0; d <= kQpBand; ++d) solver.inverse[i][d] = 0.0;
-  }
-  for (int i = n - 1; i >= 0; --i) inverse_row(solver, i);
+  for (int i = n - 1; i >= 0; --i) inverse_row(solver, i, reach_of(i, n));
   solver.inverse_known = true;
 }
 
@@ -58,13 +60,15 @@ void invert_band(QpSolver& solver) {
 
 bool factor_hessian(const QpProblem& problem, QpSolver& solver) {
   load_columns(problem, solver);
-  for (int i = 0; i < problem.unknowns; ++i) {
+  const int n = problem.unknowns;
+  for (int i = 0; i < n; ++i) {
     double* column = solver.factor[i];
+    const int reach = reach_of(i, n);
     const double diagonal = problem.hessian[i][0];
     if (!(column[0] > kPivotTolerance * diagonal) || !(diagonal > 0.0) || !finite(column[0])) return false;
     column[0] = 1.0 / square_root(column[0]);
-    for (int d = 1; d <= kQpBand; ++d) column[d] *= column[0];
-    eliminate(solver, i);
+    for (int d = 1; d <= reach; ++d) column[d] *= column[0];
+    eliminate(solver, i, reach);
   }
   return true;
 }
@@ -76,7 +80,7 @@ void forward(const QpSolver& solver, const double* in, double* out) {
   for (int i = 0; i < n; ++i) {
     const double* column = solver.factor[i];
     double* at = out + kQpAxes * i;
-    const int reach = n - 1 - i < kQpBand ? n - 1 - i : kQpBand;
+    const int reach = reach_of(i, n);
     for (int a = 0; a < kQpAxes; ++a) at[a] *= column[0];
     for (int d = 1; d <= reach; ++d) {
       for (int a = 0; a < kQpAxes; ++a) at[kQpAxes * d + a] -= column[d] * at[a];
@@ -86,15 +90,12 @@ void forward(const QpSolver& solver, const double* in, double* out) {
 
 void unknowns_from(QpSolver& solver, const double* z) {
   const int n = solver.unknowns;
-  for (int i = n; i < n + kQpBand; ++i) {
-    for (int lane = 0; lane < 4; ++lane) solver.x[i][lane] = 0.0;
-  }
   for (int i = n - 1; i >= 0; --i) {
     const double* column = solver.factor[i];
     Pair low = {z[kQpAxes * i], z[kQpAxes * i + 1]};
     Pair high = {z[kQpAxes * i + 2], 0.0};
     // The nearest unknown comes last: it was only just computed.
-    for (int d = kQpBand; d >= 1; --d) {
+    for (int d = reach_of(i, n); d >= 1; --d) {
       low -= both(column[d]) * pair(solver.x[i + d]);
       high -= both(column[d]) * pair(solver.x[i + d] + kPair);
     }

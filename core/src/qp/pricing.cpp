@@ -14,14 +14,15 @@ constexpr int kTilePairs = kQpTile / kPair;
 constexpr double kNoViolation = -1e300;
 constexpr double kNoNumber = 1e300;
 
-/// From this scan on tiles remember their reach, which takes the lengths of all their points.
-constexpr int kFirstReach = 3;
+/// A tile whose rows were all met is looked at again after so many scans, though others still hold violated rows: a row
+/// that has come to be violated most must not wait until all others are met.
+constexpr int kPatience = 3;
 
 /// Coordinates of up to kQpTile points, by axis.
 struct Tile {
   alignas(16) double at[kQpAxes][kQpTile];
   alignas(16) double worst[kQpTile];
-  Pair finite;  ///< 0 times every coordinate so far: 0 where all of them were numbers
+  Pair finite;  ///< 0 times the sum of every tile's coordinates so far: 0 where all of them were numbers
 };
 
 /// A scan in progress: the best row so far, and where it stands.
@@ -32,23 +33,48 @@ struct Scan {
   double violation = 0.0;
   double distance = 0.0;
   bool constant = false;
-  int tiles = 0;    ///< counted over all groups
-  bool all = true;  ///< look at every tile
+  int tiles = 0;      ///< counted over all groups
+  bool rest = false;  ///< look at the tiles that were passed over, else at the promising ones
   bool skipped = false;
 };
 
+void put(const Value& first, const Value& second, int lane, Tile& tile) {
+  pair(tile.at[0] + lane) = Pair{first.low[0], second.low[0]};
+  pair(tile.at[1] + lane) = Pair{first.low[1], second.low[1]};
+  pair(tile.at[2] + lane) = Pair{first.high[0], second.high[0]};
+}
+
 /// Evaluates `count` points; the lanes left over repeat the last one.
 void fill(const QpPoint* points, int count, const QpSolver& solver, Tile& tile) {
-  for (int lane = 0; lane < count; ++lane) {
-    const Value value = evaluate(points[lane], solver);
-    tile.at[0][lane] = value.low[0];
-    tile.at[1][lane] = value.low[1];
-    tile.at[2][lane] = value.high[0];
-    tile.finite += both(0.0) * (value.low + value.high);
+  Pair total = both(0.0);
+  Value last;
+  int lane = 0;
+  for (; lane < count; lane += kPair) {
+    const Value first = evaluate(points[lane], solver);
+    last = lane + 1 < count ? evaluate(points[lane + 1], solver) : first;
+    put(first, last, lane, tile);
+    total += (first.low + first.high) + (last.low + last.high);
   }
-  for (int lane = count; lane < kQpTile; ++lane) {
-    for (int a = 0; a < kQpAxes; ++a) tile.at[a][lane] = tile.at[a][count - 1];
+  for (; lane < kQpTile; lane += kPair) put(last, last, lane, tile);
+  tile.finite += both(0.0) * total;
+}
+
+/// Raises `worst` to what one plane whose normal is an axis leaves of each point.
+void scan_axis(const QpUnitPlane& plane, const Tile& tile, Pair* worst) {
+  const double* at = tile.at[plane.axis];
+  if (plane.facing == QpFacing::kUp) {
+    const Pair upper = both(plane.offset);
+    for (int i = 0; i < kTilePairs; ++i) worst[i] = larger_of(pair(at + kPair * i) - upper, worst[i]);
+    return;
   }
+  const Pair lower = both(-plane.offset);
+  for (int i = 0; i < kTilePairs; ++i) worst[i] = larger_of(lower - pair(at + kPair * i), worst[i]);
+}
+
+/// normal . point for two points of the tile.
+Pair height(const Pair* normal, const Tile& tile, int lane) {
+  const Pair sum_xy = normal[0] * pair(tile.at[0] + lane) + normal[1] * pair(tile.at[1] + lane);
+  return sum_xy + normal[2] * pair(tile.at[2] + lane);
 }
 
 /// The largest violation of each point of the tile; true where one is positive.
@@ -57,19 +83,22 @@ bool scan_planes(const QpUnitPlane* planes, int count, Tile& tile) {
   for (int i = 0; i < kTilePairs; ++i) worst[i] = both(kNoViolation);
   for (int p = 0; p < count; ++p) {
     const QpUnitPlane& plane = planes[p];
-    const Pair offset = both(plane.offset);
-    if (plane.axis >= 0) {
-      const Pair side = both(plane.normal[plane.axis]);
-      const double* at = tile.at[plane.axis];
-      for (int i = 0; i < kTilePairs; ++i) worst[i] = larger_of(side * pair(at + kPair * i) - offset, worst[i]);
+    if (plane.facing <= QpFacing::kDown) {
+      scan_axis(plane, tile, worst);
       continue;
     }
-    const Pair nx = both(plane.normal[0]);
-    const Pair ny = both(plane.normal[1]);
-    const Pair nz = both(plane.normal[2]);
+    const Pair normal[kQpAxes] = {both(plane.normal[0]), both(plane.normal[1]), both(plane.normal[2])};
+    const Pair upper = both(plane.offset);
+    if (plane.facing == QpFacing::kSlab && p + 1 < count) {
+      const Pair lower = both(-planes[++p].offset);
+      for (int i = 0; i < kTilePairs; ++i) {
+        const Pair at = height(normal, tile, kPair * i);
+        worst[i] = larger_of(lower - at, larger_of(at - upper, worst[i]));
+      }
+      continue;
+    }
     for (int i = 0; i < kTilePairs; ++i) {
-      const Pair sum_xy = nx * pair(tile.at[0] + kPair * i) + ny * pair(tile.at[1] + kPair * i);
-      worst[i] = larger_of((sum_xy + nz * pair(tile.at[2] + kPair * i)) - offset, worst[i]);
+      worst[i] = larger_of(height(normal, tile, kPair * i) - upper, worst[i]);
     }
   }
   for (int i = 0; i < kTilePairs; ++i) pair(tile.worst + kPair * i) = worst[i];
@@ -83,71 +112,65 @@ double inverse_norm(const QpProblem& problem, QpSolver& solver, int point) {
   return known;
 }
 
-void consider(const QpProblem& problem, QpSolver& solver, int group, int point, double violation, Scan& scan) {
+/// Takes the point's worst row where it is the best so far; returns how far it is violated as a distance in the metric.
+double consider(const QpProblem& problem, QpSolver& solver, int group, int point, double violation, Scan& scan) {
   solver.worst = larger(solver.worst, violation);
-  if (!(violation > kQpEntering) || !finite(violation) || scan.constant) return;
+  if (!(violation > kQpEntering) || !finite(violation) || scan.constant) return 0.0;
   const double inverse = inverse_norm(problem, solver, point);
   const bool constant = !(inverse > 0.0);
   const double distance = violation * inverse;
-  if (!constant && !(distance > scan.distance)) return;
+  if (!constant && !(distance > scan.distance)) return distance;
   scan.group = group;
   scan.point = point;
   scan.violation = violation;
   scan.distance = distance;
   scan.constant = constant;
+  return distance;
 }
 
-/// How far the nearest row of the tile is violated, as a distance in the metric; negative: how far z may go before one
-/// is. Constant points never are.
-double tile_distance(const QpProblem& problem, QpSolver& solver, int begin, int count, const Tile& tile) {
-  double distance = kNoViolation;
+/// True where this pass leaves the tile out. A tile whose rows were met when it was last looked at is left until the
+/// others have nothing; one whose rows were violated cannot hold a better row than the best so far before z has gone
+/// far enough.
+bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
+  if (solver.scans == 0 || index >= kQpMaxTiles) return scan.rest && solver.scans > 0;
+  if (scan.rest) return solver.seen[index] == solver.scans;
+  if (solver.scans - solver.seen[index] >= kPatience && solver.reach[index] <= kNoViolation) return false;
+  return solver.reach[index] + solver.travelled <= scan.distance;
+}
+
+/// Looks at a tile and returns the distance of its most violated row; 0 where none is violated.
+double look(const QpProblem& problem, QpSolver& solver, int group, int begin, int count, Scan& scan) {
+  const QpGroup& g = problem.groups[group];
+  fill(problem.points + begin, count, solver, scan.tile);
+  if (!scan_planes(solver.planes + g.plane_begin, g.plane_end - g.plane_begin, scan.tile)) return 0.0;
+  double distance = 0.0;
   for (int lane = 0; lane < count; ++lane) {
-    const double inverse = inverse_norm(problem, solver, begin + lane);
-    if (inverse > 0.0) distance = larger(tile.worst[lane] * inverse, distance);
+    const double violation = scan.tile.worst[lane];
+    if (!(violation > 0.0)) continue;
+    distance = larger(distance, consider(problem, solver, group, begin + lane, violation, scan));
   }
   return distance;
 }
 
-/// True where no row of the tile can be better than what was found: since the tile was looked at, z has not gone far
-/// enough.
-bool out_of_reach(const QpSolver& solver, int index, const Scan& scan) {
-  if (scan.all || index >= kQpMaxTiles) return false;
-  return solver.reach[index] + solver.travelled <= scan.distance;
-}
-
-void remember_reach(const QpProblem& problem, QpSolver& solver, int index, int begin, int count, const Tile& tile) {
-  if (index >= kQpMaxTiles) return;
-  solver.reach[index] =
-      solver.scans < kFirstReach ? kNoNumber : tile_distance(problem, solver, begin, count, tile) - solver.travelled;
-}
-
-void scan_group(const QpProblem& problem, QpSolver& solver, int index, Scan& scan) {
-  const QpGroup& group = problem.groups[index];
-  const QpUnitPlane* planes = solver.planes + group.plane_begin;
-  for (int begin = group.point_begin; begin < group.point_end; begin += kQpTile) {
+void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& scan) {
+  const QpGroup& g = problem.groups[group];
+  for (int begin = g.point_begin; begin < g.point_end; begin += kQpTile) {
     const int tile = scan.tiles++;
-    if (out_of_reach(solver, tile, scan)) {
+    if (passes_over(solver, tile, scan)) {
       scan.skipped = true;
       continue;
     }
-    const int left = group.point_end - begin;
-    const int count = left < kQpTile ? left : kQpTile;
-    fill(problem.points + begin, count, solver, scan.tile);
-    const bool violated = scan_planes(planes, group.plane_end - group.plane_begin, scan.tile);
-    remember_reach(problem, solver, tile, begin, count, scan.tile);
-    if (!violated) continue;
-    for (int lane = 0; lane < count; ++lane) {
-      if (scan.tile.worst[lane] > 0.0) consider(problem, solver, index, begin + lane, scan.tile.worst[lane], scan);
-    }
+    const int left = g.point_end - begin;
+    const double distance = look(problem, solver, group, begin, left < kQpTile ? left : kQpTile, scan);
+    if (tile >= kQpMaxTiles) continue;
+    solver.seen[tile] = solver.scans;
+    solver.reach[tile] = distance > 0.0 ? distance - solver.travelled : kNoViolation;
   }
 }
 
 void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
-  scan.tile.finite = both(0.0);
-  solver.worst = 0.0;
+  scan.tiles = 0;
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
-  if (!finite(sum(scan.tile.finite))) solver.worst = kNoNumber;
-  ++solver.scans;
 }
 
 /// The first plane that the point violates most.
@@ -179,13 +202,15 @@ void forget_reach(QpSolver& solver) {
 
 Candidate price(const QpProblem& problem, QpSolver& solver) {
   Scan scan;
-  scan.all = solver.scans <= kFirstReach;
+  scan.tile.finite = both(0.0);
+  solver.worst = 0.0;
   scan_rows(problem, solver, scan);
   if (scan.group < 0 && scan.skipped) {
-    scan.all = true;
-    scan.tiles = 0;
+    scan.rest = true;
     scan_rows(problem, solver, scan);
   }
+  if (!finite(sum(scan.tile.finite))) solver.worst = kNoNumber;
+  ++solver.scans;
   if (scan.group < 0) return {};
   const int plane = worst_plane(problem, solver, problem.groups[scan.group], scan.point);
   return {true, scan.constant, {scan.point, plane}, scan.violation};

@@ -20,7 +20,7 @@ void end(QpSolver& solver, Status status) {
 }
 
 void clear_point(QpSolver& solver) {
-  for (int i = 0; i < solver.unknowns + kQpBand; ++i) {
+  for (int i = 0; i < solver.unknowns; ++i) {
     for (int lane = 0; lane < 4; ++lane) solver.x[i][lane] = 0.0;
   }
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = 0.0;
@@ -43,7 +43,7 @@ void start(const QpProblem& problem, QpSolver& solver) {
   solver.phase = QpPhase::kWarmRow;
   clear_point(solver);
   qp::forget_reach(solver);
-  solver.usable = solver.usable && qp::prepare_planes(problem, solver);
+  solver.usable = solver.usable && qp::prepare_offsets(problem, solver);
   if (!solver.usable) return;
   aim(problem, solver);
 }
@@ -175,6 +175,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
   solver.usable = qp::factor_hessian(problem, solver);
   qp::forget_lengths(problem, solver);
+  qp::prepare_normals(problem, solver);
   start(problem, solver);
 }
 

@@ -13,14 +13,31 @@ constexpr double kLargeSquare = 1e200;
 /// A normal whose squared length is this close to 1 is unit.
 constexpr double kUnitTolerance = 1e-14;
 
-/// The axis that the unit normal lies along, -1 for none.
-int axis_of(const QpUnitPlane& plane) {
+/// 1 / length of a normal that is neither unit nor of an ordinary size.
+double careful_inverse(const Vec3& n) {
+  const double largest = larger(larger(absolute(n.x), absolute(n.y)), absolute(n.z));
+  if (!(largest > 0.0)) return 0.0;
+  const Vec3 scaled = {n.x / largest, n.y / largest, n.z / largest};
+  return 1.0 / largest / square_root(dot(scaled, scaled));
+}
+
+/// How a unit normal lies, as long as nothing is known of the next plane.
+void face(QpUnitPlane& plane) {
+  const double size[kQpAxes] = {absolute(plane.normal[0]), absolute(plane.normal[1]), absolute(plane.normal[2])};
+  plane.facing = QpFacing::kOblique;
+  if (size[0] + size[1] + size[2] > 1.0) return;
   for (int a = 0; a < kQpAxes; ++a) {
-    if (absolute(plane.normal[a]) < 1.0) continue;
-    const double rest = absolute(plane.normal[(a + 1) % kQpAxes]) + absolute(plane.normal[(a + 2) % kQpAxes]);
-    return rest > 0.0 ? -1 : a;
+    if (size[a] < 1.0) continue;
+    if (size[(a + 1) % kQpAxes] + size[(a + 2) % kQpAxes] > 0.0) return;
+    plane.facing = plane.normal[a] > 0.0 ? QpFacing::kUp : QpFacing::kDown;
+    plane.axis = static_cast<std::uint8_t>(a);
   }
-  return -1;
+}
+
+/// True where the normals are opposite to the last bit.
+bool opposite(const QpUnitPlane& a, const QpUnitPlane& b) {
+  if (absolute(a.normal[0] + b.normal[0]) > 0.0) return false;
+  return absolute(a.normal[1] + b.normal[1]) + absolute(a.normal[2] + b.normal[2]) <= 0.0;
 }
 
 bool in_group(const QpGroup& group, const QpRow& row) {
@@ -35,31 +52,36 @@ double inverse_length(const Halfspace& plane) {
   const double squared = dot(n, n);
   if (absolute(squared - 1.0) <= kUnitTolerance) return 1.0;
   if (squared > kSmallSquare && squared < kLargeSquare) return 1.0 / square_root(squared);
-  const double largest = larger(larger(absolute(n.x), absolute(n.y)), absolute(n.z));
-  if (!(largest > 0.0)) return 0.0;
-  const Vec3 scaled = {n.x / largest, n.y / largest, n.z / largest};
-  return 1.0 / largest / square_root(dot(scaled, scaled));
+  return careful_inverse(n);
 }
 
-bool prepare_planes(const QpProblem& problem, QpSolver& solver) {
-  bool numbers = true;
-  solver.contradictory = false;
+void prepare_normals(const QpProblem& problem, QpSolver& solver) {
   for (int p = 0; p < problem.plane_count; ++p) {
     const Halfspace& plane = problem.planes[p];
-    const double scale = inverse_length(plane);
     QpUnitPlane& unit = solver.planes[p];
-    unit.normal[0] = scale * plane.normal.x;
-    unit.normal[1] = scale * plane.normal.y;
-    unit.normal[2] = scale * plane.normal.z;
-    unit.offset = scale * plane.offset;
-    unit.axis = axis_of(unit);
-    if (!(scale > 0.0) && plane.offset < 0.0) {
-      unit.offset = -1.0;
-      solver.contradictory = true;
-    }
-    numbers = numbers && finite(plane.normal) && finite(unit.offset);
+    unit.scale = inverse_length(plane);
+    unit.normal[0] = unit.scale * plane.normal.x;
+    unit.normal[1] = unit.scale * plane.normal.y;
+    unit.normal[2] = unit.scale * plane.normal.z;
+    face(unit);
+    if (p == 0 || unit.facing != QpFacing::kOblique || solver.planes[p - 1].facing != QpFacing::kOblique) continue;
+    if (opposite(solver.planes[p - 1], unit)) solver.planes[p - 1].facing = QpFacing::kSlab;
   }
-  return numbers;
+}
+
+bool prepare_offsets(const QpProblem& problem, QpSolver& solver) {
+  double numbers = 0.0;
+  solver.contradictory = false;
+  for (int p = 0; p < problem.plane_count; ++p) {
+    QpUnitPlane& unit = solver.planes[p];
+    const double offset = problem.planes[p].offset;
+    unit.offset = unit.scale * offset;
+    numbers += 0.0 * ((unit.normal[0] + unit.normal[1]) + (unit.normal[2] + unit.offset));
+    if (unit.scale > 0.0 || !(offset < 0.0)) continue;
+    unit.offset = -1.0;
+    solver.contradictory = true;
+  }
+  return finite(numbers);
 }
 
 double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row) {

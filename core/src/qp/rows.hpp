@@ -20,17 +20,17 @@ inline Value evaluate(const QpPoint& point, const QpSolver& solver) {
   Value value = {{point.offset.x, point.offset.y}, {point.offset.z, 0.0}};
   const double(*x)[4] = solver.x + point.first;
   const double* c = point.coefficient;
-  int t = 0;
+  const double* const end = c + point.terms;
   // Two at a time: points of one joint have four terms, of two joints eight.
-  for (; t + 2 <= point.terms; t += 2) {
-    value.low += both(c[t]) * pair(x[t]);
-    value.high += both(c[t]) * pair(x[t] + kPair);
-    value.low += both(c[t + 1]) * pair(x[t + 1]);
-    value.high += both(c[t + 1]) * pair(x[t + 1] + kPair);
+  for (; end - c >= 2; c += 2, x += 2) {
+    value.low += both(c[0]) * pair(x[0]);
+    value.high += both(c[0]) * pair(x[0] + kPair);
+    value.low += both(c[1]) * pair(x[1]);
+    value.high += both(c[1]) * pair(x[1] + kPair);
   }
-  if (t < point.terms) {
-    value.low += both(c[t]) * pair(x[t]);
-    value.high += both(c[t]) * pair(x[t] + kPair);
+  if (c < end) {
+    value.low += both(c[0]) * pair(x[0]);
+    value.high += both(c[0]) * pair(x[0] + kPair);
   }
   return value;
 }
@@ -40,9 +40,12 @@ inline double violation_at(const Value& at, const QpUnitPlane& plane) {
   return ((plane.normal[0] * at.low[0] + plane.normal[1] * at.low[1]) + plane.normal[2] * at.high[0]) - plane.offset;
 }
 
-/// Makes the planes unit. False where a plane is not a number. A zero normal becomes a unit plane that is met, or
+/// Makes the planes' normals unit. A zero normal stays zero.
+void prepare_normals(const QpProblem& problem, QpSolver& solver);
+
+/// Scales the planes' offsets likewise. False where a plane is not a number. A plane with a zero normal is met, or
 /// violated by 1 where its offset is negative; the latter sets solver.contradictory.
-bool prepare_planes(const QpProblem& problem, QpSolver& solver);
+bool prepare_offsets(const QpProblem& problem, QpSolver& solver);
 
 /// 1 / |normal| of a plane; 0 for a zero normal.
 double inverse_length(const Halfspace& plane);

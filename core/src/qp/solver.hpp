@@ -26,11 +26,21 @@ enum class QpPhase : std::uint8_t {
   kDone,
 };
 
+/// How a plane's normal lies.
+enum class QpFacing : std::uint8_t {
+  kUp,       ///< along an axis
+  kDown,     ///< against an axis
+  kSlab,     ///< in any other direction, and the next plane's is the opposite one
+  kOblique,  ///< in any other direction
+};
+
 /// A plane with a unit normal: the problem's plane over its normal's length.
 struct QpUnitPlane {
   double normal[kQpAxes];
   double offset;
-  int axis;  ///< that the normal lies along; -1: none
+  double scale;  ///< 1 / |normal| of the problem's plane; 0 for a zero normal
+  QpFacing facing;
+  std::uint8_t axis;  ///< of kUp and kDown
 };
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
@@ -39,17 +49,18 @@ struct QpUnitPlane {
 struct QpSolver {
   // Of the Hessian: column i of L below the diagonal, factor[i][d] = L(i + d, i), with 1 / L(i, i) at d = 0; and the
   // band of H^-1, inverse[i][d] = H^-1(i, i + d), made when the first row is priced.
-  alignas(16) double factor[kQpMaxUnknowns + kQpBand][kQpBand + 1];
-  double inverse[kQpMaxUnknowns + kQpBand][kQpBand + 1];
-  alignas(16) double x[kQpMaxUnknowns + kQpBand][4];  ///< 3-vectors padded to two lanes of two
+  alignas(16) double factor[kQpMaxUnknowns][kQpBand + 1];
+  double inverse[kQpMaxUnknowns][kQpBand + 1];
+  alignas(16) double x[kQpMaxUnknowns][4];  ///< 3-vectors padded to two lanes of two
   alignas(16) double target[kQpMaxDimension];
   alignas(16) double z[kQpMaxDimension];
 
   // Of the rows.
   QpUnitPlane planes[kQpMaxPlanes];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
-  double reach[kQpMaxTiles];          ///< of a tile: most violated distance when it was scanned, less `travelled` then
-  double travelled;                   ///< length of the path of z
+  double reach[kQpMaxTiles];  ///< of a tile: its most violated distance when it was looked at, less `travelled` then
+  int seen[kQpMaxTiles];      ///< the scan that looked at a tile last
+  double travelled;           ///< length of the path of z
 
   // The working set.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
