@@ -101,9 +101,9 @@ TEST(TinySearch, HeapRunsOut) {
   EXPECT_GT(full, 0);
 }
 
-// 24 x 24 rows of one word each are more than a turned copy holds here: scans along y and z go step by step.
-TEST(TinySearch, ScansWithoutTurnedCopiesFindTheSameCost) {
-  static_assert(24 * 24 > tern::kTurnedWords, "the map must not fit");
+// 24 x 24 lines of one word each are more than a layer of stops holds here: scans go step by step.
+TEST(TinySearch, ScansWithoutStopsFindTheSameCost) {
+  static_assert(24 * 24 > tern::kStopWords, "the map must not fit");
   PathRunner runner;
   Random random(64);
   int solved = 0;

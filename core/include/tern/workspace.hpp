@@ -24,8 +24,9 @@ constexpr std::size_t larger(std::size_t a, std::size_t b) {
   return a < b ? b : a;
 }
 
-/// Nodes with their hash slots, the open list, two turned copies of the blocked layer.
-constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 4 + kCells / 256 + 8192;
+/// Nodes with their hash slots, the open list, a bit a voxel for the stops of scans in six directions, eight bytes for
+/// each 64 voxels' witness.
+constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCells / 64 + 8192;
 /// Solid boxes with what merging and measuring them takes.
 constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.
@@ -36,7 +37,7 @@ constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlane
 
 }  // namespace workspace
 
-/// Bytes that a planner needs, a constant of the configuration: 52 KB for tiny, 2.8 MB for mcu, 50 MB for companion,
+/// Bytes that a planner needs, a constant of the configuration: 53 KB for tiny, 4.1 MB for mcu, 96 MB for companion,
 /// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;

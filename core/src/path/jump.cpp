@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/jump.hpp"
 
-#include "path/neighbourhood.hpp"
+#include "path/plane_walk.hpp"
 #include "path/prune.hpp"
 #include "path/scan.hpp"
 
@@ -12,9 +12,9 @@ namespace {
 /// Steps of one sweep: bounds the work of one expansion to a few thousand straight scans a space diagonal.
 constexpr int kSweepSteps = 32;
 
-/// Records a way to `voxel` that arrives by `arrival`: a better one replaces what was known, an equally good one adds
-/// its arrival, a worse one is forgotten.
-void relax(const Expansion& from, const Voxel& voxel, int arrival) {
+/// Records a way of cost g to `voxel` that arrives by `arrival`: a better one replaces what was known, an equally good
+/// one adds its arrival, a worse one is forgotten.
+void relax(const Expansion& from, const Voxel& voxel, Cost g, int arrival) {
   Search& search = from.search;
   const std::uint32_t index = store_find_or_add(search.store, voxel_index(from.grid, voxel));
   if (index == static_cast<std::uint32_t>(kMaxNodes)) {
@@ -22,7 +22,6 @@ void relax(const Expansion& from, const Voxel& voxel, int arrival) {
     return;
   }
   SearchNode& node = search.store.nodes[index];
-  const Cost g = from.g + octile(from.at, voxel);
   const bool better = node.arrivals == 0 || g < node.g;
   if (!better && (g > node.g || (node.arrivals & cell_bit(arrival)) != 0)) return;
   if (better) {
@@ -36,48 +35,83 @@ void relax(const Expansion& from, const Voxel& voxel, int arrival) {
   if (!open_put(search.open, search.store, index, key)) search.heap_full = true;
 }
 
-void scan(const Expansion& from, const Voxel& cursor, int move) {
-  Voxel found;
-  if (scan_straight(from.search.map, from.grid, from.search.goal, cursor, move, found)) relax(from, found, move);
+/// Scans from a voxel that the expansion reaches at cost g.
+template <int kAxis, bool kUp>
+void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
+  Search& search = from.search;
+  const std::int32_t stop = scan_straight<kAxis, kUp>(search.map, from.grid, search.goal, cursor);
+  if (stop == scan::kNowhere) return;
+  Voxel found = cursor;
+  axis(found, kAxis) = stop;
+  const std::int32_t steps = kUp ? stop - axis(cursor, kAxis) : axis(cursor, kAxis) - stop;
+  g += static_cast<Cost>(steps) * kStraightCost;
+  if (is_detour(search.witnesses, from.grid, found, g)) return;
+  constexpr int kStep = kUp ? 1 : -1;
+  relax(from, found, g, direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
+}
+
+template <int kAxis>
+void scan_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t step) {
+  if (step > 0) return scan_line<kAxis, true>(from, cursor, g);
+  scan_line<kAxis, false>(from, cursor, g);
 }
 
 /// True where a sweep must leave the voxel to a node of its own.
-bool stops_at(const Expansion& from, const Voxel& voxel, int move, CellMask free, int step) {
-  if (same(voxel, from.search.goal) || forced_moves(move, free) != 0) return true;
-  return step >= kSweepSteps || from.g + octile(from.at, voxel) + octile(voxel, from.search.goal) > from.limit;
+bool stops_at(const Expansion& from, const Voxel& voxel, Cost g, int step) {
+  return step >= kSweepSteps || same(voxel, from.search.goal) || g + octile(voxel, from.search.goal) > from.limit;
 }
 
-/// The direction's part along the axes of `part`.
-constexpr int kept(int move, int part) {
-  const Voxel o = offset(move);
-  return direction((part & 1) != 0 ? o.x : 0, (part & 2) != 0 ? o.y : 0, (part & 4) != 0 ? o.z : 0);
+/// Sweeps the plane diagonal `move`, in the plane that kNormal leaves: scans along both its parts from every step.
+template <int kNormal>
+void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
+  constexpr int kFirst = kNormal == 0 ? 1 : 0;
+  constexpr int kSecond = kNormal == 2 ? 1 : 2;
+  const Voxel step = offset(move);
+  PlaneWalk<kNormal> walk(from.grid, cursor);
+  for (int k = 1;; ++k) {
+    cursor = cursor + step;
+    g += kPlaneDiagonalCost;
+    if (!from.grid.inside(cursor) || !walk.step(from.grid, cursor, step)) return;
+    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    if (walk.forced() || stops_at(from, cursor, g, k)) return relax(from, cursor, g, move);
+    scan_axis<kFirst>(from, cursor, g, axis(step, kFirst));
+    scan_axis<kSecond>(from, cursor, g, axis(step, kSecond));
+  }
 }
 
-/// A diagonal sweep; `kAxes` of the move. Space diagonals sweep plane diagonals from every step, those scan.
-template <int kAxes>
-void sweep(const Expansion& from, Voxel cursor, int move, CellMask free) {
-  for (int step = 1; legal_move(move, free); ++step) {
+/// Follows straight moves and plane diagonals from a voxel that the expansion reaches at cost g.
+void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
+  const Voxel step = offset(move);
+  if (axes_of(move) == 2) {
+    if (step.x == 0) return sweep_plane<0>(from, cursor, g, move);
+    if (step.y == 0) return sweep_plane<1>(from, cursor, g, move);
+    return sweep_plane<2>(from, cursor, g, move);
+  }
+  if (step.x != 0) return scan_axis<0>(from, cursor, g, step.x);
+  if (step.y != 0) return scan_axis<1>(from, cursor, g, step.y);
+  scan_axis<2>(from, cursor, g, step.z);
+}
+
+/// Sweeps a space diagonal: from every step, the parts of the move along fewer axes. Nothing is ever forced on it.
+void sweep_space(const Expansion& from, int move, CellMask free) {
+  const CellMask parts = natural_moves(move) & ~cell_bit(move);
+  Voxel cursor = from.at;
+  Cost g = from.g;
+  for (int k = 1; legal_move(move, free); ++k) {
     cursor = cursor + offset(move);
+    g += kSpaceDiagonalCost;
+    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    if (stops_at(from, cursor, g, k)) return relax(from, cursor, g, move);
+    for (CellMask left = parts; left != 0; left &= left - 1) follow(from, cursor, g, __builtin_ctz(left));
     free = free_cells(from.grid, cursor);
-    if (stops_at(from, cursor, move, free, step)) return relax(from, cursor, move);
-    for (int part = 1; part < 7; ++part) {
-      const int side = kept(move, part);
-      const int axes = axes_of(side);
-      if (side == move || (axes == 1 && (part & (part - 1)) != 0)) continue;
-      if (axes == 1 && legal_move(side, free)) scan(from, cursor, side);
-      if constexpr (kAxes == 3) {
-        if (axes == 2) sweep<2>(from, cursor, side, free);
-      }
-    }
   }
 }
 
 }  // namespace
 
 void jump(const Expansion& expansion, int move, CellMask free) noexcept {
-  if (axes_of(move) == 1) return scan(expansion, expansion.at, move);
-  if (axes_of(move) == 2) return sweep<2>(expansion, expansion.at, move, free);
-  sweep<3>(expansion, expansion.at, move, free);
+  if (axes_of(move) == 3) return sweep_space(expansion, move, free);
+  follow(expansion, expansion.at, expansion.g, move);
 }
 
 }  // namespace tern

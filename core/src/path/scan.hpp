@@ -5,26 +5,72 @@
 #ifndef TERN_PATH_SCAN_HPP
 #define TERN_PATH_SCAN_HPP
 
+#include "grid/lattice.hpp"
 #include "path/direction.hpp"
-#include "path/turned.hpp"
+#include "path/stops.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
 
-/// What scans read: the grid's own rows along x and its turned copies along y and z.
+/// What scans read.
 struct ScanMap {
-  TurnedLayer along_y;
-  TurnedLayer along_z;
+  StopLayer along[3];
 };
 
 /// Prepares scans of a grid, which must not change until they end.
 void scan_reset(ScanMap& map, const Grid& grid) noexcept;
 
-/// The first voxel after `from` in the straight direction `move` that is the goal or has a forced neighbour, with
-/// nothing blocked before it. The goal is free. False where an obstacle or the grid's face comes first. Reads each word
-/// of the nine rows around the line once at most.
-bool scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from, int move,
-                   Voxel& found) noexcept;
+namespace scan {
+
+/// Where a scan stops that has neither jump point nor goal ahead.
+constexpr std::int32_t kNowhere = -1;
+
+/// Voxel by voxel, along an axis that has no stops. As scan_straight.
+std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept;
+
+/// The first stop beyond `from` on its line; past the grid's face where there is none.
+template <int kAxis, bool kUp>
+std::int32_t next_stop(StopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
+  const std::int32_t at = axis(from, kAxis);
+  std::uint64_t ahead = kUp ? ~std::uint64_t{1} << (at & 63) : (std::uint64_t{1} << (at & 63)) - 1;
+  for (std::int32_t k = at >> 6; kUp ? k < layer.words : k >= 0; k += kUp ? 1 : -1) {
+    const StopWord& word = stops_word<kAxis>(layer, grid, from, k);
+    const std::uint64_t stops = (kUp ? word.up : word.down) & ahead;
+    if (stops != 0) return k * 64 + (kUp ? __builtin_ctzll(stops) : 63 - __builtin_clzll(stops));
+    ahead = ~std::uint64_t{0};
+  }
+  return kUp ? axis(grid.spec().dims, kAxis) : -1;
+}
+
+/// True where the goal lies on the line through `from`, after it and no later than `stop`.
+template <int kAxis, bool kUp>
+bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcept {
+  constexpr int kB = (kAxis + 1) % 3;
+  constexpr int kC = (kAxis + 2) % 3;
+  if (axis(goal, kB) != axis(from, kB) || axis(goal, kC) != axis(from, kC)) return false;
+  const std::int32_t at = axis(goal, kAxis);
+  return kUp ? at > axis(from, kAxis) && at <= stop : at < axis(from, kAxis) && at >= stop;
+}
+
+}  // namespace scan
+
+/// Where on kAxis the first voxel after `from` lies, towards greater (kUp) or lesser coordinates, that is the goal or
+/// has a forced neighbour, with nothing blocked before it; scan::kNowhere where an obstacle or the grid's face comes
+/// first. The goal is free.
+template <int kAxis, bool kUp>
+std::int32_t scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
+  constexpr int kStep = kUp ? 1 : -1;
+  StopLayer& layer = map.along[kAxis];
+  if (layer.words == 0) {
+    return scan::stepwise(grid, goal, from,
+                          direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
+  }
+  const std::int32_t stop = scan::next_stop<kAxis, kUp>(layer, grid, from);
+  if (scan::meets_goal<kAxis, kUp>(goal, from, stop)) return axis(goal, kAxis);
+  Voxel at = from;
+  axis(at, kAxis) = stop;
+  return grid.free(at) ? stop : scan::kNowhere;
+}
 
 }  // namespace tern
 

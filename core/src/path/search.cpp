@@ -42,6 +42,7 @@ void search_begin(Search& search, const Grid& grid, const Voxel& start, const Vo
   store_reset(search.store, std::int64_t{dims.x} * dims.y * dims.z);
   open_reset(search.open);
   scan_reset(search.map, grid);
+  witness_reset(search.witnesses, grid);
   const std::uint32_t node = store_find_or_add(search.store, voxel_index(grid, start));
   search.store.nodes[node].arrivals = cell_bit(kHere);
   open_put(search.open, search.store, node, open_key(0, octile(start, goal), search.store.nodes[node].voxel));
@@ -54,6 +55,7 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   SearchNode& node = search.store.nodes[index];
   const Voxel at = voxel_at(grid, node.voxel);
   if (same(at, search.goal)) return Status::kOk;
+  if (is_detour(search.witnesses, grid, at, node.g)) return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
   const CellMask free = free_cells(grid, at);
   const CellMask moves = moves_to_follow(node, free);
   node.followed |= moves;

@@ -12,6 +12,7 @@
 #include "path/node_store.hpp"
 #include "path/open_list.hpp"
 #include "path/scan.hpp"
+#include "path/witness.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
@@ -33,6 +34,7 @@ struct Search {
   NodeStore store;
   OpenList open;
   ScanMap map;
+  WitnessMap witnesses;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.

@@ -1,0 +1,167 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Forced neighbours of straight moves on words: an arrival at n from p = n - u, u straight, forces a move
+// where for a side s, straight or diagonal, p + s is blocked and
+// - s straight: n + s is free;
+// - s = a + b diagonal: n + a, n + b, n + s and the same three beside n + u are free, and n + u is (the move s + u).
+// All other rules of prune.hpp for straight arrivals follow from these.
+#include "path/stops.hpp"
+
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+constexpr std::int32_t kSide = 64;
+constexpr std::uint64_t kAllBlocked = ~std::uint64_t{0};
+
+void mark_ready(StopLayer& layer, std::int32_t index) {
+  layer.ready[index >> 6] |= std::uint64_t{1} << (index & 63);
+}
+
+/// A word of a blocked row with its neighbours in the row; nothing is free past the grid's faces.
+struct RowWords {
+  std::uint64_t before;
+  std::uint64_t word;
+  std::uint64_t after;
+
+  /// The bit of the voxel at x - 1, or x + 1, in the place of x.
+  std::uint64_t lesser() const { return word << 1 | before >> 63; }
+  std::uint64_t greater() const { return word >> 1 | after << 63; }
+};
+
+constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
+
+RowWords row_words(const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) {
+  const Voxel& dims = grid.spec().dims;
+  if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
+  const std::uint64_t* row = grid.blocked_row(y, z);
+  return {word > 0 ? row[word - 1] : kAllBlocked, row[word], word + 1 < grid.row_words() ? row[word + 1] : kAllBlocked};
+}
+
+RowWords either(const RowWords& a, const RowWords& b) {
+  return {a.before | b.before, a.word | b.word, a.after | b.after};
+}
+
+/// Adds the stops that one straight side of a line along x makes.
+void add_straight_side(StopWord& stop, const RowWords& side) {
+  stop.up |= side.lesser() & ~side.word;
+  stop.down |= side.greater() & ~side.word;
+}
+
+/// Adds those of one diagonal side; `square` is blocked where it, its two straight parts or the line are.
+void add_diagonal_side(StopWord& stop, const RowWords& side, const RowWords& square) {
+  stop.up |= side.lesser() & ~(square.word | square.greater());
+  stop.down |= side.greater() & ~(square.word | square.lesser());
+}
+
+/// Blocked voxels beside 64 lines along y or z, at one step along them.
+struct Slice {
+  std::uint64_t own;
+  std::uint64_t side[4];      ///< straight sides: lesser and greater x, lesser and greater third axis
+  std::uint64_t diagonal[4];  ///< lesser x and lesser third, greater x and lesser third, then greater third
+  std::uint64_t square[4];    ///< blocked where the diagonal side, its straight parts or the line are
+};
+
+/// Step `along` of the lines along `axis` at `third`, for the 64 x of word `block`.
+Slice slice_at(const Grid& grid, int axis, std::int32_t along, std::int32_t third, std::int32_t block) {
+  const auto row = [&](std::int32_t t) {
+    return axis == 1 ? row_words(grid, along, t, block) : row_words(grid, t, along, block);
+  };
+  const RowWords own = row(third);
+  const RowWords low = row(third - 1);
+  const RowWords high = row(third + 1);
+  Slice s{own.word,
+          {own.lesser(), own.greater(), low.word, high.word},
+          {low.lesser(), low.greater(), high.lesser(), high.greater()},
+          {}};
+  for (int k = 0; k < 4; ++k) s.square[k] = s.own | s.side[k & 1] | s.side[2 + (k >> 1)] | s.diagonal[k];
+  return s;
+}
+
+/// Stops at step `at` of scans that come from step `from` and go on to step `to`.
+std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to) {
+  std::uint64_t stop = at.own;
+  for (int k = 0; k < 4; ++k) {
+    stop |= from.side[k] & ~at.side[k];
+    stop |= from.diagonal[k] & ~(at.square[k] | to.square[k]);
+  }
+  return stop;
+}
+
+/// Transposes a 64 x 64 bit matrix in place: swaps ever smaller quarters off the diagonal.
+void transpose(std::uint64_t (&tile)[kSide]) {
+  std::uint64_t mask = 0x00000000FFFFFFFFu;
+  for (std::int32_t half = kSide / 2; half > 0; half /= 2, mask ^= mask << half) {
+    for (std::int32_t k = 0; k < kSide; k = ((k | half) + 1) & ~half) {
+      const std::uint64_t swap = (tile[k] >> half ^ tile[k | half]) & mask;
+      tile[k] ^= swap << half;
+      tile[k | half] ^= swap;
+    }
+  }
+}
+
+}  // namespace
+
+void stops_reset(StopLayer& layer, const Grid& grid, int axis_along) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  const std::int32_t thirds = axis_along == 2 ? dims.y : dims.z;
+  layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
+  layer.width = axis_along == 0 ? dims.y : dims.x;
+  layer.blocks = (dims.x + kSide - 1) / kSide;
+  if (std::int64_t{layer.words} * layer.width * thirds > kStopWords) {
+    layer.words = 0;
+    return;
+  }
+  const std::int32_t bits = layer.words * thirds * (axis_along == 0 ? layer.width : layer.blocks);
+  for (std::int32_t k = 0; k <= bits / 64; ++k) layer.ready[k] = 0;
+}
+
+void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept {
+  const auto row = [&](std::int32_t dy, std::int32_t dz) { return row_words(grid, y + dy, z + dz, word); };
+  const RowWords own = row(0, 0);
+  const RowWords side_y[] = {row(-1, 0), row(1, 0)};
+  const RowWords side_z[] = {row(0, -1), row(0, 1)};
+  StopWord stop{own.word, own.word};
+  for (int k = 0; k < 2; ++k) {
+    add_straight_side(stop, side_y[k]);
+    add_straight_side(stop, side_z[k]);
+  }
+  for (int k = 0; k < 4; ++k) {
+    const RowWords diagonal = row((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1);
+    const RowWords sides = either(either(own, side_y[k & 1]), side_z[k >> 1]);
+    add_diagonal_side(stop, diagonal, either(diagonal, sides));
+  }
+  const std::int32_t index = (y + layer.width * z) * layer.words + word;
+  layer.bits[index] = stop;
+  mark_ready(layer, index);
+}
+
+void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t block, std::int32_t third,
+                     std::int32_t word) noexcept {
+  const std::int32_t count = axis(grid.spec().dims, axis_along);
+  const std::int32_t first = word * kSide;
+  std::uint64_t up[kSide];
+  std::uint64_t down[kSide];
+  Slice before = slice_at(grid, axis_along, first - 1, third, block);
+  Slice at = slice_at(grid, axis_along, first, third, block);
+  for (std::int32_t k = 0; k < kSide; ++k) {
+    up[k] = down[k] = kAllBlocked;
+    if (first + k >= count) continue;
+    const Slice after = slice_at(grid, axis_along, first + k + 1, third, block);
+    up[k] = stops_between(before, at, after);
+    down[k] = stops_between(after, at, before);
+    before = at;
+    at = after;
+  }
+  transpose(up);
+  transpose(down);
+  const std::int32_t left = grid.spec().dims.x - block * kSide;
+  const std::int32_t lines = left < kSide ? left : kSide;
+  StopWord* out = layer.bits + (third * layer.width + block * kSide) * layer.words + word;
+  for (std::int32_t k = 0; k < lines; ++k) out[k * layer.words] = {up[k], down[k]};
+  mark_ready(layer, (third * layer.blocks + block) * layer.words + word);
+}
+
+}  // namespace tern

@@ -1,0 +1,38 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Witnesses: for every block of 4 x 4 x 4 voxels one voxel that the search has reached, and at what cost. They tell
+// whether a way to another voxel of the block is a detour, so that sweeps do not go over the same space again and
+// again.
+#ifndef TERN_PATH_WITNESS_HPP
+#define TERN_PATH_WITNESS_HPP
+
+#include <cstdint>
+
+#include "path/direction.hpp"
+#include "tern/config.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Blocks of the largest map. Where ceil(dims / 4) multiply to more, the last blocks have no witness.
+constexpr std::int32_t kWitnesses = static_cast<std::int32_t>((kMaxCells + 63) / 64);
+
+/// Plain data; needs no initialisation before witness_reset, which clears one bit a block.
+struct WitnessMap {
+  std::int32_t width;  ///< blocks along x, and in a slice of x and y
+  std::int32_t slice;
+  std::uint64_t known[kWitnesses / 64 + 1];  ///< one bit a block: it has a witness
+  /// Its cost, rounded up to a multiple of 64, plus its place in the block, x + 4 y + 16 z.
+  std::uint64_t witnesses[kWitnesses];
+};
+
+void witness_reset(WitnessMap& map, const Grid& grid) noexcept;
+
+/// True where the block's witness proves a way to `voxel` that is cheaper than `g`: the box between the two is free.
+/// Otherwise the voxel, just reached at that cost, becomes the witness if it is cheaper than the one that was.
+bool is_detour(WitnessMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept;
+
+}  // namespace tern
+
+#endif
