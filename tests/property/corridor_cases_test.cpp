@@ -4,15 +4,13 @@
 // The shared corridor cases: maps of cuboids with segments between them. Skipped where the files are absent.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "check/check_stage.hpp"
 #include "corridor/grow.hpp"
+#include "support/corridor_case.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
@@ -24,36 +22,6 @@ using tern::GrowScratch;
 using tern::Polyhedron;
 using tern::Status;
 using tern::Vec3;
-
-struct Case {
-  Box boundary;
-  std::vector<Box> blocks;
-  std::vector<std::array<Vec3, 2>> segments;
-};
-
-bool read_vec3(std::istream& in, Vec3& v) {
-  return static_cast<bool>(in >> v.x >> v.y >> v.z);
-}
-
-bool read_case(const std::string& file, Case& out) {
-  std::ifstream in(file);
-  if (!in) return false;
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string record;
-    Vec3 a;
-    Vec3 b;
-    words >> record;
-    if (record.empty() || record[0] == '#' || !read_vec3(words, a)) continue;
-    while (read_vec3(words, b)) {
-      if (record == "boundary") out.boundary = {a, b};
-      if (record == "block") out.blocks.push_back({a, b});
-      if (record == "segment" || record == "polyline") out.segments.push_back({a, b});
-      a = b;
-    }
-  }
-  return true;
-}
 
 bool enclosed(const tern::Grid& grid, int x, int y, int z) {
   return grid.obstacle({x - 1, y, z}) && grid.obstacle({x + 1, y, z}) && grid.obstacle({x, y - 1, z}) &&
@@ -77,7 +45,7 @@ std::vector<Box> cubes_near(const tern::Grid& grid, const Vec3& from, const Vec3
   return near;
 }
 
-void expect_case_solved(const Case& c, Random& random, std::size_t stride) {
+void expect_case_solved(const CorridorCase& c, Random& random, std::size_t stride) {
   const auto scratch = std::make_unique<GrowScratch>();
   const auto polyhedron = std::make_unique<Polyhedron>();
   const double cell = 0.1;
@@ -86,8 +54,9 @@ void expect_case_solved(const Case& c, Random& random, std::size_t stride) {
                          static_cast<int>(std::lround(c.boundary.upper.z / cell))};
   World world(dims, cell, 0.0, c.boundary);
   for (const Box& block : c.blocks) ASSERT_EQ(world.grid.mark_box(block), Status::kOk);
-  for (std::size_t i = 0; i < c.segments.size(); i += stride) {
-    const auto& segment = c.segments[i];
+  const std::vector<std::array<Vec3, 2>> segments = all_segments(c);
+  for (std::size_t i = 0; i < segments.size(); i += stride) {
+    const auto& segment = segments[i];
     reset_counters(*scratch);
     ASSERT_EQ(grow_polyhedron(world.grid, segment[0], segment[1], *scratch, *polyhedron), Status::kOk);
     const std::vector<Box> near = cubes_near(world.grid, segment[0], segment[1]);
@@ -95,6 +64,7 @@ void expect_case_solved(const Case& c, Random& random, std::size_t stride) {
     ASSERT_GT(clearance, 0.04);  // segments keep 0.1 m, pieces of polylines about half of it
     ASSERT_NO_FATAL_FAILURE(expect_holds_segment(world.grid, *polyhedron, clearance));
     ASSERT_NO_FATAL_FAILURE(expect_ellipsoid(*polyhedron, clearance));
+    ASSERT_NO_FATAL_FAILURE(expect_no_redundancy(*polyhedron));
     ASSERT_TRUE(polyhedron_clear(world.grid, *polyhedron));
     if (i % (8 * stride) == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_clear(*polyhedron, near, 0.0, random));
@@ -111,8 +81,8 @@ TEST(CorridorCases, EverySegmentHasAPolyhedron) {
       for (int m = 0; m < 3; ++m) {
         const std::string name = std::string(TERN_SHARED_DIR) + "/cases/corridor/" + size + "_" + density + "_m" +
                                  std::to_string(m) + ".txt";
-        Case c;
-        if (!read_case(name, c)) continue;
+        CorridorCase c;
+        if (!read_corridor_case(name, c)) continue;
         ++files;
         SCOPED_TRACE(name);
         ASSERT_NO_FATAL_FAILURE(expect_case_solved(c, random, stride));

@@ -138,6 +138,7 @@ TEST(CorridorPolyhedron, IsClearOfEveryCubeAndHoldsItsSegment) {
     SCOPED_TRACE(i);
     ASSERT_NO_FATAL_FAILURE(expect_clear(*polyhedron, cubes, radius, random));
     ASSERT_NO_FATAL_FAILURE(expect_holds_segment(world.grid, *polyhedron, clearance));
+    ASSERT_NO_FATAL_FAILURE(expect_no_redundancy(*polyhedron));
     ASSERT_NO_FATAL_FAILURE(expect_ellipsoid(*polyhedron, clearance - radius));
     ASSERT_LE(scratch->planes, tern::kGrowBound);
   }
@@ -165,7 +166,8 @@ TEST(CorridorPolyhedron, DoesNotDependOnWhatTheScratchHeld) {
     ASSERT_EQ(a, b);
     if (a != Status::kOk) continue;
     ASSERT_EQ(first->count, second->count);
-    const std::size_t bytes = sizeof(tern::Halfspace) * static_cast<std::size_t>(first->count);
+    ASSERT_EQ(first->redundant, second->redundant);
+    const std::size_t bytes = sizeof(tern::Halfspace) * static_cast<std::size_t>(all_planes(*first));
     ASSERT_EQ(std::memcmp(first->planes, second->planes, bytes), 0);
     ASSERT_EQ(std::memcmp(&first->ellipsoid, &second->ellipsoid, sizeof first->ellipsoid), 0);
   }

@@ -124,18 +124,18 @@ inline double signed_excess(const tern::Halfspace& h, const tern::Vec3& p) {
   return dot3(h.normal, p) - h.offset;
 }
 
-/// All vertices, by intersecting every three planes.
-inline std::vector<tern::Vec3> vertices_of(const tern::Polyhedron& polyhedron) {
-  std::vector<tern::Vec3> vertices;
+/// All corners of the intersection of half-spaces, by intersecting every three planes.
+inline std::vector<tern::Vec3> corners_of(const std::vector<tern::Halfspace>& planes, double tolerance) {
+  std::vector<tern::Vec3> corners;
   const auto cross = [](const tern::Vec3& a, const tern::Vec3& b) {
     return tern::Vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   };
-  for (int i = 0; i < polyhedron.count; ++i) {
-    for (int j = i + 1; j < polyhedron.count; ++j) {
-      for (int k = j + 1; k < polyhedron.count; ++k) {
-        const tern::Halfspace& a = polyhedron.planes[i];
-        const tern::Halfspace& b = polyhedron.planes[j];
-        const tern::Halfspace& c = polyhedron.planes[k];
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      for (std::size_t k = j + 1; k < planes.size(); ++k) {
+        const tern::Halfspace& a = planes[i];
+        const tern::Halfspace& b = planes[j];
+        const tern::Halfspace& c = planes[k];
         const tern::Vec3 bc = cross(b.normal, c.normal);
         const tern::Vec3 ca = cross(c.normal, a.normal);
         const tern::Vec3 ab = cross(a.normal, b.normal);
@@ -144,22 +144,25 @@ inline std::vector<tern::Vec3> vertices_of(const tern::Polyhedron& polyhedron) {
         const tern::Vec3 p{(a.offset * bc.x + b.offset * ca.x + c.offset * ab.x) / det,
                            (a.offset * bc.y + b.offset * ca.y + c.offset * ab.y) / det,
                            (a.offset * bc.z + b.offset * ca.z + c.offset * ab.z) / det};
-        bool inside = true;
-        for (int m = 0; m < polyhedron.count && inside; ++m) inside = signed_excess(polyhedron.planes[m], p) <= 1e-9;
-        if (inside) vertices.push_back(p);
+        const auto holds = [&](const tern::Halfspace& h) { return signed_excess(h, p) <= tolerance; };
+        if (std::all_of(planes.begin(), planes.end(), holds)) corners.push_back(p);
       }
     }
   }
-  return vertices;
+  return corners;
 }
 
-/// Contract C4, both ways: each cube is cut off by one half-space with the radius to spare, and points all over the
-/// polyhedron (vertices and random means of them) keep the radius from every cube.
+inline std::vector<tern::Vec3> vertices_of(const tern::Polyhedron& polyhedron) {
+  return corners_of({polyhedron.planes, polyhedron.planes + polyhedron.count}, 1e-9);
+}
+
+/// Contract C4, both ways: each cube is cut off by one half-space, redundant or not, with the radius to spare, and
+/// points all over the polyhedron (vertices and random means of them) keep the radius from every cube.
 inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<tern::Box>& cubes, double radius,
                          Random& random) {
   for (const tern::Box& cube : cubes) {
     double best = -1e300;
-    for (int p = 0; p < polyhedron.count; ++p) {
+    for (int p = 0; p < all_planes(polyhedron); ++p) {
       const tern::Halfspace& h = polyhedron.planes[p];
       best = std::max(best, cube_support(h.normal, cube) - h.offset - radius);
     }
@@ -223,24 +226,59 @@ inline void expect_ellipsoid(const tern::Polyhedron& polyhedron, double room) {
   }
 }
 
+/// True for a half-space that is one of the box's own faces.
+inline bool is_face_of(const tern::Halfspace& h, const tern::Box& box) {
+  const tern::Vec3& corner = h.normal.x + h.normal.y + h.normal.z > 0.0 ? box.upper : box.lower;
+  return std::max({std::fabs(h.normal.x), std::fabs(h.normal.y), std::fabs(h.normal.z)}) >= 1.0 &&
+         std::fabs(signed_excess(h, corner)) < 1e-12;
+}
+
 /// Unit normals, the segment inside, the boundary kept, and the promised distance between planes and segment.
 inline void expect_holds_segment(const tern::Grid& grid, const tern::Polyhedron& polyhedron, double clearance) {
   const double room = clearance - grid.spec().radius;
   const double margin = std::min(room, tern::kSightMargin * grid.spec().cell);
-  for (int p = 0; p < polyhedron.count; ++p) {
+  const tern::Box boundary = grid.local_boundary();
+  ASSERT_LE(all_planes(polyhedron), tern::kMaxPlanes);
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
     const tern::Halfspace& h = polyhedron.planes[p];
     ASSERT_NEAR(norm3(h.normal), 1.0, 1e-12);
     const double excess = std::max(signed_excess(h, polyhedron.from), signed_excess(h, polyhedron.to));
     ASSERT_LE(excess, 1e-12);
-    // The first six are the box's faces, which may lie in the boundary that the segment touches.
-    if (p >= 6) {
+    // The segment may lie in the boundary.
+    if (!is_face_of(h, boundary)) {
       ASSERT_LE(excess, -margin + 1e-9);
     }
   }
-  const tern::Box boundary = grid.local_boundary();
-  const double faces[6] = {boundary.upper.x,  -boundary.lower.x, boundary.upper.y,
-                           -boundary.lower.y, boundary.upper.z,  -boundary.lower.z};
-  for (int p = 0; p < 6; ++p) ASSERT_LE(polyhedron.planes[p].offset, faces[p]);
+  for (const tern::Vec3& v : vertices_of(polyhedron)) {
+    ASSERT_GE(std::min({v.x - boundary.lower.x, v.y - boundary.lower.y, v.z - boundary.lower.z}), -1e-6);
+    ASSERT_GE(std::min({boundary.upper.x - v.x, boundary.upper.y - v.y, boundary.upper.z - v.z}), -1e-6);
+  }
+}
+
+/// How far the half-spaces other than `index` reach beyond it, in metres, by listing their corners: negative where they
+/// keep short of it, 1e3 or so where nothing else bounds them on that side.
+inline double reach_beyond(const tern::Polyhedron& polyhedron, int index) {
+  // Around the segment, so that coordinates are small, in a box much larger than any polyhedron.
+  std::vector<tern::Halfspace> planes;
+  for (int p = 0; p < polyhedron.count; ++p) {
+    if (p == index) continue;
+    planes.push_back({polyhedron.planes[p].normal, -signed_excess(polyhedron.planes[p], polyhedron.from)});
+  }
+  for (int a = 0; a < 3; ++a) {
+    const tern::Vec3 n{a == 0 ? 1.0 : 0.0, a == 1 ? 1.0 : 0.0, a == 2 ? 1.0 : 0.0};
+    planes.push_back({n, 1e3});
+    planes.push_back({{-n.x, -n.y, -n.z}, 1e3});
+  }
+  double reach = -1e9;
+  for (const tern::Vec3& v : corners_of(planes, 1e-10))
+    reach = std::max(reach, dot3(polyhedron.planes[index].normal, v));
+  return reach + signed_excess(polyhedron.planes[index], polyhedron.from);
+}
+
+/// No half-space that bounds the polyhedron follows from the others; each one set aside does.
+inline void expect_no_redundancy(const tern::Polyhedron& polyhedron) {
+  for (int p = 0; p < polyhedron.count; ++p) ASSERT_GT(reach_beyond(polyhedron, p), 0.0) << "half-space " << p;
+  for (int p = polyhedron.count; p < all_planes(polyhedron); ++p) ASSERT_LE(reach_beyond(polyhedron, p), 1e-9);
 }
 
 }  // namespace tern_test

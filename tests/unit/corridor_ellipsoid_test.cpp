@@ -126,7 +126,8 @@ TEST(CorridorEllipsoid, ContactPlaneKeepsTheScaledEllipsoidFromTheGrownBox) {
 
 TEST(CorridorEllipsoid, AFreeSegmentGetsASphere) {
   const Obstacles none{nullptr, 0, 0.25};
-  const EllipsoidFrame frame = fit_ellipsoid({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, none, 0.1, nullptr);
+  std::uint32_t checks = 0;
+  const EllipsoidFrame frame = fit_ellipsoid({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, none, 0.1, nullptr, checks);
   EXPECT_EQ(frame.center.x, 2.0);
   for (const double semi_axis : frame.semi_axis) EXPECT_EQ(semi_axis, 2.0);
 }
@@ -135,7 +136,8 @@ TEST(CorridorEllipsoid, AWallBesideShrinksYAndLeavesZ) {
   // A wall at y = 1, wide in x and z: the ellipsoid touches it at its middle, one metre away.
   const LocalBox wall{{-10.0, 1.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
+  std::uint32_t checks = 0;
+  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside, checks);
   EXPECT_DOUBLE_EQ(frame.semi_axis[0], 3.0);
   EXPECT_NEAR(frame.semi_axis[1], 1.0, 5e-3);
   EXPECT_NEAR(frame.semi_axis[2], 3.0, 1e-12);
@@ -145,21 +147,24 @@ TEST(CorridorEllipsoid, AWallBesideShrinksYAndLeavesZ) {
 TEST(CorridorEllipsoid, TheRadiusCountsAsObstacle) {
   const LocalBox wall{{-10.0, 1.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.4}, 0.1, inside);
+  std::uint32_t checks = 0;
+  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.4}, 0.1, inside, checks);
   EXPECT_NEAR(frame.semi_axis[1], 0.6, 5e-3);
 }
 
 TEST(CorridorEllipsoid, AGrazedObstacleLeavesAtLeastTheThinnestAxis) {
   const LocalBox wall{{-10.0, 0.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
-  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside);
+  std::uint32_t checks = 0;
+  const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {&wall, 1, 0.0}, 0.1, inside, checks);
   EXPECT_GE(frame.semi_axis[1], 0.01);
   EXPECT_GE(frame.semi_axis[2], frame.semi_axis[1]);
 }
 
 TEST(CorridorEllipsoid, APointGetsABall) {
   const Obstacles none{nullptr, 0, 0.0};
-  const EllipsoidFrame frame = fit_ellipsoid({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, none, 0.2, nullptr);
+  std::uint32_t checks = 0;
+  const EllipsoidFrame frame = fit_ellipsoid({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, none, 0.2, nullptr, checks);
   for (const double semi_axis : frame.semi_axis) EXPECT_DOUBLE_EQ(semi_axis, 0.1);
   EXPECT_EQ(frame.center.y, 2.0);
 }

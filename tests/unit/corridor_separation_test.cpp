@@ -25,7 +25,7 @@ TEST(CorridorSeparation, KeepsATangentThatLeavesRoom) {
   ASSERT_EQ(separate(segment, kUnit, 0.25, {0.8, 0.6, 0.0}, plane), Status::kOk);
   EXPECT_DOUBLE_EQ(plane.normal.x, 0.8);
   EXPECT_DOUBLE_EQ(plane.normal.y, 0.6);
-  EXPECT_DOUBLE_EQ(plane.offset, -0.25);  // the corner at the origin, less the radius
+  EXPECT_NEAR(plane.offset, -0.25, 1e-9);  // the corner at the origin, less the radius
 }
 
 TEST(CorridorSeparation, TurnsATangentThatCutsTheSegment) {
@@ -42,7 +42,7 @@ TEST(CorridorSeparation, WithoutATangentTakesTheClosestPair) {
   Halfspace plane;
   ASSERT_EQ(separate(segment, kUnit, 0.5, kNoTangent, plane), Status::kOk);
   EXPECT_DOUBLE_EQ(plane.normal.x, 1.0);
-  EXPECT_DOUBLE_EQ(plane.offset, -0.5);
+  EXPECT_NEAR(plane.offset, -0.5, 1e-9);
 }
 
 TEST(CorridorSeparation, ExactlyAtTheRadiusStillHolds) {

@@ -45,10 +45,10 @@ std::string search_lines(const PlanResult& result) {
 }
 
 std::string corridor_line(const PlanResult& result) {
-  const tern::Corridor& corridor = *result.corridor;
-  int planes = 0;
-  for (int i = 0; i < corridor.count; ++i) planes += corridor.polyhedra[i].count;
-  return "  corridor    " + std::to_string(corridor.count) + " polyhedra, " + std::to_string(planes) + " half-spaces\n";
+  const tern::Report& report = result.report;
+  return "  corridor    " + std::to_string(result.corridor->count) + " polyhedra, " +
+         std::to_string(report.half_spaces) + " half-spaces (" + std::to_string(report.half_spaces_redundant) +
+         " redundant ones set aside)\n";
 }
 
 std::string timing_line(const tern_host::Timing& timing) {

@@ -67,7 +67,9 @@ Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
   Json axes = Json::array();
   for (const double(&row)[3] : polyhedron.ellipsoid.axes) axes.push_back({row[0], row[1], row[2]});
   const Json center = json(to_world(polyhedron.ellipsoid.center, origin));
-  return {{"halfspaces", planes}, {"ellipsoid", {{"E", axes}, {"d", center}}}};
+  return {{"halfspaces", planes},
+          {"redundant_halfspaces", polyhedron.redundant},
+          {"ellipsoid", {{"E", axes}, {"d", center}}}};
 }
 
 Json corridor_json(const tern::Corridor& corridor, const Vec3& origin) {

@@ -22,12 +22,19 @@ struct Ellipsoid {
 
 /// A convex polyhedron for the robot's centre: every point of it keeps the radius from every obstacle voxel.
 struct Polyhedron {
-  int count;
+  int count;      ///< half-spaces that bound it, none of them redundant
+  int redundant;  ///< half-spaces behind those that follow from them, but cut off some obstacle all alone: with them
+                  ///< a plane an obstacle proves the polyhedron clear
   Halfspace planes[kMaxPlanes];
   Ellipsoid ellipsoid;
   Vec3 from;  ///< the segment that it was grown around: both ends inside
   Vec3 to;
 };
+
+/// Half-spaces of a polyhedron, redundant ones included.
+inline int all_planes(const Polyhedron& polyhedron) noexcept {
+  return polyhedron.count + polyhedron.redundant;
+}
 
 /// One polyhedron a segment, in flight order; polyhedron i ends where i + 1 begins.
 struct Corridor {

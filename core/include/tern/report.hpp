@@ -52,6 +52,10 @@ struct Report {
   StageReport stages[kStageCount];
   HighWater high_water;
 
+  // The corridor's half-spaces, of all polyhedra together.
+  std::int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
+  std::int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
+
   // The optimiser's last quadratic programme.
   std::int32_t qp_variables;
   std::int32_t qp_inequalities;

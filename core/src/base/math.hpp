@@ -35,6 +35,25 @@ inline double smaller(double a, double b) { return b < a ? b : a; }
 inline double larger(double a, double b) { return a < b ? b : a; }
 inline double clamp(double x, double lo, double hi) { return x < lo ? lo : (hi < x ? hi : x); }
 
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Some unit vector at right angles to a unit vector: from the coordinate axis that it leans on least.
+inline Vec3 perpendicular(const Vec3& unit) {
+  const double x = absolute(unit.x);
+  const double y = absolute(unit.y);
+  const double z = absolute(unit.z);
+  Vec3 side{0.0, 0.0, 1.0};
+  if (x <= y && x <= z) {
+    side = {1.0, 0.0, 0.0};
+  } else if (y <= z) {
+    side = {0.0, 1.0, 0.0};
+  }
+  const Vec3 v = cross(unit, side);
+  return (1.0 / length(v)) * v;
+}
+
 /// Component by index, so that loops over axes need no branches at the call site.
 inline double axis(const Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
 inline double& axis(Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }

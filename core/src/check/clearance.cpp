@@ -16,7 +16,7 @@ struct Range {
 Box bounding_box(const Grid& grid, const Polyhedron& polyhedron) {
   const GridSpec& spec = grid.spec();
   Box box{{0.0, 0.0, 0.0}, {spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell}};
-  for (int p = 0; p < polyhedron.count; ++p) {
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     for (int a = 0; a < 3; ++a) {
       if (axis(plane.normal, a) >= 1.0) axis(box.upper, a) = smaller(axis(box.upper, a), plane.offset);
@@ -60,7 +60,7 @@ bool cuts_off(const Halfspace& plane, const Box& box, double radius) {
 /// Tries the plane that cut off the last box first: neighbours are nearly always cut off by the same one.
 bool some_plane_cuts_off(const Polyhedron& polyhedron, const Box& box, double radius, int& last) {
   if (cuts_off(polyhedron.planes[last], box, radius)) return true;
-  for (int p = 0; p < polyhedron.count; ++p) {
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
     if (cuts_off(polyhedron.planes[p], box, radius)) {
       last = p;
       return true;
@@ -98,7 +98,8 @@ bool row_clear(const Grid& grid, const Polyhedron& polyhedron, const Range& rang
 
 bool well_formed(const Polyhedron& polyhedron) {
   if (polyhedron.count < 1 || polyhedron.count > kMaxPlanes) return false;
-  for (int p = 0; p < polyhedron.count; ++p) {
+  if (polyhedron.redundant < 0 || polyhedron.redundant > kMaxPlanes - polyhedron.count) return false;
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     if (!finite(plane.normal) || !finite(plane.offset)) return false;
     if (absolute(dot(plane.normal, plane.normal) - 1.0) > 1e-9) return false;

@@ -121,7 +121,7 @@ bool within(const Vec3& point, const Box& box) {
 bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const Box& boundary) {
   for (const Vec3& point : segment.points) {
     if (!within(point, boundary)) return false;
-    for (int p = 0; p < polyhedron.count; ++p) {
+    for (int p = 0; p < all_planes(polyhedron); ++p) {
       if (dot(polyhedron.planes[p].normal, point) > polyhedron.planes[p].offset + kCheckDistance) return false;
     }
   }

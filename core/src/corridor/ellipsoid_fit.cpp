@@ -12,30 +12,12 @@ constexpr double kThinnest = 0.01;
 /// Shrinking steps of each of the two phases; each makes the axis shorter, and most fits need two or three.
 constexpr int kFitSteps = 16;
 
-/// The obstacles that may still meet the ellipsoid: it only shrinks, so none comes back.
+/// The obstacles that may still meet the ellipsoid: it only shrinks, so none comes back. Counts those looked at.
 struct Candidates {
   std::int32_t* index;
   int count;
+  std::uint32_t* checks;
 };
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-/// Some unit vector at right angles to a unit vector: from the coordinate axis that it leans on least.
-Vec3 perpendicular(const Vec3& u) {
-  const double x = absolute(u.x);
-  const double y = absolute(u.y);
-  const double z = absolute(u.z);
-  Vec3 side{0.0, 0.0, 1.0};
-  if (x <= y && x <= z) {
-    side = {1.0, 0.0, 0.0};
-  } else if (y <= z) {
-    side = {0.0, 1.0, 0.0};
-  }
-  const Vec3 v = cross(u, side);
-  return (1.0 / length(v)) * v;
-}
 
 void turn_y_towards(EllipsoidFrame& frame, const Vec3& unit) {
   frame.direction[1] = unit;
@@ -43,8 +25,10 @@ void turn_y_towards(EllipsoidFrame& frame, const Vec3& unit) {
 }
 
 /// The obstacles that the sphere of radius `reach` about the centre meets.
-Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double reach, std::int32_t* index) {
-  Candidates found{index, 0};
+Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double reach, std::int32_t* index,
+                        std::uint32_t& checks) {
+  Candidates found{index, 0, &checks};
+  checks += static_cast<std::uint32_t>(obstacles.count);
   const double limit = (reach + obstacles.radius) * (reach + obstacles.radius);
   for (int i = 0; i < obstacles.count; ++i) {
     const LocalBox& box = obstacles.boxes[i];
@@ -60,6 +44,7 @@ Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double r
 bool first_contact(const EllipsoidFrame& frame, const Obstacles& obstacles, Candidates& candidates, Contact& first) {
   const EllipsoidMetric metric = metric_of(frame);
   int kept = 0;
+  *candidates.checks += static_cast<std::uint32_t>(candidates.count);
   for (int k = 0; k < candidates.count; ++k) {
     const std::int32_t i = candidates.index[k];
     const Contact contact = contact_of(metric, obstacles.boxes[i], obstacles.radius);
@@ -127,7 +112,7 @@ EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noex
 }
 
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside) noexcept {
+                             std::int32_t* inside, std::uint32_t& checks) noexcept {
   const Vec3 middle = 0.5 * (from + to);
   const double half = 0.5 * distance(from, to);
   if (2.0 * half < kPointLike) return ball_about(middle, cell);
@@ -137,9 +122,9 @@ EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& 
   frame.direction[0] = (0.5 / half) * (to - from);
   turn_y_towards(frame, perpendicular(frame.direction[0]));
 
-  Candidates candidates = boxes_within(obstacles, middle, half, inside);
+  Candidates candidates = boxes_within(obstacles, middle, half, inside, checks);
   shrink_both(frame, obstacles, candidates, kThinnest * half);
-  candidates = boxes_within(obstacles, middle, half, inside);
+  candidates = boxes_within(obstacles, middle, half, inside, checks);
   stretch_z(frame, obstacles, candidates);
   return frame;
 }

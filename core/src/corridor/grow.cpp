@@ -6,6 +6,7 @@
 #include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/ellipsoid_fit.hpp"
 #include "corridor/inscribe.hpp"
+#include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
 #include "corridor/tangent_planes.hpp"
 
@@ -48,6 +49,29 @@ Status append_faces(const Box& box, GrowScratch& scratch, Polyhedron& out) {
   return Status::kOk;
 }
 
+/// The diagonal of the local box, from the first half-spaces.
+double box_diagonal(const Polyhedron& polyhedron) {
+  const Halfspace* faces = polyhedron.planes;
+  const Vec3 extent{faces[0].offset + faces[1].offset, faces[2].offset + faces[3].offset,
+                    faces[4].offset + faces[5].offset};
+  return length(extent);
+}
+
+double least_slack_at(const Polyhedron& polyhedron, const Vec3& point) {
+  double least = polyhedron.planes[0].offset - dot(polyhedron.planes[0].normal, point);
+  for (int p = 1; p < polyhedron.count; ++p) {
+    least = smaller(least, polyhedron.planes[p].offset - dot(polyhedron.planes[p].normal, point));
+  }
+  return least;
+}
+
+/// Of the analytic centre and the segment's middle the one that is deeper inside: the first may lie outside where the
+/// polyhedron is thinner than the barrier's least slack, the second on a half-space that the segment touches.
+Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const SegmentMargin& segment) {
+  const Vec3 middle = 0.5 * (segment.from + segment.to);
+  return least_slack_at(polyhedron, center) < least_slack_at(polyhedron, middle) ? middle : center;
+}
+
 /// Copies what makes a polyhedron; half-spaces past its count are not worth it.
 void copy_planes(const Polyhedron& from, Polyhedron& to) {
   to.count = from.count;
@@ -55,12 +79,14 @@ void copy_planes(const Polyhedron& from, Polyhedron& to) {
 }
 
 /// Tries the half-spaces that a larger ellipsoid inside the last polyhedron gives, and keeps the largest polyhedron of
-/// all rounds in `out`. A round whose half-spaces do not fit ends the rounds: there is a polyhedron already.
+/// all rounds in `out`, with its analytic centre. A round whose half-spaces do not fit ends the rounds: there is a
+/// polyhedron already.
 Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
-               Polyhedron& out) {
+               Polyhedron& out, Vec3& center) {
   const double least_slack = kLeastSlackCells * cell;
   BarrierEllipsoid inner = barrier_ellipsoid(out, 0.5 * (segment.from + segment.to), least_slack);
   double largest = inner.size;
+  center = inner.metric.center;
   copy_planes(out, scratch.trial);
   for (int round = 0; round < kImprovingRounds; ++round) {
     scratch.trial.count = kBoxFaces;
@@ -70,6 +96,7 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
     inner = barrier_ellipsoid(scratch.trial, inner.metric.center, least_slack);
     if (inner.size <= largest) continue;
     largest = inner.size;
+    center = inner.metric.center;
     copy_planes(scratch.trial, out);
   }
   return Status::kOk;
@@ -78,11 +105,13 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
 /// Fits the ellipsoid, makes the half-spaces, improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
-  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
+  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining, scratch.checks);
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
-  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out);
+  Vec3 center;
+  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out, center);
   if (status != Status::kOk) return status;
+  set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out));
   inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
   out.ellipsoid = ellipsoid_of(frame);
   out.from = segment.from;
@@ -124,7 +153,7 @@ Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowS
   if (!within(boundary, from) || !within(boundary, to)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
   const SegmentMargin segment{from, to, kSightMargin * cell};
-  double reach = larger(kLocalMargin, kLocalMarginCells * cell);
+  double reach = larger(scratch.margin, kLocalMarginCells * cell);
   Status status = Status::kPlanesFull;
   for (int level = 0; level < kBoxLevels; ++level) {
     status = grow_in_box(grid, segment, reach, scratch, out);

@@ -17,9 +17,8 @@
 
 namespace tern {
 
-/// How far the local box reaches beyond the segment, in metres and in voxels, whichever is more. Where its obstacles
-/// or half-spaces do not fit their capacity it is halved, kBoxLevels sizes in all.
-constexpr double kLocalMargin = 2.0;
+/// The local box reaches so many voxels beyond the segment at least, where kLocalMargin is less. Where its obstacles or
+/// half-spaces do not fit their capacity it is halved, kBoxLevels sizes in all.
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 

@@ -22,7 +22,7 @@ double room_along(const SegmentMargin& segment, const LocalBox& box, double radi
 Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const Vec3 unit = (1.0 / length(normal)) * normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
-  return {unit, larger(support(unit, box) - radius, far)};
+  return {unit, larger(support(unit, box) - radius - kHairline * segment.least, far)};
 }
 
 Vec3 unit_axis(int a, double sign) {

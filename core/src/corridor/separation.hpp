@@ -24,6 +24,10 @@ struct SegmentMargin {
   double least;  ///< metres, > 0: kept wherever there is that much room
 };
 
+/// Half-spaces keep this part of `least` more from an obstacle than the radius where there is room: what outweighs the
+/// rounding of all that follows, so that no polyhedron enters an obstacle by however little.
+constexpr double kHairline = 1e-8;
+
 /// Half-spaces keep this share of the room there is, but no more than kMostMargin metres: what they take from the
 /// neighbourhood of a waypoint is missing where the trajectory turns.
 constexpr double kMarginShare = 0.5;

@@ -21,6 +21,7 @@ bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
 /// The boxes that no half-space cuts off yet, with where the ellipsoid meets them. Returns how many.
 int measure(const EllipsoidMetric& metric, const Obstacles& obstacles, const Polyhedron& out, GrowScratch& scratch) {
   int count = 0;
+  scratch.checks += static_cast<std::uint32_t>(obstacles.count);
   for (int i = 0; i < obstacles.count; ++i) {
     bool cut = false;
     for (int p = 0; p < out.count && !cut; ++p) cut = cut_off(out.planes[p], obstacles.boxes[i], obstacles.radius);
@@ -46,6 +47,7 @@ std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
 int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_t made_for, GrowScratch& scratch,
                  int count) {
   int kept = 0;
+  scratch.checks += static_cast<std::uint32_t>(count);
   for (int k = 0; k < count; ++k) {
     const std::int32_t i = scratch.remaining[k];
     if (i == made_for || cut_off(plane, obstacles.boxes[i], obstacles.radius)) continue;

@@ -130,6 +130,10 @@ Status Planner::run_corridor(Work& work) noexcept {
   if (status == Status::kRunning) return status;
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
   if (status != Status::kOk) return end(Stage::kCorridor, status);
+  for (int i = 0; i < memory.corridor.count; ++i) {
+    report_.half_spaces += memory.corridor.polyhedra[i].count;
+    report_.half_spaces_redundant += memory.corridor.polyhedra[i].redundant;
+  }
   has_corridor_ = true;
   enter(Phase::kTimes);
   return status;

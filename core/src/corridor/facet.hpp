@@ -1,0 +1,33 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A facet of a polyhedron: the polygon that is left of one plane when the others have cut it.
+#ifndef TERN_CORRIDOR_FACET_HPP
+#define TERN_CORRIDOR_FACET_HPP
+
+#include "base/math.hpp"
+#include "tern/config.hpp"
+#include "tern/corridor.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// A convex polygon in a plane, corners in order around it. Each cut adds one corner at most.
+struct Facet {
+  Vec3 foot;  ///< the plane's point nearest to the frame's origin
+  Vec3 u;     ///< two unit vectors in the plane, at right angles
+  Vec3 v;
+  int count;
+  double at_u[kMaxPlanes + 4];  ///< corner k is foot + at_u[k] u + at_v[k] v
+  double at_v[kMaxPlanes + 4];
+};
+
+/// The square of half edge `reach` (metres, > 0) on the plane, about its foot.
+Facet square_on(const Halfspace& plane, double reach) noexcept;
+
+/// Cuts off what lies beyond the half-space. False where nothing is left.
+bool cut(const Halfspace& by, Facet& facet) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,62 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/redundancy.hpp"
+
+#include "base/math.hpp"
+#include "corridor/facet.hpp"
+
+namespace tern {
+namespace {
+
+/// Half-spaces relative to a point inside, so that nothing depends on where the map is.
+struct Planes {
+  int count;
+  Halfspace at[kMaxPlanes];
+  bool redundant[kMaxPlanes];
+};
+
+/// False where the point lies on some plane.
+bool move_to(const Vec3& inside, double thickness, const Polyhedron& polyhedron, Planes& planes) {
+  planes.count = polyhedron.count;
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const Halfspace& plane = polyhedron.planes[p];
+    planes.at[p] = {plane.normal, plane.offset - dot(plane.normal, inside)};
+    planes.redundant[p] = false;
+    if (planes.at[p].offset <= thickness) return false;
+  }
+  return true;
+}
+
+/// True where the others leave nothing of the plane moved out by `thickness`: then they reach no further than that.
+bool is_redundant(const Planes& planes, int index, double reach, double thickness) {
+  const Halfspace& plane = planes.at[index];
+  if (plane.offset >= reach) return true;
+  Facet facet = square_on({plane.normal, plane.offset + thickness}, reach);
+  for (int p = 0; p < planes.count; ++p) {
+    if (p != index && !planes.redundant[p] && !cut(planes.at[p], facet)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach) noexcept {
+  const double thickness = kSliverThickness * reach;
+  Planes planes;
+  polyhedron.redundant = 0;
+  if (!move_to(inside, thickness, polyhedron, planes)) return;
+  int kept = 0;
+  Halfspace aside[kMaxPlanes];
+  for (int p = 0; p < planes.count; ++p) {
+    planes.redundant[p] = is_redundant(planes, p, reach, thickness);
+    if (planes.redundant[p]) {
+      aside[polyhedron.redundant++] = polyhedron.planes[p];
+    } else {
+      polyhedron.planes[kept++] = polyhedron.planes[p];
+    }
+  }
+  for (int k = 0; k < polyhedron.redundant; ++k) polyhedron.planes[kept + k] = aside[k];
+  polyhedron.count = kept;
+}
+
+}  // namespace tern
