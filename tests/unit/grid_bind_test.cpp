@@ -48,11 +48,12 @@ GridSpec good() {
   return whole_grid({10, 8, 6}, 0.5, 0.3, {-1.0, 2.0, 0.0});
 }
 
-TEST(GridWords, CountsBothLayersInWholeWordsARow) {
-  EXPECT_EQ(tern::grid_words({1, 1, 1}), 2u);
-  EXPECT_EQ(tern::grid_words({64, 3, 2}), 12u);
-  EXPECT_EQ(tern::grid_words({65, 3, 2}), 24u);
-  EXPECT_EQ(tern::grid_words({200, 200, 40}), 2u * 4u * 200u * 40u);
+TEST(GridWords, CountsBothLayersAndWhatChanged) {
+  // Two layers, a bit a word for what changed in blocks of 64 rows, and a bit a plane.
+  EXPECT_EQ(tern::grid_words({1, 1, 1}), 2u + 1u + 1u);
+  EXPECT_EQ(tern::grid_words({64, 3, 2}), 12u + 2u + 1u);
+  EXPECT_EQ(tern::grid_words({65, 3, 2}), 24u + 2u * 2u + 1u);
+  EXPECT_EQ(tern::grid_words({200, 200, 40}), 2u * 4u * 200u * 40u + 4u * 4u * 40u + 1u);
 }
 
 TEST(GridWords, IsZeroForDimensionsThatDoNotFit) {

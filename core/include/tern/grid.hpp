@@ -33,7 +33,8 @@ struct GridSpec {
 constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
 
-/// 64-bit words that a grid of these dimensions needs for both layers; 0 for dimensions that do not fit.
+/// 64-bit words that a grid of these dimensions needs for both layers and for noting what changed, one bit for each
+/// word of a layer; 0 for dimensions that do not fit.
 std::size_t grid_words(const Voxel& dims) noexcept;
 
 /// A grid over the caller's storage, which must outlive it. Copying copies the view, not the bits.
@@ -62,9 +63,10 @@ class Grid {
   /// kInvalidArgument for null with count > 0.
   Status mark_points(const Vec3* world, std::size_t count, std::size_t* inside = nullptr) noexcept;
 
-  /// Makes the blocked layer from the obstacle layer, the radius and the boundary; does nothing on a grid that is not
-  /// bound. The revision stays: the blocked layer belongs to the obstacles' revision. Planning on a grid whose
-  /// obstacles changed since answers kInvalidArgument (field kStorage).
+  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary: only the words near
+  /// obstacles that changed since the last time are made again, equal to making all. Does nothing where nothing
+  /// changed, or on a grid that is not bound. The revision stays: the blocked layer belongs to the obstacles' revision.
+  /// Planning on a grid whose obstacles changed since answers kInvalidArgument (field kStorage).
   void inflate() noexcept;
 
   const GridSpec& spec() const noexcept { return spec_; }
@@ -104,6 +106,7 @@ class Grid {
   }
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
+  void set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int32_t end, bool value) noexcept;
   bool bit(const std::uint64_t* layer, const Voxel& v) const noexcept {
     return ((layer[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
   }
@@ -111,10 +114,12 @@ class Grid {
   GridSpec spec_{};
   Box local_boundary_{};
   std::int32_t row_words_ = 0;
+  std::int32_t reach_x_ = 0;  // voxels along x that an obstacle blocks to either side
   std::uint64_t revision_ = 0;
   std::uint64_t inflated_revision_ = ~std::uint64_t{0};
   std::uint64_t* obstacles_ = nullptr;
   std::uint64_t* blocked_ = nullptr;
+  std::uint64_t* changes_ = nullptr;
 };
 
 }  // namespace tern

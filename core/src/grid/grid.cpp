@@ -5,7 +5,9 @@
 #include "tern/grid.hpp"
 
 #include "base/math.hpp"
+#include "grid/changes.hpp"
 #include "grid/lattice.hpp"
+#include "grid/stencil.hpp"
 
 namespace tern {
 namespace {
@@ -70,6 +72,11 @@ std::int32_t words_of_row(const Voxel& dims) {
   return (dims.x + 63) / 64;
 }
 
+std::size_t words_of_layer(const Voxel& dims) {
+  return static_cast<std::size_t>(words_of_row(dims)) * static_cast<std::size_t>(dims.y) *
+         static_cast<std::size_t>(dims.z);
+}
+
 /// One face of the boundary in the local frame: on the lattice where it is but for rounding, and inside the grid.
 double local_face(const GridSpec& spec, double world, int a) {
   const std::int32_t count = axis(spec.dims, a);
@@ -102,22 +109,24 @@ std::size_t grid_words(const Voxel& dims) noexcept {
     if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
   }
   if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
-  return std::size_t{2} * static_cast<std::size_t>(words_of_row(dims)) * static_cast<std::size_t>(dims.y) *
-         static_cast<std::size_t>(dims.z);
+  return 2 * words_of_layer(dims) + Changes::words(dims, words_of_row(dims));
 }
 
 Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field) noexcept {
   const Verdict verdict = check(spec, words, word_count);
   if (field != nullptr) *field = verdict.field;
   if (verdict.status != Status::kOk) return verdict.status;
-  const std::size_t layer = grid_words(spec.dims) / 2;
+  const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
   local_boundary_ = boundary_in_grid(spec);
   row_words_ = words_of_row(spec.dims);
+  reach_x_ = Stencil(spec).gap_x() + 1;
   obstacles_ = words;
   blocked_ = words + layer;
+  changes_ = words + 2 * layer;
   for (std::size_t k = 0; k < layer; ++k) obstacles_[k] = 0;
   for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
+  Changes(spec.dims, row_words_, changes_).note_all();
   ++revision_;
   return Status::kOk;
 }

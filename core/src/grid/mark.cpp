@@ -3,6 +3,7 @@
 //
 // Marking and clearing the obstacle layer.
 #include "base/math.hpp"
+#include "grid/changes.hpp"
 #include "grid/lattice.hpp"
 #include "tern/grid.hpp"
 
@@ -29,29 +30,54 @@ IndexRange voxels_met(const GridSpec& spec, double lower, double upper, int a) {
   return {begin < 0 ? 0 : begin, end > count ? count : end};
 }
 
-/// The voxel of a world point, lower faces closed; outside the grid's indices for a point outside.
-Voxel voxel_holding(const GridSpec& spec, const Vec3& world) {
-  Voxel voxel{};
-  for (int a = 0; a < 3; ++a) {
-    const double cells = (axis(world, a) - axis(spec.origin, a)) / spec.cell;
-    axis(voxel, a) = floor_index(cells + world_tolerance(spec, axis(world, a)), -1, axis(spec.dims, a));
-  }
-  return voxel;
+/// Part of a cell that no point's tolerance inside a grid exceeds: bind() refuses coarser coordinates.
+constexpr double kMostTolerance = 0.01;
+
+/// The voxel of a world coordinate on one axis; beyond the grid's indices for one outside.
+std::int32_t index_holding(const GridSpec& spec, double world, int a) {
+  const std::int32_t count = axis(spec.dims, a);
+  const double cells = (world - axis(spec.origin, a)) / spec.cell;
+  // Few points are so near to a face that their tolerance matters.
+  const std::int32_t whole = floor_index(cells, -1, count);
+  if (whole >= 0 && whole < count && cells - whole < 1.0 - kMostTolerance) return whole;
+  return floor_index(cells + world_tolerance(spec, world), -1, count);
 }
 
-/// Sets or clears bits [begin, end) of a row, begin < end.
-void set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bool value) {
+/// The voxel of a world point, lower faces closed; outside the grid's indices for a point outside.
+Voxel voxel_holding(const GridSpec& spec, const Vec3& world) {
+  return {index_holding(spec, world.x, 0), index_holding(spec, world.y, 1), index_holding(spec, world.z, 2)};
+}
+
+/// Sets or clears bits [begin, end) of a row, begin < end. Returns the range from the first bit that changed to the
+/// last; an empty one where none did.
+IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bool value) {
   const std::int32_t first = begin >> 6;
   const std::int32_t last = (end - 1) >> 6;
+  IndexRange changed{end, begin};
   for (std::int32_t k = first; k <= last; ++k) {
     std::uint64_t mask = ~std::uint64_t{0};
     if (k == first) mask &= ~std::uint64_t{0} << (begin & 63);
     if (k == last) mask &= ~std::uint64_t{0} >> (63 - ((end - 1) & 63));
-    row[k] = value ? row[k] | mask : row[k] & ~mask;
+    const std::uint64_t flips = mask & (value ? ~row[k] : row[k]);
+    if (flips == 0) continue;
+    row[k] ^= flips;
+    if (changed.begin == end) changed.begin = 64 * k + __builtin_ctzll(flips);
+    changed.end = 64 * k + 64 - __builtin_clzll(flips);
   }
+  return changed;
 }
 
 }  // namespace
+
+/// Sets or clears voxels [begin, end) of a row and notes what that may change in the blocked layer.
+void Grid::set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int32_t end, bool value) noexcept {
+  const IndexRange changed = set_bits(obstacles_ + row(y, z), begin, end, value);
+  if (changed.begin >= changed.end) return;
+  const std::int32_t first = changed.begin - reach_x_;
+  const std::int32_t last = changed.end - 1 + reach_x_;
+  Changes(spec_.dims, row_words_, changes_)
+      .note(y, z, first < 0 ? 0 : first >> 6, last < spec_.dims.x ? last >> 6 : row_words_ - 1);
+}
 
 Status Grid::set_box(const Box& world, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
@@ -63,7 +89,7 @@ Status Grid::set_box(const Box& world, bool value) noexcept {
   const IndexRange z = voxels_met(spec_, world.lower.z, world.upper.z, 2);
   if (x.begin >= x.end) return Status::kOk;
   for (std::int32_t k = z.begin; k < z.end; ++k) {
-    for (std::int32_t j = y.begin; j < y.end; ++j) set_bits(obstacles_ + row(j, k), x.begin, x.end, value);
+    for (std::int32_t j = y.begin; j < y.end; ++j) set_row(j, k, x.begin, x.end, value);
   }
   return Status::kOk;
 }
@@ -80,7 +106,7 @@ Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!inside(voxel)) return Status::kOutOfMap;
   ++revision_;
-  set_bits(obstacles_ + row(voxel.y, voxel.z), voxel.x, voxel.x + 1, value);
+  set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, value);
   return Status::kOk;
 }
 
@@ -102,8 +128,9 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
   for (std::size_t k = 0; k < count; ++k) {
     const Voxel voxel = voxel_holding(spec_, world[k]);
     if (!inside(voxel)) continue;
-    set_bits(obstacles_ + row(voxel.y, voxel.z), voxel.x, voxel.x + 1, true);
     ++hits;
+    // Most of a frame was seen before.
+    if (!bit(obstacles_, voxel)) set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
   }
   if (inside_count != nullptr) *inside_count = hits;
   return Status::kOk;

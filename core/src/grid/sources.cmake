@@ -1,3 +1,4 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-set(TERN_STAGE_SOURCES clear.cpp distance.cpp grid.cpp inflate.cpp mark.cpp nearest.cpp stencil.cpp)
+set(TERN_STAGE_SOURCES
+  changes.cpp clear.cpp distance.cpp grid.cpp inflate.cpp mark.cpp nearest.cpp stencil.cpp tile.cpp)

@@ -34,8 +34,8 @@ Stencil::Stencil(const GridSpec& spec) : limit_(largest_blocking_gap(spec)), las
   const std::int32_t gap = limit_ < 0 ? -1 : floor_root(limit_);
   gap_x_ = least(gap, spec.dims.x);
   gap_z_ = least(gap, spec.dims.z);
-  for (std::int32_t z = 0; z < kTable; ++z) {
-    for (std::int32_t x = 0; x < kTable; ++x) table_[z][x] = static_cast<std::int16_t>(compute(z, x));
+  for (std::int32_t z = 0; z <= gap_z_ && z < kTable; ++z) {
+    for (std::int32_t x = 0; x <= gap_x_ && x < kTable; ++x) table_[z][x] = static_cast<std::int16_t>(compute(z, x));
   }
 }
 

@@ -22,7 +22,7 @@ class Stencil {
   std::int32_t gap_z() const { return gap_z_; }
 
   /// Largest |dy| of a row whose obstacles block voxels that are gap_z away along z and gap_x along x, dims.y - 1 at
-  /// most; -1 for none.
+  /// most; -1 for none. 0 <= gap_z <= gap_z(), 0 <= gap_x <= gap_x().
   std::int32_t reach(std::int32_t gap_z, std::int32_t gap_x) const {
     return gap_z < kTable && gap_x < kTable ? table_[gap_z][gap_x] : compute(gap_z, gap_x);
   }

@@ -1,0 +1,79 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What changed since the last inflation, in the caller's storage: one bit for each word of the obstacle layer, 64
+// consecutive rows side by side in a word, so that a change spreads to the rows around it by shifts.
+#ifndef TERN_GRID_CHANGES_HPP
+#define TERN_GRID_CHANGES_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "grid/lattice.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// Rows that one word of the change map speaks for.
+constexpr std::int32_t kBlockRows = 64;
+
+/// Where a change map has bits set: planes, blocks of rows, words; empty ranges where it has none.
+struct ChangeExtent {
+  IndexRange planes;
+  IndexRange blocks;
+  IndexRange words;
+};
+
+/// The change map of a grid. Word (z, block, k) has bit y - 64 block set where obstacles changed that block voxels of
+/// word k, as far as row (y, z) itself is concerned: a change near a word's end is noted in both words. Plane z has a
+/// bit of its own where it holds any. Bits past the grid's last row have no meaning.
+class Changes {
+ public:
+  Changes(const Voxel& dims, std::int32_t row_words, std::uint64_t* storage) noexcept
+      : row_words_(row_words),
+        blocks_((dims.y + kBlockRows - 1) / kBlockRows),
+        planes_(dims.z),
+        summary_(storage),
+        bits_(storage + (dims.z + 63) / 64) {}
+
+  /// Words of storage for a grid of these dimensions.
+  static std::size_t words(const Voxel& dims, std::int32_t row_words) noexcept;
+
+  std::int32_t blocks() const noexcept { return blocks_; }
+  /// True where anything changed.
+  bool any() const noexcept;
+  /// True where plane z has a change; false past the grid.
+  bool plane(std::int32_t z) const noexcept {
+    return z >= 0 && z < planes_ && (summary_[z >> 6] >> (z & 63) & 1u) != 0;
+  }
+  /// The block's changed rows in word k; none past the grid.
+  std::uint64_t rows(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
+    return block >= 0 && block < blocks_ ? bits_[at(z, block, k)] : 0;
+  }
+
+  ChangeExtent extent() const noexcept;
+  void clear() noexcept;
+  void note_all() noexcept;
+  /// Words first .. last of row (y, z).
+  void note(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) noexcept {
+    summary_[z >> 6] |= std::uint64_t{1} << (z & 63);
+    std::uint64_t* words = bits_ + at(z, y >> 6, 0);
+    for (std::int32_t k = first; k <= last; ++k) words[k] |= std::uint64_t{1} << (y & 63);
+  }
+
+ private:
+  void set_plane(std::int32_t z, std::uint64_t value) noexcept;
+  std::size_t at(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
+    return static_cast<std::size_t>((z * blocks_ + block) * row_words_ + k);
+  }
+
+  std::int32_t row_words_;
+  std::int32_t blocks_;
+  std::int32_t planes_;
+  std::uint64_t* summary_;
+  std::uint64_t* bits_;
+};
+
+}  // namespace tern
+
+#endif
