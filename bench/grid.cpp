@@ -5,16 +5,16 @@
 // same bits, restored outside the time that counts.
 #include "tern/grid.hpp"
 
-#include <benchmark/benchmark.h>
-
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
+#include <cstdio>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "host/atomic_file.hpp"
 #include "host/grid_layout.hpp"
 #include "host/scenario.hpp"
 
@@ -77,10 +77,10 @@ void grow_forest(Grid& grid, double density) {
 /// kFramePoints where they meet an obstacle.
 std::vector<Vec3> depth_frame(const Grid& scene, const Vec3& eye) {
   std::vector<Vec3> points;
-  for (int ray_index = 0; ray_index < 16 * kFramePoints && points.size() < kFramePoints; ++ray_index) {
+  for (std::size_t k = 0; k < 16 * kFramePoints && points.size() < kFramePoints; ++k) {
     // Two irrational steps cover the image evenly however many rays it takes.
-    const double across = std::fmod(0.7548776662466927 * ray_index, 1.0);
-    const double down = std::fmod(0.5698402909980532 * ray_index, 1.0);
+    const double across = std::fmod(0.7548776662466927 * static_cast<double>(k), 1.0);
+    const double down = std::fmod(0.5698402909980532 * static_cast<double>(k), 1.0);
     const Vec3 ray{1.0, 2.0 * across - 1.0, 1.4 * down - 0.7};
     const double norm = std::sqrt(ray.x * ray.x + ray.y * ray.y + ray.z * ray.z);
     for (double t = 0.0; t < kFrameRange; t += 0.25 * scene.spec().cell) {
@@ -93,105 +93,111 @@ std::vector<Vec3> depth_frame(const Grid& scene, const Vec3& eye) {
   return points;
 }
 
-/// A row whose time is that of `change(grid)`, the world as it was kept before each.
-template <typename Change>
-void add(const std::string& name, const std::shared_ptr<World>& world, Change change) {
-  const auto body = [world, change](benchmark::State& state) {
-    for (auto _ : state) {
-      world->restore();
+/// Prints rows and keeps them as CSV.
+class Table {
+ public:
+  /// A row: the times of `change(world.grid)`, the world as it was kept before each.
+  template <typename Change>
+  void measure(const std::string& map, const std::string& what, World& world, Change change) {
+    std::vector<double> times;
+    for (int k = 0; k < kRepetitions; ++k) {
+      world.restore();
       const auto before = std::chrono::steady_clock::now();
-      change(world->grid);
-      state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+      change(world.grid);
+      times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
     }
-  };
-  benchmark::RegisterBenchmark(name.c_str(), body)
-      ->UseManualTime()
-      ->Unit(benchmark::kMicrosecond)
-      ->Iterations(1)
-      ->Repetitions(kRepetitions)
-      ->ReportAggregatesOnly(true)
-      ->ComputeStatistics("min", [](const std::vector<double>& v) { return *std::min_element(v.begin(), v.end()); })
-      ->ComputeStatistics("max", [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); });
-}
+    std::sort(times.begin(), times.end());
+    char line[160];
+    std::snprintf(line, sizeof line, "%s,%s,%.1f,%.1f,%.1f\n", map.c_str(), what.c_str(), times.front(),
+                  times[times.size() / 2], times.back());
+    std::fputs(line, stdout);
+    csv_ += line;
+  }
+  const std::string& csv() const { return csv_; }
+
+ private:
+  std::string csv_ = "map,change,least_us,median_us,max_us\n";
+};
 
 void inflate(Grid& grid) {
   grid.inflate();
 }
 
-void add_map(int map) {
+void measure_map(Table& table, int map) {
   const std::string name = "map" + std::to_string(map);
   const tern_host::Scenario scenario = tern_host::read_scenario(std::string(TERN_MAPS_DIR) + "/" + name + ".txt");
-  const auto world = std::make_shared<World>(tern_host::lay_out_grid(scenario));
-  for (const tern_host::Block& block : scenario.blocks) world->grid.mark_box(block.box);
-  world->keep();
-  add(name + "/full", world, inflate);
+  World world(tern_host::lay_out_grid(scenario));
+  for (const tern_host::Block& block : scenario.blocks) world.grid.mark_box(block.box);
+  world.keep();
+  table.measure(name, "all", world, inflate);
 }
 
-void add_forest(const std::string& name, tern::Voxel dims, double density) {
-  const auto fresh = std::make_shared<World>(box_spec(dims, 0.1, 0.25));
-  grow_forest(fresh->grid, density);
-  fresh->keep();
-  add(name + "/full", fresh, inflate);
+void measure_forest(Table& table, const std::string& name, const GridSpec& spec, double density) {
+  World world(spec);
+  grow_forest(world.grid, density);
+  world.keep();
+  table.measure(name, "all", world, inflate);
 }
 
-/// A frame of a forest with its floor.
-std::vector<Vec3> forest_frame(const GridSpec& spec) {
-  World scene(spec);
-  grow_forest(scene.grid, 0.1);
-  scene.grid.mark_box({spec.boundary.lower, {spec.boundary.upper.x, spec.boundary.upper.y, spec.cell}});
-  return depth_frame(scene.grid, {5.0, 0.5 * spec.boundary.upper.y, 2.0});
-}
-
-/// Small changes of a large forest, and a frame of a forest that the map knows nothing of.
-void add_changes(const std::string& name, tern::Voxel dims) {
-  const GridSpec spec = box_spec(dims, 0.1, 0.25);
+/// Small changes of a forest.
+void measure_boxes(Table& table, const std::string& name, const GridSpec& spec) {
   const Box box{{8.0, 15.0, 1.0}, {10.0, 17.0, 3.0}};
-  const auto known = std::make_shared<World>(spec);
-  grow_forest(known->grid, 0.1);
-  known->grid.clear_box(box);
-  known->grid.inflate();
-  known->keep();
-  add(name + "/nothing", known, inflate);
-  add(name + "/mark box of 20x20x20", known, [box](Grid& grid) {
+  World world(spec);
+  grow_forest(world.grid, 0.1);
+  world.grid.clear_box(box);
+  world.grid.inflate();
+  world.keep();
+  table.measure(name, "nothing", world, inflate);
+  table.measure(name, "mark a box of 20 x 20 x 20", world, [&box](Grid& grid) {
     grid.mark_box(box);
     grid.inflate();
   });
-  const auto marked = std::make_shared<World>(spec);
-  grow_forest(marked->grid, 0.1);
-  marked->grid.mark_box(box);
-  marked->grid.inflate();
-  marked->keep();
-  add(name + "/clear box of 20x20x20", marked, [box](Grid& grid) {
+  world.grid.mark_box(box);
+  world.grid.inflate();
+  world.keep();
+  table.measure(name, "clear a box of 20 x 20 x 20", world, [&box](Grid& grid) {
     grid.clear_box(box);
     grid.inflate();
   });
-  const auto frame = std::make_shared<std::vector<Vec3>>(forest_frame(spec));
-  const auto take_frame = [frame](Grid& grid) {
-    grid.mark_points(frame->data(), frame->size());
+}
+
+/// A frame of a forest with its floor, for a map that knows nothing of it, and once more.
+void measure_frames(Table& table, const std::string& name, const GridSpec& spec) {
+  World scene(spec);
+  grow_forest(scene.grid, 0.1);
+  scene.grid.mark_box({spec.boundary.lower, {spec.boundary.upper.x, spec.boundary.upper.y, spec.cell}});
+  const std::vector<Vec3> frame = depth_frame(scene.grid, {5.0, 0.5 * spec.boundary.upper.y, 2.0});
+  const auto take_frame = [&frame](Grid& grid) {
+    grid.mark_points(frame.data(), frame.size());
     grid.inflate();
   };
-  const auto unknown = std::make_shared<World>(spec);
-  unknown->grid.inflate();
-  unknown->keep();
-  add(name + "/frame of 10,000 new points", unknown, take_frame);
-  const auto seen = std::make_shared<World>(spec);
-  take_frame(seen->grid);
-  seen->keep();
-  add(name + "/frame of 10,000 known points", seen, take_frame);
+  World world(spec);
+  world.grid.inflate();
+  world.keep();
+  table.measure(name, "a frame of 10000 new points", world, take_frame);
+  take_frame(world.grid);
+  world.keep();
+  table.measure(name, "a frame of 10000 known points", world, take_frame);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int map = 1; map <= 6; ++map) add_map(map);
-  add_forest("forest 200x200x40 10 %", {200, 200, 40}, 0.1);
-  add_forest("forest 200x200x40 30 %", {200, 200, 40}, 0.3);
-  add_forest("forest 512x512x128", {512, 512, 128}, 0.1);
-  add_changes("200x200x40", {200, 200, 40});
-  add_changes("512x512x128", {512, 512, 128});
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
+  CLI::App app("Times of inflation, of whole maps and after small changes.");
+  std::string csv_file;
+  app.add_option("--csv", csv_file, "Write the table as CSV as well")->type_name("OUT");
+  CLI11_PARSE(app, argc, argv);
+  Table table;
+  for (int map = 1; map <= 6; ++map) measure_map(table, map);
+  const GridSpec room = box_spec({200, 200, 40}, 0.1, 0.25);
+  const GridSpec hall = box_spec({512, 512, 128}, 0.1, 0.25);
+  measure_forest(table, "200x200x40 at 10 %", room, 0.1);
+  measure_forest(table, "200x200x40 at 30 %", room, 0.3);
+  measure_forest(table, "512x512x128 at 10 %", hall, 0.1);
+  measure_boxes(table, "200x200x40 at 10 %", room);
+  measure_boxes(table, "512x512x128 at 10 %", hall);
+  measure_frames(table, "200x200x40", room);
+  measure_frames(table, "512x512x128", hall);
+  if (!csv_file.empty()) tern_host::write_file(csv_file, table.csv());
   return 0;
 }
