@@ -30,7 +30,8 @@ inline double square_root(double x) { return __builtin_sqrt(x); }
 inline double length(const Vec3& a) { return square_root(dot(a, a)); }
 inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
-inline double absolute(double x) { return x < 0.0 ? -x : x; }
+/// The compiler's own: one instruction everywhere, where a comparison would have to keep the sign of -0.
+inline double absolute(double x) { return __builtin_fabs(x); }
 inline double smaller(double a, double b) { return b < a ? b : a; }
 inline double larger(double a, double b) { return a < b ? b : a; }
 inline double clamp(double x, double lo, double hi) { return x < lo ? lo : (hi < x ? hi : x); }

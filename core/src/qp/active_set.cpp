@@ -50,7 +50,6 @@ void move_multipliers(QpSolver& solver, double length) {
 /// Moves z and the entering row's violation; returns how much the dual objective rises.
 double move_point(QpSolver& solver, double length) {
   add_scaled(-length, solver.direction, solver.z, 0, solver.stride);
-  solver.travelled += length * square_root(solver.direction_squared);
   const double before = solver.entering_violation;
   solver.entering_violation = before - length * solver.direction_squared;
   return 0.5 * length * (before + solver.entering_violation);

@@ -11,8 +11,8 @@ namespace {
 constexpr int kBlock = 4;
 
 /// A second pass of Gram-Schmidt is needed where the first left less than this part of the squared length ("twice is
-/// enough"): what a single pass leaves of the basis is then at most ten times rounding.
-constexpr double kCancellation = 0.01;
+/// enough").
+constexpr double kCancellation = 0.5;
 
 const double* column(const QpSolver& solver, int j) {
   return solver.basis + j * solver.stride;

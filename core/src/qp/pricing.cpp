@@ -14,9 +14,10 @@ constexpr int kTilePairs = kQpTile / kPair;
 constexpr double kNoViolation = -1e300;
 constexpr double kNoNumber = 1e300;
 
-/// A tile whose rows were all met is looked at again after so many scans, though others still hold violated rows: a row
-/// that has come to be violated most must not wait until all others are met.
-constexpr int kPatience = 3;
+/// A tile is left out while the worst violation that was found in it is less than this part of the one that entered...
+constexpr double kWorthwhile = 0.3;
+/// ...for so many scans at most: rows that have come to be violated must not wait until all others are met.
+constexpr int kPatience = 6;
 
 /// Coordinates of up to kQpTile points, by axis.
 struct Tile {
@@ -128,14 +129,11 @@ double consider(const QpProblem& problem, QpSolver& solver, int group, int point
   return distance;
 }
 
-/// True where this pass leaves the tile out. A tile whose rows were met when it was last looked at is left until the
-/// others have nothing; one whose rows were violated cannot hold a better row than the best so far before z has gone
-/// far enough.
+/// True where this pass leaves the tile out.
 bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
   if (solver.scans == 0 || index >= kQpMaxTiles) return scan.rest && solver.scans > 0;
   if (scan.rest) return solver.seen[index] == solver.scans;
-  if (solver.scans - solver.seen[index] >= kPatience && solver.reach[index] <= kNoViolation) return false;
-  return solver.reach[index] + solver.travelled <= scan.distance;
+  return solver.scans - solver.seen[index] < kPatience && solver.found[index] <= kWorthwhile * solver.entered;
 }
 
 /// Looks at a tile and returns the distance of its most violated row; 0 where none is violated.
@@ -164,7 +162,7 @@ void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& sca
     const double distance = look(problem, solver, group, begin, left < kQpTile ? left : kQpTile, scan);
     if (tile >= kQpMaxTiles) continue;
     solver.seen[tile] = solver.scans;
-    solver.reach[tile] = distance > 0.0 ? distance - solver.travelled : kNoViolation;
+    solver.found[tile] = distance;
   }
 }
 
@@ -195,9 +193,8 @@ void forget_lengths(const QpProblem& problem, QpSolver& solver) {
   solver.inverse_known = false;
 }
 
-void forget_reach(QpSolver& solver) {
+void forget_scans(QpSolver& solver) {
   solver.scans = 0;
-  solver.travelled = 0.0;
 }
 
 Candidate price(const QpProblem& problem, QpSolver& solver) {
@@ -211,6 +208,7 @@ Candidate price(const QpProblem& problem, QpSolver& solver) {
   }
   if (!finite(sum(scan.tile.finite))) solver.worst = kNoNumber;
   ++solver.scans;
+  solver.entered = scan.distance;
   if (scan.group < 0) return {};
   const int plane = worst_plane(problem, solver, problem.groups[scan.group], scan.point);
   return {true, scan.constant, {scan.point, plane}, scan.violation};

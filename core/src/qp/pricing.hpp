@@ -21,11 +21,12 @@ struct Candidate {
 /// Forgets the points' lengths: coefficients or Hessian changed.
 void forget_lengths(const QpProblem& problem, QpSolver& solver);
 
-/// Forgets how far rows were from being violated: the point has jumped, or the right-hand sides changed.
-void forget_reach(QpSolver& solver);
+/// Forgets which rows were violated: the point has jumped, or the right-hand sides changed.
+void forget_scans(QpSolver& solver);
 
-/// The best row to enter at solver.x among those violated by more than kQpEntering; ties go to the lowest group, then
-/// point, then plane. Where none is found every row was looked at, and solver.worst is the largest violation.
+/// A row to enter at solver.x, violated by more than kQpEntering: the best of those looked at; ties go to the lowest
+/// group, then point, then plane. Where none is found every row was looked at, and solver.worst is the largest
+/// violation.
 Candidate price(const QpProblem& problem, QpSolver& solver);
 
 }  // namespace tern::qp

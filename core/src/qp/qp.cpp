@@ -42,7 +42,7 @@ void start(const QpProblem& problem, QpSolver& solver) {
   solver.worst = 0.0;
   solver.phase = QpPhase::kWarmRow;
   clear_point(solver);
-  qp::forget_reach(solver);
+  qp::forget_scans(solver);
   solver.usable = solver.usable && qp::prepare_offsets(problem, solver);
   if (!solver.usable) return;
   aim(problem, solver);
@@ -85,7 +85,7 @@ void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) 
   if (solver.refinements == kMaxRefinements) return end(solver, Status::kNumerical);
   ++solver.refinements;
   qp::refine(problem, solver);
-  qp::forget_reach(solver);
+  qp::forget_scans(solver);
 }
 
 void contradict(const QpProblem& problem, QpSolver& solver, const QpRow& row, QpSolution& solution) {

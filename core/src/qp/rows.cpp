@@ -21,14 +21,13 @@ double careful_inverse(const Vec3& n) {
   return 1.0 / largest / square_root(dot(scaled, scaled));
 }
 
-/// How a unit normal lies, as long as nothing is known of the next plane.
+/// How a unit normal lies, as long as nothing is known of the next plane. What rounding leaves beside an axis is none.
 void face(QpUnitPlane& plane) {
   const double size[kQpAxes] = {absolute(plane.normal[0]), absolute(plane.normal[1]), absolute(plane.normal[2])};
   plane.facing = QpFacing::kOblique;
   if (size[0] + size[1] + size[2] > 1.0) return;
   for (int a = 0; a < kQpAxes; ++a) {
     if (size[a] < 1.0) continue;
-    if (size[(a + 1) % kQpAxes] + size[(a + 2) % kQpAxes] > 0.0) return;
     plane.facing = plane.normal[a] > 0.0 ? QpFacing::kUp : QpFacing::kDown;
     plane.axis = static_cast<std::uint8_t>(a);
   }

@@ -58,9 +58,8 @@ struct QpSolver {
   // Of the rows.
   QpUnitPlane planes[kQpMaxPlanes];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
-  double reach[kQpMaxTiles];  ///< of a tile: its most violated distance when it was looked at, less `travelled` then
-  int seen[kQpMaxTiles];      ///< the scan that looked at a tile last
-  double travelled;           ///< length of the path of z
+  double found[kQpMaxTiles];          ///< of a tile: the worst violation when it was looked at, a distance of z
+  int seen[kQpMaxTiles];              ///< of a tile: the scan that looked at it last
 
   // The working set.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
@@ -83,11 +82,12 @@ struct QpSolver {
   double direction_squared;  ///< |direction|^2
 
   QpRow warm[kMaxActive];
-  double worst;   ///< largest violation at x, of the last pricing
-  double gain;    ///< how far the dual objective has risen
-  int unknowns;   ///< per axis
-  int dimension;  ///< 3 * unknowns
-  int stride;     ///< dimension, padded
+  double entered;  ///< violation of the row that the last scan found, a distance of z
+  double worst;    ///< largest violation at x, of the last pricing
+  double gain;     ///< how far the dual objective has risen
+  int unknowns;    ///< per axis
+  int dimension;   ///< 3 * unknowns
+  int stride;      ///< dimension, padded
   int active_count;
   int warm_count;
   int warm_next;
