@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""gate.py --budgets TABLE [--update] [--results CSV] IMAGE EMULATOR...: runs the timing image twice, wants both runs
-equal to the last digit, and compares every count with its budget. Fails above a budget and where a row has none; warns
-below 70 % of one, so that budgets ratchet down. --update writes new budgets instead, 10 % above the counts."""
+"""gate.py --budgets TABLE [--update] [--results CSV] --caps IMAGE IMAGE EMULATOR...: runs the corpus' image and the
+caps' image twice each, wants both runs equal to the last digit, and compares every count with its budget. Fails above a
+budget, where a row has none, and where a cap row did not reach its capacity; warns below 70 % of a budget, so that
+budgets ratchet down. --update writes new budgets instead, 10 % above the counts."""
 import argparse
 import csv
 import pathlib
 import subprocess
 import sys
 import time
+import typing
 
 HEADROOM = 1.10
 SLACK = 0.70
@@ -19,6 +21,15 @@ STAGES = ["mark", "inflate", "search", "shortcut", "corridor", "times", "traject
 UNITS = ["path unit", "corridor unit", "trajectory unit"]
 
 
+class Cap(typing.NamedTuple):
+    """What a loop took at its configured bound. `units` of work; a plan goes through it `times` times at most."""
+    count: int
+    reached: int
+    capacity: int
+    units: int
+    times: int
+
+
 def run_twice(command):
     """Both at once: a loaded machine is part of the test."""
     runs = [subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True) for _ in range(2)]
@@ -26,13 +37,21 @@ def run_twice(command):
     return outputs, [run.returncode for run in runs]
 
 
+def run_image(command):
+    """What both runs printed; None, with the reason printed, where they differ or failed."""
+    outputs, codes = run_twice(command)
+    if outputs[0] == outputs[1] and not any(codes):
+        return outputs[0]
+    print(outputs[0])
+    print("FAILS: two runs differ" if outputs[0] != outputs[1] else f"FAILS: the image ended with status {codes[0]}")
+    return None
+
+
 def parse(text):
-    """Notes, and {(scenario, stage): (count, work, bound)} in the order printed."""
+    """Notes, and {(name, stage): the row's numbers} in the order printed."""
     notes = [line[2:] for line in text.splitlines() if line.startswith("# ")]
     lines = [line for line in text.splitlines() if line and not line.startswith("#")]
-    rows = {}
-    for row in csv.DictReader(lines):
-        rows[row["scenario"], row["stage"]] = tuple(int(row[key]) for key in ("count", "work", "bound"))
+    rows = {(row[0], row[1]): tuple(int(value) for value in row[2:]) for row in list(csv.reader(lines))[1:]}
     return notes, rows
 
 
@@ -53,12 +72,12 @@ def read_budgets(path):
     return made_with, {(row["scenario"], row["stage"]): int(row["budget"]) for row in table}
 
 
-def write_budgets(path, notes, rows):
+def write_budgets(path, notes, counts):
     with path.open("w", newline="") as file:
         file.write("# Instructions retired that each stage of each scenario may take; written by gate.py --update.\n")
         file.write(f"# {compiler_of(notes)}\n")
         file.write("scenario,stage,budget\n")
-        for (scenario, stage), (count, _, _) in rows.items():
+        for (scenario, stage), count in counts.items():
             if count > 0:
                 file.write(f"{scenario},{stage},{round_up(int(count * HEADROOM))}\n")
 
@@ -86,9 +105,34 @@ def print_table(rows, budgets, stages):
         print(f"{label:{width}}{show(value or '-' for value in most)}")
 
 
-def compare(rows, budgets):
+def print_caps(caps):
+    """A line a cap: thousands of instructions, whether it was reached, instructions for a unit of work."""
+    print(f"{'':16}{'stage':12}{'thousands':>12}{'reached':>12}{'capacity':>12}{'units':>12}{'a unit':>10}{'times':>8}")
+    for (name, stage), cap in caps.items():
+        print(f"{name:16}{stage:12}{thousands(cap.count):>12}{cap.reached:>12}{cap.capacity:>12}{cap.units:>12}"
+              f"{cap.count // max(1, cap.units):>10}{cap.times:>8}")
+
+
+def print_bounds(rows, caps):
+    """Per stage: the dearest of its caps, the worst scenario, and what part of the one the other is."""
+    print(f"{'':12}{'bound':>16}{'worst':>14}{'worst / bound':>16}  from, seen in")
+    for stage in STAGES:
+        bounds = [(cap.count * cap.times, name) for (name, of), cap in caps.items() if of == stage]
+        if not bounds:
+            continue
+        bound, cap = max(bounds)
+        worst, scenario = max((row[0], name) for (name, of), row in rows.items() if of == stage)
+        print(f"{stage:12}{thousands(bound):>16}{thousands(worst):>14}{worst / bound:>16.2g}  {cap}, {scenario}")
+
+
+def check_caps(caps):
+    return [f"{name} {stage}: reached {cap.reached} of {cap.capacity}, so that its bound was not measured"
+            for (name, stage), cap in caps.items() if cap.reached != cap.capacity]
+
+
+def compare(counts, budgets):
     failures, warnings = [], []
-    for (scenario, stage), (count, _, _) in rows.items():
+    for (scenario, stage), count in counts.items():
         budget = budgets.get((scenario, stage))
         if budget is None:
             if count > 0:
@@ -98,15 +142,16 @@ def compare(rows, budgets):
         elif budget > SMALL and count < SLACK * budget:
             warnings.append(f"{scenario} {stage}: {count} is below 70 % of its budget of {budget}: lower it")
     for scenario, stage in budgets:
-        if (scenario, stage) not in rows:
+        if (scenario, stage) not in counts:
             failures.append(f"{scenario} {stage}: has a budget and was not run")
     return failures, warnings
 
 
-def judge(rows, made_with, budgets, notes):
-    failures, warnings = compare(rows, budgets)
+def judge(counts, caps, made_with, budgets, notes):
+    failures, warnings = compare(counts, budgets)
     for warning in warnings:
         print(f"warning: {warning}")
+    failures += check_caps(caps)
     for failure in failures:
         print(f"FAILS: {failure}")
     if failures and made_with != compiler_of(notes):
@@ -115,33 +160,42 @@ def judge(rows, made_with, budgets, notes):
     return 1 if failures else 0
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--budgets", type=pathlib.Path, required=True)
-    parser.add_argument("--update", action="store_true")
-    parser.add_argument("--results", type=pathlib.Path, help="where to keep the counts as CSV")
-    parser.add_argument("image")
-    parser.add_argument("emulator", nargs="+")
-    arguments = parser.parse_args()
-    began = time.monotonic()
-    outputs, codes = run_twice(arguments.emulator + [arguments.image])
-    if outputs[0] != outputs[1] or any(codes):
-        print(outputs[0])
-        print("FAILS: two runs differ" if outputs[0] != outputs[1] else f"FAILS: the image ended with status {codes[0]}")
-        return 1
-    notes, rows = parse(outputs[0])
-    if arguments.results:
-        arguments.results.write_text(outputs[0])
-    if arguments.update:
-        write_budgets(arguments.budgets, notes, rows)
-    made_with, budgets = read_budgets(arguments.budgets)
+def show(notes, rows, caps, budgets):
     print("\n".join(notes))
     print("thousands of instructions retired; stages")
     print_table(rows, budgets, STAGES)
     print("and the longest single unit of work, which is the least that a slice can be")
     print_table(rows, budgets, UNITS)
+    print("each loop at its configured bound")
+    print_caps(caps)
+    print("thousands of instructions at the bound, in the worst scenario, and their ratio")
+    print_bounds(rows, caps)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--budgets", type=pathlib.Path, required=True)
+    parser.add_argument("--update", action="store_true")
+    parser.add_argument("--results", type=pathlib.Path, help="where to keep the counts as CSV")
+    parser.add_argument("--caps", required=True, help="the image of the caps")
+    parser.add_argument("image")
+    parser.add_argument("emulator", nargs="+")
+    arguments = parser.parse_args()
+    began = time.monotonic()
+    outputs = [run_image(arguments.emulator + [image]) for image in (arguments.image, arguments.caps)]
+    if None in outputs:
+        return 1
+    (notes, rows), (_, cap_rows) = (parse(output) for output in outputs)
+    caps = {key: Cap(*row) for key, row in cap_rows.items()}
+    counts = {key: row[0] for key, row in (rows | cap_rows).items()}
+    if arguments.results:
+        arguments.results.write_text("".join(outputs))
+    if arguments.update:
+        write_budgets(arguments.budgets, notes, counts)
+    made_with, budgets = read_budgets(arguments.budgets)
+    show(notes, rows, caps, budgets)
     print(f"two runs equal to the last digit; {time.monotonic() - began:.0f} s")
-    return judge(rows, made_with, budgets, notes)
+    return judge(counts, caps, made_with, budgets, notes)
 
 
 sys.exit(main())
