@@ -9,7 +9,7 @@
 #include "baremetal-aarch64/counters.hpp"
 #include "baremetal/board.hpp"
 #include "tern_port/port.hpp"
-#include "timing/cases.hpp"
+#include "timing/case_grid.hpp"
 
 namespace {
 
@@ -34,27 +34,8 @@ struct Cost {
   std::size_t stack = 0;
 };
 
-std::int32_t cells(double extent, double resolution) {
-  const double exact = extent / resolution - tern::kLatticeTolerance;
-  const auto whole = static_cast<std::int32_t>(exact);
-  return static_cast<double>(whole) < exact ? whole + 1 : whole;
-}
-
-tern::GridSpec spec_of(const Case& input) {
-  const tern::Vec3& lower = input.boundary.lower;
-  const tern::Vec3& upper = input.boundary.upper;
-  tern::GridSpec spec{};
-  spec.origin = lower;
-  spec.cell = input.resolution;
-  spec.dims = {cells(upper.x - lower.x, spec.cell), cells(upper.y - lower.y, spec.cell),
-               cells(upper.z - lower.z, spec.cell)};
-  spec.boundary = input.boundary;
-  spec.radius = input.radius;
-  return spec;
-}
-
 tern::Status build(const Case& input, tern::Grid& grid, Cost& cost) {
-  const tern::Status status = grid.bind(spec_of(input), words, kGridWords);
+  const tern::Status status = grid.bind(tern_timing::spec_of(input), words, kGridWords);
   if (status != tern::Status::kOk) return status;
   const std::uint64_t begin = tern_board::counter();
   for (int b = 0; b < input.block_count; ++b) grid.mark_box(input.blocks[b]);

@@ -107,9 +107,9 @@ def print_table(rows, budgets, stages):
 
 def print_caps(caps):
     """A line a cap: thousands of instructions, whether it was reached, instructions for a unit of work."""
-    print(f"{'':16}{'stage':12}{'thousands':>12}{'reached':>12}{'capacity':>12}{'units':>12}{'a unit':>10}{'times':>8}")
+    print(f"{'':18}{'stage':12}{'thousands':>12}{'reached':>12}{'capacity':>12}{'units':>12}{'a unit':>10}{'times':>8}")
     for (name, stage), cap in caps.items():
-        print(f"{name:16}{stage:12}{thousands(cap.count):>12}{cap.reached:>12}{cap.capacity:>12}{cap.units:>12}"
+        print(f"{name:18}{stage:12}{thousands(cap.count):>12}{cap.reached:>12}{cap.capacity:>12}{cap.units:>12}"
               f"{cap.count // max(1, cap.units):>10}{cap.times:>8}")
 
 
