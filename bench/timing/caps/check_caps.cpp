@@ -38,7 +38,7 @@ void add_planes(const tern::Grid& grid, tern::Polyhedron& polyhedron) {
   const tern::Box box = grid.local_boundary();
   constexpr double kLean = 1e-3;
   const double length = tern::square_root(1.0 + kLean * kLean);
-  polyhedron.count = 0;
+  polyhedron.count = polyhedron.redundant = 0;
   for (int a = 0; a < 3; ++a) {
     tern::Vec3 normal{0.0, 0.0, 0.0};
     tern::axis(normal, a) = 1.0;

@@ -46,7 +46,7 @@ tern::Request request_between(const tern::Vec3& start, const tern::Vec3& goal) {
   tern::Request request{};
   request.start.position = start;
   request.goal.position = goal;
-  request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}, {-2.0, -2.0, -2.0}, {-2.0, -2.0, -2.0}};
   return request;
 }
 
