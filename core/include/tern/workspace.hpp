@@ -24,9 +24,9 @@ constexpr std::size_t larger(std::size_t a, std::size_t b) {
   return a < b ? b : a;
 }
 
-/// Nodes with their hash slots, the open list, a bit a voxel for the stops of scans in six directions, eight bytes for
-/// each 64 voxels' witness.
-constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCells / 64 + 8192;
+/// Nodes with their hash slots, the open list, a bit a voxel for the stops of scans in six directions, and for each 64
+/// voxels eight bytes for their witness and three for how far scans have walked.
+constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCells / 16 + 8192;
 /// Solid boxes with what merging and measuring them takes.
 constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.

@@ -109,6 +109,12 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
 
 }  // namespace
 
+void step(const Expansion& expansion, int move) noexcept {
+  const Voxel to = expansion.at + offset(move);
+  const Cost g = expansion.g + move_cost(move);
+  if (!is_detour(expansion.search.witnesses, expansion.grid, to, g)) relax(expansion, to, g, move);
+}
+
 void jump(const Expansion& expansion, int move, CellMask free) noexcept {
   if (axes_of(move) == 3) return sweep_space(expansion, move, free);
   follow(expansion, expansion.at, expansion.g, move);

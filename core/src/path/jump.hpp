@@ -21,6 +21,9 @@ struct Expansion {
   Cost limit;  ///< a sweep stops, to be resumed from an open node, where f = g + h exceeds this
 };
 
+/// Puts the voxel next to expansion.at along the legal move `move` into the search.
+void step(const Expansion& expansion, int move) noexcept;
+
 /// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
 /// straight moves scan; diagonal moves sweep, step by step, with a jump in each part of the move along fewer axes from
 /// every step. `free` holds the cells around expansion.at. A sweep that reaches a jump point, its limit or the goal

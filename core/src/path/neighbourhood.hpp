@@ -23,6 +23,13 @@ inline CellMask blocked_triple(const std::uint64_t* row, std::int32_t words, std
   return static_cast<CellMask>(row[word] >> 62) | above << 2;
 }
 
+/// Blocked voxels at x - 1, x and x + 1 of a row, bits 0 to 2; all of them where the row lies outside the grid.
+inline CellMask triple_at(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return 7;
+  return blocked_triple(grid.blocked_row(y, z), grid.row_words(), x);
+}
+
 /// The free cells of the 3x3x3 neighbourhood of a voxel inside the grid; nothing is free outside the grid.
 inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
   const Voxel& dims = grid.spec().dims;

@@ -11,13 +11,6 @@
 
 namespace tern {
 
-/// Blocked voxels at x - 1, x and x + 1 of a row, bits 0 to 2; all of them where the row lies outside the grid.
-inline CellMask triple_at(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z) noexcept {
-  const Voxel& dims = grid.spec().dims;
-  if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return 7;
-  return blocked_triple(grid.blocked_row(y, z), grid.row_words(), x);
-}
-
 /// A walk in a plane that holds the x axis; kNormal (1 or 2) is the axis that leaves the plane.
 template <int kNormal>
 class PlaneWalk {

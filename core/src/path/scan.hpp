@@ -7,6 +7,7 @@
 
 #include "grid/lattice.hpp"
 #include "path/direction.hpp"
+#include "path/line_walk.hpp"
 #include "path/stops.hpp"
 #include "tern/grid.hpp"
 
@@ -28,14 +29,44 @@ constexpr std::int32_t kNowhere = -1;
 /// Voxel by voxel, along an axis that has no stops. As scan_straight.
 std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept;
 
+/// Walks through word k of the line, from `from` or from where the word begins, and counts the steps.
+template <int kAxis, bool kUp>
+std::uint64_t walk_word(std::uint8_t& walked, const Grid& grid, Voxel from, std::int32_t k) noexcept {
+  const std::int32_t count = axis(grid.spec().dims, kAxis);
+  std::int32_t& at = axis(from, kAxis);
+  if (kUp && at < k * 64) at = k * 64 - 1;
+  if (!kUp && at > k * 64 + 63) at = k * 64 + 64;
+  const std::int32_t last = kUp ? (k * 64 + 63 < count ? k * 64 + 63 : count - 1) : k * 64;
+  const std::int32_t stop = walk_line<kAxis, kUp>(grid, from, last);
+  const std::int32_t steps = walked + (kUp ? stop - at : at - stop);
+  walked = static_cast<std::uint8_t>(steps < kWalkFirst ? steps : kWalkFirst);
+  return stop >> 6 == k ? std::uint64_t{1} << (stop & 63) : 0;
+}
+
+/// Stops ahead in word k of the line; those of a tile that is not made yet are the one where a walk through the word
+/// ends, if it ends in the word.
+template <int kAxis, bool kUp>
+std::uint64_t stops_in_word(StopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
+  const std::int32_t index = stops_index<kAxis>(layer, from, k);
+  if constexpr (kAxis == 0) {
+    if (!stops_ready(layer, index)) stops_fill_row(layer, grid, from.y, from.z, k);
+  } else {
+    const std::int32_t tile = stops_tile<kAxis>(layer, from, k);
+    if (!stops_ready(layer, tile)) {
+      if (layer.walked[tile] < kWalkFirst) return walk_word<kAxis, kUp>(layer.walked[tile], grid, from, k);
+      stops_fill_tile(layer, grid, kAxis, from.x >> 6, kAxis == 2 ? from.y : from.z, k);
+    }
+  }
+  return kUp ? layer.bits[index].up : layer.bits[index].down;
+}
+
 /// The first stop beyond `from` on its line; past the grid's face where there is none.
 template <int kAxis, bool kUp>
 std::int32_t next_stop(StopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
   const std::int32_t at = axis(from, kAxis);
   std::uint64_t ahead = kUp ? ~std::uint64_t{1} << (at & 63) : (std::uint64_t{1} << (at & 63)) - 1;
   for (std::int32_t k = at >> 6; kUp ? k < layer.words : k >= 0; k += kUp ? 1 : -1) {
-    const StopWord& word = stops_word<kAxis>(layer, grid, from, k);
-    const std::uint64_t stops = (kUp ? word.up : word.down) & ahead;
+    const std::uint64_t stops = ahead == 0 ? 0 : stops_in_word<kAxis, kUp>(layer, grid, from, k) & ahead;
     if (stops != 0) return k * 64 + (kUp ? __builtin_ctzll(stops) : 63 - __builtin_clzll(stops));
     ahead = ~std::uint64_t{0};
   }

@@ -9,12 +9,16 @@
 namespace tern {
 namespace {
 
+/// So many expansions go step by step, as A* does but with the moves that jump point search prunes left out: where the
+/// way is easy they are there before scans and sweeps have begun to pay.
+constexpr std::uint32_t kStepFirst = 256;
+
 /// How far beyond the expanded node's f its sweeps go on, in voxels: a little at first, so that easy queries do not
 /// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
 /// same cost of path; these were measured on the six maps.
-constexpr Cost kLeastSlack = 2;
-constexpr Cost kMostSlack = 20;
-constexpr Cost kSlackPace = 512;  ///< expansions for one voxel more
+constexpr Cost kLeastSlack = 1;
+constexpr Cost kMostSlack = 4;
+constexpr Cost kSlackPace = 1024;  ///< expansions for one voxel more
 
 Cost sweep_slack(const Search& search) {
   const Cost grown = kLeastSlack + search.expanded / kSlackPace;
@@ -60,7 +64,15 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   const CellMask moves = moves_to_follow(node, free);
   node.followed |= moves;
   const Expansion expansion{search, grid, index, at, node.g, f + sweep_slack(search)};
-  for (CellMask left = moves; left != 0; left &= left - 1) jump(expansion, __builtin_ctz(left), free);
+  const bool steps = search.expanded <= kStepFirst;
+  for (CellMask left = moves; left != 0; left &= left - 1) {
+    const int move = __builtin_ctz(left);
+    if (steps) {
+      step(expansion, move);
+    } else {
+      jump(expansion, move, free);
+    }
+  }
   if (search.nodes_full) return Status::kNodesFull;
   if (search.heap_full) return Status::kHeapFull;
   return search.open.count > 0 ? Status::kRunning : Status::kNoPath;

@@ -33,12 +33,27 @@ struct RowWords {
 
 constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
 
-RowWords row_words(const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) {
-  const Voxel& dims = grid.spec().dims;
-  if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
-  const std::uint64_t* row = grid.blocked_row(y, z);
-  return {word > 0 ? row[word - 1] : kAllBlocked, row[word], word + 1 < grid.row_words() ? row[word + 1] : kAllBlocked};
-}
+/// Word `block` of the blocked rows, with what they are beside each other worked out once.
+struct RowReader {
+  const std::uint64_t* first;  ///< of row (0, 0)
+  std::int32_t row_words;
+  Voxel dims;
+  bool has_before;
+  bool has_after;
+
+  RowReader(const Grid& grid, std::int32_t block)
+      : first(grid.blocked_row(0, 0) + block),
+        row_words(grid.row_words()),
+        dims(grid.spec().dims),
+        has_before(block > 0),
+        has_after(block + 1 < row_words) {}
+
+  RowWords at(std::int32_t y, std::int32_t z) const {
+    if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
+    const std::uint64_t* word = first + static_cast<std::int64_t>(y + dims.y * z) * row_words;
+    return {has_before ? word[-1] : kAllBlocked, word[0], has_after ? word[1] : kAllBlocked};
+  }
+};
 
 RowWords either(const RowWords& a, const RowWords& b) {
   return {a.before | b.before, a.word | b.word, a.after | b.after};
@@ -64,11 +79,10 @@ struct Slice {
   std::uint64_t square[4];    ///< blocked where the diagonal side, its straight parts or the line are
 };
 
-/// Step `along` of the lines along `axis` at `third`, for the 64 x of word `block`.
-Slice slice_at(const Grid& grid, int axis, std::int32_t along, std::int32_t third, std::int32_t block) {
-  const auto row = [&](std::int32_t t) {
-    return axis == 1 ? row_words(grid, along, t, block) : row_words(grid, t, along, block);
-  };
+/// Step `along` of the lines along kAxis at `third`.
+template <int kAxis>
+Slice slice_at(const RowReader& rows, std::int32_t along, std::int32_t third) {
+  const auto row = [&](std::int32_t t) { return kAxis == 1 ? rows.at(along, t) : rows.at(t, along); };
   const RowWords own = row(third);
   const RowWords low = row(third - 1);
   const RowWords high = row(third + 1);
@@ -88,6 +102,26 @@ std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to)
     stop |= from.diagonal[k] & ~(at.square[k] | to.square[k]);
   }
   return stop;
+}
+
+/// The stops of a tile before it is transposed: one word of 64 lines a step.
+template <int kAxis>
+void compute_tile(const Grid& grid, std::int32_t block, std::int32_t third, std::int32_t word,
+                  std::uint64_t (&up)[kSide], std::uint64_t (&down)[kSide]) {
+  const RowReader rows(grid, block);
+  const std::int32_t first = word * kSide;
+  const std::int32_t left = axis(grid.spec().dims, kAxis) - first;
+  const std::int32_t steps = left < kSide ? left : kSide;
+  Slice before = slice_at<kAxis>(rows, first - 1, third);
+  Slice at = slice_at<kAxis>(rows, first, third);
+  for (std::int32_t k = 0; k < steps; ++k) {
+    const Slice after = slice_at<kAxis>(rows, first + k + 1, third);
+    up[k] = stops_between(before, at, after);
+    down[k] = stops_between(after, at, before);
+    before = at;
+    at = after;
+  }
+  for (std::int32_t k = steps; k < kSide; ++k) up[k] = down[k] = kAllBlocked;
 }
 
 /// Transposes a 64 x 64 bit matrix in place: swaps ever smaller quarters off the diagonal.
@@ -116,10 +150,13 @@ void stops_reset(StopLayer& layer, const Grid& grid, int axis_along) noexcept {
   }
   const std::int32_t bits = layer.words * thirds * (axis_along == 0 ? layer.width : layer.blocks);
   for (std::int32_t k = 0; k <= bits / 64; ++k) layer.ready[k] = 0;
+  if (axis_along == 0) return;
+  for (std::int32_t k = 0; k < bits; ++k) layer.walked[k] = 0;
 }
 
 void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept {
-  const auto row = [&](std::int32_t dy, std::int32_t dz) { return row_words(grid, y + dy, z + dz, word); };
+  const RowReader rows(grid, word);
+  const auto row = [&](std::int32_t dy, std::int32_t dz) { return rows.at(y + dy, z + dz); };
   const RowWords own = row(0, 0);
   const RowWords side_y[] = {row(-1, 0), row(1, 0)};
   const RowWords side_z[] = {row(0, -1), row(0, 1)};
@@ -140,20 +177,12 @@ void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int
 
 void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t block, std::int32_t third,
                      std::int32_t word) noexcept {
-  const std::int32_t count = axis(grid.spec().dims, axis_along);
-  const std::int32_t first = word * kSide;
   std::uint64_t up[kSide];
   std::uint64_t down[kSide];
-  Slice before = slice_at(grid, axis_along, first - 1, third, block);
-  Slice at = slice_at(grid, axis_along, first, third, block);
-  for (std::int32_t k = 0; k < kSide; ++k) {
-    up[k] = down[k] = kAllBlocked;
-    if (first + k >= count) continue;
-    const Slice after = slice_at(grid, axis_along, first + k + 1, third, block);
-    up[k] = stops_between(before, at, after);
-    down[k] = stops_between(after, at, before);
-    before = at;
-    at = after;
+  if (axis_along == 1) {
+    compute_tile<1>(grid, block, third, word, up, down);
+  } else {
+    compute_tile<2>(grid, block, third, word, up, down);
   }
   transpose(up);
   transpose(down);

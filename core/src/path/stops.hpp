@@ -30,8 +30,13 @@ struct StopLayer {
   std::int32_t width;                        ///< lines side by side: dims.y for lines along x, dims.x else
   std::int32_t blocks;                       ///< tiles side by side along x; not used for lines along x
   std::uint64_t ready[kStopWords / 64 + 1];  ///< one bit a word along x, one a tile along y and z
+  std::uint8_t walked[kStopWords];           ///< steps that scans walked through a tile before it was made
   StopWord bits[kStopWords];
 };
+
+/// A tile is made once scans have walked so many steps through it voxel by voxel, which is what making it costs: scans
+/// that come once or twice never pay for a tile, and none ever pays much more than twice the least.
+constexpr std::uint8_t kWalkFirst = 160;
 
 /// Prepares the layer of an axis with nothing made yet: clears one bit a word or tile.
 void stops_reset(StopLayer& layer, const Grid& grid, int axis) noexcept;
@@ -47,19 +52,15 @@ inline bool stops_ready(const StopLayer& layer, std::int32_t index) noexcept {
   return (layer.ready[index >> 6] >> (index & 63) & 1u) != 0;
 }
 
-/// Word `word` of the line along kAxis through the voxel.
+/// Place of word `word` of the line along kAxis through a voxel, and of the tile that holds it.
 template <int kAxis>
-const StopWord& stops_word(StopLayer& layer, const Grid& grid, const Voxel& v, std::int32_t word) noexcept {
-  const std::int32_t third = kAxis == 2 ? v.y : v.z;
-  const std::int32_t line = (kAxis == 0 ? v.y : v.x) + layer.width * third;
-  const std::int32_t index = line * layer.words + word;
-  if constexpr (kAxis == 0) {
-    if (!stops_ready(layer, index)) stops_fill_row(layer, grid, v.y, v.z, word);
-  } else {
-    const std::int32_t tile = (third * layer.blocks + (v.x >> 6)) * layer.words + word;
-    if (!stops_ready(layer, tile)) stops_fill_tile(layer, grid, kAxis, v.x >> 6, third, word);
-  }
-  return layer.bits[index];
+std::int32_t stops_index(const StopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
+  const std::int32_t line = (kAxis == 0 ? v.y : v.x) + layer.width * (kAxis == 2 ? v.y : v.z);
+  return line * layer.words + word;
+}
+template <int kAxis>
+std::int32_t stops_tile(const StopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
+  return ((kAxis == 2 ? v.y : v.z) * layer.blocks + (v.x >> 6)) * layer.words + word;
 }
 
 }  // namespace tern

@@ -3,12 +3,17 @@
 #include "path/witness.hpp"
 
 namespace tern {
-namespace {
+void witness_reset(WitnessMap& map, const Grid& grid) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  map.width = (dims.x + 3) / 4;
+  map.slice = map.width * ((dims.y + 3) / 4);
+  const std::int64_t blocks = std::int64_t{map.slice} * ((dims.z + 3) / 4);
+  const std::int64_t used = blocks < kWitnesses ? blocks : kWitnesses;
+  for (std::int64_t k = 0; k <= used / 64; ++k) map.known[k] = 0;
+}
 
-constexpr Cost kPlaceMask = 63;
-
-/// True where all voxels of the box between two corners of one block are free. A block's rows lie within one word.
-bool box_free(const Grid& grid, const Voxel& a, const Voxel& b) {
+// A block's rows lie within one word.
+bool block_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept {
   const std::int32_t first_x = a.x < b.x ? a.x : b.x;
   const std::int32_t last_x = a.x < b.x ? b.x : a.x;
   const std::int32_t first_y = a.y < b.y ? a.y : b.y;
@@ -21,39 +26,6 @@ bool box_free(const Grid& grid, const Voxel& a, const Voxel& b) {
     for (std::int32_t y = first_y; y <= last_y; ++y) blocked |= grid.blocked_row(y, z)[first_x >> 6];
   }
   return (blocked & mask) == 0;
-}
-
-}  // namespace
-
-void witness_reset(WitnessMap& map, const Grid& grid) noexcept {
-  const Voxel& dims = grid.spec().dims;
-  map.width = (dims.x + 3) / 4;
-  map.slice = map.width * ((dims.y + 3) / 4);
-  const std::int64_t blocks = std::int64_t{map.slice} * ((dims.z + 3) / 4);
-  const std::int64_t used = blocks < kWitnesses ? blocks : kWitnesses;
-  for (std::int64_t k = 0; k <= used / 64; ++k) map.known[k] = 0;
-}
-
-bool is_detour(WitnessMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept {
-  const std::int32_t block = (voxel.x >> 2) + map.width * (voxel.y >> 2) + map.slice * (voxel.z >> 2);
-  if (block >= kWitnesses) return false;
-  const auto place = static_cast<Cost>((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 3) << 4);
-  const Cost rounded = (g + kPlaceMask) & ~kPlaceMask;
-  const std::uint64_t bit = std::uint64_t{1} << (block & 63);
-  std::uint64_t& witness = map.witnesses[block];
-  if ((map.known[block >> 6] & bit) == 0) {
-    map.known[block >> 6] |= bit;
-    witness = rounded | place;
-    return false;
-  }
-  const Cost cost = witness & ~kPlaceMask;
-  if (cost >= g) {
-    witness = rounded | place;
-    return false;
-  }
-  const auto at = static_cast<std::int32_t>(witness & kPlaceMask);
-  const Voxel from{(voxel.x & ~3) + (at & 3), (voxel.y & ~3) + (at >> 2 & 3), (voxel.z & ~3) + (at >> 4)};
-  return cost + octile(from, voxel) < g && box_free(grid, from, voxel);
 }
 
 }  // namespace tern

@@ -29,9 +29,28 @@ struct WitnessMap {
 
 void witness_reset(WitnessMap& map, const Grid& grid) noexcept;
 
+/// True where all voxels of the box between two corners of one block are free.
+bool block_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept;
+
 /// True where the block's witness proves a way to `voxel` that is cheaper than `g`: the box between the two is free.
-/// Otherwise the voxel, just reached at that cost, becomes the witness if it is cheaper than the one that was.
-bool is_detour(WitnessMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept;
+/// Otherwise the voxel, just reached at that cost, becomes the witness if it is no dearer than the one that was.
+inline bool is_detour(WitnessMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept {
+  constexpr Cost kPlaceMask = 63;
+  const std::int32_t block = (voxel.x >> 2) + map.width * (voxel.y >> 2) + map.slice * (voxel.z >> 2);
+  if (block >= kWitnesses) return false;
+  const std::uint64_t bit = std::uint64_t{1} << (block & 63);
+  std::uint64_t& witness = map.witnesses[block];
+  const Cost cost = witness & ~kPlaceMask;
+  if ((map.known[block >> 6] & bit) == 0 || cost >= g) {
+    map.known[block >> 6] |= bit;
+    const auto place = static_cast<Cost>((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 3) << 4);
+    witness = ((g + kPlaceMask) & ~kPlaceMask) | place;
+    return false;
+  }
+  const auto at = static_cast<std::int32_t>(witness & kPlaceMask);
+  const Voxel from{(voxel.x & ~3) + (at & 3), (voxel.y & ~3) + (at >> 2 & 3), (voxel.z & ~3) + (at >> 4)};
+  return cost + octile(from, voxel) < g && block_box_free(grid, from, voxel);
+}
 
 }  // namespace tern
 
