@@ -10,8 +10,9 @@ namespace tern {
 namespace {
 
 /// So many expansions go step by step, as A* does but with the moves that jump point search prunes left out: where the
-/// way is easy they are there before scans and sweeps have begun to pay.
-constexpr std::uint32_t kStepFirst = 256;
+/// way is easy they are there before scans and sweeps have begun to pay. Steps take more nodes than sweeps do: fewer of
+/// them where the store is small.
+constexpr std::uint32_t kStepFirst = kMaxNodes / 128 < 256 ? kMaxNodes / 128 : 256;
 
 /// How far beyond the expanded node's f its sweeps go on, in voxels: a little at first, so that easy queries do not
 /// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
