@@ -15,8 +15,11 @@ struct Part {
   const char* name;
   void (*run)(const tern_bench::Run&);
 };
-constexpr Part kParts[] = {{"front_end", tern_bench::front_end_experiment},
-                           {"monte_carlo", tern_bench::monte_carlo_experiment}};
+constexpr Part kParts[] = {
+    {"front_end", tern_bench::front_end_experiment}, {"monte_carlo", tern_bench::monte_carlo_experiment},
+    {"corridors", tern_bench::corridors_experiment}, {"back_end", tern_bench::back_end_experiment},
+    {"profiles", tern_bench::profiles_experiment},   {"planners", tern_bench::planners_experiment},
+    {"theory", tern_bench::theory_experiment}};
 
 }  // namespace
 

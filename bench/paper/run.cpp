@@ -51,6 +51,9 @@ Table::Table(const std::string& columns)
 
 void Table::row(const std::vector<std::string>& values) {
   if (values.size() != columns_) throw std::logic_error("a row of another width than its table");
+  for (const std::string& value : values) {
+    if (value.find(',') != std::string::npos) throw std::logic_error("a comma within a value: " + value);
+  }
   for (std::size_t i = 0; i < values.size(); ++i) text_ += (i > 0 ? "," : "") + values[i];
   text_ += "\n";
 }
