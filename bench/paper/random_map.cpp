@@ -54,11 +54,11 @@ class Lattice {
     }
   }
 
-  /// True where the cell and all around it are empty.
-  bool roomy(const Voxel& v) const {
-    for (int z = std::max(0, v.z - 1); z <= std::min(dims_.z - 1, v.z + 1); ++z) {
-      for (int y = std::max(0, v.y - 1); y <= std::min(dims_.y - 1, v.y + 1); ++y) {
-        for (int x = std::max(0, v.x - 1); x <= std::min(dims_.x - 1, v.x + 1); ++x) {
+  /// True where the cell and all around it, `reach` cells far, are empty.
+  bool roomy(const Voxel& v, int reach) const {
+    for (int z = std::max(0, v.z - reach); z <= std::min(dims_.z - 1, v.z + reach); ++z) {
+      for (int y = std::max(0, v.y - reach); y <= std::min(dims_.y - 1, v.y + reach); ++y) {
+        for (int x = std::max(0, v.x - reach); x <= std::min(dims_.x - 1, v.x + reach); ++x) {
           if (full_[index({x, y, z})]) return false;
         }
       }
@@ -88,21 +88,21 @@ void add_cuboid(Draw& draw, Lattice& lattice, tern_host::Scenario& scenario) {
                              false});
 }
 
-Vec3 roomy_point(Draw& draw, const Lattice& lattice) {
+Vec3 roomy_point(Draw& draw, const Lattice& lattice, int reach) {
   const Voxel& dims = lattice.dims();
   Voxel v{};
   do {
     v = {draw.integer(0, dims.x - 1), draw.integer(0, dims.y - 1), draw.integer(0, dims.z - 1)};
-  } while (!lattice.roomy(v));
+  } while (!lattice.roomy(v, reach));
   return {(v.x + 0.5) * kLattice, (v.y + 0.5) * kLattice, (v.z + 0.5) * kLattice};
 }
 
-bool has_room(const Lattice& lattice) {
+bool has_room(const Lattice& lattice, int reach) {
   const Voxel& dims = lattice.dims();
   for (int z = 0; z < dims.z; ++z) {
     for (int y = 0; y < dims.y; ++y) {
       for (int x = 0; x < dims.x; ++x) {
-        if (lattice.roomy({x, y, z})) return true;
+        if (lattice.roomy({x, y, z}, reach)) return true;
       }
     }
   }
@@ -120,12 +120,13 @@ tern_host::Scenario random_map(const MapKind& kind, std::uint64_t seed) {
   Draw draw(seed);
   Lattice lattice(kind.size);
   while (lattice.part() < kind.density) add_cuboid(draw, lattice, scenario);
-  if (!has_room(lattice)) return random_map(kind, seed + 1000003);
+  const int reach = static_cast<int>(std::ceil(kind.radius / kLattice));
+  if (!has_room(lattice, reach)) return random_map(kind, seed + 1000003);
   const double wanted = kind.least_way * std::max(kind.size.x, kind.size.y);
   double longest = -1.0;
   for (int k = 0; k < kPairs && longest <= wanted; ++k) {
-    const Vec3 start = roomy_point(draw, lattice);
-    const Vec3 goal = roomy_point(draw, lattice);
+    const Vec3 start = roomy_point(draw, lattice, reach);
+    const Vec3 goal = roomy_point(draw, lattice, reach);
     if (distance(start, goal) <= longest) continue;
     longest = distance(start, goal);
     scenario.start.position = start;

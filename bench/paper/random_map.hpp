@@ -23,8 +23,9 @@ struct MapKind {
 constexpr double kLattice = 0.2;
 
 /// A map of that kind: cuboids of 0.6 to 2.4 m by 0.6 to 2.4 m, from 0.6 m to the whole height, standing, hanging or
-/// afloat, until their union has the density. Start and goal are centres of lattice cells that keep a cell from every
-/// cuboid; they need not be connected. The same seed gives the same map on every machine.
+/// afloat, until their union has the density. Start and goal are centres of lattice cells that keep so many cells
+/// from every cuboid as the radius is wide; they need not be connected. The same seed gives the same map on every
+/// machine.
 tern_host::Scenario random_map(const MapKind& kind, std::uint64_t seed);
 
 }  // namespace tern_bench
