@@ -124,13 +124,17 @@ tern::Segment segment_of(const States& states, int index, double duration) {
   return segment;
 }
 
-/// Samples of one segment, about a millisecond apart.
+/// Seconds between samples: at 2 m/s a collision is looked for every two centimetres.
+constexpr double kCollisionStep = 10e-3;
+constexpr double kPeakStep = 1e-3;
+
+/// Samples of every segment, `step` seconds apart at most.
 template <typename Look>
-void for_each_sample(const tern::Trajectory& trajectory, Look look) {
+void for_each_sample(const tern::Trajectory& trajectory, double step, Look look) {
   double begin = 0.0;
   for (int s = 0; s < trajectory.count; ++s) {
     const double duration = trajectory.segments[s].duration;
-    const int samples = std::max(50, static_cast<int>(std::ceil(duration / 1e-3)));
+    const int samples = std::max(20, static_cast<int>(std::ceil(duration / step)));
     for (int i = 0; i < samples; ++i) look(s, tern::evaluate(trajectory, begin + duration * i / samples));
     begin += duration;
   }
@@ -138,7 +142,7 @@ void for_each_sample(const tern::Trajectory& trajectory, Look look) {
 
 std::vector<bool> colliding_segments(const tern::Trajectory& trajectory, const tern_host::Scenario& scenario) {
   std::vector<bool> hits(static_cast<std::size_t>(trajectory.count), false);
-  for_each_sample(trajectory, [&](int s, const tern::Sample& sample) {
+  for_each_sample(trajectory, kCollisionStep, [&](int s, const tern::Sample& sample) {
     const auto at = static_cast<std::size_t>(s);
     if (!hits[at]) hits[at] = tern_host::distance_to_blocks(sample.position, scenario) < scenario.radius;
   });
@@ -203,7 +207,7 @@ MendedPolynomial mend_collisions(std::vector<Vec3> waypoints, std::vector<double
 
 tern::Trajectory stretched_to_limits(const tern::Trajectory& trajectory, const tern_host::Scenario& scenario) {
   double factor = 0.0;
-  for_each_sample(trajectory, [&](int, const tern::Sample& sample) {
+  for_each_sample(trajectory, kPeakStep, [&](int, const tern::Sample& sample) {
     for (int a = 0; a < 3; ++a) {
       factor = std::max({factor, std::fabs(axis(sample.velocity, a)) / axis(scenario.limits.v_max, a),
                          std::sqrt(std::fabs(axis(sample.acceleration, a)) / axis(scenario.limits.a_max, a))});

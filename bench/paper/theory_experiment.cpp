@@ -150,16 +150,32 @@ double sight_time(int voxels, int repetitions) {
   return time / kCalls;
 }
 
+/// The paper's own shortening of W points on one clear line of D voxels: every look goes back to the first point.
+double paper_time(int points, int voxels, int repetitions) {
+  const std::string size = fixed(kPaperCell * voxels, 1);
+  const tern_host::Scenario empty =
+      tern_host::parse_scenario("boundary 0 0 0 " + size + " 2 2\nstart 0.1 0.1 0.1\ngoal 0.3 0.1 0.1\n", "empty");
+  const PaperMap map(empty, kPaperCell, 0.0);
+  std::vector<Vec3> chain;
+  for (int i = 0; i < points; ++i) {
+    const double t = static_cast<double>(i) / (points - 1);
+    chain.push_back({0.1 + t * kPaperCell * (voxels - 1), 0.1 + 1.8 * t, 0.1 + 1.8 * t});
+  }
+  return least_time(repetitions, [&] { shorten_by_sight(map, chain); });
+}
+
 struct Slopes {
   Curve points;  ///< log10 of W against log10 of milliseconds
   Curve lines;   ///< the same of lines walked
   Curve length;  ///< log10 of D against log10 of microseconds
+  Curve paper;   ///< log10 of W against log10 of milliseconds, the paper's shortening
 };
 
 Slopes shortcut_complexity(const Run& run) {
   Slopes slopes;
   slopes.points.style = "class=\"curve\" stroke=\"#a01e96\"";
   slopes.lines.style = "class=\"curve\" stroke=\"#2b6cb0\"";
+  slopes.paper.style = "class=\"curve\" stroke=\"#b7791f\"";
   slopes.length.style = "class=\"curve\" stroke=\"#c8553d\"";
   Table table("kind,size,lines,time_ms");
   const int repetitions = pick(run, 15, 3);
@@ -179,6 +195,19 @@ Slopes shortcut_complexity(const Run& run) {
     slopes.length.x.push_back(std::log10(voxels));
     slopes.length.y.push_back(std::log10(1e3 * time));
   }
+  Curve paper_length;
+  for (int size = 32; size <= pick(run, 512, 128); size *= 2) {
+    const double by_points = paper_time(size, 256, repetitions);
+    const double by_length = paper_time(128, size, repetitions);
+    table.row({"paper W", std::to_string(size), "", fixed(by_points, 6)});
+    table.row({"paper D", std::to_string(size), "", fixed(by_length, 6)});
+    slopes.paper.x.push_back(std::log10(size));
+    slopes.paper.y.push_back(std::log10(by_points));
+    paper_length.x.push_back(std::log10(size));
+    paper_length.y.push_back(std::log10(by_length));
+  }
+  table.row({"slope of the paper's time over W", fixed(slope(slopes.paper.x, slopes.paper.y), 3), "", ""});
+  table.row({"slope of the paper's time over D", fixed(slope(paper_length.x, paper_length.y), 3), "", ""});
   table.row({"slope of lines over W", fixed(slope(slopes.lines.x, slopes.lines.y), 3), "", ""});
   table.row({"slope of time over W", fixed(slope(slopes.points.x, slopes.points.y), 3), "", ""});
   table.row({"slope of time over D", fixed(slope(slopes.length.x, slopes.length.y), 3), "", ""});
@@ -229,17 +258,19 @@ Range range_with_room(const std::vector<double>& values) {
 
 void draw_figure(const Run& run, const Slopes& slopes) {
   Figure figure("The shortcut's cost, logarithmic", "theory");
-  figure.legend({{"time over W points, all pairs tried (log10 ms)", slopes.points.style},
-                 {"lines of sight walked (log10)", slopes.lines.style},
-                 {"one line over its D voxels (log10 µs)", slopes.length.style}});
+  figure.legend({{"Tern: time over W points, all pairs tried (log10 ms)", slopes.points.style},
+                 {"Tern: lines of sight walked (log10)", slopes.lines.style},
+                 {"the paper's: time over W points (log10 ms)", slopes.paper.style},
+                 {"Tern: one line over its D voxels (log10 µs)", slopes.length.style}});
   const double x = kFigureMargin + kPanelLeft;
   const double width = 0.5 * (kFigureWidth - 2.0 * kFigureMargin) - kPanelLeft;
   const Rect left{x, figure.top() + kPanelAbove, width, 280.0};
   const Rect right{x + width + kPanelLeft, left.y, width, 280.0};
   std::vector<double> all = slopes.points.y;
   all.insert(all.end(), slopes.lines.y.begin(), slopes.lines.y.end());
+  all.insert(all.end(), slopes.paper.y.begin(), slopes.paper.y.end());
   draw_plot(figure.canvas(), {left, range_with_room(slopes.points.x), range_with_room(all)},
-            {slopes.points, slopes.lines}, "All pairs of W points", "log10 W", "log10");
+            {slopes.points, slopes.lines, slopes.paper}, "W points", "log10 W", "log10");
   draw_plot(figure.canvas(), {right, range_with_room(slopes.length.x), range_with_room(slopes.length.y)},
             {slopes.length}, "One line of D voxels", "log10 D", "log10 µs");
   figure.write(run, "theory.svg", left.bottom() + kPanelBelow);

@@ -7,11 +7,16 @@ import pathlib
 import shutil
 import sys
 
+import back_end
+import corridors
 import front_end
 import monte_carlo
+import planners
+import profiles
+import theory
 from markdown import Results
 
-CHAPTERS = [front_end, monte_carlo]
+CHAPTERS = [front_end, monte_carlo, corridors, back_end, profiles, planners, theory]
 
 HEAD = """# The paper's experiments
 
