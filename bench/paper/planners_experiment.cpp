@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 #ifdef TERN_HAVE_NLOPT
@@ -13,12 +14,12 @@
 #endif
 #include "host/figures.hpp"
 #include "host/number.hpp"
-#include "host/session.hpp"
 #include "paper/experiments.hpp"
 #include "paper/figure.hpp"
 #include "paper/front_end.hpp"
 #include "paper/random_map.hpp"
 #include "paper/statistics.hpp"
+#include "tern/tern.hpp"
 
 namespace tern_bench {
 namespace {
@@ -55,7 +56,7 @@ Flight fly(double duration, const tern_host::Scenario& scenario, Evaluate evalua
   Vec3 last = scenario.start.position;
   for (int i = 0; i <= samples; ++i) {
     const tern::Sample s = evaluate(duration * i / samples);
-    flight.length += distance(last, s.position);
+    flight.length += tern_bench::distance(last, s.position);
     last = s.position;
     flight.v_peak = std::max(flight.v_peak, largest(s.velocity));
     flight.a_peak = std::max(flight.a_peak, largest(s.acceleration));
@@ -92,18 +93,45 @@ struct Tally {
 
 using Tallies = std::array<Tally, kMethods>;
 
-bool add_tern(tern_host::Session& session, const tern_host::Scenario& scenario, Tallies& tallies, int& stop_and_go) {
-  const tern_host::PlanResult plan = session.plan(scenario);
-  if (plan.report.status == tern::Status::kNoPath) return false;
-  if (!plan.ok()) {
-    progress(scenario.name + ": " + tern::status_name(plan.report.status));
+/// Tern's planner with its memory, timed like the others: processor time, from the inflated grid on.
+class TimedTern {
+ public:
+  TimedTern() : memory_(new unsigned char[tern::kWorkspaceBytes]), planner_(memory_.get(), tern::kWorkspaceBytes) {}
+
+  tern::Status plan(const ScenarioGrid& world, const tern_host::Scenario& scenario) {
+    tern::Request request{};
+    request.start = scenario.start;
+    request.goal = scenario.goal;
+    request.limits = scenario.limits;
+    const double begin = thread_time();
+    const tern::Status status = planner_.plan(world.grid(), request, trajectory, report);
+    time = thread_time() - begin;
+    return status;
+  }
+
+  tern::Trajectory trajectory{};
+  tern::Report report{};
+  double time = 0.0;  ///< milliseconds
+
+ private:
+  std::unique_ptr<unsigned char[]> memory_;
+  tern::Planner planner_;
+};
+
+/// False where start and goal are not connected.
+bool add_tern(TimedTern& tern, const ScenarioGrid& world, const tern_host::Scenario& scenario, Tallies& tallies,
+              int& stop_and_go) {
+  const tern::Status status = tern.plan(world, scenario);
+  if (status == tern::Status::kNoPath) return false;
+  if (status != tern::Status::kOk) {
+    progress(scenario.name + ": " + tern::status_name(status));
     tallies[kTern].add_failure();
     return true;
   }
-  stop_and_go += plan.report.quality == tern::Quality::kStopAndGo ? 1 : 0;
+  stop_and_go += tern.report.quality == tern::Quality::kStopAndGo ? 1 : 0;
   const Flight flight =
-      fly(tern::duration(plan.trajectory), scenario, [&](double t) { return tern::evaluate(plan.trajectory, t); });
-  tallies[kTern].add(flight, 1e-3 * (plan.timing.total() - plan.timing.inflate), scenario);
+      fly(tern::duration(tern.trajectory), scenario, [&](double t) { return tern::evaluate(tern.trajectory, t); });
+  tallies[kTern].add(flight, tern.time, scenario);
   return true;
 }
 
@@ -116,8 +144,7 @@ BSpline slowed(const BSpline& curve, const Flight& flight, const tern_host::Scen
   return slower;
 }
 
-void add_soft(const tern_host::Scenario& scenario, Tallies& tallies) {
-  const ScenarioGrid world(scenario);
+void add_soft(const ScenarioGrid& world, const tern_host::Scenario& scenario, Tallies& tallies) {
   const TimedRoute route = plain_astar(world, scenario, 1);
   if (!route.route.found) {
     for (const Method method : {kSoft, kBrisk, kSlowed}) tallies[method].add_failure();
@@ -230,7 +257,7 @@ void append(Tally& all, const Tally& t) {
 
 void planners_experiment(const Run& run) {
   Table table(columns());
-  tern_host::Session session;
+  TimedTern tern;
   Tallies all;
   int all_unsolvable = 0;
   int all_stops = 0;
@@ -245,12 +272,13 @@ void planners_experiment(const Run& run) {
     for (int seed = 1; seed <= pick(run, 220, 8); ++seed) {
       if (seed % 20 == 0) progress(std::to_string(percent) + " %: map " + std::to_string(seed));
       const tern_host::Scenario scenario = random_map(kind, static_cast<std::uint64_t>(1000 * percent + seed));
-      if (!add_tern(session, scenario, tallies, stops)) {
+      const ScenarioGrid world(scenario);
+      if (!add_tern(tern, world, scenario, tallies, stops)) {
         ++unsolvable;
         continue;
       }
 #ifdef TERN_HAVE_NLOPT
-      add_soft(scenario, tallies);
+      add_soft(world, scenario, tallies);
 #endif
     }
     write_rows(table, std::to_string(percent) + " %", tallies, unsolvable, stops);

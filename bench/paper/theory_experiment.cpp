@@ -237,7 +237,8 @@ void ellipsoid_iterations(const Run& run) {
       for (int k = 0; k < 20; ++k) {
         const Vec3 a = random_free();
         const Vec3 b = random_free();
-        if (distance(a, b) < 0.3 || distance(a, b) > 4.0 || !sampled_sight(map, a, b)) continue;
+        const double way = tern_bench::distance(a, b);
+        if (way < 0.3 || way > 4.0 || !sampled_sight(map, a, b)) continue;
         const PaperPolyhedron p = grow_paper_polyhedron(a, b, points, 2.0);
         shrinks.push_back(p.shrinks);
         planes.push_back(static_cast<double>(p.planes.size()));
