@@ -78,8 +78,8 @@ TEST_P(PaperTable4, ComesOutToThePrintedDigit) {
 INSTANTIATE_TEST_SUITE_P(Maps, PaperTable4,
                          testing::Values(PrintedRow{1, "3.7276", 13, "3.4859", 8},
                                          PrintedRow{2, nullptr, 26, "14.2825", 8}),
-                         [](const testing::TestParamInfo<PrintedRow>& info) {
-                           return "Map" + std::to_string(info.param.map);
+                         [](const testing::TestParamInfo<PrintedRow>& row) {
+                           return "Map" + std::to_string(row.param.map);
                          });
 
 TEST(PaperSearch, GoesStraightWhereNothingIsInTheWay) {
