@@ -1,0 +1,105 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Stops of scans and walks against the pruning rule itself, voxel by voxel, on random maps of many shapes: rows that
+// end within and at the end of a word, maps one voxel thin, tiles made before, during and after the walks.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+#include "path/neighbourhood.hpp"
+#include "path/prune.hpp"
+#include "path/scan.hpp"
+#include "support/path_world.hpp"
+
+namespace {
+
+using tern::Voxel;
+using tern_test::Random;
+using tern_test::random_free;
+using tern_test::random_world;
+using tern_test::scaled;
+using tern_test::VoxelWorld;
+
+/// By definition: step by step, asking the pruning rule at each voxel.
+int slow_scan(const tern::Grid& grid, const Voxel& goal, Voxel at, int move, int along) {
+  for (;;) {
+    at = at + tern::offset(move);
+    if (!grid.free(at)) return tern::scan::kNowhere;
+    const bool forced = tern::forced_moves(move, tern::free_cells(grid, at)) != 0;
+    if (forced || tern::same(at, goal)) return tern::axis(at, along);
+  }
+}
+
+struct Scans {
+  Scans() : map(new tern::ScanMap) { std::memset(static_cast<void*>(map.get()), 0xA5, sizeof *map); }
+
+  template <int kAxis, bool kUp>
+  void expect_equal(const tern::Grid& grid, const Voxel& goal, const Voxel& from) {
+    int step[3] = {0, 0, 0};
+    step[kAxis] = kUp ? 1 : -1;
+    const int move = tern::direction(step[0], step[1], step[2]);
+    const int expected = slow_scan(grid, goal, from, move, kAxis);
+    const int found = tern::scan_straight<kAxis, kUp>(*map, grid, goal, from);
+    ASSERT_EQ(found, expected) << from.x << ' ' << from.y << ' ' << from.z << " along " << kAxis << (kUp ? '+' : '-');
+    ++(expected == tern::scan::kNowhere ? nothing : something);
+  }
+  void expect_all_equal(const tern::Grid& grid, const Voxel& goal, const Voxel& from) {
+    expect_equal<0, true>(grid, goal, from);
+    expect_equal<0, false>(grid, goal, from);
+    expect_equal<1, true>(grid, goal, from);
+    expect_equal<1, false>(grid, goal, from);
+    expect_equal<2, true>(grid, goal, from);
+    expect_equal<2, false>(grid, goal, from);
+  }
+
+  std::unique_ptr<tern::ScanMap> map;
+  int something = 0;
+  int nothing = 0;
+};
+
+TEST(PathStops, ScansStopWhereTheRuleSays) {
+  Scans scans;
+  Random random(71);
+  for (int k = 0; k < scaled(600); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel goal{};
+    if (!random_free(world.grid, random, goal)) continue;
+    tern::scan_reset(*scans.map, world.grid);
+    // So many that tiles are walked at first and made on the way.
+    for (int m = 0; m < 60; ++m) {
+      Voxel from{};
+      if (!random_free(world.grid, random, from)) break;
+      ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, goal, from)) << "case " << k;
+    }
+  }
+  EXPECT_GT(scans.something, scaled(600));
+  EXPECT_GT(scans.nothing, scaled(600));
+}
+
+TEST(PathStops, LinesAreRightAcrossWordsAndFaces) {
+  Scans scans;
+  Random random(72);
+  static const Voxel kShapes[] = {{128, 3, 3}, {3, 128, 3}, {3, 3, 128}, {65, 65, 2}, {2, 64, 129}, {129, 1, 64}};
+  int tiles_made = 0;
+  for (const Voxel& dims : kShapes) {
+    VoxelWorld world(dims);
+    for (int m = 0; m < dims.x * dims.y * dims.z / 12; ++m) {
+      world.grid.mark_voxel(
+          {random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)});
+    }
+    world.grid.inflate();
+    tern::scan_reset(*scans.map, world.grid);
+    for (int m = 0; m < scaled(6000); ++m) {
+      Voxel from{};
+      if (!random_free(world.grid, random, from)) break;
+      ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, from)) << dims.x << 'x' << dims.y;
+    }
+    tiles_made +=
+        __builtin_popcountll(scans.map->along[1].ready[0]) + __builtin_popcountll(scans.map->along[2].ready[0]);
+  }
+  EXPECT_GT(tiles_made, 0) << "the walks never turned into tiles";
+}
+
+}  // namespace
