@@ -205,6 +205,24 @@ TEST(RequestFault, InvalidLowerAndHorizontalLimits) {  // F11
   }
 }
 
+TEST(RequestFault, InvalidTimeWeight) {  // F11
+  for (const double bad : {0.0, -40.0, 5e-324, 1e300}) {
+    World world = open_world();
+    world.request.time_weight = bad;
+    EXPECT_EQ(world.plan(), Status::kLimitsInvalid) << bad;
+    EXPECT_EQ(world.report.field, Field::kTimeWeight);
+  }
+  for (const double weight : {tern::kMinTimeWeight, tern::kMaxTimeWeight}) {
+    World world = open_world();
+    world.request.time_weight = weight;
+    EXPECT_EQ(world.plan(), Status::kOk) << weight;
+  }
+  World world = open_world();
+  world.request.time_weight = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(world.plan(), Status::kNonFiniteInput);
+  EXPECT_EQ(world.report.field, Field::kTimeWeight);
+}
+
 TEST(RequestFault, BoundaryStatesBeyondLowerAndHorizontalLimits) {  // F12
   World world = open_world();
   world.request.limits.v_min.z = -0.5;

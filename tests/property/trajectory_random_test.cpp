@@ -114,6 +114,7 @@ class RandomCorridors : public testing::Test {
     query.start.position = corridor_.polyhedra[0].from;
     query.goal.position = corridor_.polyhedra[corridor_.count - 1].to;
     query.limits = tern_test::random_limits(random);
+    query.time_weight = kDefaultTimeWeight;
     query.max_iterations = kUnlimited;
     return query;
   }
@@ -168,6 +169,7 @@ TEST_F(RandomCorridors, UnevenLimitsHoldAndAreReached) {
     corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.05);
     TrajectoryQuery query = query_at_rest(random);
     query.limits = tern_test::random_uneven_limits(random);
+    query.time_weight = kMaxTimeWeight;
     ASSERT_EQ(plan(query), Status::kOk) << i;
     expect_good(query);
     const Use use = sampled_use(query.limits);

@@ -62,7 +62,7 @@ TEST(Scenario, EveryRecordIsRead) {
       "start_velocity 0.1 0.2 0.3\nstart_acceleration 0.4 0.5 0.6\n"
       "goal_velocity 1 2 3\ngoal_acceleration 4 5 6\n"
       "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3\n"
-      "v_min -1 -2 -0.5\na_min -4\nv_horizontal 2.5\na_horizontal 1.5",
+      "v_min -1 -2 -0.5\na_min -4\nv_horizontal 2.5\na_horizontal 1.5\ntime_weight 7",
       "m");
   ASSERT_EQ(s.blocks.size(), 3u);
   EXPECT_FALSE(s.blocks[1].keepout);
@@ -82,6 +82,7 @@ TEST(Scenario, EveryRecordIsRead) {
   expect_vec(s.limits.a_min, -4, -4, -4);
   EXPECT_DOUBLE_EQ(s.limits.v_horizontal, 2.5);
   EXPECT_DOUBLE_EQ(s.limits.a_horizontal, 1.5);
+  EXPECT_DOUBLE_EQ(s.time_weight, 7);
 }
 
 TEST(Scenario, LimitsAreWrittenOutWhereTheyAreNotGiven) {

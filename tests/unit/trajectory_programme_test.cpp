@@ -32,7 +32,7 @@ struct Case {
     const State goal{corridor.polyhedra[polyhedra - 1].to, {0.1, 0.2, 0.0}, {0.0, -0.1, 0.2}};
     make_chain(corridor, start, goal, limits, chain);
     for (int i = 0; i < chain.count; ++i) chain.duration[i] *= random.real(0.5, 2.0);
-    assemble(chain, corridor, limits, Rows::kCorridorAndLimits, problem, scale);
+    assemble(chain, corridor, limits, problem, scale);
     draw(random);
   }
   void draw(tern_test::Random& random) {
@@ -175,17 +175,22 @@ TEST(Programme, PointsAreTheControlPointsAndTheHodographsHalves) {
   EXPECT_NEAR(c->point(index).x * unit, half.c[3].x, 1e-10);
 }
 
-TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurationsAndKindsOfRows) {
+TEST(Programme, WarmRowsKeepTheirMeaningAcrossDurations) {
   tern_test::Random random(6);
   const auto c = std::make_unique<Case>(random);
   const auto other = std::make_unique<QpProblem>();
+  const auto scale = std::make_unique<ProgrammeScale>();
   for (int i = 0; i < c->chain.count; ++i) c->chain.duration[i] *= random.real(0.5, 2.0);
-  ProgrammeScale scale{};
-  assemble(c->chain, c->corridor, c->limits, Rows::kCorridor, *other, scale);
-  ASSERT_LT(other->point_count, c->problem.point_count);
-  for (int i = 0; i < other->point_count; ++i) EXPECT_EQ(other->points[i].first, c->problem.points[i].first);
+  assemble(c->chain, c->corridor, c->limits, *other, *scale);
+  ASSERT_EQ(other->point_count, c->problem.point_count);
+  ASSERT_EQ(other->plane_count, c->problem.plane_count);
+  for (int i = 0; i < other->point_count; ++i) {
+    EXPECT_EQ(other->points[i].first, c->problem.points[i].first);
+    EXPECT_EQ(scale->origin[i].segment, c->scale.origin[i].segment);
+    EXPECT_EQ(scale->origin[i].order, c->scale.origin[i].order);
+    EXPECT_EQ(scale->origin[i].row, c->scale.origin[i].row);
+  }
   for (int i = 0; i < other->plane_count; ++i) EXPECT_EQ(other->planes[i].normal.x, c->problem.planes[i].normal.x);
-  for (int i = 0; i < other->group_count; ++i) EXPECT_EQ(other->groups[i].point_end, c->problem.groups[i].point_end);
 }
 
 TEST(HodographRows, BoundTheWholeCurve) {

@@ -52,7 +52,8 @@ Corridor corner() {
 }
 
 TrajectoryQuery rest_to_rest(const Corridor& corridor, std::uint32_t iterations = kUnlimited) {
-  return {resting(corridor.polyhedra[0].from), resting(corridor.polyhedra[corridor.count - 1].to), kTwo, iterations};
+  return {resting(corridor.polyhedra[0].from), resting(corridor.polyhedra[corridor.count - 1].to), kTwo,
+          kDefaultTimeWeight, iterations};
 }
 
 TEST(TrajectoryStage, StartIsGoalHovers) {
@@ -72,13 +73,15 @@ TEST(TrajectoryStage, OneLongBoxIsFlownNearTheTrapezoid) {
   Corridor corridor{};
   corridor.count = 1;
   corridor.polyhedra[0] = box_around({0, 0, 0}, {14, 0, 0}, 1.0);
-  const Flight run(corridor, rest_to_rest(corridor));
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.time_weight = 1000.0;
+  const Flight run(corridor, query);
   ASSERT_EQ(run.status, Status::kOk);
   EXPECT_EQ(run.stage->quality, Quality::kOptimised);
   EXPECT_EQ(run.plan.count, 3);
   // The trapezoid takes 8 s with infinite jerk; one segment of degree 7 would take 15.3 s.
   EXPECT_GT(duration(run.plan), 8.0);
-  EXPECT_LT(duration(run.plan), 9.5);
+  EXPECT_LT(duration(run.plan), 9.7);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(run.plan.segments[i].polyhedron, 0);
 }
 
@@ -99,14 +102,32 @@ TEST(TrajectoryStage, ACornerIsFlownFasterThanFromStopToStop) {
   EXPECT_LT(run.stage->kkt_residual, 1e-6);
 }
 
-TEST(TrajectoryStage, ALimitIsReached) {
+TEST(TrajectoryStage, ALimitIsReachedWhereTimeIsDear) {
   const Corridor corridor = corner();
-  const Flight run(corridor, rest_to_rest(corridor));
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.time_weight = 1e4;
+  const Flight run(corridor, query);
   double stretch = 0.0;
   for (int i = 0; i < run.plan.count; ++i) {
     stretch = std::fmax(stretch, stretch_to_limits(run.plan.segments[i], kTwo));
   }
   EXPECT_NEAR(stretch, 1.0, 1e-6);
+}
+
+TEST(TrajectoryStage, TheWeightTradesDurationAgainstSnap) {
+  const Corridor corridor = corner();
+  double last_duration = 1e9;
+  double last_snap = 0.0;
+  for (const double weight : {0.01, 0.3, 3.0, 40.0, 400.0}) {
+    TrajectoryQuery query = rest_to_rest(corridor);
+    query.time_weight = weight;
+    const Flight run(corridor, query);
+    ASSERT_EQ(run.stage->quality, Quality::kOptimised);
+    EXPECT_LT(duration(run.plan), last_duration);
+    EXPECT_GT(snap_cost(run.plan), last_snap);
+    last_duration = duration(run.plan);
+    last_snap = snap_cost(run.plan);
+  }
 }
 
 TEST(TrajectoryStage, NoIterationsIsStopAndGo) {
@@ -124,13 +145,15 @@ TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
   const Flight full(corridor, rest_to_rest(corridor));
   const std::uint32_t all = full.stage->iterations;
   double last = 1e9;
+  const double rate = kDefaultTimeWeight * 4.0;  // a^6 / v^4 of the limits
   for (std::uint32_t budget = 0; budget <= all + 1; ++budget) {
     const Flight run(corridor, rest_to_rest(corridor, budget));
     ASSERT_EQ(run.status, Status::kOk);
     EXPECT_LE(run.stage->iterations, budget);
-    // More budget never gives a slower plan; the whole of it gives the same bits as no bound.
-    EXPECT_LE(duration(run.plan), last);
-    last = duration(run.plan);
+    // More budget never gives a dearer plan; the whole of it gives the same bits as no bound.
+    const double cost = snap_cost(run.plan) + rate * duration(run.plan);
+    EXPECT_LE(cost, last * (1.0 + 1e-9));
+    last = cost;
     if (budget > all) {
       EXPECT_EQ(run.stage->optimiser, Status::kOk);
       EXPECT_TRUE(run.same_plan(full));

@@ -146,6 +146,7 @@ std::string plan_json(const PlanResult& result) {
                {"resolution", scenario.resolution},
                {"robot_radius", scenario.radius},
                {"limits", limits_json(scenario.limits)},
+               {"time_weight", scenario.time_weight},
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
   if (result.path != nullptr) plan["search"] = search_json(result);

@@ -34,6 +34,7 @@ struct Scenario {
   tern::State start{};
   tern::State goal{};
   tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite
+  double time_weight = tern::kDefaultTimeWeight;
   double resolution = 0.1;
   double radius = 0.25;
   Place boundary_place;    ///< for errors that show only once the grid is laid out

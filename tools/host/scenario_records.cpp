@@ -40,6 +40,7 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"a_min", Shape::kLimit, nullptr, &s.limits.a_min, false, false, {}},
       {"v_horizontal", Shape::kScalar, &s.limits.v_horizontal, nullptr, false, false, {}},
       {"a_horizontal", Shape::kScalar, &s.limits.a_horizontal, nullptr, false, false, {}},
+      {"time_weight", Shape::kScalar, &s.time_weight, nullptr, false, false, {}},
   };
 }
 

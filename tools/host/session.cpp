@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/session.hpp"
 
+#include <cstring>
+
 #include "host/grid_layout.hpp"
 #include "tern_port/port.hpp"
 
@@ -13,6 +15,7 @@ tern::Request request_of(const Scenario& scenario) {
   request.start = scenario.start;
   request.goal = scenario.goal;
   request.limits = scenario.limits;
+  request.time_weight = scenario.time_weight;
   return request;
 }
 
@@ -38,6 +41,9 @@ Session::Session(const Clock& clock)
     : clock_(clock),
       memory_(new unsigned char[tern::kWorkspaceBytes + tern::kWorkspaceAlignment]),
       planner_(memory_.get(), tern::kWorkspaceBytes + tern::kWorkspaceAlignment) {
+  // Firmware's memory is there before the planner runs; here each page is taken from the system when first written,
+  // which would count as the stage's time that writes it.
+  std::memset(memory_.get(), 0, tern::kWorkspaceBytes + tern::kWorkspaceAlignment);
   planner_.set_clock(clock_.read, clock_.context);
 }
 

@@ -30,6 +30,15 @@ struct Limits {
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;
 
+/// What duration is worth against smoothness: a plan minimises (integral of squared snap) + time_weight a^6 / v^4 T,
+/// where v and a are the largest limits of an axis and T is the duration (a^3 / v^2 is the scale of snap at the limits:
+/// the same weight means the same style of flight to slow and to fast vehicles). More is faster: 40, the default,
+/// flies the forests of docs/trajectory.md within a tenth of the fastest; 10 is gentle; 1000 is as fast as limits
+/// allow.
+constexpr double kDefaultTimeWeight = 40.0;
+constexpr double kMinTimeWeight = 1e-3;
+constexpr double kMaxTimeWeight = 1e6;
+
 /// Work that a plan may spend, counted, never timed (contract C7). The stage bounds of config.hpp hold besides.
 struct Budget {
   std::uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
@@ -52,6 +61,7 @@ struct Request {
   Limits limits{};
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
+  double time_weight = kDefaultTimeWeight;  ///< within [kMinTimeWeight, kMaxTimeWeight]
 };
 
 }  // namespace tern

@@ -88,6 +88,7 @@ enum class Field : std::uint8_t {
   kAMin,
   kVHorizontal,
   kAHorizontal,
+  kTimeWeight,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

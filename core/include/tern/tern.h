@@ -48,7 +48,13 @@ typedef struct {
   double v_horizontal, a_horizontal;    /* 0: none */
 } tern_limits;
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
-typedef struct { tern_state start, goal; tern_limits limits; tern_budget budget; uint8_t shortcut; } tern_request;
+typedef struct {
+  tern_state start, goal;
+  tern_limits limits;
+  tern_budget budget;
+  uint8_t shortcut;
+  double time_weight; /* tern_request_init sets the default */
+} tern_request;
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
 typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
@@ -109,7 +115,7 @@ uint8_t tern_grid_inflate(tern_grid* grid);
 /* Planner over `memory` (tern_size_of(TERN_SIZE_WORKSPACE) bytes, any alignment and content), the caller's. */
 uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes);
 uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* context), void* context);
-/* A request with the default budget (no limit but the bounds) and everything else zero. */
+/* A request with the default budget (no limit but the bounds) and time weight, and everything else zero. */
 void tern_request_init(tern_request* request);
 /* One call, or begin / step / finish; see tern::Planner. `trajectory` is untouched unless the answer is 0. */
 uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,

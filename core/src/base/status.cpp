@@ -113,6 +113,7 @@ const char* field_name(Field field) noexcept {
     case Field::kAMin: return "a_min";
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
+    case Field::kTimeWeight: return "time_weight";
   }
   return "unknown";
 }

@@ -141,7 +141,7 @@ Status Planner::run_corridor(Work& work) noexcept {
 
 Status Planner::run_times() noexcept {
   Layout& memory = layout(workspace_);
-  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.budget.iterations};
+  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.time_weight, local_.budget.iterations};
   trajectory_begin(memory.stage.trajectory, memory.corridor, query);
   count(report_, Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kMaxSegments);
   enter(Phase::kTrajectory);

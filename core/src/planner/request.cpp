@@ -33,6 +33,7 @@ Verdict check_finite(const Request& request) {
   }
   if (!finite(request.limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
   if (!finite(request.limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
+  if (!finite(request.time_weight)) return {Status::kNonFiniteInput, Field::kTimeWeight};
   return kAccepted;
 }
 
@@ -116,6 +117,9 @@ Verdict validate(const Grid& grid, const Request& request) noexcept {
   if (numbers.status != Status::kOk) return numbers;
   const Verdict limits = check_limits(request.limits);
   if (limits.status != Status::kOk) return limits;
+  if (request.time_weight < kMinTimeWeight || request.time_weight > kMaxTimeWeight) {
+    return {Status::kLimitsInvalid, Field::kTimeWeight};
+  }
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
   return check_states(request);

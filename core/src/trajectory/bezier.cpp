@@ -5,6 +5,12 @@
 namespace tern {
 namespace {
 
+/// The integral over u in [0, 1] of the product of the cubic Bernstein polynomials i and j.
+constexpr double kCubicGram[4][4] = {{1.0 / 7.0, 1.0 / 14.0, 1.0 / 35.0, 1.0 / 140.0},
+                                     {1.0 / 14.0, 3.0 / 35.0, 9.0 / 140.0, 1.0 / 35.0},
+                                     {1.0 / 35.0, 9.0 / 140.0, 3.0 / 35.0, 1.0 / 14.0},
+                                     {1.0 / 140.0, 1.0 / 35.0, 1.0 / 14.0, 1.0 / 7.0}};
+
 Vec3 blend(const Vec3& a, const Vec3& b, double u) {
   return (1.0 - u) * a + u * b;
 }
@@ -48,6 +54,20 @@ Curve hodograph(const Curve& curve, double duration) noexcept {
   const double factor = curve.degree / duration;
   for (int i = 0; i < curve.degree; ++i) result.c[i] = factor * (curve.c[i + 1] - curve.c[i]);
   return result;
+}
+
+Curve snap_of(const Segment& segment) noexcept {
+  Curve curve = curve_of(segment);
+  for (int k = 0; k < 4; ++k) curve = hodograph(curve, segment.duration);
+  return curve;
+}
+
+double integral_of_product(const Curve& a, const Curve& b, double duration) noexcept {
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) sum += kCubicGram[i][j] * dot(a.c[i], b.c[j]);
+  }
+  return duration * sum;
 }
 
 Vec3 value(Curve curve, double u) noexcept {

@@ -23,6 +23,12 @@ Curve curve_of(const Segment& segment) noexcept;
 /// property). degree >= 1.
 Curve hodograph(const Curve& curve, double duration) noexcept;
 
+/// The fourth derivative of a segment's position: degree 3.
+Curve snap_of(const Segment& segment) noexcept;
+
+/// The integral over `duration` seconds of the scalar product of two cubics.
+double integral_of_product(const Curve& a, const Curve& b, double duration) noexcept;
+
 /// The value at u in [0, 1] by de Casteljau: convex combinations only, exact at both ends.
 Vec3 value(Curve curve, double u) noexcept;
 

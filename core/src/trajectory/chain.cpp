@@ -12,6 +12,16 @@ namespace {
 
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
 
+/// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
+/// below what is feasible costs more than to begin above.
+constexpr double kFirstSlack = 1.5;
+/// What a segment beside a moving end takes at least, in times that braking takes.
+constexpr double kEndPart = 0.4;
+
+/// A segment's way at most: this part of the whole way, and this many times the way to the limit speed and back.
+constexpr double kLongestPart = 0.5;
+constexpr double kLongestRun = 2.5;
+
 /// Lengths are looked at in this many steps of kEndStep before an end's duration is given up: a factor of 1e5.
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
@@ -36,14 +46,14 @@ double comfortable_length(const Polyhedron& polyhedron, const Limits& limits) {
   return line.speed * line.speed / line.acceleration;
 }
 
-int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits, int index, double third) {
+int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits, int index, double whole) {
   const Polyhedron& polyhedron = corridor.polyhedra[index];
   const double length = way(polyhedron);
   const bool at_moving_end = (index == 0 && moves(chain.start)) || (index + 1 == corridor.count && moves(chain.goal));
   if (at_moving_end) return kMaxSplit;
   if (!(length > 0.0)) return 1;
-  const double piece = smaller(third, comfortable_length(polyhedron, limits));
-  // A little less than the quotient, so that thirds stay thirds.
+  const double piece = smaller(kLongestPart * whole, kLongestRun * comfortable_length(polyhedron, limits));
+  // A little less than the quotient, so that halves stay halves.
   const double pieces = length / piece - 1e-6;
   return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
 }
@@ -58,11 +68,11 @@ double braking_time(const JointState& end, const Limits& limits) {
 }
 
 /// The most that each polyhedron may be split for the sum to fit.
-int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& limits, double third) {
+int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& limits, double whole) {
   for (int most = kMaxSplit; most > 1; --most) {
     int sum = 0;
     for (int i = 0; i < corridor.count; ++i) {
-      const int split = split_of(chain, corridor, limits, i, third);
+      const int split = split_of(chain, corridor, limits, i, whole);
       sum += split < most ? split : most;
     }
     if (sum <= kMaxSegments) return most;
@@ -70,14 +80,45 @@ int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& li
   return 1;
 }
 
-void append_pieces(const Polyhedron& polyhedron, int index, int pieces, const Limits& limits, Chain& chain) {
-  const double length = way(polyhedron) / pieces;
-  const double time =
-      length > 0.0 ? trapezoid_time(length, limits_along(polyhedron.to - polyhedron.from, limits)) : kMinDuration;
+void append_pieces(const Polyhedron& polyhedron, int index, int pieces, Chain& chain) {
   for (int i = 0; i < pieces; ++i) {
     chain.polyhedron[chain.count] = index;
-    chain.duration[chain.count] = time;
+    chain.length[chain.count] = way(polyhedron) / pieces;
     ++chain.count;
+  }
+}
+
+/// Seconds that gaining (or losing) the cruising speed at an end of the chain takes beyond cruising the same way.
+double ramp_time(const JointState& end, const LineLimits& line) {
+  const double missing = larger(0.0, line.speed - length(end.d[1]));
+  return missing * missing / (2.0 * line.speed * line.acceleration);
+}
+
+/// Seconds that a segment of the polyhedron around a moving end takes at least: a part of braking.
+double least_end_time(const Chain& chain, const Bounds& acceleration, int i) {
+  double time = 0.0;
+  if (chain.polyhedron[i] == 0) time = gauge(acceleration, kZero - chain.start.d[1]);
+  if (chain.polyhedron[i] == chain.polyhedron[chain.count - 1]) {
+    time = larger(time, gauge(acceleration, chain.goal.d[1]));
+  }
+  return kEndPart * time;
+}
+
+/// Cruising through the chain along its way, with the trapezoid's ramps at its ends only.
+void allocate(const Corridor& corridor, const Limits& limits, Chain& chain) {
+  const Bounds acceleration = acceleration_bounds(limits);
+  for (int i = 0; i < chain.count; ++i) {
+    const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
+    double time = 0.0;
+    if (chain.length[i] > 0.0) {
+      const LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
+      time = chain.length[i] / line.speed;
+      if (i == 0) time += ramp_time(chain.start, line);
+      if (i + 1 == chain.count) time += ramp_time(chain.goal, line);
+      time = smaller(time, trapezoid_time(chain.length[i], line));
+    }
+    time = larger(time, least_end_time(chain, acceleration, i));
+    chain.duration[i] = larger(kMinDuration, kFirstSlack * time);
   }
 }
 
@@ -121,21 +162,6 @@ JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }
 
-/// Next to a moving end two short segments: its acceleration must come and go before the way matters.
-void shorten_moving_ends(const Limits& limits, Chain& chain) {
-  const int last = chain.count - 1;
-  if (last == 0) return;
-  const JointState* const ends[2] = {&chain.start, &chain.goal};
-  for (int side = 0; side < 2; ++side) {
-    if (!moves(*ends[side])) continue;
-    const double braking = braking_time(*ends[side], limits);
-    double& outer = chain.duration[side == 0 ? 0 : last];
-    double& inner = chain.duration[side == 0 ? 1 : last - 1];
-    outer = larger(kMinDuration, kOuterPart * braking);
-    if (last > 2) inner = smaller(inner, larger(kMinDuration, kInnerPart * braking));
-  }
-}
-
 }  // namespace
 
 void make_chain(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
@@ -146,13 +172,27 @@ void make_chain(const Corridor& corridor, const State& start, const State& goal,
   chain.center = 0.5 * (start.position + goal.position);
   double length = 0.0;
   for (int i = 0; i < corridor.count; ++i) length += way(corridor.polyhedra[i]);
-  const double third = length / 3.0;
-  const int most = fitting_split(chain, corridor, limits, third);
+  const int most = fitting_split(chain, corridor, limits, length);
   for (int i = 0; i < corridor.count; ++i) {
-    const int split = split_of(chain, corridor, limits, i, third);
-    append_pieces(corridor.polyhedra[i], i, split < most ? split : most, limits, chain);
+    const int split = split_of(chain, corridor, limits, i, length);
+    append_pieces(corridor.polyhedra[i], i, split < most ? split : most, chain);
   }
-  shorten_moving_ends(limits, chain);
+  allocate(corridor, limits, chain);
+}
+
+void short_end_durations(const Limits& limits, const Chain& chain, double* durations) noexcept {
+  const int last = chain.count - 1;
+  for (int i = 0; i < chain.count; ++i) durations[i] = chain.duration[i];
+  if (last == 0) return;
+  const JointState* const ends[2] = {&chain.start, &chain.goal};
+  for (int side = 0; side < 2; ++side) {
+    if (!moves(*ends[side])) continue;
+    const double braking = braking_time(*ends[side], limits);
+    double& outer = durations[side == 0 ? 0 : last];
+    double& inner = durations[side == 0 ? 1 : last - 1];
+    outer = larger(kMinDuration, kOuterPart * braking);
+    if (last > 2) inner = smaller(inner, larger(kMinDuration, kInnerPart * braking));
+  }
 }
 
 void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {

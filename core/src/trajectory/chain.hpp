@@ -16,6 +16,7 @@ struct Chain {
   int count;                      ///< 1 .. kMaxSegments
   int polyhedron[kMaxSegments];   ///< never decreasing, by one at most
   double duration[kMaxSegments];  ///< seconds, >= kMinDuration
+  double length[kMaxSegments];    ///< metres of the way that each is for
   JointState start;               ///< jerk zero
   JointState goal;
   Vec3 center;  ///< what the programme's positions are relative to
@@ -24,12 +25,17 @@ struct Chain {
 /// Segments that one polyhedron is split into at most: to gain speed, to keep it, to lose it.
 constexpr int kMaxSplit = 3;
 
-/// Cuts the corridor into a chain and gives every segment the paper's time (Section 3.3.2) for its part of the way.
-/// One segment of degree 7 between given states has no freedom, and between two joints cannot hold a speed: a
-/// polyhedron longer than it takes to reach the limit speed and stop again, or than a third of the way, becomes up to
-/// kMaxSplit segments, as far as kMaxSegments allows. Where start or goal move, so do the polyhedra around them.
+/// Cuts the corridor into a chain and gives every segment the time of a trapezoidal profile (Section 3.3.2) along the
+/// whole way: cruising speed, with ramps at the ends that are at rest, and some slack. One segment of degree 7 between
+/// given states has no freedom, and between two joints cannot hold a speed: a polyhedron longer than half of the way,
+/// or than some times what it takes to reach the limit speed and stop again, becomes up to kMaxSplit segments, as far
+/// as kMaxSegments allows. Where start or goal move, so do the polyhedra around them.
 void make_chain(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
                 Chain& chain) noexcept;
+
+/// The chain's durations, but two short segments next to a moving end: its acceleration must come and go before the way
+/// matters. `durations`: chain.count values, seconds.
+void short_end_durations(const Limits& limits, const Chain& chain, double* durations) noexcept;
 
 /// Shortens the first and the last segment until what follows from the boundary states alone (half of their control
 /// points, and the hodographs' there) keeps the polyhedra and the limits; kMinDuration at least. No effect at rest.

@@ -125,7 +125,8 @@ double end_weight(const double* weights, int end, int j) {
 }
 
 /// Appends the point multiplier * sum_k weights[k] c[k]; not where it is constant.
-void add_point(const Piece& piece, const double* weights, double multiplier, QpProblem& problem) {
+void add_point(const Piece& piece, const double* weights, double multiplier, const PointOrigin& origin,
+               ProgrammeScale& scale, QpProblem& problem) {
   QpPoint point{};
   for (int end = 0; end < 2; ++end) {
     if (!touches(weights, end)) continue;
@@ -143,6 +144,7 @@ void add_point(const Piece& piece, const double* weights, double multiplier, QpP
   }
   if (point.terms == 0) return;
   problem.points[problem.point_count] = point;
+  scale.origin[problem.point_count] = origin;
   ++problem.point_count;
 }
 
@@ -161,7 +163,11 @@ void add_polyhedron(const Polyhedron& polyhedron, const Vec3& center, QpProblem&
   }
 }
 
-void add_corridor(const Chain& chain, const Corridor& corridor, const ProgrammeScale& scale, QpProblem& problem) {
+PointOrigin origin_of(int segment, int order, int row) {
+  return {static_cast<std::int16_t>(segment), static_cast<std::int8_t>(order), static_cast<std::int8_t>(row)};
+}
+
+void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& scale, QpProblem& problem) {
   int plane_begin = 0;
   for (int i = 0; i < chain.count; ++i) {
     if (i == 0 || chain.polyhedron[i] != chain.polyhedron[i - 1]) {
@@ -173,16 +179,17 @@ void add_corridor(const Chain& chain, const Corridor& corridor, const ProgrammeS
     for (int k = 0; k < kControlPoints; ++k) {
       double weights[kControlPoints] = {};
       weights[k] = 1.0;
-      add_point(piece, weights, 1.0, problem);
+      add_point(piece, weights, 1.0, origin_of(i, 0, k), scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
 
 /// One kind of limit for every segment. The first row of a segment is the last one of the segment before.
-void add_limit_rows(const Chain& chain, const ProgrammeScale& scale, const double (*rows)[kControlPoints], int count,
+void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const double (*rows)[kControlPoints], int count,
                     const LimitPlanes& limit, int order, QpProblem& problem) {
   const int plane_begin = problem.plane_count;
+  scale.unit[order] = limit.unit;
   for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
   problem.plane_count += limit.count;
   for (int i = 0; i < chain.count; ++i) {
@@ -190,7 +197,9 @@ void add_limit_rows(const Chain& chain, const ProgrammeScale& scale, const doubl
     const double duration = chain.duration[i];
     const double multiplier = 1.0 / ((order == 1 ? duration : duration * duration) * limit.unit);
     const int point_begin = problem.point_count;
-    for (int r = i == 0 ? 0 : 1; r < count; ++r) add_point(piece, rows[r], multiplier, problem);
+    for (int r = i == 0 ? 0 : 1; r < count; ++r) {
+      add_point(piece, rows[r], multiplier, origin_of(i, order, r), scale, problem);
+    }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
@@ -227,14 +236,15 @@ JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpS
 
 }  // namespace
 
-void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, Rows rows, QpProblem& problem,
+void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept {
   clear(kJointOrder * (chain.count - 1), problem);
   scale.tau = mean_duration(chain);
+  scale.unit[0] = 1.0;
+  scale.snap_per_cost = 2.0 / (kCostScale * seventh_power(scale.tau));
   scale_joints(chain, scale);
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
   add_corridor(chain, corridor, scale, problem);
-  if (rows == Rows::kCorridor) return;
   const LimitPlanes velocity = limit_planes(velocity_bounds(limits), kept_direction(chain, 1));
   const LimitPlanes acceleration = limit_planes(acceleration_bounds(limits), kept_direction(chain, 2));
   add_limit_rows(chain, scale, kHodographRows.velocity, kVelocityRows, velocity, 1, problem);

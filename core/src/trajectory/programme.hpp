@@ -14,23 +14,28 @@
 
 namespace tern {
 
-/// How a programme's unknowns read as states.
+/// What a point of a programme is: a control point (order 0) or one of a hodograph's pieces (order 1 and 2, the row of
+/// kHodographRows).
+struct PointOrigin {
+  std::int16_t segment;
+  std::int8_t order;
+  std::int8_t row;
+};
+
+/// How a programme's unknowns read as states, its points as parts of segments, and its cost as snap.
 struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
-};
-
-/// Which rows a programme has.
-enum class Rows : std::uint8_t {
-  kCorridor,           ///< control points inside their polyhedra
-  kCorridorAndLimits,  ///< also velocity and acceleration, for all t
+  double unit[3];                           ///< of the rows of each order: metres, m/s, m/s^2
+  double snap_per_cost;                     ///< integral of squared snap over the programme's objective
+  PointOrigin origin[kQpMaxPoints];
 };
 
 /// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns (they follow from the
 /// boundary states and the durations alone) are left out: whoever accepts a solution checks all control points anyway.
-/// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations and limits, and the
-/// corridor's come first: a working set is a warm start for either kind of rows.
-void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, Rows rows, QpProblem& problem,
+/// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations: a working set is a
+/// warm start.
+void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
 /// The control points that x stands for. `points`: chain.count rows of kControlPoints, local frame. Joints are the same

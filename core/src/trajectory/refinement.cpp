@@ -11,65 +11,84 @@ namespace {
 void enter(Refinement& refinement, Course course) {
   refinement.course = course;
   refinement.round = 0;
+  refinement.failures = 0;
 }
 
-void scale_durations(const double* from, double factor, Chain& chain) {
-  for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(kMinDuration, factor * from[i]);
-}
-
-/// Every segment gets the time that its own peaks ask for.
-void shape_again(const Round& round, Chain& chain) {
-  for (int i = 0; i < chain.count; ++i) {
-    chain.duration[i] = larger(kMinDuration, chain.duration[i] * round.stretch[i]);
-  }
-}
-
-void descend(Refinement& refinement, const double* best, Chain& chain) {
-  enter(refinement, Course::kDescend);
-  scale_durations(best, 1.0 - refinement.gap, chain);
-}
-
-void climb(Refinement& refinement, Chain& chain) {
-  if (refinement.round == kClimbRounds) return enter(refinement, Course::kDone);
-  scale_durations(refinement.base, kClimbStep, chain);
+void keep(Refinement& refinement, double cost, const Chain& chain) {
+  refinement.cost = cost;
   for (int i = 0; i < chain.count; ++i) refinement.base[i] = chain.duration[i];
 }
 
-void descend_again(Refinement& refinement, const Round& round, double previous, const double* best, Chain& chain) {
-  if (round.accepted && round.duration > previous * (1.0 - kLeastGain)) return enter(refinement, Course::kDone);
-  if (!round.accepted) {
-    ++refinement.failures;
-    refinement.gap *= 0.5;
+double eighth_root(double x) {
+  return square_root(square_root(square_root(x)));
+}
+
+/// Snap alone falls with the seventh power of a duration, and so does its price: it is in balance at T' where
+/// price (T / T')^7 = rate T'.
+void retime(const Refinement& refinement, const Round& round, Chain& chain) {
+  for (int i = 0; i < chain.count; ++i) {
+    const double worth = larger(round.prices[i], 0.0) / (refinement.rate * chain.duration[i]);
+    const double factor = clamp(eighth_root(worth), kShortest, kLongest);
+    chain.duration[i] = larger(kMinDuration, factor * chain.duration[i]);
   }
-  if (refinement.failures == kDescentFailures) return enter(refinement, Course::kDone);
-  descend(refinement, best, chain);
+}
+
+void begin_trade(Refinement& refinement, const Round& round, Chain& chain) {
+  keep(refinement, round.cost, chain);
+  enter(refinement, Course::kTrade);
+  retime(refinement, round, chain);
+}
+
+/// The ends' fitting may have shortened the chain's durations: each round starts from the last one's before that.
+void climb(Refinement& refinement, const Round& round, Chain& chain) {
+  if (round.accepted) return begin_trade(refinement, round, chain);
+  const bool exhausted = refinement.round == kClimbRounds;
+  if (exhausted && (refinement.course == Course::kClimbShortEnds || !refinement.has_short_ends)) {
+    return enter(refinement, Course::kDone);
+  }
+  if (exhausted) enter(refinement, Course::kClimbShortEnds);
+  for (int i = 0; i < chain.count; ++i) {
+    refinement.base[i] = exhausted ? refinement.short_ends[i] : kClimbStep * refinement.base[i];
+    chain.duration[i] = refinement.base[i];
+  }
+}
+
+/// Halfway back to the last gain.
+void retreat(Refinement& refinement, Chain& chain) {
+  ++refinement.failures;
+  if (refinement.failures > kTradeFailures) return enter(refinement, Course::kDone);
+  for (int i = 0; i < chain.count; ++i) chain.duration[i] = square_root(chain.duration[i] * refinement.base[i]);
+}
+
+void trade(Refinement& refinement, const Round& round, Chain& chain) {
+  if (refinement.round == kTradeRounds) return enter(refinement, Course::kDone);
+  if (!round.accepted || !(round.cost < refinement.cost)) return retreat(refinement, chain);
+  if (round.cost > refinement.cost * (1.0 - kLeastGain)) return enter(refinement, Course::kDone);
+  keep(refinement, round.cost, chain);
+  refinement.failures = 0;
+  retime(refinement, round, chain);
 }
 
 }  // namespace
 
-void refinement_begin(Refinement& refinement, const Chain& chain, bool at_rest) noexcept {
-  enter(refinement, at_rest ? Course::kShape : Course::kClimb);
-  refinement.failures = 0;
-  refinement.gap = kFirstGap;
-  for (int i = 0; i < chain.count; ++i) refinement.base[i] = chain.duration[i];
+void refinement_begin(Refinement& refinement, const Chain& chain, const double* short_ends, double rate) noexcept {
+  enter(refinement, Course::kClimb);
+  refinement.rate = rate;
+  refinement.has_short_ends = short_ends != nullptr;
+  if (short_ends != nullptr) {
+    for (int i = 0; i < chain.count; ++i) refinement.short_ends[i] = short_ends[i];
+  }
+  keep(refinement, 0.0, chain);
 }
 
-Rows refinement_rows(const Refinement& refinement) noexcept {
-  return refinement.course == Course::kShape ? Rows::kCorridor : Rows::kCorridorAndLimits;
-}
-
-void refinement_next(Refinement& refinement, const Round& round, double previous, const double* best,
-                     Chain& chain) noexcept {
+void refinement_next(Refinement& refinement, const Round& round, Chain& chain) noexcept {
   ++refinement.round;
   switch (refinement.course) {
-    case Course::kShape:
-      // Corridor rows alone have a solution; where the solver finds none it will find none with more rows.
-      if (!round.accepted) return enter(refinement, Course::kDone);
-      return refinement.round < kShapeRounds ? shape_again(round, chain) : descend(refinement, best, chain);
     case Course::kClimb:
-      return round.accepted ? descend(refinement, best, chain) : climb(refinement, chain);
-    case Course::kDescend:
-      return descend_again(refinement, round, previous, best, chain);
+    case Course::kClimbShortEnds:
+      return climb(refinement, round, chain);
+    case Course::kTrade:
+      return trade(refinement, round, chain);
     case Course::kDone:
       return;
   }

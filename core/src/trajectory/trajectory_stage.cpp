@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/trajectory_stage.hpp"
 
-#include "base/math.hpp"
+#include "base/bounds.hpp"
 #include "times/times.hpp"
+#include "trajectory/bezier.hpp"
 #include "trajectory/motion_limits.hpp"
 #include "trajectory/stop_and_go.hpp"
+#include "trajectory/time_prices.hpp"
 
 namespace tern {
 namespace {
@@ -15,6 +17,19 @@ constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
+}
+
+double largest_reach(const Bounds& bounds) {
+  const double wide = larger(bounds.upper.x, bounds.upper.y);
+  return larger(bounds.upper.z, bounds.horizontal > 0.0 ? smaller(wide, bounds.horizontal) : wide);
+}
+
+/// The weight with its unit: flying at limits v and a takes times of v / a and jerks and snaps that go with them.
+double snap_rate(const Limits& limits, double weight) {
+  const double v = largest_reach(velocity_bounds(limits));
+  const double a = largest_reach(acceleration_bounds(limits));
+  const double snap = (a / v) * (a / v) * a;
+  return weight * (snap * snap);
 }
 
 bool stays(const Corridor& corridor) {
@@ -43,7 +58,7 @@ void propose(TrajectoryStage& stage, const Corridor& corridor) {
     return;
   }
   fit_ends(corridor, stage.query.limits, stage.chain);
-  assemble(stage.chain, corridor, stage.query.limits, refinement_rows(stage.refinement), stage.problem, stage.scale);
+  assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
   stage.solve_begin = stage.iterations;
   stage.variables = kQpAxes * stage.problem.unknowns;
@@ -82,15 +97,31 @@ Segment candidate(const TrajectoryStage& stage, int index) {
   return segment;
 }
 
-/// Between states at rest: the whole plan, stretched or shrunk until its peaks meet the limits exactly.
-double meet_limits(TrajectoryStage& stage) {
+/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
+/// where that costs less.
+double best_stretch(const TrajectoryStage& stage, double snap) {
   double factor = 0.0;
   for (int i = 0; i < stage.chain.count; ++i) {
-    stage.round.stretch[i] = stretch_to_limits(candidate(stage, i), stage.query.limits);
-    factor = larger(factor, stage.round.stretch[i]);
+    factor = larger(factor, kMinDuration / stage.chain.duration[i]);
+    factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
   }
-  for (int i = 0; i < stage.chain.count; ++i) factor = larger(factor, kMinDuration / stage.chain.duration[i]);
-  return factor;
+  // snap s^-7 + rate duration s is least where 7 snap s^-8 = rate duration.
+  const double worth = 7.0 * snap / (stage.refinement.rate * chain_duration(stage.chain));
+  return larger(factor, square_root(square_root(square_root(worth))));
+}
+
+double candidate_snap(const TrajectoryStage& stage) {
+  double snap = 0.0;
+  for (int i = 0; i < stage.chain.count; ++i) {
+    const Curve curve = snap_of(candidate(stage, i));
+    snap += integral_of_product(curve, curve, stage.chain.duration[i]);
+  }
+  return snap;
+}
+
+double seventh_power(double x) {
+  const double cube = x * x * x;
+  return cube * cube * x;
 }
 
 bool keeps_everything(const TrajectoryStage& stage, const Corridor& corridor, double factor) {
@@ -109,7 +140,7 @@ double relative_residual(const QpSolution& solution) {
 
 void keep_best(TrajectoryStage& stage, double factor) {
   stage.best.found = true;
-  stage.best.total = stage.round.duration;
+  stage.best.cost = stage.round.cost;
   stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
   for (int i = 0; i < stage.chain.count; ++i) {
@@ -119,22 +150,26 @@ void keep_best(TrajectoryStage& stage, double factor) {
 }
 
 /// A solution's plan, where it keeps what it should; a solution that does not is as good as none.
+void accept(TrajectoryStage& stage, const Corridor& corridor) {
+  read_points(stage.chain, stage.scale, stage.solution, stage.points);
+  stage.warm_count = stage.solution.active_count;
+  for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
+  const double snap = candidate_snap(stage);
+  Round& round = stage.round;
+  round.factor = rests(stage.query) ? best_stretch(stage, snap) : 1.0;
+  round.cost = snap / seventh_power(round.factor) + stage.refinement.rate * round.factor * chain_duration(stage.chain);
+  round.accepted = keeps_everything(stage, corridor, round.factor);
+  if (!round.accepted) stage.solve_status = Status::kNumerical;
+  if (!round.accepted || (stage.best.found && !(round.cost < stage.best.cost))) return;
+  keep_best(stage, round.factor);
+  time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
+}
+
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
-  const double previous = stage.best.found ? stage.best.total : 0.0;
   stage.round.accepted = false;
-  if (stage.solve_status == Status::kOk) {
-    read_points(stage.chain, stage.scale, stage.solution, stage.points);
-    stage.warm_count = stage.solution.active_count;
-    for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
-    const double factor = rests(stage.query) ? meet_limits(stage) : 1.0;
-    stage.round.duration = factor * chain_duration(stage.chain);
-    stage.round.accepted = keeps_everything(stage, corridor, factor);
-    if (!stage.round.accepted) stage.solve_status = Status::kNumerical;
-    if (stage.round.accepted && (!stage.best.found || stage.round.duration < previous)) keep_best(stage, factor);
-  }
-  if (!stage.best.found) stage.optimiser = stage.solve_status;
-  if (stage.best.found) stage.optimiser = Status::kOk;
-  refinement_next(stage.refinement, stage.round, previous, stage.best.duration, stage.chain);
+  if (stage.solve_status == Status::kOk) accept(stage, corridor);
+  stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
+  refinement_next(stage.refinement, stage.round, stage.chain);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
@@ -189,7 +224,9 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
     return;
   }
   make_chain(corridor, query.start, query.goal, query.limits, stage.chain);
-  refinement_begin(stage.refinement, stage.chain, rests(query));
+  short_end_durations(query.limits, stage.chain, stage.round.prices);
+  refinement_begin(stage.refinement, stage.chain, rests(query) ? nullptr : stage.round.prices,
+                   snap_rate(query.limits, query.time_weight));
   stage.phase = TrajectoryPhase::kPropose;
 }
 

@@ -28,6 +28,7 @@ struct TrajectoryQuery {
   State start;
   State goal;
   Limits limits;
+  double time_weight;            ///< > 0; see Request::time_weight
   std::uint32_t max_iterations;  ///< of all quadratic programmes together; 0: stop-and-go at once
 };
 
@@ -40,7 +41,7 @@ enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kFinish };
 /// The best plan so far: its control points, the other arrays are shared with the candidate.
 struct BestPlan {
   bool found;
-  double total;
+  double cost;  ///< snap + rate * duration
   double duration[kMaxSegments];
   Vec3 points[kMaxSegments][kControlPoints];
   int active;

@@ -1,0 +1,64 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/time_prices.hpp"
+
+#include "base/math.hpp"
+#include "trajectory/bezier.hpp"
+#include "trajectory/hodograph_rows.hpp"
+
+namespace tern {
+namespace {
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+/// drift[k] = T dc_k/dT with the states at both ends held. Of c_k = sum_j kFirstEnd[k][j] T^j d_j that is k (c_k -
+/// c_(k - 1)), and the same from the other end.
+void drift_of(const Vec3* points, Vec3* drift) {
+  for (int k = 0; k < kJointOrder; ++k) {
+    drift[k] = k == 0 ? kZero : k * (points[k] - points[k - 1]);
+    drift[kDegree - k] = k == 0 ? kZero : k * (points[kDegree - k] - points[kDegree - k + 1]);
+  }
+}
+
+/// -T d/dT of the integral of squared snap. The form is homogeneous: of degree 2 in the points and -7 in T.
+double snap_price(const Vec3* points, const Vec3* drift, double duration) {
+  Segment segment{};
+  segment.duration = duration;
+  for (int k = 0; k < kControlPoints; ++k) segment.points[k] = points[k];
+  const Curve snap = snap_of(segment);
+  for (int k = 0; k < kControlPoints; ++k) segment.points[k] = drift[k];
+  const Curve change = snap_of(segment);
+  return 7.0 * integral_of_product(snap, snap, duration) - 2.0 * integral_of_product(snap, change, duration);
+}
+
+/// T d/dT of a programme's point: sum_k w_k c_k / (T^order unit).
+Vec3 point_drift(const PointOrigin& origin, const Vec3* points, const Vec3* drift, double duration, double unit) {
+  if (origin.order == 0) return drift[origin.row];
+  const double* const weights =
+      origin.order == 1 ? kHodographRows.velocity[origin.row] : kHodographRows.acceleration[origin.row];
+  Vec3 sum = kZero;
+  for (int k = 0; k < kControlPoints; ++k)
+    sum = sum + weights[k] * (drift[k] - static_cast<double>(origin.order) * points[k]);
+  return (1.0 / ((origin.order == 1 ? duration : duration * duration) * unit)) * sum;
+}
+
+}  // namespace
+
+void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution& solution, const ProgrammeScale& scale,
+                 const Vec3 (*points)[kControlPoints], double* prices) noexcept {
+  Vec3 drift[kControlPoints];
+  for (int i = 0; i < chain.count; ++i) {
+    drift_of(points[i], drift);
+    prices[i] = snap_price(points[i], drift, chain.duration[i]);
+  }
+  for (int r = 0; r < solution.active_count; ++r) {
+    const QpRow& row = solution.active[r];
+    const PointOrigin& origin = scale.origin[row.point];
+    const int i = origin.segment;
+    drift_of(points[i], drift);
+    const Vec3 change = point_drift(origin, points[i], drift, chain.duration[i], scale.unit[origin.order]);
+    prices[i] -= scale.snap_per_cost * solution.multiplier[r] * dot(problem.planes[row.plane].normal, change);
+  }
+}
+
+}  // namespace tern
