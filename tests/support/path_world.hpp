@@ -87,6 +87,16 @@ class PathRunner {
   std::unique_ptr<tern::Path> path_;
 };
 
+/// The path that the shortcut's chain alone makes of a path's raw points, before it is pulled tight.
+inline tern::Path chain_of(const tern::Grid& grid, const tern::Path& path) {
+  tern::Path chain = path;
+  const std::unique_ptr<tern::Shortcut> shortcut(new tern::Shortcut);
+  tern::shortcut_begin(*shortcut, grid, tern::ShortcutMode::kShortestChain, chain);
+  while (tern::shortcut_needs_line(*shortcut, chain)) tern::shortcut_walk_line(*shortcut, grid, chain);
+  tern::shortcut_finish(*shortcut, chain);
+  return chain;
+}
+
 /// A free voxel of the grid, chosen at random; false where there is none among 200 tries.
 inline bool random_free(const tern::Grid& grid, Random& random, tern::Voxel& out) {
   const tern::Voxel& dims = grid.spec().dims;

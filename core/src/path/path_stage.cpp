@@ -91,16 +91,36 @@ Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out)
   return status;
 }
 
+/// One unit of the shortcut stage against its budget and the slice; kOk where it may be spent.
+Status take_sight_line(PathStage& stage, Work& work) {
+  if (stage.sight_lines >= stage.query.max_sight_lines) return Status::kBudgetShortcut;
+  if (!work.take()) return Status::kRunning;
+  ++stage.sight_lines;
+  return Status::kOk;
+}
+
+/// kOk when the chain is complete, and the path tight where it is to be.
 Status advance_shortcut(PathStage& stage, const Grid& grid, Work& work, Path& out) {
   while (shortcut_needs_line(stage.shortcut, out)) {
-    if (stage.sight_lines >= stage.query.max_sight_lines) return Status::kBudgetShortcut;
-    if (!work.take()) return Status::kRunning;
-    ++stage.sight_lines;
+    const Status taken = take_sight_line(stage, work);
+    if (taken != Status::kOk) return taken;
     shortcut_walk_line(stage.shortcut, grid, out);
   }
   const Status status = shortcut_finish(stage.shortcut, out);
   stage.segments_high = status == Status::kOk ? out.count - 1 : kMaxSegments;
+  if (status != Status::kOk || stage.query.mode == ShortcutMode::kGreedyBresenham) return status;
+  stage.phase = PathPhase::kTighten;
+  tighten_begin(stage.tighten, grid, out);
   return status;
+}
+
+Status advance_tighten(PathStage& stage, const Grid& grid, Work& work, Path& out) {
+  while (tighten_needs_trial(stage.tighten, out)) {
+    const Status taken = take_sight_line(stage, work);
+    if (taken != Status::kOk) return taken;
+    tighten_try(stage.tighten, grid, out);
+  }
+  return Status::kOk;
 }
 
 }  // namespace
@@ -144,7 +164,11 @@ Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) n
     // The shortcut begins with the next call, so that a caller can time the two apart.
     return status == Status::kOk ? Status::kRunning : status;
   }
-  return advance_shortcut(stage, grid, work, out);
+  if (stage.phase == PathPhase::kShortcut) {
+    const Status status = advance_shortcut(stage, grid, work, out);
+    if (status != Status::kOk || stage.phase == PathPhase::kShortcut) return status;
+  }
+  return advance_tighten(stage, grid, work, out);
 }
 
 }  // namespace tern

@@ -11,6 +11,7 @@
 #include "path/join.hpp"
 #include "path/search.hpp"
 #include "path/shortcut.hpp"
+#include "path/tighten.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/request.hpp"
@@ -21,6 +22,9 @@ namespace tern {
 /// Bound on PathStage::expansions: those of the search, and the lines that join both ends to the grid.
 constexpr std::uint32_t kSearchBound = kExpansionBound + 2u * kMaxJoins;
 
+/// Bound on PathStage::sight_lines.
+constexpr std::uint32_t kShortcutBound = kSightLineBound + kTightenBound;
+
 /// What to find. Local frame; both points inside the grid's boundary.
 struct PathQuery {
   Vec3 start;
@@ -30,12 +34,12 @@ struct PathQuery {
   std::uint32_t max_sight_lines;  ///< Budget::sight_lines
 };
 
-enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut };
+enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut, kTighten };
 
 /// Plain data; needs no initialisation before path_begin.
 struct PathStage {
   std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
-  std::uint32_t sight_lines;   ///< lines of sight walked; <= kSightLineBound and the budget
+  std::uint32_t sight_lines;   ///< lines of sight of the shortcut, trials of tightening; <= kShortcutBound, the budget
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t heap_high;      ///< most open at once
   std::int32_t raw_high;       ///< points of the jump-point path
@@ -50,16 +54,20 @@ struct PathStage {
   Join start;
   Join goal;
   Search search;
-  Shortcut shortcut;
+  union {
+    Shortcut shortcut;
+    Tighten tighten;  ///< begins when the shortcut's chain is complete
+  };
 };
 
 /// The grid must be inflated and must not change until the stage ends.
 void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept;
 
 /// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
-/// joins an end to the grid, or one line of sight. kRunning, or the end: kOk with `out` full; else kStartOccupied,
-/// kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull, kSegmentsFull (the raw path in `out` is whole),
-/// kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise. `out` must be the same object until then.
+/// joins an end to the grid, one line of sight, or one trial of tightening, which walks two lines at most. kRunning, or
+/// the end: kOk with `out` full; else kStartOccupied, kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull,
+/// kSegmentsFull (the raw path in `out` is whole), kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise.
+/// `out` must be the same object until then.
 ///
 /// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
 /// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of

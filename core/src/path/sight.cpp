@@ -8,8 +8,6 @@
 namespace tern {
 namespace {
 
-constexpr double kReach = kSightMargin + kSightRounding;
-
 /// The part of the segment whose parameter lies in [begin, end]; empty where begin > end.
 struct Span {
   double begin;
@@ -20,22 +18,23 @@ struct Span {
 struct Track {
   double from;
   double slope;
+  double reach;  ///< how far from the segment voxels count as met
 
-  /// Voxels that the track comes within kReach of while t runs over the span; half-open.
+  /// Voxels that the track comes within reach of while t runs over the span; half-open.
   IndexRange voxels(const Span& span) const {
     const double a = from + slope * span.begin;
     const double b = from + slope * span.end;
     // One beyond the largest grid on either side: outside is outside.
-    return {ceil_index(smaller(a, b) - kReach - 1.0, -2, kMaxDimension + 1),
-            floor_index(larger(a, b) + kReach, -2, kMaxDimension + 1) + 1};
+    return {ceil_index(smaller(a, b) - reach - 1.0, -2, kMaxDimension + 1),
+            floor_index(larger(a, b) + reach, -2, kMaxDimension + 1) + 1};
   }
 
-  /// The part of `span` during which the track is within kReach of voxel `index`.
+  /// The part of `span` during which the track is within reach of voxel `index`.
   Span within(std::int32_t index, const Span& span) const {
     // A track that moves less than its rounding allowance is near the voxel all the time or never.
     if (absolute(slope) <= kSightRounding) return span;
-    const double t0 = (index - kReach - from) / slope;
-    const double t1 = (index + 1.0 + kReach - from) / slope;
+    const double t0 = (index - reach - from) / slope;
+    const double t1 = (index + 1.0 + reach - from) / slope;
     return {larger(span.begin, smaller(t0, t1)), smaller(span.end, larger(t0, t1))};
   }
 };
@@ -59,12 +58,13 @@ bool in_range(const IndexRange& range, std::int32_t count) {
 
 }  // namespace
 
-bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
+bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) noexcept {
   const double scale = grid.spec().cell;
   const Voxel& dims = grid.spec().dims;
-  const Track x{a.x / scale, (b.x - a.x) / scale};
-  const Track y{a.y / scale, (b.y - a.y) / scale};
-  const Track z{a.z / scale, (b.z - a.z) / scale};
+  const double reach = margin + kSightRounding;
+  const Track x{a.x / scale, (b.x - a.x) / scale, reach};
+  const Track y{a.y / scale, (b.y - a.y) / scale, reach};
+  const Track z{a.z / scale, (b.z - a.z) / scale, reach};
   const Span whole{0.0, 1.0};
   const IndexRange layers = z.voxels(whole);
   if (!in_range(layers, dims.z)) return false;

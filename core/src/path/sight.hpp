@@ -12,10 +12,10 @@ namespace tern {
 /// that what counts as visible is.
 constexpr double kSightRounding = 1e-9;
 
-/// The supercover line of sight, thickened: true only where every voxel whose closed cube comes within kSightMargin of
-/// a voxel (max norm) of the segment from a to b is free, and all of that lies in the grid. Local frame; ends anywhere
-/// in the grid, equal ends too. Reads the words of each row of voxels that the thick segment meets.
-bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b) noexcept;
+/// The supercover line of sight, thickened: true only where every voxel whose closed cube comes within `margin` of a
+/// voxel (max norm, 0 .. 0.5) of the segment from a to b is free, and all of that lies in the grid. Local frame; ends
+/// anywhere in the grid, equal ends too. Reads the words of each row of voxels that the thick segment meets.
+bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin = kSightMargin) noexcept;
 
 }  // namespace tern
 
