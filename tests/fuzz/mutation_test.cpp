@@ -65,6 +65,8 @@ std::string hostile_word(Random& random) {
                                                  "1e+",
                                                  "--1",
                                                  "keepout 0 0 0 0 0 0\n",
+                                                 "keepin 0 0 0 4 4 4\n",
+                                                 "keepout_halfspaces 1 2 3 4 -1 0 0 5\n",
                                                  "resolution 1e-12\n",
                                                  "start\n",
                                                  std::string(5000, '9'),

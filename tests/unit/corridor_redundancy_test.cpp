@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "corridor/facet.hpp"
+#include "base/facet.hpp"
 #include "corridor/redundancy.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"

@@ -26,11 +26,18 @@ struct Block {
   bool keepout;  ///< a geofence rather than matter; the planner treats both alike
 };
 
+/// A convex geofence; world frame, metres.
+struct FenceRecord {
+  tern::FenceKind kind;
+  std::vector<tern::Halfspace> planes;
+};
+
 /// World frame, metres, seconds.
 struct Scenario {
   std::string name;  ///< the file's name as given
   tern::Box boundary{};
   std::vector<Block> blocks;
+  std::vector<FenceRecord> fences;
   tern::State start{};
   tern::State goal{};
   tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite

@@ -3,6 +3,7 @@
 #include "host/scenario_records.hpp"
 
 #include "host/number.hpp"
+#include "tern/config.hpp"
 
 namespace tern_host {
 namespace {
@@ -14,6 +15,20 @@ tern::Box box(const std::vector<double>& v, const std::string& key, const Place&
                                    " > " + brief(v[a + 3]));
   }
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+/// Groups of four numbers a, b, c, d: a x + b y + c z <= d.
+std::vector<tern::Halfspace> halfspaces(const std::vector<double>& v, const std::string& key, const Place& place) {
+  if (v.empty() || v.size() % 4 != 0) throw_count(key, "4 numbers a half-space", v.size(), place);
+  std::vector<tern::Halfspace> planes;
+  for (std::size_t i = 0; i < v.size(); i += 4) {
+    const double square = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2];
+    const bool usable = square >= tern::kMinFenceNormal * tern::kMinFenceNormal &&
+                        square <= tern::kMaxFenceNormal * tern::kMaxFenceNormal;
+    if (!usable) throw ScenarioError(place, "'" + key + "' has a normal that is no direction");
+    planes.push_back({{v[i], v[i + 1], v[i + 2]}, v[i + 3]});
+  }
+  return planes;
 }
 
 std::string first_given(const Place& place) {
@@ -55,6 +70,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
+  if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") return add_fence(words, place);
   Setting* const setting = find(key);
   if (setting == nullptr) throw ScenarioError(place, "unknown record " + quote(key));
   if (setting->given) {
@@ -94,6 +110,30 @@ void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Pla
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
   scenario_.blocks.push_back({box(values, words.front(), place), keepout});
+}
+
+void ScenarioBuilder::add_fence(const std::vector<std::string>& words, const Place& place) {
+  const std::string& key = words.front();
+  const std::vector<double> values = numbers(words, place);
+  FenceRecord fence{key == "keepout_halfspaces" ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, {}};
+  if (key == "keepin") {
+    if (values.size() != 6) throw_count(key, "6 numbers", values.size(), place);
+    tern::Halfspace planes[tern::kBoxPlanes];
+    tern::box_planes(box(values, key, place), planes);
+    fence.planes.assign(planes, planes + tern::kBoxPlanes);
+  } else {
+    fence.planes = halfspaces(values, key, place);
+  }
+  std::size_t planes = fence.planes.size();
+  for (const FenceRecord& other : scenario_.fences) planes += other.planes.size();
+  if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
+    throw ScenarioError(
+        place, "more than " + std::to_string(tern::kMaxFencePlanes) + " half-spaces in fences (TERN_MAX_FENCE_PLANES)");
+  }
+  if (scenario_.fences.size() == static_cast<std::size_t>(tern::kMaxFences)) {
+    throw ScenarioError(place, "more than " + std::to_string(tern::kMaxFences) + " fences (TERN_MAX_FENCES)");
+  }
+  scenario_.fences.push_back(fence);
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {

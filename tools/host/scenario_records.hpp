@@ -42,6 +42,7 @@ class ScenarioBuilder {
 
   Setting* find(const std::string& key);
   void add_boundary(const std::vector<std::string>& words, const Place& place);
+  void add_fence(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
   void check_ranges() const;

@@ -10,8 +10,19 @@
 namespace tern_host {
 namespace {
 
-tern::Request request_of(const Scenario& scenario) {
+/// The fences as the core takes them: views of the scenario's.
+std::vector<tern::Fence> fences_of(const Scenario& scenario) {
+  std::vector<tern::Fence> fences;
+  for (const FenceRecord& fence : scenario.fences) {
+    fences.push_back({fence.planes.data(), static_cast<std::int32_t>(fence.planes.size()), fence.kind});
+  }
+  return fences;
+}
+
+tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence>& fences) {
   tern::Request request{};
+  request.fences = fences.data();
+  request.fence_count = static_cast<std::int32_t>(fences.size());
   request.start = scenario.start;
   request.goal = scenario.goal;
   request.limits = scenario.limits;
@@ -75,7 +86,8 @@ PlanResult Session::plan(const Scenario& scenario) {
     return result;
   }
   if (build_grid(result) != tern::Status::kOk) return result;
-  planner_.plan(grid_, request_of(scenario), result.trajectory, result.report);
+  const std::vector<tern::Fence> fences = fences_of(scenario);
+  planner_.plan(grid_, request_of(scenario, fences), result.trajectory, result.report);
   for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
   if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
   if (planner_.corridor() != nullptr) result.corridor = std::make_unique<tern::Corridor>(*planner_.corridor());

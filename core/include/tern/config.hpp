@@ -86,6 +86,23 @@
 #define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 24, 24)
 #endif
 
+/// Geofences of one request. Beyond it: Status::kFencesFull.
+#ifndef TERN_MAX_FENCES
+#define TERN_MAX_FENCES TERN_DEFAULT(2, 16, 16)
+#endif
+
+/// Half-spaces of all fences of one request together, some 230 bytes each with the corners of keep-outs. Beyond it:
+/// Status::kFencePlanesFull.
+#ifndef TERN_MAX_FENCE_PLANES
+#define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 48, 64)
+#endif
+
+/// Words of the blocked layer of a grid that is planned on with fences, 8 bytes each: a row of voxels takes whole words
+/// of 64. Beyond it: Status::kFenceLayerFull. 1 is enough where no request has fences.
+#ifndef TERN_MAX_FENCE_WORDS
+#define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 48 * 1024, 2 * 1024 * 1024)
+#endif
+
 #ifdef __cplusplus
 
 #include <cstddef>
@@ -105,6 +122,9 @@ constexpr int kMaxLocalBoxes = TERN_MAX_LOCAL_BOXES;
 constexpr int kMaxActive = TERN_MAX_ACTIVE;
 constexpr int kMaxQpIterations = TERN_MAX_QP_ITERATIONS;
 constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
+constexpr int kMaxFences = TERN_MAX_FENCES;
+constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
+constexpr std::int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
 
 /// Distances that differ by less than this part of a voxel count as equal, so that boxes that lie on
 /// the lattice but for rounding do not take a further voxel. 1e-9 of a 0.1 m voxel is 0.1 nm.
@@ -117,6 +137,8 @@ constexpr double kSightMargin = 0.05;
 static_assert(kMaxCells <= std::int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");
 static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
+static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,
+              "a fence that is a box; facets of fences live on the stack");
 static_assert(kMaxNodes < (1 << 30) && kMaxHeap < (1 << 30), "node indices are 32 bits");
 
 }  // namespace tern

@@ -4,15 +4,10 @@
 #define TERN_CORRIDOR_HPP
 
 #include "tern/config.hpp"
+#include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
-
-/// The set normal . p <= offset, |normal| = 1. Local frame.
-struct Halfspace {
-  Vec3 normal;
-  double offset;
-};
 
 /// The ellipsoid { axes * q + center : |q| <= 1 } of the paper's Section 3.3.1, axes symmetric positive definite.
 struct Ellipsoid {

@@ -88,6 +88,18 @@ class Grid {
   const std::uint64_t* obstacle_row(std::int32_t y, std::int32_t z) const noexcept { return obstacles_ + row(y, z); }
   const std::uint64_t* blocked_row(std::int32_t y, std::int32_t z) const noexcept { return blocked_ + row(y, z); }
 
+  /// Words of one layer.
+  std::size_t layer_words() const noexcept {
+    return static_cast<std::size_t>(spec_.dims.z) * static_cast<std::size_t>(spec_.dims.y) *
+           static_cast<std::size_t>(row_words_);
+  }
+  /// A view whose blocked layer is `words` (layer_words() of them), taken as they are, rows as in this grid's.
+  Grid with_blocked(std::uint64_t* words) const noexcept {
+    Grid view = *this;
+    view.blocked_ = words;
+    return view;
+  }
+
   /// Local frame (world minus origin).
   Vec3 to_local(const Vec3& world) const noexcept;
   /// The voxel of a local point: half-open cubes (a point within kLatticeTolerance below a face counts as on it), but

@@ -41,8 +41,8 @@ class Planner {
   /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
   /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Spends at most `work` units: an expansion, a sight line, a segment's polyhedron, an iteration or a segment's check
-  /// each.
+  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, an iteration or a
+  /// segment's check each.
   Status step(std::uint32_t work) noexcept;
   /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
@@ -53,11 +53,14 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : std::uint8_t { kIdle, kPath, kCorridor, kTimes, kTrajectory, kCheck, kDone };
+  enum class Phase : std::uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
   Status run_phase(Work& work) noexcept;
+  Status accept_fences(const Request& request) noexcept;
+  const Grid& world() const noexcept;
+  Status run_fences(Work& work) noexcept;
   Status run_path(Work& work) noexcept;
   Status run_corridor(Work& work) noexcept;
   Status run_times() noexcept;
@@ -72,6 +75,8 @@ class Planner {
   void* clock_context_ = nullptr;
   std::uint64_t revision_ = 0;
   Phase phase_ = Phase::kIdle;
+  bool has_fences_ = false;
+  std::int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "tern/fence.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -62,6 +63,8 @@ struct Request {
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
   double time_weight = kDefaultTimeWeight;  ///< within [kMinTimeWeight, kMaxTimeWeight]
+  const Fence* fences = nullptr;            ///< geofences; the caller's, read while a plan begins
+  std::int32_t fence_count = 0;             ///< 0 .. kMaxFences
 };
 
 }  // namespace tern

@@ -13,8 +13,9 @@ namespace tern {
 /// A hash of every capacity and of the ABI number: equal exactly where the headers were compiled with the same
 /// configuration.
 constexpr std::uint64_t configuration_hash() noexcept {
-  const std::int64_t values[] = {kMaxCells,  kMaxDimension,  kMaxNodes,  kMaxHeap,         kMaxJumpPoints, kMaxSegments,
-                                 kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves};
+  const std::int64_t values[] = {kMaxCells,    kMaxDimension, kMaxNodes,       kMaxHeap,      kMaxJumpPoints,
+                                 kMaxSegments, kMaxPlanes,    kMaxLocalBoxes,  kMaxActive,    kMaxQpIterations,
+                                 kMaxQpSolves, kMaxFences,    kMaxFencePlanes, kMaxFenceWords};
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (const std::int64_t value : values) {
     hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001B3u;

@@ -29,15 +29,21 @@ enum class Status : std::uint8_t {
   kCorridorBlocked = 34,  ///< an obstacle touches the segment that a polyhedron was asked for
   kNoTrajectory = 35,     ///< from a moving start or to a moving goal, nothing within the limits was found
 
+  kStartFenced = 36,  ///< start outside a keep-in, or nearer than the radius to a keep-out
+  kGoalFenced = 37,   ///< likewise for the goal
+
   // The configuration's: a capacity ran out. Each names the constant of config.hpp to raise.
-  kNodesFull = 50,       ///< TERN_MAX_NODES
-  kHeapFull = 51,        ///< TERN_MAX_HEAP
-  kWaypointsFull = 52,   ///< TERN_MAX_JUMP_POINTS
-  kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS
-  kPlanesFull = 54,      ///< TERN_MAX_PLANES
-  kObstaclesFull = 55,   ///< TERN_MAX_LOCAL_BOXES
-  kWorkingSetFull = 56,  ///< TERN_MAX_ACTIVE (reported of the optimiser; the plan falls back)
-  kIterationLimit = 57,  ///< TERN_MAX_QP_ITERATIONS (reported of the optimiser; the plan falls back)
+  kNodesFull = 50,        ///< TERN_MAX_NODES
+  kHeapFull = 51,         ///< TERN_MAX_HEAP
+  kWaypointsFull = 52,    ///< TERN_MAX_JUMP_POINTS
+  kSegmentsFull = 53,     ///< TERN_MAX_SEGMENTS
+  kPlanesFull = 54,       ///< TERN_MAX_PLANES
+  kObstaclesFull = 55,    ///< TERN_MAX_LOCAL_BOXES
+  kWorkingSetFull = 56,   ///< TERN_MAX_ACTIVE (reported of the optimiser; the plan falls back)
+  kIterationLimit = 57,   ///< TERN_MAX_QP_ITERATIONS (reported of the optimiser; the plan falls back)
+  kFencesFull = 58,       ///< TERN_MAX_FENCES
+  kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES
+  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS
 
   // Numerics: the solver's answer, or the machine, did not hold up.
   kInfeasible = 70,      ///< the constraints contradict each other; proven by multipliers
@@ -89,6 +95,7 @@ enum class Field : std::uint8_t {
   kVHorizontal,
   kAHorizontal,
   kTimeWeight,
+  kFences,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

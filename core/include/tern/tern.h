@@ -28,6 +28,8 @@ typedef tern::GridSpec tern_grid_spec;
 typedef tern::State tern_state;
 typedef tern::Limits tern_limits;
 typedef tern::Budget tern_budget;
+typedef tern::Halfspace tern_halfspace;
+typedef tern::Fence tern_fence;
 typedef tern::Request tern_request;
 typedef tern::Segment tern_segment;
 typedef tern::Trajectory tern_trajectory;
@@ -48,12 +50,16 @@ typedef struct {
   double v_horizontal, a_horizontal;    /* 0: none */
 } tern_limits;
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
+typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
+typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
 typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
   uint8_t shortcut;
   double time_weight; /* tern_request_init sets the default */
+  const tern_fence* fences;
+  int32_t fence_count;
 } tern_request;
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
@@ -117,6 +123,8 @@ uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes);
 uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* context), void* context);
 /* A request with the default budget (no limit but the bounds) and time weight, and everything else zero. */
 void tern_request_init(tern_request* request);
+/* The six half-spaces of a box, for a fence that is one. */
+void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]);
 /* One call, or begin / step / finish; see tern::Planner. `trajectory` is untouched unless the answer is 0. */
 uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,
                   tern_trajectory* trajectory, tern_report* report);

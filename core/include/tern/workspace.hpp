@@ -27,6 +27,10 @@ constexpr std::size_t larger(std::size_t a, std::size_t b) {
 /// Nodes with their hash slots, the open list, a bit a voxel for the stops of scans in six directions, and for each 64
 /// voxels eight bytes for their witness and three for how far scans have walked.
 constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCells / 16 + 8192;
+/// Fences, the blocked layer of a grid with fences, the normals tried for one of them.
+constexpr std::size_t kFencePlanes = kMaxFencePlanes;
+constexpr std::size_t kFences =
+    kFencePlanes * (112 + 16 * kFencePlanes) + kMaxFences * 208 + static_cast<std::size_t>(kMaxFenceWords) * 8 + 1024;
 /// Solid boxes with what merging and measuring them takes.
 constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.
@@ -44,7 +48,7 @@ constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
 constexpr std::size_t kWorkspaceBytes =
     (workspace::larger(workspace::kSearch, workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
-     workspace::kResults + 2 * kWorkspaceAlignment - 1) /
+     workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 

@@ -20,12 +20,17 @@ const char* status_name(Status status) noexcept {
     case Status::kMapChanged: return "map_changed";
     case Status::kCorridorBlocked: return "corridor_blocked";
     case Status::kNoTrajectory: return "no_trajectory";
+    case Status::kStartFenced: return "start_fenced";
+    case Status::kGoalFenced: return "goal_fenced";
     case Status::kNodesFull: return "nodes_full";
     case Status::kHeapFull: return "heap_full";
     case Status::kWaypointsFull: return "waypoints_full";
     case Status::kSegmentsFull: return "segments_full";
     case Status::kPlanesFull: return "planes_full";
     case Status::kObstaclesFull: return "obstacles_full";
+    case Status::kFencesFull: return "fences_full";
+    case Status::kFencePlanesFull: return "fence_planes_full";
+    case Status::kFenceLayerFull: return "fence_layer_full";
     case Status::kWorkingSetFull: return "working_set_full";
     case Status::kIterationLimit: return "iteration_limit";
     case Status::kInfeasible: return "infeasible";
@@ -61,6 +66,11 @@ const char* status_meaning(Status status) noexcept {
     case Status::kWaypointsFull: return "the jump-point path turns too often: raise TERN_MAX_JUMP_POINTS";
     case Status::kSegmentsFull: return "the path needs more segments: raise TERN_MAX_SEGMENTS";
     case Status::kPlanesFull: return "a polyhedron needs more half-spaces: raise TERN_MAX_PLANES";
+    case Status::kStartFenced: return "the start is outside a keep-in, or nearer than the radius to a keep-out";
+    case Status::kGoalFenced: return "the goal is outside a keep-in, or nearer than the radius to a keep-out";
+    case Status::kFencesFull: return "too many geofences: raise TERN_MAX_FENCES";
+    case Status::kFencePlanesFull: return "too many half-spaces in geofences: raise TERN_MAX_FENCE_PLANES";
+    case Status::kFenceLayerFull: return "the grid is too large for geofences: raise TERN_MAX_FENCE_WORDS";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
     case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";
     case Status::kIterationLimit: return "the quadratic programme ran out of iterations: raise TERN_MAX_QP_ITERATIONS";
@@ -114,6 +124,7 @@ const char* field_name(Field field) noexcept {
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";
+    case Field::kFences: return "fences";
   }
   return "unknown";
 }

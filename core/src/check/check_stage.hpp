@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/work.hpp"
+#include "grid/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
@@ -37,6 +38,7 @@ enum class Finding : std::uint8_t {
   kVelocity,      ///< some v(t) beyond a limit
   kAcceleration,  ///< some a(t) beyond a limit
   kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
+  kFence,         ///< a control point outside a keep-in, or a polyhedron nearer than the radius to a keep-out
   kBoundary,      ///< a boundary state is not met
 };
 
@@ -45,6 +47,7 @@ struct CheckQuery {
   State start;
   State goal;
   Limits limits;
+  const Fences* fences = nullptr;  ///< only the half-spaces are read, not the corners
 };
 
 /// One unit of work is one polyhedron or one segment. Plain data, no initialisation needed before check_begin.
@@ -64,6 +67,13 @@ Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corrid
 /// True where every obstacle voxel, as a closed cube, is cut off from the polyhedron by one of its half-spaces with
 /// the grid's radius to spare. Sufficient for a distance >= radius, and what the corridor stage promises.
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept;
+
+/// True where every keep-out is cut off from the polyhedron by one of its half-spaces with the radius to spare; as far
+/// as it comes within the radius of the boundary.
+bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Fences& fences) noexcept;
+
+/// True where all control points are in each keep-in.
+bool keep_ins_hold(const Segment& segment, const Fences& fences) noexcept;
 
 /// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
 Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,

@@ -83,12 +83,14 @@ Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corri
 
 }  // namespace
 
-void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes) noexcept {
+void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes,
+                    const Fences* fences) noexcept {
   stage.planes = 0;
   stage.planes_high = 0;
   stage.boxes_high = 0;
   reset_counters(stage.grow);
   stage.grow.planes_allowed = max_planes;
+  stage.grow.fences = fences;
   stage.leg = -1;
   stage.piece = 0;
   stage.pieces = 0;

@@ -46,8 +46,9 @@ struct CorridorStage {
   GrowScratch grow;
 };
 
-/// `max_planes` is the budget on half-spaces (Budget::planes).
-void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes) noexcept;
+/// `max_planes` is the budget on half-spaces (Budget::planes); `fences` must outlive the stage, null for none.
+void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
+                    const Fences* fences = nullptr) noexcept;
 
 /// One unit of work is one polyhedron. kRunning, or the end: kOk with `out` full: polyhedron i holds its `from` and
 /// `to` and ends exactly where i + 1 begins; the first begins at the path's first point, the last ends at its last, and

@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/ellipsoid_fit.hpp"
+#include "corridor/fence_planes.hpp"
 #include "corridor/inscribe.hpp"
 #include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
@@ -12,9 +13,6 @@
 
 namespace tern {
 namespace {
-
-/// Half-spaces of the local box, the first of every polyhedron.
-constexpr int kBoxFaces = 6;
 
 /// Least thickness of the ellipsoid that the first half-spaces are tangent to, in parts of the segment's half length.
 constexpr double kThickness = 0.3;
@@ -79,9 +77,9 @@ void copy_planes(const Polyhedron& from, Polyhedron& to) {
 }
 
 /// Tries the half-spaces that a larger ellipsoid inside the last polyhedron gives, and keeps the largest polyhedron of
-/// all rounds in `out`, with its analytic centre. A round whose half-spaces do not fit ends the rounds: there is a
-/// polyhedron already.
-Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
+/// all rounds in `out`, with its analytic centre. The first `given` half-spaces stay.  A round whose half-spaces do not
+/// fit ends the rounds: there is a polyhedron already.
+Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch, int given,
                Polyhedron& out, Vec3& center) {
   const double least_slack = kLeastSlackCells * cell;
   BarrierEllipsoid inner = barrier_ellipsoid(out, 0.5 * (segment.from + segment.to), least_slack);
@@ -89,7 +87,7 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
   center = inner.metric.center;
   copy_planes(out, scratch.trial);
   for (int round = 0; round < kImprovingRounds; ++round) {
-    scratch.trial.count = kBoxFaces;
+    scratch.trial.count = given;
     const Status status = append_tangents(inner.metric, obstacles, segment, scratch, scratch.trial);
     if (status == Status::kPlanesFull) break;
     if (status != Status::kOk) return status;
@@ -105,11 +103,12 @@ Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double 
 /// Fits the ellipsoid, makes the half-spaces, improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
+  const int given = out.count;
   EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining, scratch.checks);
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
-  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, out, center);
+  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, given, out, center);
   if (status != Status::kOk) return status;
   set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out));
   inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
@@ -126,6 +125,8 @@ Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach,
   out.count = 0;
   const Status faces = append_faces(box, scratch, out);
   if (faces != Status::kOk) return faces;
+  const Status fences = append_fence_planes(box, segment, spec.radius, scratch, out);
+  if (fences != Status::kOk) return fences;
 
   const VoxelRange range = voxels_within_reach(grid, box);
   const int count = extract_local_boxes(grid, range, scratch.extract, scratch.boxes);

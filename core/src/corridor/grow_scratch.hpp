@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "corridor/local_boxes.hpp"
+#include "grid/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kLocalMargin = 2.0;
 
 /// Scratch and counters of grow_polyhedron. The counters are kept across calls: set them before the first.
 struct GrowScratch {
+  const Fences* fences;          ///< null: none
   double margin;                 ///< kLocalMargin; benchmarks ask what another one costs
   std::uint32_t checks;          ///< obstacle boxes held against an ellipsoid or a half-space so far
   std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
@@ -30,8 +32,9 @@ struct GrowScratch {
   ExtractScratch extract;
 };
 
-/// Counters to zero, no budget, the usual margin.
+/// Counters to zero, no budget, no fences, the usual margin.
 inline void reset_counters(GrowScratch& scratch) noexcept {
+  scratch.fences = nullptr;
   scratch.margin = kLocalMargin;
   scratch.checks = 0;
   scratch.planes = 0;

@@ -25,6 +25,26 @@ Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double 
   return {unit, larger(support(unit, box) - radius - kHairline * segment.least, far)};
 }
 
+/// As plane_along, of a hull: the further point of the segment along `unit` is `far`.
+Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3& unit, double far) {
+  return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
+}
+
+/// The face of the hull that leaves the segment the most room, seen from outside.
+Vec3 widest_face(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count) {
+  Vec3 best = -1.0 * faces[0].normal;
+  double room = 0.0;
+  for (int f = 0; f < face_count; ++f) {
+    const Vec3 unit = -1.0 * faces[f].normal;
+    const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
+    const double offered = hull_support(unit, hull) - far;
+    if (f > 0 && offered <= room) continue;
+    room = offered;
+    best = unit;
+  }
+  return best;
+}
+
 Vec3 unit_axis(int a, double sign) {
   Vec3 v{0.0, 0.0, 0.0};
   axis(v, a) = sign;
@@ -98,6 +118,16 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
     const double share = (margin - tangent_room) / (room - tangent_room);
     out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
   }
+  return Status::kOk;
+}
+
+Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
+                Halfspace& out) noexcept {
+  const HullGap gap = segment_hull_gap(segment.from, segment.to, hull);
+  const Vec3 unit = gap.distance < kTooCloseForDirection ? widest_face(segment, hull, faces, face_count) : gap.normal;
+  const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
+  if (hull_support(unit, hull) - far < radius - kTouching) return Status::kCorridorBlocked;
+  out = plane_before(hull, radius, kHairline * segment.least, unit, far);
   return Status::kOk;
 }
 

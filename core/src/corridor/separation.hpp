@@ -8,6 +8,7 @@
 
 #include "corridor/ellipsoid_metric.hpp"
 #include "corridor/local_boxes.hpp"
+#include "grid/hull_gap.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 
@@ -38,6 +39,11 @@ constexpr double kMostMargin = 0.25;
 /// from the segment is min(room, max(least, min(kMarginShare * room, kMostMargin))) at least, to rounding.
 /// kOk, or kCorridorBlocked where the room is negative by more than kTouching.
 Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
+                Halfspace& out) noexcept;
+
+/// The same for a keep-out's hull, at the normal that leaves the most room; `faces` are its half-spaces, for a segment
+/// that touches it.
+Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
                 Halfspace& out) noexcept;
 
 }  // namespace tern

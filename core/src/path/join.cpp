@@ -47,9 +47,12 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.state = join.count > 0 ? JoinState::kTrying : JoinState::kRefused;
 }
 
-void join_try(Join& join, const Grid& grid, const Vec3& point) noexcept {
+void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
   const Voxel candidate = join.candidates[join.next++];
-  if (segment_clear(grid, point, grid.center(candidate), grid.spec().radius)) {
+  const Vec3 center = grid.center(candidate);
+  const double radius = grid.spec().radius;
+  const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);
+  if (allowed && segment_clear(grid, point, center, radius)) {
     join.voxel = candidate;
     join.state = JoinState::kJoined;
   } else if (join.next == join.count) {

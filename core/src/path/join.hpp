@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "grid/fences.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -34,8 +35,8 @@ struct Join {
 /// the free voxels around it as candidates.
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
-/// Checks the line to the next candidate; only while kTrying.
-void join_try(Join& join, const Grid& grid, const Vec3& point) noexcept;
+/// Checks the line to the next candidate, which has to be clear of `fences`, too (null: none); only while kTrying.
+void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;
 
 }  // namespace tern
 

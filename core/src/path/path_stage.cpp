@@ -34,7 +34,7 @@ Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, 
   while (join.state == JoinState::kTrying) {
     const Status taken = take_expansion(stage, work);
     if (taken != Status::kOk) return taken;
-    join_try(join, grid, point);
+    join_try(join, grid, stage.query.fences, point);
   }
   if (join.state == JoinState::kJoined) return Status::kOk;
   const bool at_start = &join == &stage.start;

@@ -30,8 +30,9 @@ struct PathQuery {
   Vec3 start;
   Vec3 goal;
   ShortcutMode mode;
-  std::uint32_t max_expansions;   ///< Budget::expansions
-  std::uint32_t max_sight_lines;  ///< Budget::sight_lines
+  std::uint32_t max_expansions;    ///< Budget::expansions
+  std::uint32_t max_sight_lines;   ///< Budget::sight_lines
+  const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
 };
 
 enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut, kTighten };

@@ -5,6 +5,8 @@
 
 #include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
+#include "grid/fence_layer.hpp"
+#include "grid/fences.hpp"
 #include "path/path_stage.hpp"
 #include "tern/workspace.hpp"
 #include "trajectory/trajectory_stage.hpp"
@@ -17,6 +19,9 @@ struct Layout {
   Path path;
   Corridor corridor;
   Trajectory trajectory;
+  Fences fences;
+  Grid fenced;  ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
+  FenceLayer fence_layer;
   union {
     PathStage path;
     CorridorStage corridor;

@@ -29,6 +29,8 @@ std::uint32_t least(std::uint32_t a, std::uint32_t b) {
 
 Stage Planner::stage_of_phase() const noexcept {
   switch (phase_) {
+    case Phase::kFences:
+      return Stage::kRequest;
     case Phase::kPath:
       return static_cast<const Layout*>(workspace_)->stage.path.stage;
     case Phase::kCorridor:
@@ -51,14 +53,17 @@ void Planner::enter(Phase phase) noexcept {
   phase_ = phase;
   switch (phase) {
     case Phase::kPath: {
-      const PathQuery query{local_.start.position, local_.goal.position, local_.shortcut, local_.budget.expansions,
-                            local_.budget.sight_lines};
-      return path_begin(memory.stage.path, *grid_, query);
+      const PathQuery query{local_.start.position,     local_.goal.position,
+                            local_.shortcut,           local_.budget.expansions,
+                            local_.budget.sight_lines, has_fences_ ? &memory.fences : nullptr};
+      return path_begin(memory.stage.path, world(), query);
     }
     case Phase::kCorridor:
-      return corridor_begin(memory.stage.corridor, *grid_, memory.path, local_.budget.planes);
+      return corridor_begin(memory.stage.corridor, world(), memory.path, local_.budget.planes,
+                            has_fences_ ? &memory.fences : nullptr);
     case Phase::kCheck:
       return check_begin(memory.stage.check);
+    case Phase::kFences:
     case Phase::kTimes:
     case Phase::kTrajectory:
     case Phase::kIdle:
@@ -72,6 +77,9 @@ Status Planner::run_phase(Work& work) noexcept {
   const std::uint64_t before = clock_ != nullptr ? clock_(clock_context_) : 0;
   Status status = Status::kRunning;
   switch (phase_) {
+    case Phase::kFences:
+      status = run_fences(work);
+      break;
     case Phase::kPath:
       status = run_path(work);
       break;
@@ -98,10 +106,27 @@ Status Planner::run_phase(Work& work) noexcept {
   return status;
 }
 
+/// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
+Status Planner::run_fences(Work& work) noexcept {
+  Layout& memory = layout(workspace_);
+  const Fences& fences = memory.fences;
+  for (; fences_blocked_ <= fences.keep_out_count; ++fences_blocked_) {
+    if (!work.take()) return Status::kRunning;
+    if (fences_blocked_ == 0) {
+      block_outside(fences, memory.fence_layer, memory.fenced);
+    } else {
+      block_keep_out(fences, fences.keep_out[fences_blocked_ - 1], memory.fence_layer, memory.fenced);
+    }
+    count(report_, Stage::kRequest, static_cast<std::uint32_t>(fences_blocked_) + 1, kMaxFences + 1);
+  }
+  enter(Phase::kPath);
+  return Status::kOk;
+}
+
 Status Planner::run_path(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   PathStage& stage = memory.stage.path;
-  const Status status = path_advance(stage, *grid_, work, memory.path);
+  const Status status = path_advance(stage, world(), work, memory.path);
   count(report_, Stage::kSearch, stage.expansions, least(local_.budget.expansions, kSearchBound));
   count(report_, Stage::kShortcut, stage.sight_lines, least(local_.budget.sight_lines, kShortcutBound));
   report_.high_water.nodes = stage.nodes_high;
@@ -112,7 +137,7 @@ Status Planner::run_path(Work& work) noexcept {
   if (status != Status::kOk) {
     report_.raw_occupied = stage.raw_occupied;
     report_.has_nearest_free = stage.has_nearest_free;
-    if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + grid_->spec().origin;
+    if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
     return end(stage.stage, status);
   }
   has_path_ = true;
@@ -123,7 +148,7 @@ Status Planner::run_path(Work& work) noexcept {
 Status Planner::run_corridor(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CorridorStage& stage = memory.stage.corridor;
-  const Status status = corridor_advance(stage, *grid_, memory.path, work, memory.corridor);
+  const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
   count(report_, Stage::kCorridor, stage.planes, least(local_.budget.planes, kCorridorBound));
   report_.high_water.planes = stage.planes_high;
   report_.high_water.local_boxes = stage.boxes_high;
@@ -165,7 +190,7 @@ Status Planner::run_trajectory(Work& work) noexcept {
   report_.qp_iterations = static_cast<std::int32_t>(stage.iterations);
   report_.kkt_residual = stage.kkt_residual;
   if (status != Status::kOk) return end(Stage::kTrajectory, status);
-  memory.trajectory.origin = grid_->spec().origin;
+  memory.trajectory.origin = world().spec().origin;
   report_.high_water.segments = memory.trajectory.count;
   enter(Phase::kCheck);
   return status;
@@ -174,8 +199,8 @@ Status Planner::run_trajectory(Work& work) noexcept {
 Status Planner::run_check(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{local_.start, local_.goal, local_.limits};
-  const Status status = check_advance(stage, *grid_, memory.corridor, memory.trajectory, query, work);
+  const CheckQuery query{local_.start, local_.goal, local_.limits, has_fences_ ? &memory.fences : nullptr};
+  const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(report_, Stage::kCheck, stage.units, kCheckBound);
   if (status == Status::kRunning) return status;
   return end(Stage::kCheck, status);

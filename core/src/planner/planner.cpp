@@ -58,6 +58,27 @@ Status Planner::end(Stage stage, Status status) noexcept {
   return status;
 }
 
+const Grid& Planner::world() const noexcept {
+  return has_fences_ ? static_cast<const Layout*>(workspace_)->fenced : *grid_;
+}
+
+/// Reads the fences and holds start and goal against them; kRunning where all is well.
+Status Planner::accept_fences(const Request& request) noexcept {
+  has_fences_ = request.fence_count != 0;
+  fences_blocked_ = 0;
+  if (!has_fences_) return Status::kRunning;
+  Layout& memory = *static_cast<Layout*>(workspace_);
+  const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
+  if (loaded != Status::kOk) return refuse(loaded, Field::kFences);
+  const double radius = grid_->spec().radius;
+  const Vec3& start = local_.start.position;
+  const Vec3& goal = local_.goal.position;
+  if (!fences_clear(memory.fences, start, start, radius)) return refuse(Status::kStartFenced, Field::kStartPosition);
+  if (!fences_clear(memory.fences, goal, goal, radius)) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
+  return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
+}
+
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   report_ = Report{};
   report_.timing_known = clock_ != nullptr;
@@ -69,9 +90,11 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   const Verdict verdict = validate(grid, request);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
   local_ = to_local(grid, request);
+  const Status fences = accept_fences(request);
+  if (fences != Status::kRunning) return fences;
   revision_ = grid.revision();
   status_ = Status::kRunning;
-  enter(Phase::kPath);
+  enter(has_fences_ ? Phase::kFences : Phase::kPath);
   return status_;
 }
 

@@ -130,6 +130,13 @@ std::uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const
   return code(object(planner).begin(object(grid), *request));
 }
 
+void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]) {
+  if (box == nullptr || planes == nullptr) return;
+  tern::Halfspace out[tern::kBoxPlanes];
+  tern::box_planes(*box, out);
+  for (int p = 0; p < tern::kBoxPlanes; ++p) planes[p] = out[p];
+}
+
 std::uint8_t tern_plan_step(tern_planner* planner, std::uint32_t work) {
   return planner == nullptr ? kInvalid : code(object(planner).step(work));
 }

@@ -58,11 +58,34 @@ void draw_corridor(Canvas& canvas, const View& view, const PlanResult& result) {
   if (result.corridor == nullptr) return;
   for (int i = 0; i < result.corridor->count; ++i) {
     std::vector<Pixel> corners;
-    for (const Vec3& v : vertices(result.corridor->polyhedra[i])) {
+    const tern::Polyhedron& polyhedron = result.corridor->polyhedra[i];
+    for (const Vec3& v : vertices({polyhedron.planes, polyhedron.planes + polyhedron.count})) {
       corners.push_back(view.world(sum(v, result.grid.origin)));
     }
     const std::vector<Pixel> outline = convex_hull(corners);
     if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
+  }
+}
+
+/// A fence as far as it lies within the boundary, its half-spaces scaled to unit normals.
+std::vector<tern::Halfspace> fence_in_boundary(const FenceRecord& fence, const tern::Box& boundary) {
+  tern::Halfspace faces[tern::kBoxPlanes];
+  tern::box_planes(boundary, faces);
+  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
+  for (const tern::Halfspace& h : fence.planes) {
+    const double norm = std::sqrt(h.normal.x * h.normal.x + h.normal.y * h.normal.y + h.normal.z * h.normal.z);
+    planes.push_back({{h.normal.x / norm, h.normal.y / norm, h.normal.z / norm}, h.offset / norm});
+  }
+  return planes;
+}
+
+void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario) {
+  for (const FenceRecord& fence : scenario.fences) {
+    std::vector<Pixel> corners;
+    for (const Vec3& v : vertices(fence_in_boundary(fence, scenario.boundary))) corners.push_back(view.world(v));
+    const std::vector<Pixel> outline = convex_hull(corners);
+    const bool keep_in = fence.kind == tern::FenceKind::kKeepIn;
+    if (!outline.empty()) canvas.polygon(outline, keep_in ? "class=\"keepin\"" : "class=\"keepout\" opacity=\"0.6\"");
   }
 }
 
@@ -135,6 +158,7 @@ void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projecti
     const char* const kind = block.keepout ? "keepout" : "block";
     canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + kind + "\" opacity=\"" + strength + "\"");
   }
+  draw_fences(canvas, view, scenario);
 }
 
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,

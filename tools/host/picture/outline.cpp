@@ -23,11 +23,9 @@ double dot(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-bool inside(const tern::Polyhedron& polyhedron, const Vec3& p) {
-  for (int i = 0; i < polyhedron.count; ++i) {
-    if (dot(polyhedron.planes[i].normal, p) > polyhedron.planes[i].offset + kInside) return false;
-  }
-  return true;
+bool inside(const std::vector<Halfspace>& planes, const Vec3& p) {
+  return std::all_of(planes.begin(), planes.end(),
+                     [&](const Halfspace& h) { return dot(h.normal, p) <= h.offset + kInside; });
 }
 
 bool intersect(const Halfspace& a, const Halfspace& b, const Halfspace& c, Vec3& point) {
@@ -59,14 +57,13 @@ void append_chain(Iterator begin, Iterator end, std::vector<Pixel>& hull) {
 
 }  // namespace
 
-std::vector<Vec3> vertices(const tern::Polyhedron& polyhedron) {
+std::vector<Vec3> vertices(const std::vector<Halfspace>& planes) {
   std::vector<Vec3> found;
-  const Halfspace* planes = polyhedron.planes;
   Vec3 point{};
-  for (int i = 0; i < polyhedron.count; ++i) {
-    for (int j = i + 1; j < polyhedron.count; ++j) {
-      for (int k = j + 1; k < polyhedron.count; ++k) {
-        if (intersect(planes[i], planes[j], planes[k], point) && inside(polyhedron, point)) found.push_back(point);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      for (std::size_t k = j + 1; k < planes.size(); ++k) {
+        if (intersect(planes[i], planes[j], planes[k], point) && inside(planes, point)) found.push_back(point);
       }
     }
   }

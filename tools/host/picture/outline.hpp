@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "host/picture/canvas.hpp"
-#include "tern/corridor.hpp"
+#include "tern/halfspace.hpp"
 
 namespace tern_host {
 
-/// The corners of a bounded polyhedron, in its own frame: where three planes meet inside all others. Corners where more
-/// planes meet appear more than once.
-std::vector<tern::Vec3> vertices(const tern::Polyhedron& polyhedron);
+/// The corners of the bounded polyhedron that unit half-spaces share: where three planes meet inside all others.
+/// Corners where more planes meet appear more than once.
+std::vector<tern::Vec3> vertices(const std::vector<tern::Halfspace>& planes);
 
 /// The convex hull of points of the plane, counter-clockwise from the leftmost (y upwards); empty for fewer than three.
 std::vector<Pixel> convex_hull(std::vector<Pixel> points);

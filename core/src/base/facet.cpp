@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "corridor/facet.hpp"
+#include "base/facet.hpp"
 
 namespace tern {
 namespace {
@@ -31,7 +31,7 @@ Facet square_on(const Halfspace& plane, double reach) noexcept {
 
 bool cut(const Halfspace& by, Facet& facet) noexcept {
   const Excess excess{dot(by.normal, facet.foot) - by.offset, dot(by.normal, facet.u), dot(by.normal, facet.v)};
-  double beyond[kMaxPlanes + 4];
+  double beyond[kMaxCuts + 4];
   int outside = 0;
   for (int k = 0; k < facet.count; ++k) {
     beyond[k] = excess.at(facet, k);

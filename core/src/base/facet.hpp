@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A facet of a polyhedron: the polygon that is left of one plane when the others have cut it.
-#ifndef TERN_CORRIDOR_FACET_HPP
-#define TERN_CORRIDOR_FACET_HPP
+#ifndef TERN_BASE_FACET_HPP
+#define TERN_BASE_FACET_HPP
 
 #include "base/math.hpp"
 #include "tern/config.hpp"
-#include "tern/corridor.hpp"
+#include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
+
+/// Cuts that one facet may go through: by all planes of a corridor's polyhedron, or of a fence and the box around it.
+constexpr int kMaxCuts = kMaxPlanes > kMaxFencePlanes + 6 ? kMaxPlanes : kMaxFencePlanes + 6;
 
 /// A convex polygon in a plane, corners in order around it. Each cut adds one corner at most.
 struct Facet {
@@ -18,8 +21,8 @@ struct Facet {
   Vec3 u;     ///< two unit vectors in the plane, at right angles
   Vec3 v;
   int count;
-  double at_u[kMaxPlanes + 4];  ///< corner k is foot + at_u[k] u + at_v[k] v
-  double at_v[kMaxPlanes + 4];
+  double at_u[kMaxCuts + 4];  ///< corner k is foot + at_u[k] u + at_v[k] v
+  double at_v[kMaxCuts + 4];
 };
 
 /// The square of half edge `reach` (metres, > 0) on the plane, about its foot.

@@ -1,0 +1,22 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_CORRIDOR_FENCE_PLANES_HPP
+#define TERN_CORRIDOR_FENCE_PLANES_HPP
+
+#include "corridor/grow_scratch.hpp"
+#include "corridor/separation.hpp"
+#include "tern/corridor.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Adds the half-spaces that scratch.fences (null: none) ask for of a polyhedron in `box`, whose faces `out` holds
+/// already: those of keep-ins that the box does not keep by itself, just as they are, and one for each keep-out that is
+/// nearer to the polyhedron than the radius. kOk, kCorridorBlocked where the segment itself breaks one, kPlanesFull or
+/// kBudgetCorridor.
+Status append_fence_planes(const Box& box, const SegmentMargin& segment, double radius, GrowScratch& scratch,
+                           Polyhedron& out) noexcept;
+
+}  // namespace tern
+
+#endif

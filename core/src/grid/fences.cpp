@@ -1,0 +1,157 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid/fences.hpp"
+
+#include "base/facet.hpp"
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+/// Parts of the boundary's size by which a keep-out is taken larger, so that rounding loses no corner of a flat one,
+/// and within which corners are one.
+constexpr double kHair = 1e-12;
+
+/// Where the robot's centre may be, grown by the radius: what lies beyond does not matter.
+struct Surroundings {
+  Vec3 center;
+  double reach;  ///< of a ball about the centre that holds the box
+  Halfspace faces[kBoxPlanes];
+};
+
+Surroundings surroundings_of(const Grid& grid) {
+  const double radius = grid.spec().radius;
+  Box box = grid.local_boundary();
+  for (int a = 0; a < 3; ++a) {
+    axis(box.lower, a) = axis(box.lower, a) - radius;
+    axis(box.upper, a) = axis(box.upper, a) + radius;
+  }
+  Surroundings around{0.5 * (box.lower + box.upper), distance(box.lower, box.upper), {}};
+  box_planes({box.lower - around.center, box.upper - around.center}, around.faces);
+  return around;
+}
+
+/// To the local frame, with a unit normal. The offset is shifted before it is scaled: both are the caller's numbers.
+Status to_local_plane(const Grid& grid, const Halfspace& world, Halfspace& local) {
+  if (!finite(world.normal) || !finite(world.offset)) return Status::kNonFiniteInput;
+  const double norm = length(world.normal);
+  if (!(norm >= kMinFenceNormal) || norm > kMaxFenceNormal) return Status::kInvalidArgument;
+  local = {(1.0 / norm) * world.normal, (world.offset - dot(world.normal, grid.spec().origin)) / norm};
+  return finite(local.offset) ? Status::kOk : Status::kNonFiniteInput;
+}
+
+bool known_corner(const Fences& fences, const KeepOut& fence, const Vec3& corner, double same) {
+  for (int k = 0; k < fence.corners; ++k) {
+    if (distance(fences.corners[fence.first_corner + k], corner) <= same) return true;
+  }
+  return false;
+}
+
+Status add_corners(const Facet& facet, const Surroundings& around, Fences& fences, KeepOut& fence) {
+  for (int k = 0; k < facet.count; ++k) {
+    const Vec3 corner = ((facet.foot + facet.at_u[k] * facet.u) + facet.at_v[k] * facet.v) + around.center;
+    if (known_corner(fences, fence, corner, kHair * around.reach)) continue;
+    if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
+    fences.corners[fences.corner_count++] = corner;
+    ++fence.corners;
+  }
+  return Status::kOk;
+}
+
+/// The keep-out's half-spaces and the surroundings' faces, about the surroundings' centre.
+Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index) {
+  if (index >= fence.planes) return around.faces[index - fence.planes];
+  const Halfspace& plane = fences.planes[fence.first_plane + index];
+  return {plane.normal, plane.offset - dot(plane.normal, around.center) + kHair * around.reach};
+}
+
+/// The corners of all facets.
+Status find_corners(const Surroundings& around, Fences& fences, KeepOut& fence) {
+  const int count = fence.planes + kBoxPlanes;
+  for (int i = 0; i < count; ++i) {
+    const Halfspace plane = plane_about(fences, fence, around, i);
+    if (absolute(plane.offset) > around.reach) continue;  // passes the surroundings by
+    Facet facet = square_on(plane, around.reach);
+    bool left = true;
+    for (int j = 0; j < count && left; ++j) {
+      if (j != i) left = cut(plane_about(fences, fence, around, j), facet);
+    }
+    const Status status = left ? add_corners(facet, around, fences, fence) : Status::kOk;
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+Status load_keep_in(const Grid& grid, const Fence& from, Fences& fences) {
+  for (std::int32_t p = 0; p < from.count; ++p) {
+    const Status status = to_local_plane(grid, from.planes[p], fences.keep_in[fences.keep_in_count++]);
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& from, Fences& fences) {
+  KeepOut fence{fences.plane_count, 0, fences.corner_count, 0};
+  for (; fence.planes < from.count; ++fence.planes) {
+    const Status status =
+        to_local_plane(grid, from.planes[fence.planes], fences.planes[fence.first_plane + fence.planes]);
+    if (status != Status::kOk) return status;
+  }
+  const Status status = find_corners(around, fences, fence);
+  if (status != Status::kOk || fence.corners == 0) return status;
+  fences.plane_count += fence.planes;
+  fences.keep_out[fences.keep_out_count++] = fence;
+  return Status::kOk;
+}
+
+bool well_formed(const Fence& fence) {
+  const bool known = fence.kind == FenceKind::kKeepIn || fence.kind == FenceKind::kKeepOut;
+  return known && fence.planes != nullptr && fence.count >= 1;
+}
+
+}  // namespace
+
+void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    out[2 * a] = {{0.0, 0.0, 0.0}, axis(box.upper, a)};
+    out[2 * a + 1] = {{0.0, 0.0, 0.0}, -axis(box.lower, a)};
+    axis(out[2 * a].normal, a) = 1.0;
+    axis(out[2 * a + 1].normal, a) = -1.0;
+  }
+}
+
+Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
+  fences.keep_in_count = 0;
+  fences.keep_out_count = 0;
+  fences.plane_count = 0;
+  fences.corner_count = 0;
+  if (count < 0 || (count > 0 && list == nullptr)) return Status::kInvalidArgument;
+  if (count > kMaxFences) return Status::kFencesFull;
+  const Surroundings around = surroundings_of(grid);
+  std::int32_t planes = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (!well_formed(list[i])) return Status::kInvalidArgument;
+    if (list[i].count > kMaxFencePlanes - planes) return Status::kFencePlanesFull;
+    planes += list[i].count;
+    const bool keep_in = list[i].kind == FenceKind::kKeepIn;
+    const Status status = keep_in ? load_keep_in(grid, list[i], fences) : load_keep_out(grid, around, list[i], fences);
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    const Halfspace& plane = fences.keep_in[p];
+    if (larger(dot(plane.normal, from), dot(plane.normal, to)) > plane.offset + kClearTolerance) return false;
+  }
+  for (int k = 0; k < fences.keep_out_count; ++k) {
+    const HullGap gap = segment_hull_gap(from, to, hull_of(fences, fences.keep_out[k]));
+    const bool apart = dot(gap.normal, gap.normal) > 0.5;
+    if (!apart || gap.distance < radius - kClearTolerance) return false;
+  }
+  return true;
+}
+
+}  // namespace tern

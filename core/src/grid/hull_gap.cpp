@@ -1,0 +1,117 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid/hull_gap.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+/// Relative to the distance: when no further support can matter; and metres below which a direction is rounding.
+constexpr double kSettled = 1e-12;
+constexpr double kMeeting = 1e-10;
+
+/// Up to four differences of points and the point of their hull that is nearest to the origin.
+struct Simplex {
+  Vec3 points[4];
+  int count;
+};
+
+/// The best face so far.
+struct Nearest {
+  Vec3 point;
+  double square;  ///< < 0 while there is none
+  Simplex face;
+};
+
+void offer(Nearest& best, const Vec3& point, const Simplex& face) {
+  const double square = dot(point, point);
+  if (best.square >= 0.0 && square >= best.square) return;
+  best = {point, square, face};
+}
+
+void offer_edge(Nearest& best, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double square = dot(along, along);
+  if (!(square > 0.0)) return;
+  const double t = -dot(a, along) / square;
+  if (t > 0.0 && t < 1.0) offer(best, a + t * along, {{a, b, b, b}, 2});
+}
+
+/// The origin's projection on the triangle's plane, where it lies in the triangle.
+void offer_triangle(Nearest& best, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = cross(b - a, c - a);
+  const double square = dot(normal, normal);
+  if (!(square > 0.0)) return;
+  const Vec3 foot = (dot(a, normal) / square) * normal;
+  const bool inside = dot(cross(b - a, foot - a), normal) >= 0.0 && dot(cross(c - b, foot - b), normal) >= 0.0 &&
+                      dot(cross(a - c, foot - c), normal) >= 0.0;
+  if (inside) offer(best, foot, {{a, b, c, c}, 3});
+}
+
+/// True where the tetrahedron holds the origin: each face has it on the side of the fourth corner.
+bool holds_origin(const Simplex& s) {
+  if (s.count < 4) return false;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3& a = s.points[(k + 1) % 4];
+    const Vec3 normal = cross(s.points[(k + 2) % 4] - a, s.points[(k + 3) % 4] - a);
+    const double corner = dot(s.points[k] - a, normal);
+    const double origin = -dot(a, normal);
+    if (!(corner * origin > 0.0)) return false;
+  }
+  return true;
+}
+
+/// The face of the simplex that is nearest to the origin, by trying all.
+Nearest nearest_face(const Simplex& s) {
+  Nearest best{{0.0, 0.0, 0.0}, -1.0, s};
+  for (int i = 0; i < s.count; ++i) {
+    const Vec3& a = s.points[i];
+    offer(best, a, {{a, a, a, a}, 1});
+    for (int j = i + 1; j < s.count; ++j) {
+      offer_edge(best, a, s.points[j]);
+      for (int k = j + 1; k < s.count; ++k) offer_triangle(best, a, s.points[j], s.points[k]);
+    }
+  }
+  return best;
+}
+
+const Vec3& lowest(const Vec3& normal, const Hull& hull) {
+  int best = 0;
+  for (int k = 1; k < hull.count; ++k) {
+    if (dot(normal, hull.points[k]) < dot(normal, hull.points[best])) best = k;
+  }
+  return hull.points[best];
+}
+
+}  // namespace
+
+double hull_support(const Vec3& normal, const Hull& hull) noexcept {
+  return dot(normal, lowest(normal, hull));
+}
+
+HullGap segment_hull_gap(const Vec3& from, const Vec3& to, const Hull& hull) noexcept {
+  HullGap gap{{0.0, 0.0, 0.0}, 0.0};
+  Vec3 toward = hull.points[0] - from;
+  Simplex simplex{{toward, toward, toward, toward}, 1};
+  for (int step = 0; step < kGapSteps; ++step) {
+    const double norm = length(toward);
+    if (norm < kMeeting) return gap;
+    const Vec3 normal = (1.0 / norm) * toward;
+    const Vec3& far = dot(normal, from) < dot(normal, to) ? to : from;
+    const Vec3 difference = lowest(normal, hull) - far;
+    const double distance = dot(normal, difference);
+    if (distance > gap.distance) gap = {normal, distance};
+    if (norm - gap.distance <= kSettled * norm) return gap;
+    simplex.points[simplex.count++] = difference;
+    if (holds_origin(simplex)) return gap;
+    const Nearest nearest = nearest_face(simplex);
+    // Rounding keeps a step from coming nearer: there is nothing left to gain.
+    if (nearest.face.count == 4 || nearest.square >= norm * norm) return gap;
+    toward = nearest.point;
+    simplex = nearest.face;
+  }
+  return gap;
+}
+
+}  // namespace tern
