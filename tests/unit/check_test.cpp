@@ -102,6 +102,47 @@ TEST_F(CheckTest, SlicesReachTheSameAnswer) {
   }
 }
 
+TEST_F(CheckTest, PolyhedronWithinTheRadiusOfAKeepOut) {
+  const auto fences = std::make_unique<tern::Fences>();
+  tern::Halfspace planes[tern::kBoxPlanes];
+  query_.fences = fences.get();
+  for (const double from : {2.2, 2.19}) {
+    box_planes({{1.0, from, 0.5}, {2.0, 2.5, 1.5}}, planes);
+    const tern::Fence fence{planes, 6, tern::FenceKind::kKeepOut};
+    ASSERT_EQ(load_fences(grid_, &fence, 1, *fences), Status::kOk);
+    ASSERT_EQ(fences->keep_out_count, 1);
+    if (from > 2.195) {
+      EXPECT_EQ(run(), Status::kOk);
+    } else {
+      expect(Finding::kFence, 0);
+    }
+  }
+}
+
+TEST_F(CheckTest, ObliqueKeepOutBesideAPolyhedron) {
+  const auto fences = std::make_unique<tern::Fences>();
+  query_.fences = fences.get();
+  // A prism below the first polyhedron, its tip 0.3 m from it: some half-space of the polyhedron has to cut it off.
+  const tern::Halfspace prism[] = {{{1.0, 1.0, 0.0}, 2.4}, {{-1.0, 1.0, 0.0}, 0.4}, {{0.0, -1.0, 0.0}, -0.4}};
+  const tern::Fence fence{prism, 3, tern::FenceKind::kKeepOut};
+  ASSERT_EQ(load_fences(grid_, &fence, 1, *fences), Status::kOk);
+  const bool first = keep_outs_clear(grid_, corridor_->polyhedra[0], *fences);
+  EXPECT_FALSE(first);  // the tip, (1, 1.4), is inside
+  const tern::Halfspace lower[] = {{{1.0, 1.0, 0.0}, 1.99}, {{-1.0, 1.0, 0.0}, 0.0}, {{0.0, -1.0, 0.0}, -0.4}};
+  const tern::Fence below{lower, 3, tern::FenceKind::kKeepOut};
+  ASSERT_EQ(load_fences(grid_, &below, 1, *fences), Status::kOk);
+  EXPECT_TRUE(keep_outs_clear(grid_, corridor_->polyhedra[0], *fences));  // (0.995, 0.995): 0.205 m away
+}
+
+TEST_F(CheckTest, ControlPointOutsideAKeepIn) {
+  const auto fences = std::make_unique<tern::Fences>();
+  query_.fences = fences.get();
+  const tern::Halfspace plane{{2.0, 0.0, 0.0}, 5.8};
+  const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
+  ASSERT_EQ(load_fences(grid_, &fence, 1, *fences), Status::kOk);
+  expect(Finding::kFence, 0);
+}
+
 TEST_F(CheckTest, PolyhedronWithinTheRadius) {
   corridor_->polyhedra[0].planes[3].offset = -1.19;  // 0.19 m from the wall's edge
   expect(Finding::kObstacle, 0);

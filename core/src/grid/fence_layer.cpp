@@ -8,9 +8,6 @@
 namespace tern {
 namespace {
 
-/// Parts of a voxel by which a cube has to be clearer than it needs, for rounding.
-constexpr double kRounding = 1e-9;
-
 /// Voxels of one row, half-open; empty where begin >= end.
 struct Run {
   std::int32_t begin;
@@ -45,19 +42,19 @@ double least_across(const Vec3& normal, const Row& row, double cell) {
 /// Keeps of `run` the voxels whose cubes do not have normal . p >= offset all over. Along a row those that do are at
 /// one end of it.
 void keep_short_of(const Halfspace& beyond, const Row& row, double cell, Run& run) {
-  const double missing = beyond.offset + kRounding * cell - least_across(beyond.normal, row, cell);
+  const double missing = beyond.offset - kLatticeTolerance * cell - least_across(beyond.normal, row, cell);
   const double slope = beyond.normal.x * cell;
-  if (absolute(beyond.normal.x) <= kRounding) {  // the whole row, or none of it; a hair of x may be lost
+  if (absolute(beyond.normal.x) <= kLatticeTolerance) {  // the whole row, or none of it; a hair of x may be lost
     if (missing + absolute(slope) * static_cast<double>(kMaxDimension) <= 0.0) run.end = run.begin;
     return;
   }
   // A cube begins at x voxels; upwards its lower face counts, downwards its upper one.
   const double at = missing / slope;
   if (slope > 0.0) {
-    const std::int32_t first = ceil_index(at + kRounding, run.begin, run.end);
+    const std::int32_t first = ceil_index(at - kLatticeTolerance, run.begin, run.end);
     run.end = first < run.end ? first : run.end;
   } else {
-    const std::int32_t end = floor_index(at - kRounding, run.begin - 1, run.end);
+    const std::int32_t end = floor_index(at + kLatticeTolerance, run.begin - 1, run.end);
     run.begin = end > run.begin ? end : run.begin;
   }
 }

@@ -1,0 +1,112 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Requests with geofences that are wrong, in the way, or let nothing through.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Fence;
+using tern::FenceKind;
+using tern::Field;
+using tern::Halfspace;
+using tern::Status;
+
+class FencesFault : public ::testing::Test {
+ protected:
+  FencesFault() { world_.from({0.5, 2.0, 1.0}).to({3.5, 2.0, 1.0}); }
+
+  Status plan(const std::vector<Fence>& fences) {
+    world_.request.fences = fences.data();
+    world_.request.fence_count = static_cast<std::int32_t>(fences.size());
+    return world_.plan();
+  }
+
+  World world_{{40, 40, 20}, 0.1, 0.2};
+  const Halfspace left_{{1.0, 0.0, 0.0}, 1.0};     // x <= 1
+  const Halfspace right_{{-1.0, 0.0, 0.0}, -3.0};  // x >= 3
+};
+
+TEST_F(FencesFault, AStartOutsideAKeepInIsItsOwnStatus) {
+  EXPECT_EQ(plan({{&right_, 1, FenceKind::kKeepIn}}), Status::kStartFenced);
+  EXPECT_EQ(world_.report.field, Field::kStartPosition);
+  EXPECT_EQ(world_.report.stage, tern::Stage::kRequest);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(FencesFault, AGoalOutsideAKeepInToo) {
+  EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepIn}}), Status::kGoalFenced);
+  EXPECT_EQ(world_.report.field, Field::kGoalPosition);
+}
+
+TEST_F(FencesFault, InsideAKeepOutToo) {
+  EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepOut}}), Status::kStartFenced);
+  EXPECT_EQ(plan({{&right_, 1, FenceKind::kKeepOut}}), Status::kGoalFenced);
+}
+
+TEST_F(FencesFault, NearerThanTheRadiusToAKeepOutToo) {
+  world_.from({1.19, 2.0, 1.0}).to({2.5, 2.0, 1.0});
+  EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepOut}}), Status::kStartFenced);
+  world_.from({1.2, 2.0, 1.0});
+  EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepOut}}), Status::kOk) << "exactly at the radius";
+}
+
+TEST_F(FencesFault, StartOnTheFaceOfAKeepIn) {
+  world_.from({3.0, 2.0, 1.0});
+  EXPECT_EQ(plan({{&right_, 1, FenceKind::kKeepIn}}), Status::kOk);
+}
+
+TEST_F(FencesFault, AWallOfAFenceLeavesNoPath) {
+  const Halfspace wall[] = {{{1.0, 0.0, 0.0}, 2.1}, {{-1.0, 0.0, 0.0}, -1.9}};
+  EXPECT_EQ(plan({{wall, 2, FenceKind::kKeepOut}}), Status::kNoPath);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(FencesFault, AFenceInTheWayIsFlownAround) {
+  Halfspace pillar[tern::kBoxPlanes];
+  box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
+  ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}}), Status::kOk);
+  EXPECT_GT(world_.trajectory.count, 1);
+  EXPECT_GT(world_.report.stages[0].work, 0u);
+  EXPECT_LE(world_.report.stages[0].work, world_.report.stages[0].bound);
+}
+
+TEST_F(FencesFault, RefusalsNameTheFences) {
+  const Halfspace bad{{0.0, 0.0, 0.0}, 1.0};
+  const Halfspace nan{{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, 1.0};
+  EXPECT_EQ(plan({{&bad, 1, FenceKind::kKeepIn}}), Status::kInvalidArgument);
+  EXPECT_EQ(world_.report.field, Field::kFences);
+  EXPECT_EQ(plan({{&nan, 1, FenceKind::kKeepIn}}), Status::kNonFiniteInput);
+  EXPECT_EQ(world_.report.field, Field::kFences);
+}
+
+TEST_F(FencesFault, TheNextRequestIsFreeOfThem) {
+  const Halfspace wall[] = {{{1.0, 0.0, 0.0}, 2.1}, {{-1.0, 0.0, 0.0}, -1.9}};
+  EXPECT_EQ(plan({{wall, 2, FenceKind::kKeepOut}}), Status::kNoPath);
+  EXPECT_EQ(plan({}), Status::kOk);
+}
+
+TEST_F(FencesFault, SlicesGiveTheSameBits) {
+  Halfspace pillar[tern::kBoxPlanes];
+  box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
+  const Halfspace ceiling{{0.1, 0.0, 1.0}, 1.9};
+  ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}}), Status::kOk);
+  const tern::Trajectory whole = world_.trajectory;
+  const std::vector<Fence> fences{{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}};
+  world_.request.fences = fences.data();
+  ASSERT_EQ(world_.planner.begin(world_.grid, world_.request), Status::kRunning);
+  for (int i = 0; i < 1000000 && world_.planner.step(1) == Status::kRunning; ++i) continue;
+  ASSERT_EQ(world_.planner.finish(world_.trajectory, world_.report), Status::kOk);
+  ASSERT_EQ(world_.trajectory.count, whole.count);
+  const std::size_t bytes = sizeof(tern::Segment) * static_cast<std::size_t>(whole.count);
+  EXPECT_EQ(std::memcmp(world_.trajectory.segments, whole.segments, bytes), 0);
+}
+
+}  // namespace
+}  // namespace tern_test
