@@ -34,6 +34,8 @@ typedef tern::Request tern_request;
 typedef tern::Segment tern_segment;
 typedef tern::Trajectory tern_trajectory;
 typedef tern::Sample tern_sample;
+typedef tern::Yaw tern_yaw;
+typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
 typedef tern::HighWater tern_high_water;
 typedef tern::Report tern_report;
@@ -64,6 +66,12 @@ typedef struct {
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
 typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
+typedef struct { double cosine, sine, rate; } tern_yaw;
+typedef struct {
+  double thrust, attitude[3][3], quaternion[4];
+  tern_vec3 body_rates;
+  uint8_t singularity;
+} tern_flat_state;
 typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, heap, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
@@ -135,6 +143,9 @@ uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, ter
 /* The trajectory's duration in seconds, and its state at t seconds; total in all inputs, zeros for null. */
 double tern_duration(const tern_trajectory* trajectory);
 void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample);
+/* Thrust, attitude and body rates that fly a sample with that yaw; see tern/flatness.hpp. Total: null for a sample is
+ * zeros, for a yaw yaw 0. */
+void tern_flat(const tern_sample* sample, const tern_yaw* yaw, tern_flat_state* state);
 
 #ifdef __cplusplus
 } /* extern "C" */

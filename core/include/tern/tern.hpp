@@ -5,6 +5,7 @@
 #ifndef TERN_TERN_HPP
 #define TERN_TERN_HPP
 
+#include "tern/flatness.hpp"
 #include "tern/grid.hpp"
 #include "tern/planner.hpp"
 #include "tern/self_test.hpp"

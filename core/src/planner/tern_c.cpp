@@ -155,4 +155,10 @@ void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sam
   *sample = trajectory == nullptr ? tern::Sample{} : tern::evaluate(*trajectory, t);
 }
 
+void tern_flat(const tern_sample* sample, const tern_yaw* yaw, tern_flat_state* state) {
+  if (state == nullptr) return;
+  *state =
+      tern::flat_state(sample == nullptr ? tern::Sample{} : *sample, yaw == nullptr ? tern::Yaw{1.0, 0.0, 0.0} : *yaw);
+}
+
 }  // extern "C"
