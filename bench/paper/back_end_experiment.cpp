@@ -8,7 +8,6 @@
 #include "baselines/minimum_snap.hpp"
 #include "host/figures.hpp"
 #include "host/number.hpp"
-#include "host/picture/outline.hpp"
 #include "host/session.hpp"
 #include "paper/bezier_programme.hpp"
 #include "paper/experiments.hpp"
@@ -103,18 +102,6 @@ std::vector<Vec3> curve_of(const tern::Trajectory& trajectory) {
   return points;
 }
 
-void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const tern_host::PlanResult& plan) {
-  for (int i = 0; i < plan.corridor->count; ++i) {
-    std::vector<Pixel> corners;
-    for (const Vec3& v : tern_host::vertices(plan.corridor->polyhedra[i])) {
-      const Vec3& o = plan.grid.origin;
-      corners.push_back(tern_host::project(axes, projection, {v.x + o.x, v.y + o.y, v.z + o.z}));
-    }
-    const std::vector<Pixel> outline = tern_host::convex_hull(corners);
-    if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
-  }
-}
-
 /// Dots on the control points, a colour a segment.
 void draw_control_points(Canvas& canvas, const MapViews& views, const tern::Trajectory& trajectory) {
   const Vec3& o = trajectory.origin;
@@ -142,8 +129,8 @@ void draw_figure(const Run& run, int map, const tern_host::PlanResult& plan, con
   Canvas& canvas = figure.canvas();
   const MapViews views = lay_out_views(plan.scenario, figure.top());
   draw_map(canvas, views, plan.scenario);
-  draw_corridor(canvas, views.top_axes, views.top, plan);
-  draw_corridor(canvas, views.side_axes, views.side, plan);
+  tern_host::draw_corridor(canvas, views.top_axes, views.top, plan);
+  tern_host::draw_corridor(canvas, views.side_axes, views.side, plan);
   draw_route(canvas, views, curve_of(poly.trajectory), green);
   draw_route(canvas, views, curve_of(plan.trajectory), black);
   draw_route(canvas, views, curve_of(curve.trajectory), purple);

@@ -12,7 +12,6 @@
 #include "baselines/paper_search.hpp"
 #include "host/figures.hpp"
 #include "host/number.hpp"
-#include "host/picture/outline.hpp"
 #include "host/session.hpp"
 #include "paper/corridor_widths.hpp"
 #include "paper/experiments.hpp"
@@ -101,15 +100,7 @@ std::vector<Pixel> ellipse(const tern::Ellipsoid& e, const Vec3& origin, const A
 void draw_view(Canvas& canvas, const Axes& axes, const Projection& projection, const tern_host::PlanResult& plan) {
   const Vec3& o = plan.grid.origin;
   canvas.begin_clipped(axes.frame);
-  for (int i = 0; i < plan.corridor->count; ++i) {
-    const tern::Polyhedron& polyhedron = plan.corridor->polyhedra[i];
-    std::vector<Pixel> corners;
-    for (const Vec3& v : tern_host::vertices(polyhedron)) {
-      corners.push_back(tern_host::project(axes, projection, {v.x + o.x, v.y + o.y, v.z + o.z}));
-    }
-    const std::vector<Pixel> outline = tern_host::convex_hull(corners);
-    if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
-  }
+  tern_host::draw_corridor(canvas, axes, projection, plan);
   for (int i = 0; i < plan.corridor->count; ++i) {
     canvas.polygon(ellipse(plan.corridor->polyhedra[i].ellipsoid, o, axes, projection),
                    "fill=\"#b7791f\" fill-opacity=\"0.22\" stroke=\"#b7791f\" stroke-width=\"1.4\"");

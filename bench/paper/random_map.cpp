@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "baselines/route.hpp"
+#include "draw.hpp"
 
 namespace tern_bench {
 namespace {
@@ -19,19 +19,6 @@ constexpr int kLeastWidth = 3;  // lattice cells
 constexpr int kMostWidth = 12;
 /// Pairs of points that are tried; the one furthest apart is taken where none is far enough.
 constexpr int kPairs = 400;
-
-/// Engines of <random> give the same numbers everywhere; its distributions do not.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  /// Uniform in [low, high], but for the bias of a remainder.
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 class Lattice {
  public:

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <random>
 #include <string>
 
 #include "baselines/paper_corridor.hpp"
 #include "baselines/paper_search.hpp"
+#include "draw.hpp"
 #include "host/number.hpp"
 #include "paper/experiments.hpp"
 #include "paper/figure.hpp"
@@ -218,7 +218,7 @@ Slopes shortcut_complexity(const Run& run) {
 /// How often the paper's ellipsoid shrinks, against the points that it could shrink at.
 void ellipsoid_iterations(const Run& run) {
   Table table("density,segments,shrinks_mean,shrinks_p99,shrinks_max,points_mean,planes_max");
-  std::mt19937_64 engine(5);
+  Draw draw(5);
   for (const int percent : {10, 20, 30, 45}) {
     std::vector<double> shrinks, counts, planes;
     for (int seed = 1; seed <= pick(run, 20, 2); ++seed) {
@@ -228,9 +228,8 @@ void ellipsoid_iterations(const Run& run) {
       const std::vector<Vec3> points = surface_points(map);
       const auto random_free = [&] {
         for (;;) {
-          const tern::Voxel v{static_cast<int>(engine() % static_cast<std::uint64_t>(map.dims().x)),
-                              static_cast<int>(engine() % static_cast<std::uint64_t>(map.dims().y)),
-                              static_cast<int>(engine() % static_cast<std::uint64_t>(map.dims().z))};
+          const tern::Voxel v{draw.integer(0, map.dims().x - 1), draw.integer(0, map.dims().y - 1),
+                              draw.integer(0, map.dims().z - 1)};
           if (map.free(v)) return map.center(v);
         }
       };

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <fstream>
-#include <random>
 #include <stdexcept>
 
+#include "draw.hpp"
 #include "host/grid_layout.hpp"
 
 namespace tern_bench {
@@ -36,19 +36,6 @@ Voxel nearest_free(const tern::Grid& grid, const Voxel& at) {
   }
   throw std::runtime_error("a map without a free voxel");
 }
-
-/// Engines of <random> give the same numbers everywhere; its distributions do not.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : engine_(seed) {}
-  /// Uniform in [low, high], but for the bias of a remainder.
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 constexpr double kLattice = 0.2;
 

@@ -135,7 +135,7 @@ standard deviation over the seeds that found a path.
   voxels half as wide, with {mean(ratios['points']):.1f} waypoints less in the mean, and keep the radius all along.
 - Times: the paper's are those of MATLAB. The greedy search is fast because its voxels are twice as wide and it never
   improves a path. On the same grid Tern's search is {min(ratios['search']):.1f} to {max(ratios['search']):.0f} times as fast as the plain A*.
-- Plain JPS is slower than plain A* on open maps: unlimited jumps walk through all of the free space. What makes Tern's search
+- Plain JPS is no faster than plain A* on most maps: unlimited jumps walk through all of the free space. What makes Tern's search
   fast is not the pruning alone but scanning 64 voxels a word and bounding the sweeps ([search](search.md)).
 {sampling_notes(rows)}"""
     return text

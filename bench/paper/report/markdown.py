@@ -3,6 +3,7 @@
 """Results as the program wrote them, and tables of Markdown."""
 import csv
 import pathlib
+import textwrap
 
 
 class Results:
@@ -56,3 +57,24 @@ def mean(values):
 
 def picture(name, text):
     return f"![{text}](paper/{name})\n"
+
+
+def _is_prose(block):
+    return not block.startswith(("|", "#", "!", "`"))
+
+
+def _wrapped_block(block):
+    items = []
+    for line in block.split("\n"):
+        if line.startswith("- ") or not items:
+            items.append(line.strip())
+        else:
+            items[-1] += " " + line.strip()
+    return "\n".join(textwrap.fill(item, 120, subsequent_indent="  " if item.startswith("- ") else "",
+                                    break_long_words=False, break_on_hyphens=False) for item in items)
+
+
+def wrapped(text):
+    """The page with its paragraphs and lists filled to 120 columns; tables, headings and pictures as they are."""
+    blocks = [block.strip("\n") for block in text.split("\n\n")]
+    return "\n\n".join(_wrapped_block(b) if _is_prose(b) else b for b in blocks if b) + "\n"

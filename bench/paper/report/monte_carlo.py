@@ -76,7 +76,7 @@ apart than 30 % of the width. Everything runs on voxels of 0.2 m and keeps 0.1 m
 grid and Tern's are the same set of voxels. Means over the maps that all methods solved, as in the paper. *Too close* counts
 paths that come nearer to a block than 0.1 m.
 
-What the paper calls A* has 6 neighbours: its waypoints are 0.19 to 0.20 m apart on average, one voxel, which moves
+What the paper calls A* seems to have 6 neighbours: its waypoints are 0.19 to 0.20 m apart on average, one voxel, which moves
 along diagonals would not be. *A\\*, plain* has 26.
 
 Measured on: {results.machine(PART, 'monte_carlo.csv')}.

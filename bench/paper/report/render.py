@@ -14,7 +14,7 @@ import monte_carlo
 import planners
 import profiles
 import theory
-from markdown import Results
+from markdown import Results, wrapped
 
 CHAPTERS = [front_end, monte_carlo, corridors, back_end, profiles, planners, theory]
 
@@ -43,7 +43,7 @@ def main():
     pictures.mkdir(parents=True, exist_ok=True)
     for picture in results.pictures():
         shutil.copyfile(picture, pictures / picture.name)
-    page.write_text(HEAD + "\n".join(c.chapter(results) for c in chapters))
+    page.write_text(wrapped(HEAD + "\n".join(c.chapter(results) for c in chapters)))
     print(f"paper: {page} and {len(results.pictures())} pictures in {pictures}")
 
 

@@ -54,19 +54,6 @@ std::string axis_title(int axis) {
   return std::string(1, "xyz"[axis]) + " (m)";
 }
 
-void draw_corridor(Canvas& canvas, const View& view, const PlanResult& result) {
-  if (result.corridor == nullptr) return;
-  for (int i = 0; i < result.corridor->count; ++i) {
-    std::vector<Pixel> corners;
-    const tern::Polyhedron& polyhedron = result.corridor->polyhedra[i];
-    for (const Vec3& v : vertices({polyhedron.planes, polyhedron.planes + polyhedron.count})) {
-      corners.push_back(view.world(sum(v, result.grid.origin)));
-    }
-    const std::vector<Pixel> outline = convex_hull(corners);
-    if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
-  }
-}
-
 /// A fence as far as it lies within the boundary, its half-spaces scaled to unit normals.
 std::vector<tern::Halfspace> fence_in_boundary(const FenceRecord& fence, const tern::Box& boundary) {
   tern::Halfspace faces[tern::kBoxPlanes];
@@ -170,6 +157,19 @@ void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, c
   draw_end(canvas, axes, goal, known ? waypoints[waypoints.size() - 2] : start, "goal", "#c23b3b");
 }
 
+void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result) {
+  if (result.corridor == nullptr) return;
+  for (int i = 0; i < result.corridor->count; ++i) {
+    std::vector<Pixel> corners;
+    const tern::Polyhedron& polyhedron = result.corridor->polyhedra[i];
+    for (const Vec3& v : vertices({polyhedron.planes, polyhedron.planes + polyhedron.count})) {
+      corners.push_back(project(axes, projection, sum(v, result.grid.origin)));
+    }
+    const std::vector<Pixel> outline = convex_hull(corners);
+    if (!outline.empty()) canvas.polygon(outline, "class=\"corridor\"");
+  }
+}
+
 void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result,
                    double speed_scale) {
   const View view(axes, projection);
@@ -177,7 +177,7 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
   canvas.begin_clipped(axes.frame);
   draw_grid(canvas, axes);
   draw_obstacles(canvas, axes, projection, result.scenario);
-  draw_corridor(canvas, view, result);
+  draw_corridor(canvas, axes, projection, result);
   canvas.end_group();
   // Below what may lie on the frame: the boundary belongs to free space.
   draw_frame(canvas, axes, axis_title(projection.horizontal), axis_title(projection.vertical));

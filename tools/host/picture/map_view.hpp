@@ -30,6 +30,9 @@ Pixel project(const Axes& axes, const Projection& projection, const tern::Vec3& 
 /// The blocks, with the space that the radius takes around them below.
 void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario);
 
+/// The outlines of the corridor's polyhedra, where there is a corridor.
+void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result);
+
 /// Start and goal with their names, on the sides that the way does not leave by. `waypoints`: the way in pixels; may be
 /// empty.
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
