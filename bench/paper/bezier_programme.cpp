@@ -25,8 +25,11 @@ tern::Status BezierProgramme::solve(const tern::Corridor& corridor, const std::v
     chain.polyhedron[i] = i;
     chain.duration[i] = durations[static_cast<std::size_t>(i)];
   }
-  tern::ProgrammeScale scale{};
-  tern::assemble(chain, corridor, scenario.limits, tern::Rows::kCorridor, *problem_, scale);
+  static thread_local tern::ProgrammeScale scale{};
+  // Limits that no flight reaches: the corridor's rows alone can be active.
+  constexpr double kFree = tern::kMaxLimit;
+  const tern::Limits limits{{kFree, kFree, kFree}, {kFree, kFree, kFree}};
+  tern::assemble(chain, corridor, limits, *problem_, scale);
   tern::qp_begin(*solver_, *problem_, nullptr, 0);
   tern::Work work{0xFFFFFFFFu};
   const tern::Status status = tern::qp_advance(*solver_, *problem_, work, *solution_);
