@@ -25,8 +25,8 @@ class Results:
         lines = self.lines(part, name)
         return lines[0][2:] if lines else ""
 
-    def pictures(self):
-        return sorted(self.folder.glob("*/*.svg"))
+    def pictures(self, part):
+        return sorted((self.folder / part).glob("*.svg"))
 
 
 def table(header, rows):

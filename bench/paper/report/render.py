@@ -41,10 +41,11 @@ def main():
     for missing in [c.PART for c in CHAPTERS if c not in chapters]:
         print(f"render: no results of {missing}: its chapter is left out", file=sys.stderr)
     pictures.mkdir(parents=True, exist_ok=True)
-    for picture in results.pictures():
+    drawn = [picture for chapter in chapters for picture in results.pictures(chapter.PART)]
+    for picture in drawn:
         shutil.copyfile(picture, pictures / picture.name)
     page.write_text(wrapped(HEAD + "\n".join(c.chapter(results) for c in chapters)))
-    print(f"paper: {page} and {len(results.pictures())} pictures in {pictures}")
+    print(f"paper: {page} and {len(drawn)} pictures in {pictures}")
 
 
 main()
