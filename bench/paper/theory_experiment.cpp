@@ -115,8 +115,8 @@ class Zigzag {
     return least_time(repetitions, [&] {
       lines = 0;
       tern::shortcut_begin(*shortcut_, grid_, tern::ShortcutMode::kShortestChain, *path_);
-      while (tern::shortcut_needs_line(*shortcut_, *path_)) {
-        tern::shortcut_walk_line(*shortcut_, grid_, *path_);
+      while (tern::shortcut_needs_step(*shortcut_, *path_)) {
+        tern::shortcut_step(*shortcut_, grid_, *path_);
         ++lines;
       }
     });

@@ -132,7 +132,7 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     const tern::PathStage& stage = runner.stage();
     EXPECT_LE(stage.expansions, 27u * static_cast<unsigned>(stage.nodes_high));
     EXPECT_LE(stage.heap_high, stage.nodes_high);
-    EXPECT_LE(stage.sight_lines, tern::kShortcutBound);
+    EXPECT_LE(stage.sight_lines, tern::shortcut_bound(tern::ShortcutMode::kShortestChain));
   }
 }
 

@@ -92,7 +92,7 @@ inline tern::Path chain_of(const tern::Grid& grid, const tern::Path& path) {
   tern::Path chain = path;
   const std::unique_ptr<tern::Shortcut> shortcut(new tern::Shortcut);
   tern::shortcut_begin(*shortcut, grid, tern::ShortcutMode::kShortestChain, chain);
-  while (tern::shortcut_needs_line(*shortcut, chain)) tern::shortcut_walk_line(*shortcut, grid, chain);
+  while (tern::shortcut_needs_step(*shortcut, chain)) tern::shortcut_step(*shortcut, grid, chain);
   tern::shortcut_finish(*shortcut, chain);
   return chain;
 }

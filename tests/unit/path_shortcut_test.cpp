@@ -136,7 +136,7 @@ TEST(PathShortcut, GreedyBresenhamTakesTheFarthestVisible) {
       ++count;
     }
     ASSERT_EQ(count, path.count);
-    ASSERT_LE(runner.stage().sight_lines, tern::kSightLineBound);
+    ASSERT_LE(runner.stage().sight_lines, tern::kGreedyBound);
   }
   EXPECT_GT(solved, scaled(1000) / 4);
 }

@@ -40,16 +40,13 @@ void shortcut_caps() {
   lay_out(path);
   const int last = tern::kMaxJumpPoints - 1;
   tern::shortcut_begin(shortcut, grid, tern::ShortcutMode::kShortestChain, path);
-  while (shortcut.head < last) tern::shortcut_walk_line(shortcut, grid, path);
+  while (shortcut.head < last) tern::shortcut_step(shortcut, grid, path);
   std::uint64_t instructions = 0;
-  std::uint64_t lines = 0;
-  for (; tern::shortcut_needs_line(shortcut, path); ++lines) {
-    instructions += count([&] { tern::shortcut_walk_line(shortcut, grid, path); });
+  std::uint64_t steps = 0;
+  for (; tern::shortcut_needs_step(shortcut, path); ++steps) {
+    instructions += count([&] { tern::shortcut_step(shortcut, grid, path); });
   }
-  // A point's own predecessor is in sight without asking. Points have from none to all others before them, and the
-  // lines of each look through these: half as many as all points with the last one's price.
-  report(
-      {"last_jump_point", "shortcut", instructions, lines, tern::kMaxJumpPoints - 2, lines, tern::kMaxJumpPoints / 2});
+  report({"last_jump_point", "shortcut", instructions, steps, tern::kSightWindow, steps, tern::kMaxJumpPoints});
 }
 
 }  // namespace tern_caps

@@ -43,7 +43,7 @@ constexpr double kMaxTimeWeight = 1e6;
 /// Work that a plan may spend, counted, never timed (contract C7). The stage bounds of config.hpp hold besides.
 struct Budget {
   std::uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
-  std::uint32_t sight_lines = 0xFFFFFFFFu;  ///< lines of sight walked by the shortcut
+  std::uint32_t sight_lines = 0xFFFFFFFFu;  ///< steps of the shortcut, each a line of sight or a trial
   std::uint32_t planes = 0xFFFFFFFFu;       ///< half-spaces made by the corridor
   std::uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
 };

@@ -101,10 +101,10 @@ Status take_sight_line(PathStage& stage, Work& work) {
 
 /// kOk when the chain is complete, and the path tight where it is to be.
 Status advance_shortcut(PathStage& stage, const Grid& grid, Work& work, Path& out) {
-  while (shortcut_needs_line(stage.shortcut, out)) {
+  while (shortcut_needs_step(stage.shortcut, out)) {
     const Status taken = take_sight_line(stage, work);
     if (taken != Status::kOk) return taken;
-    shortcut_walk_line(stage.shortcut, grid, out);
+    shortcut_step(stage.shortcut, grid, out);
   }
   const Status status = shortcut_finish(stage.shortcut, out);
   stage.segments_high = status == Status::kOk ? out.count - 1 : kMaxSegments;

@@ -23,7 +23,9 @@ namespace tern {
 constexpr std::uint32_t kSearchBound = kExpansionBound + 2u * kMaxJoins;
 
 /// Bound on PathStage::sight_lines.
-constexpr std::uint32_t kShortcutBound = kSightLineBound + kTightenBound;
+constexpr std::uint32_t shortcut_bound(ShortcutMode mode) {
+  return mode == ShortcutMode::kShortestChain ? kChainBound + kTightenBound : kGreedyBound;
+}
 
 /// What to find. Local frame; both points inside the grid's boundary.
 struct PathQuery {
@@ -40,7 +42,7 @@ enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut,
 /// Plain data; needs no initialisation before path_begin.
 struct PathStage {
   std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
-  std::uint32_t sight_lines;   ///< lines of sight of the shortcut, trials of tightening; <= kShortcutBound, the budget
+  std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= shortcut_bound() and the budget
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t heap_high;      ///< most open at once
   std::int32_t raw_high;       ///< points of the jump-point path
@@ -65,10 +67,10 @@ struct PathStage {
 void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept;
 
 /// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
-/// joins an end to the grid, one line of sight, or one trial of tightening, which walks two lines at most. kRunning, or
-/// the end: kOk with `out` full; else kStartOccupied, kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull,
-/// kSegmentsFull (the raw path in `out` is whole), kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise.
-/// `out` must be the same object until then.
+/// joins an end to the grid, one step of the shortcut, which walks one line of sight at most, or one trial of
+/// tightening, which walks two lines at most. kRunning, or the end: kOk with `out` full; else kStartOccupied,
+/// kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull, kSegmentsFull (the raw path in `out` is whole),
+/// kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise. `out` must be the same object until then.
 ///
 /// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
 /// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of

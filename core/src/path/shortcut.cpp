@@ -13,46 +13,49 @@ double leg_cost(const Grid& grid, const Path& path, std::int32_t i, std::int32_t
   return distance(path.raw[i], path.raw[j]) + kLegPrice * grid.spec().cell;
 }
 
-/// The point before `head` with the cheapest chain to it that was not refused, if that beats the best known; the lower
-/// index of equals. -1 where nothing beats it.
-std::int32_t best_probe(const Shortcut& shortcut, const Grid& grid, const Path& path) {
+/// The first point that the head's predecessor is sought among.
+std::int32_t window_begin(const Shortcut& shortcut) {
+  return shortcut.head > kSightWindow ? shortcut.head - kSightWindow : 0;
+}
+
+/// The candidate with the cheapest chain on to the head, if that beats the best known; the lower index of equals. -1
+/// where nothing beats it.
+std::int32_t best_probe(const Shortcut& shortcut) {
   std::int32_t best = -1;
   double least = shortcut.ends[shortcut.head].cost;
-  for (std::int32_t i = 0; i + 1 < shortcut.head; ++i) {
-    if (shortcut.ends[i].refused) continue;
-    const double cost = shortcut.ends[i].cost + leg_cost(grid, path, i, shortcut.head);
-    if (cost < least) {
-      least = cost;
+  for (std::int32_t i = window_begin(shortcut); i + 1 < shortcut.head; ++i) {
+    if (shortcut.ends[i].onward < least) {
+      least = shortcut.ends[i].onward;
       best = i;
     }
   }
   return best;
 }
 
-/// Sets up the next point that some line of sight could serve better than the path's own leg does; head == raw_count at
-/// the end.
+/// Makes the next point the head: its own leg is what the lines of sight have to beat.
 void chain_advance(Shortcut& shortcut, const Grid& grid, const Path& path) {
-  while (++shortcut.head < path.raw_count) {
-    const std::int32_t j = shortcut.head;
-    for (std::int32_t i = 0; i < j; ++i) shortcut.ends[i].refused = false;
-    shortcut.ends[j] = {shortcut.ends[j - 1].cost + leg_cost(grid, path, j - 1, j), j - 1, false};
-    shortcut.probe = best_probe(shortcut, grid, path);
-    if (shortcut.probe >= 0) return;
+  const std::int32_t j = ++shortcut.head;
+  if (j >= path.raw_count) return;
+  for (std::int32_t i = window_begin(shortcut); i < j; ++i) {
+    shortcut.ends[i].onward = shortcut.ends[i].cost + leg_cost(grid, path, i, j);
   }
+  shortcut.ends[j] = {shortcut.ends[j - 1].onward, 0.0, j - 1};
+  shortcut.probe = best_probe(shortcut);
 }
 
 void chain_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
+  if (shortcut.probe < 0) return chain_advance(shortcut, grid, path);
   ChainEnd& end = shortcut.ends[shortcut.head];
   ChainEnd& probe = shortcut.ends[shortcut.probe];
   // Probes come cheapest first: the first in sight is the best.
   if (line_of_sight(grid, path.raw[shortcut.probe], path.raw[shortcut.head])) {
-    end.cost = probe.cost + leg_cost(grid, path, shortcut.probe, shortcut.head);
+    end.cost = probe.onward;
     end.from = shortcut.probe;
     return chain_advance(shortcut, grid, path);
   }
-  probe.refused = true;
-  shortcut.probe = best_probe(shortcut, grid, path);
-  if (shortcut.probe < 0) chain_advance(shortcut, grid, path);
+  // As dear as what is known: never the best again.
+  probe.onward = end.cost;
+  shortcut.probe = best_probe(shortcut);
 }
 
 /// The next point is in sight without asking.
@@ -83,7 +86,7 @@ void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Pat
   shortcut.mode = mode;
   shortcut.head = 0;
   shortcut.probe = path.raw_count - 1;
-  shortcut.ends[0] = {0.0, 0, false};
+  shortcut.ends[0] = {0.0, 0.0, 0};
   path.raw_length = 0.0;
   for (int i = 1; i < path.raw_count; ++i) path.raw_length += distance(path.raw[i - 1], path.raw[i]);
   if (mode == ShortcutMode::kShortestChain) {
@@ -93,12 +96,12 @@ void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Pat
   }
 }
 
-bool shortcut_needs_line(const Shortcut& shortcut, const Path& path) noexcept {
+bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept {
   const std::int32_t last = path.raw_count - 1;
   return shortcut.mode == ShortcutMode::kShortestChain ? shortcut.head <= last : shortcut.head < last;
 }
 
-void shortcut_walk_line(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
+void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
   if (shortcut.mode == ShortcutMode::kShortestChain) {
     chain_walk(shortcut, grid, path);
   } else {

@@ -128,7 +128,8 @@ Status Planner::run_path(Work& work) noexcept {
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
   count(report_, Stage::kSearch, stage.expansions, least(local_.budget.expansions, kSearchBound));
-  count(report_, Stage::kShortcut, stage.sight_lines, least(local_.budget.sight_lines, kShortcutBound));
+  count(report_, Stage::kShortcut, stage.sight_lines,
+        least(local_.budget.sight_lines, shortcut_bound(stage.query.mode)));
   report_.high_water.nodes = stage.nodes_high;
   report_.high_water.heap = stage.heap_high;
   report_.high_water.jump_points = stage.raw_high;
