@@ -124,8 +124,9 @@ void gather_column(const Grid& grid, const Tile& tile, Column& column) {
   for (std::int32_t k = rows.end * width; k < column.rows * width; ++k) column.words[k] = 0;
 }
 
-/// Adds to each row of the tile the column's rows that are begin <= dy < end further.
+/// Adds to each row of the tile the column's rows that are begin <= dy < end further: none where end <= begin.
 void add_span(const Column& column, std::int32_t begin, std::int32_t end, Tile& tile) {
+  if (end <= begin) return;
   const std::uint64_t* rows = column.words + (tile.y + begin - column.y) * tile.width;
   for (std::int32_t left = end - begin; left > 0; left -= kSources) {
     const std::uint64_t* sources[kSources];
