@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "path/sight.hpp"
 #include "path/tighten.hpp"
@@ -103,6 +104,26 @@ TEST(PathTighten, SlidesAlongAnEdge) {
   const double shortest = std::hypot(up + 1.0 + 2.0 * m + down, goal.y - start.y);
   EXPECT_LE(runner.path().length, shortest * 1.02);
   EXPECT_GE(runner.path().length, shortest - 2.0 * m);
+}
+
+/// In open space each waypoint falls away, the first one as well, and the ends stay.
+TEST(PathTighten, LeavesOutWaypointsFromTheFirstOn) {
+  VoxelWorld world({30, 30, 30});
+  const std::unique_ptr<Path> path(new Path);
+  const Vec3 points[] = {{2.5, 2.5, 2.5}, {9.5, 12.5, 7.5}, {14.5, 10.5, 20.5}, {20.5, 21.5, 9.5}, {27.5, 26.5, 25.5}};
+  path->count = 5;
+  std::copy(points, points + 5, path->points);
+  path->length = 0.0;
+  for (int k = 1; k < 5; ++k) path->length += between(points[k - 1], points[k]);
+  tern::Tighten tighten;
+  tern::tighten_begin(tighten, world.grid, *path);
+  int trials = 0;
+  for (; tern::tighten_needs_trial(tighten, *path); ++trials) tern::tighten_try(tighten, world.grid, *path);
+  EXPECT_EQ(trials, 3);
+  ASSERT_EQ(path->count, 2);
+  EXPECT_EQ(between(path->points[0], points[0]), 0.0);
+  EXPECT_EQ(between(path->points[1], points[4]), 0.0);
+  EXPECT_NEAR(path->length, between(points[0], points[4]), 1e-12);
 }
 
 TEST(PathTighten, ThePapersGreedyStageIsLeftAsItIs) {

@@ -14,30 +14,54 @@ struct Span {
   double end;
 };
 
-/// One coordinate of the segment over its parameter t in [0, 1], in voxels.
+/// One coordinate of the segment over its parameter t in [0, 1], in voxels, with what every voxel that it passes asks
+/// for.
 struct Track {
   double from;
   double slope;
-  double reach;  ///< how far from the segment voxels count as met
+  double reach;    ///< how far from the segment voxels count as met
+  double inverse;  ///< 1 / slope; 0 where the track moves less than its rounding allowance
+  double enter;    ///< the track comes within reach of voxel i at t = (i - enter) * inverse
+  double leave;    ///< and is out of it again from t = (i - leave) * inverse on
 
-  /// Voxels that the track comes within reach of while t runs over the span; half-open.
+  Track(double a, double b, double margin) : from(a), slope(b - a), reach(margin) {
+    const double before = from + reach;
+    const double behind = from - reach - 1.0;
+    const bool forward = slope > 0.0;
+    inverse = absolute(slope) <= kSightRounding ? 0.0 : 1.0 / slope;
+    enter = forward ? before : behind;
+    leave = forward ? behind : before;
+  }
+
+  /// Voxels that the track comes within reach of while t runs over the span; half-open. Only for tracks inside().
   IndexRange voxels(const Span& span) const {
     const double a = from + slope * span.begin;
     const double b = from + slope * span.end;
-    // One beyond the largest grid on either side: outside is outside.
-    return {ceil_index(smaller(a, b) - reach - 1.0, -2, kMaxDimension + 1),
-            floor_index(larger(a, b) + reach, -2, kMaxDimension + 1) + 1};
+    // Conversion cuts off the fraction: what is cut off is inside the grid, -1 < low and 0 < high.
+    const double low = smaller(a, b) - reach - 1.0;
+    const std::int32_t first = static_cast<std::int32_t>(low);
+    return {first + (first < low ? 1 : 0), static_cast<std::int32_t>(larger(a, b) + reach) + 1};
   }
 
   /// The part of `span` during which the track is within reach of voxel `index`.
   Span within(std::int32_t index, const Span& span) const {
-    // A track that moves less than its rounding allowance is near the voxel all the time or never.
+    // A track that hardly moves is near the voxel all the time or never.
     if (absolute(slope) <= kSightRounding) return span;
-    const double t0 = (index - reach - from) / slope;
-    const double t1 = (index + 1.0 + reach - from) / slope;
-    return {larger(span.begin, smaller(t0, t1)), smaller(span.end, larger(t0, t1))};
+    return {larger(span.begin, (index - enter) * inverse), smaller(span.end, (index - leave) * inverse)};
+  }
+
+  /// True where all that the track comes within reach of is one of `count` voxels. NaN is not.
+  bool inside(std::int32_t count) const {
+    const double to = from + slope;
+    return smaller(from, to) - reach > 0.0 && larger(from, to) + reach < count;
   }
 };
+
+/// Voxels of a range in the order in which the track meets them: what blocks a line that was moved is near its first
+/// end.
+std::int32_t met(const Track& track, const IndexRange& range, std::int32_t n) {
+  return track.slope < 0.0 ? range.end - 1 - n : range.begin + n;
+}
 
 /// True where voxels [begin, end) of a row of the blocked layer are all free; the range lies in the row.
 bool row_free(const std::uint64_t* row, const IndexRange& range) {
@@ -52,33 +76,34 @@ bool row_free(const std::uint64_t* row, const IndexRange& range) {
   return true;
 }
 
-bool in_range(const IndexRange& range, std::int32_t count) {
-  return range.begin >= 0 && range.end <= count;
+/// True where all voxels that the thick segment meets in one layer are free.
+bool layer_free(const Grid& grid, const Track& x, const Track& y, std::int32_t layer, const Span& in_layer) {
+  const IndexRange rows = y.voxels(in_layer);
+  for (std::int32_t n = 0; n < rows.end - rows.begin; ++n) {
+    const std::int32_t row = met(y, rows, n);
+    const Span in_row = y.within(row, in_layer);
+    if (in_row.begin > in_row.end) continue;
+    if (!row_free(grid.blocked_row(row, layer), x.voxels(in_row))) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) noexcept {
-  const double scale = grid.spec().cell;
+  const double scale = 1.0 / grid.spec().cell;
   const Voxel& dims = grid.spec().dims;
   const double reach = margin + kSightRounding;
-  const Track x{a.x / scale, (b.x - a.x) / scale, reach};
-  const Track y{a.y / scale, (b.y - a.y) / scale, reach};
-  const Track z{a.z / scale, (b.z - a.z) / scale, reach};
+  const Track x(a.x * scale, b.x * scale, reach);
+  const Track y(a.y * scale, b.y * scale, reach);
+  const Track z(a.z * scale, b.z * scale, reach);
+  if (!x.inside(dims.x) || !y.inside(dims.y) || !z.inside(dims.z)) return false;
   const Span whole{0.0, 1.0};
   const IndexRange layers = z.voxels(whole);
-  if (!in_range(layers, dims.z)) return false;
-  for (std::int32_t k = layers.begin; k < layers.end; ++k) {
-    const Span in_layer = z.within(k, whole);
-    if (in_layer.begin > in_layer.end) continue;
-    const IndexRange rows = y.voxels(in_layer);
-    if (!in_range(rows, dims.y)) return false;
-    for (std::int32_t j = rows.begin; j < rows.end; ++j) {
-      const Span in_row = y.within(j, in_layer);
-      if (in_row.begin > in_row.end) continue;
-      const IndexRange cells = x.voxels(in_row);
-      if (!in_range(cells, dims.x) || !row_free(grid.blocked_row(j, k), cells)) return false;
-    }
+  for (std::int32_t n = 0; n < layers.end - layers.begin; ++n) {
+    const std::int32_t layer = met(z, layers, n);
+    const Span in_layer = z.within(layer, whole);
+    if (in_layer.begin <= in_layer.end && !layer_free(grid, x, y, layer, in_layer)) return false;
   }
   return true;
 }

@@ -51,6 +51,16 @@ double chain_length(const Path& path) {
   return sum;
 }
 
+/// Length of the two hops that meet at `at` in place of the waypoint.
+double bend(const Tighten& tighten, const Path& path, const Vec3& at) {
+  return distance(path.points[tighten.waypoint - 1], at) + distance(at, path.points[tighten.waypoint + 1]);
+}
+
+/// Where `far` metres of the move lead.
+Vec3 position(const Tighten& tighten, double far) {
+  return tighten.from + (far / tighten.reach) * (tighten.to - tighten.from);
+}
+
 /// True where the move has something to try.
 bool set_up(Tighten& tighten, const Grid& grid, const Path& path) {
   const double cell = grid.spec().cell;
@@ -59,9 +69,11 @@ bool set_up(Tighten& tighten, const Grid& grid, const Path& path) {
   tighten.reach = distance(tighten.from, tighten.to);
   tighten.seen = 0.0;
   tighten.refused = 2.0 * tighten.reach;
+  tighten.length = bend(tighten, path, tighten.from);
+  tighten.least = bend(tighten, path, tighten.to);
   tighten.trials = kTightenTrials;
   tighten.next = smaller(cell, tighten.reach);
-  return tighten.move == TightenMove::kDrop || tighten.reach > kTightenFinest * cell;
+  return tighten.move == TightenMove::kDrop || tighten.length - tighten.least > kTightenLeast * cell;
 }
 
 /// The next move that has something to try: of this waypoint, of the next, of the next pass while passes pay.
@@ -87,18 +99,34 @@ void advance(Tighten& tighten, const Grid& grid, Path& path) {
 void drop(Tighten& tighten, Path& path) {
   for (int k = tighten.waypoint; k + 1 < path.count; ++k) path.points[k] = path.points[k + 1];
   --path.count;
-  // The waypoint that took its place is next.
-  tighten.move = TightenMove::kMoves;
+  // The waypoint that took its place is next: all moves of the one before it are done.
+  tighten.move = TightenMove::kAlongZ;
   --tighten.waypoint;
 }
 
-/// The path over `at` instead of the waypoint is shorter, and in sight.
-bool takes(const Tighten& tighten, const Grid& grid, const Path& path, const Vec3& at) {
+/// Both hops over `at` are in sight; first the one that no known line holds.
+bool clear(const Tighten& tighten, const Grid& grid, const Path& path, const Vec3& at) {
   const Vec3& before = path.points[tighten.waypoint - 1];
   const Vec3& after = path.points[tighten.waypoint + 1];
-  const Vec3& now = path.points[tighten.waypoint];
-  if (!(distance(before, at) + distance(at, after) < distance(before, now) + distance(now, after))) return false;
-  return line_of_sight(grid, at, after, kTightenMargin) && line_of_sight(grid, before, at, kTightenMargin);
+  const Vec3& first = tighten.move == TightenMove::kOn ? before : after;
+  const Vec3& second = tighten.move == TightenMove::kOn ? after : before;
+  return line_of_sight(grid, at, first, kTightenMargin) && line_of_sight(grid, at, second, kTightenMargin);
+}
+
+/// Steps grow until one is refused, then halve what is left between; where the first step is refused the finest one
+/// decides whether the waypoint can move at all. False where no step is worth trying.
+bool set_next(Tighten& tighten, const Grid& grid) {
+  const double cell = grid.spec().cell;
+  const bool refused = tighten.refused <= tighten.reach;
+  const double left = (refused ? tighten.refused : tighten.reach) - tighten.seen;
+  if (!refused) {
+    tighten.next = smaller(kTightenGrowth * tighten.seen, tighten.reach);
+  } else if (tighten.seen > 0.0) {
+    tighten.next = 0.5 * (tighten.seen + tighten.refused);
+  } else {
+    tighten.next = kTightenFinest * cell;
+  }
+  return left > kTightenFinest * cell && tighten.length - tighten.least > kTightenLeast * cell;
 }
 
 }  // namespace
@@ -120,19 +148,17 @@ void tighten_try(Tighten& tighten, const Grid& grid, Path& path) noexcept {
     if (line_of_sight(grid, path.points[tighten.waypoint - 1], path.points[tighten.waypoint + 1])) drop(tighten, path);
     return advance(tighten, grid, path);
   }
-  const double part = tighten.next / tighten.reach;
-  const Vec3 at = tighten.from + part * (tighten.to - tighten.from);
-  if (takes(tighten, grid, path, at)) {
+  const Vec3 at = position(tighten, tighten.next);
+  const double length = bend(tighten, path, at);
+  if (length < tighten.length && clear(tighten, grid, path, at)) {
     path.points[tighten.waypoint] = at;
+    tighten.length = length;
     tighten.seen = tighten.next;
   } else {
+    tighten.least = length;
     tighten.refused = tighten.next;
   }
-  // Steps double until one is refused, then halve what is left between.
-  const bool refused = tighten.refused <= tighten.reach;
-  tighten.next = refused ? 0.5 * (tighten.seen + tighten.refused) : smaller(2.0 * tighten.seen, tighten.reach);
-  const double left = (refused ? tighten.refused : tighten.reach) - tighten.seen;
-  if (--tighten.trials == 0 || left <= kTightenFinest * grid.spec().cell) advance(tighten, grid, path);
+  if (--tighten.trials == 0 || !set_next(tighten, grid)) advance(tighten, grid, path);
 }
 
 }  // namespace tern

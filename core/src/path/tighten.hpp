@@ -15,13 +15,18 @@ namespace tern {
 
 /// Times that each waypoint is visited. Most paths stop changing after two or three.
 constexpr int kTightenPasses = 4;
-/// Trials of one move: steps that double across the largest grid, then halve from its diagonal down to the finest step.
+/// Trials of one move: steps that grow across the largest grid, then halve from its diagonal down to the finest step.
 constexpr int kTightenTrials = 26;
+/// A move, or what is left of one, is not tried where it can shorten the path by no more than this part of a voxel:
+/// along a move the length falls, so that its end tells.
+constexpr double kTightenLeast = 0.01;
 /// A move is known well enough when this part of a voxel is left between the farthest position in sight and the nearest
 /// out of sight.
-constexpr double kTightenFinest = 0.1;
+constexpr double kTightenFinest = 0.2;
+/// Each step of a move is so many times the one before, from one voxel on, until one is refused.
+constexpr double kTightenGrowth = 4.0;
 /// A pass that shortens the path by less than this part of a voxel is the last.
-constexpr double kTightenGain = 0.05;
+constexpr double kTightenGain = 0.1;
 
 /// Segments to a moved waypoint keep this part of a voxel (max norm) from what is not free, more than a line of sight
 /// must: the corridor around them is wider for it. Less gives shorter paths and, in narrow places, slower plans.
@@ -55,6 +60,8 @@ struct Tighten {
   double seen;        ///< farthest that it went, metres
   double refused;     ///< nearest that was refused, or more than reach
   double next;        ///< to be tried next
+  double length;      ///< of the two hops over the waypoint, metres
+  double least;       ///< what it would be at `refused` or, before anything is refused, at `to`
 };
 
 /// `path` holds waypoints and length. Each inner waypoint may move.
