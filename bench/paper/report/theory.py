@@ -11,7 +11,7 @@ def chapter(results):
     shortcut = results.rows(PART, "shortcut.csv")
     ellipsoid = results.rows(PART, "ellipsoid.csv")
     slopes = {r["kind"]: number(r["size"], 2) for r in shortcut if r["kind"].startswith("slope")}
-    lines = table(["points W", "lines of sight", "ms"], [[r["size"], r["lines"], number(r["time_ms"], 3)]
+    lines = table(["points W", "steps of the chain", "ms"], [[r["size"], r["lines"], number(r["time_ms"], 3)]
                                                        for r in shortcut if r["kind"] == "W"])
     rows = [["the paper's" if r["method"] == "paper" else "Tern's", r["maps"], r["equal"], r["fewer"], r["more"], r["beyond_jps"],
              r["counterexample"]] for r in bound]
@@ -36,12 +36,12 @@ shortening that removes collinear points alone, and a line of sight skips turnin
 
 The paper: O(W · D) for W points and lines of D voxels. Measured exponents (log-log slopes): the paper's own shortening {slopes["slope of the paper's time over W"]} in W and
 {slopes["slope of the paper's time over D"]} in D: as claimed. Tern's shortcut looks for the shortest chain, not for the first that will do. On a zigzag in which no point sees further than its
-neighbours, so that every pair is tried:
+neighbours, so that every pair within the window is tried:
 
 {lines}
 {picture('theory.svg', "The shortcut's cost")}
-Lines grow with W to the power of {slopes['slope of lines over W']}, as their bound W (W − 1) / 2 says; time with {slopes['slope of time over W']}: lines get longer with W, and the next candidate is
-found by a scan over W. One line costs D to the power of {slopes['slope of time over D']}: it tests words of 64 voxels, not voxels. On the six maps W is {most_points} at most, and the shortcut
+Steps grow with W to the power of {slopes['slope of lines over W']}, time with {slopes['slope of time over W']}: all pairs up to W = 64, and
+64 a point beyond ([shortcut](shortcut.md)). One line costs D to the power of {slopes['slope of time over D']}: it tests words of 64 voxels, not voxels. On the six maps W is {most_points} at most, and the shortcut
 takes {min(extra):.0f} to {max(extra):.0f} µs where the search takes {min(search):.0f} to {max(search):.0f}. So the paper's "computationally negligible" holds for both.
 
 ### Convergence of the ellipsoid
