@@ -112,7 +112,7 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
 void step(const Expansion& expansion, int move) noexcept {
   const Voxel to = expansion.at + offset(move);
   const Cost g = expansion.g + move_cost(move);
-  if (!is_detour(expansion.search.witnesses, expansion.grid, to, g)) relax(expansion, to, g, move);
+  relax(expansion, to, g, move);
 }
 
 void jump(const Expansion& expansion, int move, CellMask free) noexcept {

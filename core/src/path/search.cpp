@@ -9,10 +9,31 @@
 namespace tern {
 namespace {
 
-/// So many expansions go step by step, as A* does but with the moves that jump point search prunes left out: where the
-/// way is easy they are there before scans and sweeps have begun to pay. Steps take more nodes than sweeps do: fewer of
-/// them where the store is small.
-constexpr std::uint32_t kStepFirst = kMaxNodes / 128 < 256 ? kMaxNodes / 128 : 256;
+/// A search begins step by step, as A* does but with the moves that jump point search prunes left out: where the way is
+/// easy it is there before scans and sweeps have begun to pay. It goes on so for the least number of expansions, and up
+/// to the most as long as its progress towards the goal promises to arrive within them. Steps take more nodes than
+/// sweeps do: fewer of them where the store is small.
+constexpr std::uint32_t kLeastSteps = kMaxNodes / 128 < 512 ? kMaxNodes / 128 : 512;
+constexpr std::uint32_t kMostSteps = 4 * kLeastSteps;
+
+/// False where the search is not likely to end within kMostSteps, going by the part of the way made so far.
+bool steps_pay(const Search& search) {
+  if (search.expanded <= kLeastSteps) return true;
+  const Cost way = octile(search.start, search.goal) / kStraightCost;
+  const Cost made = way - search.least_h / kStraightCost;
+  return search.expanded * way <= kMostSteps * made;
+}
+
+/// Clears what jumps look up, and lets them know of the voxels that steps have reached.
+void begin_jumps(Search& search, const Grid& grid) {
+  search.jumps = true;
+  scan_reset(search.map, grid);
+  witness_reset(search.witnesses, grid);
+  for (std::uint32_t k = 0; k < search.store.count; ++k) {
+    const SearchNode& node = search.store.nodes[k];
+    is_detour(search.witnesses, grid, voxel_at(grid, node.voxel), node.g);
+  }
+}
 
 /// How far beyond the expanded node's f its sweeps go on, in voxels: a little at first, so that easy queries do not
 /// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
@@ -46,11 +67,11 @@ void search_begin(Search& search, const Grid& grid, const Voxel& start, const Vo
   search.expanded = 0;
   store_reset(search.store, std::int64_t{dims.x} * dims.y * dims.z);
   open_reset(search.open);
-  scan_reset(search.map, grid);
-  witness_reset(search.witnesses, grid);
+  search.jumps = false;
+  search.least_h = octile(start, goal);
   const std::uint32_t node = store_find_or_add(search.store, voxel_index(grid, start));
   search.store.nodes[node].arrivals = cell_bit(kHere);
-  open_put(search.open, search.store, node, open_key(0, octile(start, goal), search.store.nodes[node].voxel));
+  open_put(search.open, search.store, node, open_key(0, search.least_h, search.store.nodes[node].voxel));
 }
 
 Status search_expand(Search& search, const Grid& grid) noexcept {
@@ -60,18 +81,20 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   SearchNode& node = search.store.nodes[index];
   const Voxel at = voxel_at(grid, node.voxel);
   if (same(at, search.goal)) return Status::kOk;
-  if (is_detour(search.witnesses, grid, at, node.g)) return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
+  if (f - node.g < search.least_h) search.least_h = f - node.g;
+  if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid);
+  if (search.jumps && is_detour(search.witnesses, grid, at, node.g))
+    return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
   const CellMask free = free_cells(grid, at);
   const CellMask moves = moves_to_follow(node, free);
   node.followed |= moves;
   const Expansion expansion{search, grid, index, at, node.g, f + sweep_slack(search)};
-  const bool steps = search.expanded <= kStepFirst;
   for (CellMask left = moves; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
-    if (steps) {
-      step(expansion, move);
-    } else {
+    if (search.jumps) {
       jump(expansion, move, free);
+    } else {
+      step(expansion, move);
     }
   }
   if (search.nodes_full) return Status::kNodesFull;

@@ -30,7 +30,9 @@ struct Search {
   Voxel goal;
   bool nodes_full;
   bool heap_full;
+  bool jumps;              ///< false while the search goes step by step
   std::uint32_t expanded;  ///< nodes so far
+  Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;
   OpenList open;
   ScanMap map;
