@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
+#include <memory>
 
 #include "support/path_world.hpp"
 #include "support/reference_search.hpp"
@@ -78,6 +80,30 @@ TEST(PathSearch, CostEqualsPlainAStarOnRandomGrids) {
   }
   EXPECT_GT(solved, scaled(24000) / 2);
   EXPECT_GT(unsolvable, scaled(24000) / 100);
+}
+
+/// Small maps seldom outlast the steps that a search begins with: here it jumps from the start, and after ten of them.
+TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
+  const std::unique_ptr<tern::Search> search(new tern::Search);
+  std::memset(static_cast<void*>(search.get()), 0xA5, sizeof(tern::Search));
+  Random random(5);
+  int jumped = 0;
+  for (int k = 0; k < scaled(12000); ++k) {
+    const VoxelWorld world = random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    const double optimum = ReferenceSearch(world.grid).cost(start, goal);
+    tern::search_begin(*search, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
+    Status status = Status::kRunning;
+    while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
+    ASSERT_EQ(status, optimum < 0.0 ? Status::kNoPath : Status::kOk) << "case " << k;
+    if (optimum < 0.0) continue;
+    const double cost = static_cast<double>(tern::search_cost(*search, world.grid));
+    ASSERT_NEAR(cost / static_cast<double>(tern::kStraightCost), optimum, 1e-7) << "case " << k;
+    jumped += search->jumps ? 1 : 0;
+  }
+  EXPECT_GT(jumped, scaled(12000) / 2);
 }
 
 TEST(PathSearch, SlicesDoNotChangeThePath) {

@@ -9,19 +9,17 @@
 namespace tern {
 namespace {
 
-/// A search begins step by step, as A* does but with the moves that jump point search prunes left out: where the way is
-/// easy it is there before scans and sweeps have begun to pay. It goes on so for the least number of expansions, and up
-/// to the most as long as its progress towards the goal promises to arrive within them. Steps take more nodes than
-/// sweeps do: fewer of them where the store is small.
-constexpr std::uint32_t kLeastSteps = kMaxNodes / 128 < 512 ? kMaxNodes / 128 : 512;
-constexpr std::uint32_t kMostSteps = 4 * kLeastSteps;
+/// While the search makes progress it goes on step by step, for so many times the least number of steps at most.
+constexpr std::uint32_t kMostSteps = 4;
 
-/// False where the search is not likely to end within kMostSteps, going by the part of the way made so far.
+/// A search begins step by step, as A* does but with the moves that jump point search prunes left out: where the way is
+/// easy it is there before scans and sweeps have begun to pay. False where it has made the least number of steps and is
+/// not likely to end within the most, going by the part of the way made so far.
 bool steps_pay(const Search& search) {
-  if (search.expanded <= kLeastSteps) return true;
+  if (search.expanded <= search.steps) return true;
   const Cost way = octile(search.start, search.goal) / kStraightCost;
   const Cost made = way - search.least_h / kStraightCost;
-  return search.expanded * way <= kMostSteps * made;
+  return search.expanded * way <= kMostSteps * search.steps * made;
 }
 
 /// Clears what jumps look up, and lets them know of the voxels that steps have reached.
@@ -58,7 +56,8 @@ CellMask moves_to_follow(const SearchNode& node, CellMask free) {
 
 }  // namespace
 
-void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept {
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal,
+                  std::uint32_t steps) noexcept {
   const Voxel& dims = grid.spec().dims;
   search.start = start;
   search.goal = goal;
@@ -68,6 +67,7 @@ void search_begin(Search& search, const Grid& grid, const Voxel& start, const Vo
   store_reset(search.store, std::int64_t{dims.x} * dims.y * dims.z);
   open_reset(search.open);
   search.jumps = false;
+  search.steps = steps;
   search.least_h = octile(start, goal);
   const std::uint32_t node = store_find_or_add(search.store, voxel_index(grid, start));
   search.store.nodes[node].arrivals = cell_bit(kHere);

@@ -24,6 +24,10 @@ namespace tern {
 constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 
+/// A search begins with so many expansions step by step (docs/search.md). Steps take more nodes than sweeps do: fewer
+/// of them where the store is small.
+constexpr std::uint32_t kLeastSteps = kMaxNodes / 128 < 512 ? kMaxNodes / 128 : 512;
+
 /// A search between two free voxels. Plain data; needs no initialisation before search_begin.
 struct Search {
   Voxel start;
@@ -31,6 +35,7 @@ struct Search {
   bool nodes_full;
   bool heap_full;
   bool jumps;              ///< false while the search goes step by step
+  std::uint32_t steps;     ///< expansions that go step by step at least
   std::uint32_t expanded;  ///< nodes so far
   Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;
@@ -40,7 +45,9 @@ struct Search {
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
+/// `steps`, 2^24 at most, changes what the search costs and which of the cheapest paths it finds: 0 jumps at once.
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal,
+                  std::uint32_t steps = kLeastSteps) noexcept;
 
 /// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kHeapFull; not to be called after the end.
 Status search_expand(Search& search, const Grid& grid) noexcept;
