@@ -17,8 +17,9 @@ std::uint64_t voxels(const tern::Voxel& dims) {
   return static_cast<std::uint64_t>(dims.x) * static_cast<std::uint64_t>(dims.y) * static_cast<std::uint64_t>(dims.z);
 }
 
+/// Of a layer whose rows are whole words.
 std::uint64_t words(const tern::Voxel& dims) {
-  return tern::grid_words(dims) / 2;
+  return voxels(dims) / 64;
 }
 
 /// Posts so close that no part of the grid is empty, and what is empty is skipped.

@@ -11,7 +11,9 @@ namespace {
 
 using tern_board::print;
 
-constexpr std::size_t kGridWords = 2 * static_cast<std::size_t>(tern::kMaxCells) / 64;
+constexpr std::size_t kLayerWords = static_cast<std::size_t>(tern::kMaxCells) / 64;
+/// Two layers, and room for the map of their changes, which takes less than a sixteenth of a layer.
+constexpr std::size_t kGridWords = 2 * kLayerWords + kLayerWords / 16;
 
 TERN_BOARD_LARGE std::uint64_t words[kGridWords];
 TERN_BOARD_LARGE alignas(64) unsigned char block[kMemoryBytes];
