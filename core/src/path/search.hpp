@@ -25,8 +25,8 @@ constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 
 /// A search begins with so many expansions step by step (docs/search.md). Steps take more nodes than sweeps do: fewer
-/// of them where the store is small.
-constexpr std::uint32_t kLeastSteps = kMaxNodes / 128 < 512 ? kMaxNodes / 128 : 512;
+/// of them where the store is small. The profiles mcu and companion step alike, so that they break ties alike.
+constexpr std::uint32_t kLeastSteps = kMaxNodes < 32 * 1024 ? kMaxNodes / 128 : 512;
 
 /// A search between two free voxels. Plain data; needs no initialisation before search_begin.
 struct Search {
