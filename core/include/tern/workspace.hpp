@@ -41,7 +41,7 @@ constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlane
 
 }  // namespace workspace
 
-/// Bytes that a planner needs, a constant of the configuration: 53 KB for tiny, 4.3 MB for mcu, 99 MB for companion,
+/// Bytes that a planner needs, a constant of the configuration: 67 KB for tiny, 4.7 MB for mcu, 116 MB for companion,
 /// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
