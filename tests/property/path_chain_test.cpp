@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -22,16 +21,13 @@ using tern::ShortcutMode;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::between;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_free;
 using tern_test::random_world;
 using tern_test::scaled;
 using tern_test::VoxelWorld;
-
-double between(const Vec3& a, const Vec3& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
-}
 
 /// Fills path.raw with `count` steps from voxel to voxel through free space, each in sight of the next; shorter where
 /// the walk is stuck.

@@ -19,6 +19,7 @@ using tern::Path;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::between;
 using tern_test::chain_of;
 using tern_test::PathRunner;
 using tern_test::Random;
@@ -26,10 +27,6 @@ using tern_test::random_free;
 using tern_test::random_world;
 using tern_test::scaled;
 using tern_test::VoxelWorld;
-
-double between(const Vec3& a, const Vec3& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
-}
 
 bool is_waypoint(const Path& path, const Vec3& point) {
   return std::any_of(path.points, path.points + path.count, [&](const Vec3& p) { return between(p, point) <= 0.0; });

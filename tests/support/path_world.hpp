@@ -3,6 +3,7 @@
 #ifndef TERN_TESTS_SUPPORT_PATH_WORLD_HPP
 #define TERN_TESTS_SUPPORT_PATH_WORLD_HPP
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -86,6 +87,11 @@ class PathRunner {
   std::unique_ptr<tern::PathStage> stage_;
   std::unique_ptr<tern::Path> path_;
 };
+
+/// Distance of two points, apart from the core's own.
+inline double between(const tern::Vec3& a, const tern::Vec3& b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
+}
 
 /// The path that the shortcut's chain alone makes of a path's raw points, before it is pulled tight.
 inline tern::Path chain_of(const tern::Grid& grid, const tern::Path& path) {

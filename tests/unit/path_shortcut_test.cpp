@@ -18,16 +18,13 @@ using tern::ShortcutMode;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::between;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_free;
 using tern_test::random_world;
 using tern_test::scaled;
 using tern_test::VoxelWorld;
-
-double between(const Vec3& a, const Vec3& b) {
-  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
-}
 
 /// The cheapest chain over all subsets of the raw points that keep both ends (cell 1).
 double cheapest_chain(const tern::Grid& grid, const Path& path) {

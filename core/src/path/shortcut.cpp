@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "path/bresenham.hpp"
+#include "path/polyline.hpp"
 #include "path/sight.hpp"
 
 namespace tern {
@@ -87,8 +88,7 @@ void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Pat
   shortcut.head = 0;
   shortcut.probe = path.raw_count - 1;
   shortcut.ends[0] = {0.0, 0.0, 0};
-  path.raw_length = 0.0;
-  for (int i = 1; i < path.raw_count; ++i) path.raw_length += distance(path.raw[i - 1], path.raw[i]);
+  path.raw_length = polyline_length(path.raw, path.raw_count);
   if (mode == ShortcutMode::kShortestChain) {
     chain_advance(shortcut, grid, path);
   } else {
@@ -115,13 +115,12 @@ Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept {
   for (std::int32_t i = last; i > 0; i = shortcut.ends[i].from) ++count;
   path.count = count;
   if (count > kMaxWaypoints) return Status::kSegmentsFull;
-  path.length = 0.0;
   std::int32_t at = last;
   for (int k = count - 1; k >= 0; --k) {
     path.points[k] = path.raw[at];
     at = shortcut.ends[at].from;
   }
-  for (int k = 1; k < count; ++k) path.length += distance(path.points[k - 1], path.points[k]);
+  path.length = polyline_length(path.points, count);
   return Status::kOk;
 }
 

@@ -3,6 +3,7 @@
 #include "path/tighten.hpp"
 
 #include "base/math.hpp"
+#include "path/polyline.hpp"
 #include "path/sight.hpp"
 
 namespace tern {
@@ -45,12 +46,6 @@ Vec3 target(const Path& path, int waypoint, TightenMove move) {
   return to;
 }
 
-double chain_length(const Path& path) {
-  double sum = 0.0;
-  for (int k = 1; k < path.count; ++k) sum += distance(path.points[k - 1], path.points[k]);
-  return sum;
-}
-
 /// Length of the two hops that meet at `at` in place of the waypoint.
 double bend(const Tighten& tighten, const Path& path, const Vec3& at) {
   return distance(path.points[tighten.waypoint - 1], at) + distance(at, path.points[tighten.waypoint + 1]);
@@ -86,7 +81,7 @@ void advance(Tighten& tighten, const Grid& grid, Path& path) {
       ++tighten.waypoint;
     }
     if (tighten.waypoint + 1 >= path.count) {
-      path.length = chain_length(path);
+      path.length = polyline_length(path.points, path.count);
       if (++tighten.pass == kTightenPasses) return;
       if (!(path.length < tighten.pass_start - kTightenGain * grid.spec().cell)) return;
       tighten.pass_start = path.length;

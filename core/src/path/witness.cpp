@@ -3,6 +3,7 @@
 #include "path/witness.hpp"
 
 namespace tern {
+
 void witness_reset(WitnessMap& map, const Grid& grid) noexcept {
   const Voxel& dims = grid.spec().dims;
   map.width = (dims.x + 3) / 4;

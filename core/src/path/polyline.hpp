@@ -1,0 +1,20 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_PATH_POLYLINE_HPP
+#define TERN_PATH_POLYLINE_HPP
+
+#include "base/math.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// Length, metres, of the polyline through `count` points: summed from the first to the last, 0 for fewer than two.
+inline double polyline_length(const Vec3* points, int count) noexcept {
+  double sum = 0.0;
+  for (int k = 1; k < count; ++k) sum += distance(points[k - 1], points[k]);
+  return sum;
+}
+
+}  // namespace tern
+
+#endif
