@@ -8,22 +8,11 @@
 namespace tern {
 namespace {
 
-/// Voxels of one row, half-open; empty where begin >= end.
-struct Run {
-  std::int32_t begin;
-  std::int32_t end;
-};
-
-void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const Run& run) {
+/// Blocks the voxels of a row that are in the range; none where it is empty.
+void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
+  if (run.end <= run.begin) return;
   std::uint64_t* row = layer.words + (view.blocked_row(y, z) - layer.words);
-  for (std::int32_t x = run.begin; x < run.end;) {
-    const std::int32_t word = x >> 6;
-    const std::int32_t stop = run.end < (word + 1) << 6 ? run.end : (word + 1) << 6;
-    const std::uint64_t from = ~std::uint64_t{0} << (x & 63);
-    const std::uint64_t to = ~std::uint64_t{0} >> (63 - ((stop - 1) & 63));
-    row[word] |= from & to;
-    x = stop;
-  }
+  for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
 }
 
 /// A row of voxels by its lower corner, metres.
@@ -41,7 +30,7 @@ double least_across(const Vec3& normal, const Row& row, double cell) {
 
 /// Keeps of `run` the voxels whose cubes do not have normal . p >= offset all over. Along a row those that do are at
 /// one end of it.
-void keep_short_of(const Halfspace& beyond, const Row& row, double cell, Run& run) {
+void keep_short_of(const Halfspace& beyond, const Row& row, double cell, IndexRange& run) {
   const double missing = beyond.offset - kLatticeTolerance * cell - least_across(beyond.normal, row, cell);
   const double slope = beyond.normal.x * cell;
   if (absolute(beyond.normal.x) <= kLatticeTolerance) {  // the whole row, or none of it; a hair of x may be lost
@@ -114,7 +103,7 @@ void block_outside(const Fences& fences, FenceLayer& layer, const Grid& view) no
     for (std::int32_t y = 0; y < dims.y; ++y) {
       for (int p = 0; p < fences.keep_in_count; ++p) {
         const Halfspace& plane = fences.keep_in[p];
-        Run run{0, dims.x};
+        IndexRange run{0, dims.x};
         keep_short_of({-1.0 * plane.normal, -plane.offset}, {y * cell, z * cell}, cell, run);
         block_run(layer, view, y, z, run);
       }
@@ -129,7 +118,7 @@ void block_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& laye
   const IndexRange rows = rows_near(layer, view, 1);
   for (std::int32_t z = layers.begin; z < layers.end; ++z) {
     for (std::int32_t y = rows.begin; y < rows.end; ++y) {
-      Run run{0, view.spec().dims.x};
+      IndexRange run{0, view.spec().dims.x};
       for (int k = 0; k < layer.clear_count && run.begin < run.end; ++k) {
         keep_short_of(layer.clear[k], {y * cell, z * cell}, cell, run);
       }

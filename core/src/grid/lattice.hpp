@@ -47,6 +47,14 @@ struct IndexRange {
   std::int32_t end;
 };
 
+/// The bits of a row's word k that lie in a range that is not empty and meets the word.
+inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexcept {
+  std::uint64_t mask = ~std::uint64_t{0};
+  if (k == range.begin >> 6) mask &= ~std::uint64_t{0} << (range.begin & 63);
+  if (k == (range.end - 1) >> 6) mask &= ~std::uint64_t{0} >> (63 - ((range.end - 1) & 63));
+  return mask;
+}
+
 /// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) where none does.
 inline IndexRange inside_boundary(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();

@@ -55,9 +55,7 @@ IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bo
   const std::int32_t last = (end - 1) >> 6;
   IndexRange changed{end, begin};
   for (std::int32_t k = first; k <= last; ++k) {
-    std::uint64_t mask = ~std::uint64_t{0};
-    if (k == first) mask &= ~std::uint64_t{0} << (begin & 63);
-    if (k == last) mask &= ~std::uint64_t{0} >> (63 - ((end - 1) & 63));
+    const std::uint64_t mask = bits_within({begin, end}, k);
     const std::uint64_t flips = mask & (value ? ~row[k] : row[k]);
     if (flips == 0) continue;
     row[k] ^= flips;
