@@ -27,24 +27,40 @@ struct Window {
 Window window_of(const VoxelRange& range) {
   const std::int32_t first = range.lower.x >> 6;
   const std::int32_t last = (range.upper.x - 1) >> 6;
-  const int unused = 63 - ((range.upper.x - 1) & 63);
-  return {first, last - first + 1, ~std::uint64_t{0} << (range.lower.x & 63), ~std::uint64_t{0} >> unused};
+  const std::uint64_t from_first = ~std::uint64_t{0} << (range.lower.x & 63);
+  const std::uint64_t to_last = ~std::uint64_t{0} >> (63 - ((range.upper.x - 1) & 63));
+  if (first == last) return {first, 1, from_first & to_last, from_first & to_last};
+  return {first, last - first + 1, from_first, to_last};
 }
 
-/// True where two rows have the same bits in the window. Most rows of a cuboid world equal the one before, so that
-/// this is what the extraction spends its time on; most windows are one or two words.
-bool same_bits(const std::uint64_t* a, const std::uint64_t* b, const Window& window) {
-  const std::int32_t first = window.first_word;
-  const std::int32_t last = first + window.words - 1;
-  const std::uint64_t low = (a[first] ^ b[first]) & window.first_mask;
-  if (first == last) return (low & window.last_mask) == 0;
-  std::uint64_t difference = low | ((a[last] ^ b[last]) & window.last_mask);
-  for (std::int32_t k = first + 1; k < last; ++k) difference |= a[k] ^ b[k];
-  return difference == 0;
+/// One layer's rows of the range: row y begins `y * stride` words after `words`.
+struct Rows {
+  const std::uint64_t* words;
+  std::int32_t stride;
+  std::int32_t count;
+};
+
+Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, std::int32_t z) {
+  return {grid.obstacle_row(range.lower.y, z) + window.first_word, grid.row_words(), range.upper.y - range.lower.y};
+}
+
+/// The first row at or after `y` whose bits in the window differ from those `back` words before them, or rows.count.
+/// Most rows of a cuboid world equal the one before, and most layers the one below, so that this is what the extraction
+/// spends its time on; most windows are one or two words.
+std::int32_t first_difference(const Rows& rows, const Window& window, std::ptrdiff_t back, std::int32_t y) {
+  const std::int32_t last = window.words - 1;
+  const std::uint64_t* row = rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride;
+  for (; y < rows.count; ++y, row += rows.stride) {
+    std::uint64_t difference = ((row[0] ^ row[-back]) & window.first_mask);
+    difference |= ((row[last] ^ row[last - back]) & window.last_mask);
+    for (std::int32_t k = 1; k < last; ++k) difference |= row[k] ^ row[k - back];
+    if (difference != 0) break;
+  }
+  return y;
 }
 
 void copy_window(const std::uint64_t* row, const Window& window, std::uint64_t* out) {
-  for (std::int32_t k = 0; k < window.words; ++k) out[k] = row[window.first_word + k];
+  for (std::int32_t k = 0; k < window.words; ++k) out[k] = row[k];
   out[0] &= window.first_mask;
   out[window.words - 1] &= window.last_mask;
 }
@@ -108,25 +124,16 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   return true;
 }
 
-/// The rectangles of the layer z, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
-int layer_rectangles(const Grid& grid, const VoxelRange& range, std::int32_t z, ExtractScratch& scratch,
-                     LayerRectangle* rectangles) {
+/// The rectangles of one layer, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
+int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles) {
   Layer layer{rectangles, 0, 0};
-  const Window window = window_of(range);
-  const std::uint64_t* previous = nullptr;
   int now = 0;
-  for (std::int32_t y = range.lower.y; y < range.upper.y; ++y) {
-    const std::uint64_t* row = grid.obstacle_row(y, z);
-    if (previous != nullptr && same_bits(row, previous, window)) continue;
-    previous = row;
-    copy_window(row, window, scratch.row);
-    const std::int32_t bits = window.words * 64;
-    if (!take_row(layer, scratch.row, bits, y - range.lower.y, scratch.open[now ^ 1], scratch.open[now])) return -1;
+  for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, rows.stride, y + 1)) {
+    copy_window(rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride, window, scratch.row);
+    if (!take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now])) return -1;
     now ^= 1;
   }
-  for (int i = 0; i < layer.open_count; ++i) {
-    close_rectangle(layer, scratch.open[now ^ 1][i], range.upper.y - range.lower.y);
-  }
+  for (int i = 0; i < layer.open_count; ++i) close_rectangle(layer, scratch.open[now ^ 1][i], rows.count);
   return layer.count;
 }
 
@@ -143,6 +150,37 @@ LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::i
   const std::int32_t y = range.lower.y;
   return {{(x + rectangle.x0) * cell, (y + rectangle.y0) * cell, z * cell},
           {(x + rectangle.x1) * cell, (y + rectangle.y1) * cell, (z + 1) * cell}};
+}
+
+/// The boxes found so far; a grid's cell has `cell` metres.
+struct Boxes {
+  LocalBox* at;
+  int count;
+  double cell;
+};
+
+/// Makes the box reach through layer z.
+void grow_up(Boxes& boxes, std::int32_t box, std::int32_t z) {
+  boxes.at[box].upper[2] = (z + 1) * boxes.cell;
+}
+
+/// Matches the rectangles of layer z with those below, both in the same order: the same footprint continues its box,
+/// any other begins one. False where the boxes do not fit.
+bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* layer, int count, const VoxelRange& range,
+                std::int32_t z, Boxes& boxes) {
+  int j = 0;
+  for (int i = 0; i < count; ++i) {
+    while (j < below_count && before(below[j], layer[i])) ++j;
+    if (j < below_count && same_footprint(below[j], layer[i])) {
+      layer[i].box = below[j].box;
+      grow_up(boxes, layer[i].box, z);
+      continue;
+    }
+    if (boxes.count == kMaxLocalBoxes) return false;
+    layer[i].box = boxes.count;
+    boxes.at[boxes.count++] = box_of(layer[i], range, z, boxes.cell);
+  }
+  return true;
 }
 
 }  // namespace
@@ -162,30 +200,27 @@ VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
 }
 
 int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
-  if (range.lower.x >= range.upper.x) return 0;
-  const double cell = grid.spec().cell;
-  int box_count = 0;
+  if (range.lower.x >= range.upper.x || range.lower.y >= range.upper.y) return 0;
+  const Window window = window_of(range);
+  Boxes found{boxes, 0, grid.spec().cell};
+  LayerRectangle* below = scratch.rectangles[0];
+  LayerRectangle* layer = scratch.rectangles[1];
   int below_count = 0;
+  const std::ptrdiff_t layer_words = grid.obstacle_row(0, 1) - grid.obstacle_row(0, 0);
   for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
-    LayerRectangle* layer = scratch.rectangles[z & 1];
-    const LayerRectangle* below = scratch.rectangles[(z & 1) ^ 1];
-    const int count = layer_rectangles(grid, range, z, scratch, layer);
-    if (count < 0) return -1;
-    int j = 0;
-    for (int i = 0; i < count; ++i) {
-      while (j < below_count && before(below[j], layer[i])) ++j;
-      if (j < below_count && same_footprint(below[j], layer[i])) {
-        layer[i].box = below[j].box;
-        boxes[layer[i].box].upper[2] = (z + 1) * cell;
-        continue;
-      }
-      if (box_count == kMaxLocalBoxes) return -1;
-      layer[i].box = box_count;
-      boxes[box_count++] = box_of(layer[i], range, z, cell);
+    const Rows rows = rows_of(grid, range, window, z);
+    if (z > range.lower.z && first_difference(rows, window, layer_words, 0) == rows.count) {
+      for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
+      continue;
     }
+    const int count = layer_rectangles(rows, window, scratch, layer);
+    if (count < 0 || !join_below(below, below_count, layer, count, range, z, found)) return -1;
+    LayerRectangle* const done = below;
+    below = layer;
+    layer = done;
     below_count = count;
   }
-  return box_count;
+  return found.count;
 }
 
 }  // namespace tern
