@@ -153,7 +153,7 @@ TEST_F(TinyCorridor, MoreLegsThanSegments) {
 
 TEST_F(TinyCorridor, ALongLegTakesNoMoreSegmentsThanThereAre) {
   const World world({64, 16, 8}, 1.0, 0.0);
-  ASSERT_EQ(run(world, {{1.0, 8.0, 4.0}, {62.0, 8.0, 4.0}, {62.0, 9.0, 4.0}}), Status::kOk);
+  ASSERT_EQ(run(world, {{1.0, 8.0, 4.0}, {62.0, 8.0, 4.0}, {62.0, 15.0, 4.0}}), Status::kOk);
   EXPECT_EQ(corridor_->count, tern::kMaxSegments);
 }
 

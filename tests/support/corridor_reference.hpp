@@ -233,10 +233,16 @@ inline bool is_face_of(const tern::Halfspace& h, const tern::Box& box) {
          std::fabs(signed_excess(h, corner)) < 1e-12;
 }
 
+/// How far a half-space keeps from its segment where the obstacle it is made for leaves so much room: it grows with the
+/// room, so that the nearest obstacle bounds all.
+inline double promised_margin(double room, double cell) {
+  return std::min(room, std::max(tern::kSightMargin * cell, std::min(0.5 * room, 0.25)));
+}
+
 /// Unit normals, the segment inside, the boundary kept, and the promised distance between planes and segment.
 inline void expect_holds_segment(const tern::Grid& grid, const tern::Polyhedron& polyhedron, double clearance) {
   const double room = clearance - grid.spec().radius;
-  const double margin = std::min(room, tern::kSightMargin * grid.spec().cell);
+  const double margin = promised_margin(room, grid.spec().cell);
   const tern::Box boundary = grid.local_boundary();
   ASSERT_LE(all_planes(polyhedron), tern::kMaxPlanes);
   for (int p = 0; p < all_planes(polyhedron); ++p) {

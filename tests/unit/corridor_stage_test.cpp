@@ -49,14 +49,20 @@ class CorridorStageTest : public ::testing::Test {
     return Status::kRunning;
   }
 
-  /// The chain begins at the start, ends at the goal, meets every waypoint and has no gap.
+  /// The chain begins at the start, ends at the goal and has no gap.
   void expect_chain() {
     ASSERT_GE(corridor_->count, 1);
     expect_same(corridor_->polyhedra[0].from, path_->points[0]);
     expect_same(corridor_->polyhedra[corridor_->count - 1].to, path_->points[path_->count - 1]);
+    for (int i = 0; i + 1 < corridor_->count; ++i) {
+      expect_same(corridor_->polyhedra[i].to, corridor_->polyhedra[i + 1].from);
+    }
+  }
+
+  /// Every waypoint is the end of a polyhedron.
+  void expect_every_waypoint() {
     int waypoint = 1;
     for (int i = 0; i < corridor_->count; ++i) {
-      if (i + 1 < corridor_->count) expect_same(corridor_->polyhedra[i].to, corridor_->polyhedra[i + 1].from);
       const Vec3& w = path_->points[waypoint];
       const Vec3& end = corridor_->polyhedra[i].to;
       if (norm3(minus3(w, end)) <= 0.0) ++waypoint;
@@ -76,6 +82,7 @@ TEST_F(CorridorStageTest, OnePolyhedronALeg) {
   ASSERT_EQ(run(world, 100), Status::kOk);
   EXPECT_EQ(corridor_->count, 3);
   expect_chain();
+  expect_every_waypoint();
   EXPECT_GE(stage_->planes_high, 6);
   EXPECT_GE(stage_->boxes_high, 1);
 }
@@ -88,11 +95,47 @@ TEST_F(CorridorStageTest, AHoverIsOnePolyhedron) {
   expect_chain();
 }
 
-TEST_F(CorridorStageTest, CoincidentWaypointsAreLegsOfNoLength) {
-  const World world({40, 40, 40}, 0.1, 0.2);
-  set_path({{2.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.0, 2.0}});
+TEST_F(CorridorStageTest, CoincidentWaypointsShareAPolyhedron) {
+  const World world({80, 40, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {7.0, 2.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
-  EXPECT_EQ(corridor_->count, 3);
+  EXPECT_EQ(corridor_->count, 2);
+  expect_chain();
+}
+
+TEST_F(CorridorStageTest, LegsThatAPolyhedronHoldsAreNotBuilt) {
+  // In free space the first polyhedron is the box of its leg and 2 m more: x from 0 to 5, y and z from 0 to 4.
+  const World world({80, 40, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.5, 2.0}, {4.5, 3.5, 1.0}, {7.5, 3.5, 1.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  ASSERT_EQ(corridor_->count, 2);
+  expect_chain();
+  EXPECT_EQ(stage_->planes, 2u * 6u) << "the six faces of two boxes";
+  const Polyhedron& first = corridor_->polyhedra[0];
+  expect_same(first.to, {4.5, 3.5, 1.0});
+  // Its ellipsoid belongs to the new segment, from (1, 2, 2) to (4.5, 3.5, 1), and lies inside.
+  expect_same(first.ellipsoid.center, {2.75, 2.75, 1.5});
+  expect_ellipsoid(first, 1.0);
+}
+
+TEST_F(CorridorStageTest, ALegIsBuiltThatEndsTooNearAFace) {
+  // The first polyhedron ends at y = 4, the margin is 0.005 m: one waypoint keeps it, the other does not.
+  const World world({80, 80, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.994, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 1);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.996, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 2);
+}
+
+TEST_F(CorridorStageTest, AWayBackToTheStartKeepsItsEllipsoid) {
+  const World world({40, 40, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {1.0, 2.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  ASSERT_EQ(corridor_->count, 1);
+  expect_same(corridor_->polyhedra[0].to, {1.0, 2.0, 2.0});
+  expect_ellipsoid(corridor_->polyhedra[0], 1.0);
 }
 
 TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {

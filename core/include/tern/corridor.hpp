@@ -22,8 +22,8 @@ struct Polyhedron {
                   ///< a plane an obstacle proves the polyhedron clear
   Halfspace planes[kMaxPlanes];
   Ellipsoid ellipsoid;
-  Vec3 from;  ///< the segment that it was grown around: both ends inside
-  Vec3 to;
+  Vec3 from;  ///< its segment, both ends inside: the leg that it was grown around, or on to the end of a later leg
+  Vec3 to;    ///< that it holds as well
 };
 
 /// Half-spaces of a polyhedron, redundant ones included.

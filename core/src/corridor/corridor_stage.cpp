@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "corridor/ellipsoid_fit.hpp"
+#include "corridor/reuse.hpp"
 
 namespace tern {
 namespace {
@@ -53,10 +54,8 @@ Status halve(CorridorStage& stage, const Path& path, std::int32_t used, Status w
   return Status::kRunning;
 }
 
-/// Moves on past a finished polyhedron; kOk past the last.
-Status move_on(CorridorStage& stage, const Path& path, std::int32_t used) {
-  stage.from = stage.ends[--stage.pending];
-  if (stage.pending > 0) return Status::kRunning;
+/// Turns to the next piece, whole; kOk past the last.
+Status next_piece(CorridorStage& stage, const Path& path, std::int32_t used) {
   if (++stage.piece < stage.pieces) {
     stage.pending = 1;
     stage.ends[0] = piece_end(stage, path);
@@ -65,6 +64,20 @@ Status move_on(CorridorStage& stage, const Path& path, std::int32_t used) {
   if (stage.leg + 1 >= legs_of(path)) return Status::kOk;
   begin_leg(stage, path, stage.leg + 1, used);
   return Status::kRunning;
+}
+
+/// Moves on past a finished polyhedron, which also serves the pieces that it holds; kOk past the last. Half a piece is
+/// always built: else halvings would not be bounded by the polyhedra they make.
+Status move_on(CorridorStage& stage, const Path& path, double margin, std::int32_t used, Polyhedron& finished) {
+  stage.from = stage.ends[--stage.pending];
+  if (stage.pending > 0) return Status::kRunning;
+  Status status = next_piece(stage, path, used);
+  while (status == Status::kRunning && holds(finished, stage.ends[0], margin)) {
+    extend_segment(finished, stage.ends[0]);
+    stage.from = stage.ends[0];
+    status = next_piece(stage, path, used);
+  }
+  return status;
 }
 
 /// Tries the piece at hand.
@@ -77,8 +90,8 @@ Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corri
   stage.boxes_high = stage.grow.boxes_high;
   if (status == Status::kPlanesFull || status == Status::kObstaclesFull) return halve(stage, path, out.count, status);
   if (status != Status::kOk) return status;
-  ++out.count;
-  return move_on(stage, path, out.count);
+  Polyhedron& finished = out.polyhedra[out.count++];
+  return move_on(stage, path, kSightMargin * grid.spec().cell, out.count, finished);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The corridor stage: polyhedra along the shortcut path, one a leg where that does, more where a leg is long or its
-// polyhedron does not fit its capacities.
+// polyhedron does not fit its capacities, none where the one before holds it.
 #ifndef TERN_CORRIDOR_CORRIDOR_STAGE_HPP
 #define TERN_CORRIDOR_CORRIDOR_STAGE_HPP
 
@@ -51,9 +51,10 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
                     const Fences* fences = nullptr) noexcept;
 
 /// One unit of work is one polyhedron. kRunning, or the end: kOk with `out` full: polyhedron i holds its `from` and
-/// `to` and ends exactly where i + 1 begins; the first begins at the path's first point, the last ends at its last, and
-/// every waypoint is the end of some. Else kCorridorBlocked, kOutOfMap, kObstaclesFull, kPlanesFull, kSegmentsFull or
-/// kBudgetCorridor, with `out` undefined.
+/// `to` and ends exactly where i + 1 begins; the first begins at the path's first point, the last ends at its last.
+/// Each leg, or each piece of one, lies in one of them: a polyhedron that holds the next leg with kSightMargin of a
+/// voxel to spare at its end serves it too, so that not every waypoint is an end. Else kCorridorBlocked, kOutOfMap,
+/// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
 /// A path whose interior legs keep kSightMargin of a voxel from whatever is not free gives every pair of neighbours a
 /// common ball of radius kSightMargin * cell about their common point (less 1e-9 m of rounding).

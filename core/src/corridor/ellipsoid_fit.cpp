@@ -104,6 +104,16 @@ EllipsoidFrame ball_about(const Vec3& center, double cell) {
 
 }  // namespace
 
+EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept {
+  const double half = 0.5 * distance(from, to);
+  EllipsoidFrame frame;
+  frame.center = 0.5 * (from + to);
+  for (double& semi_axis : frame.semi_axis) semi_axis = half;
+  frame.direction[0] = (0.5 / half) * (to - from);
+  turn_y_towards(frame, perpendicular(frame.direction[0]));
+  return frame;
+}
+
 EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept {
   EllipsoidFrame thick = frame;
   const double least = share * frame.semi_axis[0];
@@ -117,11 +127,7 @@ EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& 
   const double half = 0.5 * distance(from, to);
   if (2.0 * half < kPointLike) return ball_about(middle, cell);
 
-  EllipsoidFrame frame = ball_about(middle, 2.0 * half);
-  for (double& semi_axis : frame.semi_axis) semi_axis = half;
-  frame.direction[0] = (0.5 / half) * (to - from);
-  turn_y_towards(frame, perpendicular(frame.direction[0]));
-
+  EllipsoidFrame frame = sphere_over(from, to);
   Candidates candidates = boxes_within(obstacles, middle, half, inside, checks);
   shrink_both(frame, obstacles, candidates, kThinnest * half);
   candidates = boxes_within(obstacles, middle, half, inside, checks);

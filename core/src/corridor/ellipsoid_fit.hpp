@@ -24,6 +24,9 @@ struct Obstacles {
 /// Segments shorter than this, in metres, are points: their ellipsoid is a ball.
 constexpr double kPointLike = 1e-6;
 
+/// The sphere over a segment that is no point (kPointLike), x along it.
+EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
+
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` gives a point-like segment's
 /// ball its size. `inside` is scratch for obstacles.count indices. `checks` grows by the obstacles looked at.
 ///

@@ -110,7 +110,7 @@ Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double 
   Vec3 center;
   if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, given, out, center);
   if (status != Status::kOk) return status;
-  set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out));
+  set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out), scratch.trial.planes);
   inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
   out.ellipsoid = ellipsoid_of(frame);
   out.from = segment.from;

@@ -8,17 +8,17 @@
 namespace tern {
 namespace {
 
-/// Half-spaces relative to a point inside, so that nothing depends on where the map is.
+/// The half-spaces relative to a point inside, so that nothing depends on where the map is, and which of them are known
+/// to be redundant.
 struct Planes {
+  Halfspace* at;
   int count;
-  Halfspace at[kMaxPlanes];
   bool redundant[kMaxPlanes];
 };
 
 /// False where the point lies on some plane.
 bool move_to(const Vec3& inside, double thickness, const Polyhedron& polyhedron, Planes& planes) {
-  planes.count = polyhedron.count;
-  for (int p = 0; p < polyhedron.count; ++p) {
+  for (int p = 0; p < planes.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     planes.at[p] = {plane.normal, plane.offset - dot(plane.normal, inside)};
     planes.redundant[p] = false;
@@ -40,23 +40,27 @@ bool is_redundant(const Planes& planes, int index, double reach, double thicknes
 
 }  // namespace
 
-void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach) noexcept {
+void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept {
   const double thickness = kSliverThickness * reach;
   Planes planes;
+  planes.at = scratch;
+  planes.count = polyhedron.count;
   polyhedron.redundant = 0;
   if (!move_to(inside, thickness, polyhedron, planes)) return;
   int kept = 0;
-  Halfspace aside[kMaxPlanes];
   for (int p = 0; p < planes.count; ++p) {
+    const Halfspace plane = polyhedron.planes[p];
     planes.redundant[p] = is_redundant(planes, p, reach, thickness);
     if (planes.redundant[p]) {
-      aside[polyhedron.redundant++] = polyhedron.planes[p];
+      planes.at[p] = plane;  // nothing cuts with it any more: its place keeps it
     } else {
-      polyhedron.planes[kept++] = polyhedron.planes[p];
+      polyhedron.planes[kept++] = plane;
     }
   }
-  for (int k = 0; k < polyhedron.redundant; ++k) polyhedron.planes[kept + k] = aside[k];
   polyhedron.count = kept;
+  for (int p = 0; p < planes.count; ++p) {
+    if (planes.redundant[p]) polyhedron.planes[kept + polyhedron.redundant++] = planes.at[p];
+  }
 }
 
 }  // namespace tern

@@ -20,7 +20,8 @@ constexpr double kSliverThickness = 1e-12;
 /// first `count` is redundant any more, by the same measure. Every point of the polyhedron lies within `reach` (metres)
 /// of `inside`, a point of it. A polyhedron as flat as that, where `inside` is on a plane, keeps all. Each half-space's
 /// facet is a convex polygon cut by all others: at most kMaxPlanes^2 cuts of polygons with kMaxPlanes + 4 corners.
-void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach) noexcept;
+/// `scratch` has room for `count` half-spaces.
+void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
 
 }  // namespace tern
 
