@@ -50,6 +50,23 @@ TEST_F(FencesFault, InsideAKeepOutToo) {
   EXPECT_EQ(plan({{&right_, 1, FenceKind::kKeepOut}}), Status::kGoalFenced);
 }
 
+TEST_F(FencesFault, TheReportNamesTheFenceThatIsBroken) {
+  const Halfspace far{{0.0, 0.0, 1.0}, 9.0};  // z <= 9: all of the map
+  const Fence anywhere{&far, 1, FenceKind::kKeepIn};
+  const Fence nowhere_near{&right_, 1, FenceKind::kKeepOut};
+  EXPECT_EQ(plan({anywhere, {&left_, 1, FenceKind::kKeepOut}, nowhere_near}), Status::kStartFenced);
+  EXPECT_EQ(world_.report.fence, 1);
+  EXPECT_EQ(plan({nowhere_near, anywhere, anywhere}), Status::kGoalFenced);
+  EXPECT_EQ(world_.report.fence, 0);
+  // Keep-ins are looked at first.
+  EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepOut}, anywhere, {&right_, 1, FenceKind::kKeepIn}}), Status::kStartFenced);
+  EXPECT_EQ(world_.report.fence, 2);
+  EXPECT_EQ(plan({anywhere}), Status::kOk);
+  EXPECT_EQ(world_.report.fence, tern::kNoFence);
+  EXPECT_EQ(plan({}), Status::kOk);
+  EXPECT_EQ(world_.report.fence, tern::kNoFence);
+}
+
 TEST_F(FencesFault, NearerThanTheRadiusToAKeepOutToo) {
   world_.from({1.19, 2.0, 1.0}).to({2.5, 2.0, 1.0});
   EXPECT_EQ(plan({{&left_, 1, FenceKind::kKeepOut}}), Status::kStartFenced);

@@ -59,16 +59,20 @@ std::string timing_line(const tern_host::Timing& timing) {
          entry("check", timing.of(Stage::kCheck)) + "total " + fixed(timing.total(), 0) + "\n";
 }
 
+std::string clearance_line(double clearance, std::size_t fences) {
+  std::string text = std::isfinite(clearance) ? fixed(clearance, 4) + " m from the blocks" : "no blocks";
+  if (fences > 0) text += ", " + std::to_string(fences) + (fences == 1 ? " geofence kept" : " geofences kept");
+  return "  clearance   " + text + "\n";
+}
+
 std::string trajectory_lines(const PlanResult& result) {
   const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
-  const std::string clearance =
-      std::isfinite(figures.clearance) ? fixed(figures.clearance, 4) + " m from the blocks" : "no blocks";
   return "  trajectory  " + fixed(figures.length, 3) + " m in " + fixed(figures.duration, 3) + " s, " +
          std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
          "  peaks       v " + fixed(largest(figures.v_peak), 3) + " m/s, a " + fixed(largest(figures.a_peak), 3) +
          " m/s^2 an axis; |v| " + fixed(figures.speed, 3) + ", |a| " + fixed(figures.acceleration, 3) + "\n" +
-         "  limits used v " + percent(figures.v_use) + " %, a " + percent(figures.a_use) + " %\n" + "  clearance   " +
-         clearance + "\n";
+         "  limits used v " + percent(figures.v_use) + " %, a " + percent(figures.a_use) + " %\n" +
+         clearance_line(figures.clearance, result.scenario.fences.size());
 }
 
 struct Column {

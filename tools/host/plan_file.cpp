@@ -118,6 +118,7 @@ bool is_occupied(tern::Status status) {
 std::string describe_failure(const tern::Report& report) {
   std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
+  if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
   if (is_occupied(report.status)) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
   }

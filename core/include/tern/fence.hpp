@@ -26,6 +26,9 @@ struct Fence {
 constexpr double kMinFenceNormal = 1e-6;
 constexpr double kMaxFenceNormal = 1e6;
 
+/// No fence, where one is named by its index in the request.
+constexpr std::int32_t kNoFence = -1;
+
 /// Half-spaces of a box.
 constexpr int kBoxPlanes = 6;
 

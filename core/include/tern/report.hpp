@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "tern/fence.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
 
@@ -51,6 +52,7 @@ struct Report {
   Vec3 nearest_free;  ///< world frame: centre of the free voxel nearest to an occupied start or goal
   StageReport stages[kStageCount];
   HighWater high_water;
+  std::int32_t fence = kNoFence;  ///< kStartFenced / kGoalFenced: which of Request::fences, the first that is broken
 
   // The corridor's half-spaces, of all polyhedra together.
   std::int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme

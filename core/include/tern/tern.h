@@ -83,6 +83,7 @@ typedef struct {
   tern_vec3 nearest_free;
   tern_stage_report stages[7];
   tern_high_water high_water;
+  int32_t fence; /* of the request's fences, the one that start or goal breaks; -1: none */
   int32_t half_spaces, half_spaces_redundant;
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;

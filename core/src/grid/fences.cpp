@@ -83,16 +83,18 @@ Status find_corners(const Surroundings& around, Fences& fences, KeepOut& fence) 
   return Status::kOk;
 }
 
-Status load_keep_in(const Grid& grid, const Fence& from, Fences& fences) {
+Status load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Fences& fences) {
   for (std::int32_t p = 0; p < from.count; ++p) {
+    fences.keep_in_index[fences.keep_in_count] = index;
     const Status status = to_local_plane(grid, from.planes[p], fences.keep_in[fences.keep_in_count++]);
     if (status != Status::kOk) return status;
   }
   return Status::kOk;
 }
 
-Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& from, Fences& fences) {
-  KeepOut fence{fences.plane_count, 0, fences.corner_count, 0};
+Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& from, std::int32_t index,
+                     Fences& fences) {
+  KeepOut fence{fences.plane_count, 0, fences.corner_count, 0, index};
   for (; fence.planes < from.count; ++fence.planes) {
     const Status status =
         to_local_plane(grid, from.planes[fence.planes], fences.planes[fence.first_plane + fence.planes]);
@@ -135,23 +137,29 @@ Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fenc
     if (list[i].count > kMaxFencePlanes - planes) return Status::kFencePlanesFull;
     planes += list[i].count;
     const bool keep_in = list[i].kind == FenceKind::kKeepIn;
-    const Status status = keep_in ? load_keep_in(grid, list[i], fences) : load_keep_out(grid, around, list[i], fences);
+    const Status status =
+        keep_in ? load_keep_in(grid, list[i], i, fences) : load_keep_out(grid, around, list[i], i, fences);
     if (status != Status::kOk) return status;
   }
   return Status::kOk;
 }
 
-bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
+std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
   for (int p = 0; p < fences.keep_in_count; ++p) {
     const Halfspace& plane = fences.keep_in[p];
-    if (larger(dot(plane.normal, from), dot(plane.normal, to)) > plane.offset + kClearTolerance) return false;
+    const double far = larger(dot(plane.normal, from), dot(plane.normal, to));
+    if (far > plane.offset + kClearTolerance) return fences.keep_in_index[p];
   }
   for (int k = 0; k < fences.keep_out_count; ++k) {
     const HullGap gap = segment_hull_gap(from, to, hull_of(fences, fences.keep_out[k]));
     const bool apart = dot(gap.normal, gap.normal) > 0.5;
-    if (!apart || gap.distance < radius - kClearTolerance) return false;
+    if (!apart || gap.distance < radius - kClearTolerance) return fences.keep_out[k].index;
   }
-  return true;
+  return kNoFence;
+}
+
+bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
+  return fence_broken(fences, from, to, radius) == kNoFence;
 }
 
 }  // namespace tern

@@ -24,6 +24,7 @@ struct KeepOut {
   std::int32_t planes;
   std::int32_t first_corner;
   std::int32_t corners;  ///< > 0
+  std::int32_t index;    ///< in the request's list
 };
 
 /// Keep-ins come to one list of half-spaces that hold everywhere.
@@ -33,6 +34,7 @@ struct Fences {
   std::int32_t plane_count;
   std::int32_t corner_count;
   Halfspace keep_in[kMaxFencePlanes];
+  std::int32_t keep_in_index[kMaxFencePlanes];  ///< the fence of each in the request's list
   KeepOut keep_out[kMaxFences];
   Halfspace planes[kMaxFencePlanes];  ///< of the keep-outs
   Vec3 corners[kMaxFenceCorners];
@@ -50,6 +52,9 @@ Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fenc
 /// True where the segment (local frame; equal ends are a point) lies in each keep-in and keeps `radius` from each
 /// keep-out, but for kClearTolerance.
 bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
+
+/// The first fence for which that does not hold, as its index in the request's list, keep-ins first; kNoFence for none.
+std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
 }  // namespace tern
 

@@ -73,8 +73,10 @@ Status Planner::accept_fences(const Request& request) noexcept {
   const double radius = grid_->spec().radius;
   const Vec3& start = local_.start.position;
   const Vec3& goal = local_.goal.position;
-  if (!fences_clear(memory.fences, start, start, radius)) return refuse(Status::kStartFenced, Field::kStartPosition);
-  if (!fences_clear(memory.fences, goal, goal, radius)) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  report_.fence = fence_broken(memory.fences, start, start, radius);
+  if (report_.fence != kNoFence) return refuse(Status::kStartFenced, Field::kStartPosition);
+  report_.fence = fence_broken(memory.fences, goal, goal, radius);
+  if (report_.fence != kNoFence) return refuse(Status::kGoalFenced, Field::kGoalPosition);
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
   return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
 }

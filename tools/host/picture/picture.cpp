@@ -48,6 +48,11 @@ std::string settings_line(const Scenario& scenario) {
 
 using Figure = std::pair<std::string, std::string>;  // name, value
 
+std::string clearance_text(double clearance, bool fenced) {
+  if (std::isfinite(clearance)) return fixed(clearance, 3) + " m";
+  return fenced ? "fences only" : "no blocks";
+}
+
 std::vector<Figure> key_figures(const PlanResult& result, const Figures& figures) {
   const double us = result.timing.total();
   return {{"duration", fixed(figures.duration, 2) + " s"},
@@ -55,7 +60,7 @@ std::vector<Figure> key_figures(const PlanResult& result, const Figures& figures
           {"segments", std::to_string(result.trajectory.count)},
           {"peak |v|", fixed(figures.speed, 2) + " m/s"},
           {"peak |a|", fixed(figures.acceleration, 2) + " m/s\u00b2"},
-          {"least clearance", std::isfinite(figures.clearance) ? fixed(figures.clearance, 3) + " m" : "no blocks"},
+          {"least clearance", clearance_text(figures.clearance, !result.scenario.fences.empty())},
           {"snap cost", fixed(figures.snap, figures.snap < 100.0 ? 1 : 0)},
           {"computed in", us < 10000.0 ? fixed(us, 0) + " \u00b5s" : fixed(us / 1000.0, 1) + " ms"}};
 }
