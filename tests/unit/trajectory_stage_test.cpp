@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "support/box_corridor.hpp"
+#include "trajectory/brake.hpp"
 #include "trajectory/motion_limits.hpp"
 #include "trajectory/stop_and_go.hpp"
 
@@ -252,7 +253,7 @@ TEST(TrajectoryStage, BrakesFirstWhereThereIsNoBudget) {
   const Flight run(corridor, query);
   ASSERT_EQ(run.status, Status::kOk);
   EXPECT_EQ(run.stage->quality, Quality::kStopAndGo);
-  EXPECT_EQ(run.plan.count, 4);
+  EXPECT_EQ(run.plan.count, kBrakeSegments + corridor.count);
 }
 
 TEST(TrajectoryStage, NoTrajectoryWhereAWallIsTooClose) {

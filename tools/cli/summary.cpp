@@ -48,7 +48,7 @@ std::string corridor_line(const PlanResult& result) {
   const tern::Report& report = result.report;
   return "  corridor    " + std::to_string(result.corridor->count) + " polyhedra, " +
          std::to_string(report.half_spaces) + " half-spaces (" + std::to_string(report.half_spaces_redundant) +
-         " redundant ones set aside)\n";
+         " redundant ones set aside)" + (report.detours != 0 ? ", along the motion first" : "") + "\n";
 }
 
 std::string timing_line(const tern_host::Timing& timing) {

@@ -41,8 +41,8 @@ class Planner {
   /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
   /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, an iteration or a
-  /// segment's check each.
+  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, an iteration, a detour
+  /// or a segment's check each.
   Status step(std::uint32_t work) noexcept;
   /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
@@ -53,7 +53,7 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : std::uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kCheck, kDone };
+  enum class Phase : std::uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
@@ -65,8 +65,10 @@ class Planner {
   Status run_corridor(Work& work) noexcept;
   Status run_times() noexcept;
   Status run_trajectory(Work& work) noexcept;
+  Status run_detour(Work& work) noexcept;
   Status run_check(Work& work) noexcept;
   Stage stage_of_phase() const noexcept;
+  std::uint32_t attempts() const noexcept;
   void enter(Phase phase) noexcept;
 
   void* workspace_;  // aligned; null where the memory does not do
@@ -77,6 +79,8 @@ class Planner {
   Phase phase_ = Phase::kIdle;
   bool has_fences_ = false;
   std::int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
+  std::uint32_t planes_before_ = 0;  // work of the stages before the detour
+  std::uint32_t iterations_before_ = 0;
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;

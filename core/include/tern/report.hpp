@@ -58,6 +58,9 @@ struct Report {
   std::int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
   std::int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
 
+  /// 1 where an end moves too fast for the room around it on the path, and the plan leads along its motion first.
+  std::int32_t detours;
+
   // The optimiser's last quadratic programme.
   std::int32_t qp_variables;
   std::int32_t qp_inequalities;

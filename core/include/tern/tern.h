@@ -13,7 +13,7 @@
 #include "tern/config.hpp"
 
 /* Grows with every incompatible change of a type or function below. */
-#define TERN_ABI 2
+#define TERN_ABI 3
 
 /* Storage for the two objects that C cannot see into; checked against the library at compile time of the core. */
 #define TERN_GRID_WORDS 32
@@ -84,7 +84,7 @@ typedef struct {
   tern_stage_report stages[7];
   tern_high_water high_water;
   int32_t fence; /* of the request's fences, the one that start or goal breaks; -1: none */
-  int32_t half_spaces, half_spaces_redundant;
+  int32_t half_spaces, half_spaces_redundant, detours;
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;
 } tern_report;

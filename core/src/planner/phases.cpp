@@ -5,8 +5,10 @@
 // counted into the report, and enters the next phase or ends the plan.
 #include "base/math.hpp"
 #include "base/work.hpp"
+#include "planner/detour.hpp"
 #include "planner/layout.hpp"
 #include "tern/planner.hpp"
+#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {
@@ -19,6 +21,11 @@ void count(Report& report, Stage stage, std::uint32_t work, std::uint32_t bound)
   StageReport& entry = report.stages[static_cast<int>(stage)];
   entry.work = work;
   entry.bound = bound;
+}
+
+/// A high-water mark: the detour's stages do not lower it.
+void raise(std::int32_t& mark, std::int32_t value) {
+  if (mark < value) mark = value;
 }
 
 std::uint32_t least(std::uint32_t a, std::uint32_t b) {
@@ -39,6 +46,8 @@ Stage Planner::stage_of_phase() const noexcept {
       return Stage::kTimes;
     case Phase::kTrajectory:
       return Stage::kTrajectory;
+    case Phase::kDetour:
+      return Stage::kShortcut;
     case Phase::kCheck:
       return Stage::kCheck;
     case Phase::kIdle:
@@ -59,13 +68,14 @@ void Planner::enter(Phase phase) noexcept {
       return path_begin(memory.stage.path, world(), query);
     }
     case Phase::kCorridor:
-      return corridor_begin(memory.stage.corridor, world(), memory.path, local_.budget.planes,
+      return corridor_begin(memory.stage.corridor, world(), memory.path, local_.budget.planes - planes_before_,
                             has_fences_ ? &memory.fences : nullptr);
     case Phase::kCheck:
       return check_begin(memory.stage.check);
     case Phase::kFences:
     case Phase::kTimes:
     case Phase::kTrajectory:
+    case Phase::kDetour:
     case Phase::kIdle:
     case Phase::kDone:
       break;
@@ -91,6 +101,9 @@ Status Planner::run_phase(Work& work) noexcept {
       break;
     case Phase::kTrajectory:
       status = run_trajectory(work);
+      break;
+    case Phase::kDetour:
+      status = run_detour(work);
       break;
     case Phase::kCheck:
       status = run_check(work);
@@ -129,7 +142,7 @@ Status Planner::run_path(Work& work) noexcept {
   const Status status = path_advance(stage, world(), work, memory.path);
   count(report_, Stage::kSearch, stage.expansions, least(local_.budget.expansions, kSearchBound));
   count(report_, Stage::kShortcut, stage.sight_lines,
-        least(local_.budget.sight_lines, shortcut_bound(stage.query.mode)));
+        least(local_.budget.sight_lines, shortcut_bound(stage.query.mode) + (attempts() - 1) * kDetourLines));
   report_.high_water.nodes = stage.nodes_high;
   report_.high_water.heap = stage.heap_high;
   report_.high_water.jump_points = stage.raw_high;
@@ -146,16 +159,28 @@ Status Planner::run_path(Work& work) noexcept {
   return status;
 }
 
+/// How often corridor and trajectory may be made: a second time where an end moves, after a detour.
+std::uint32_t Planner::attempts() const noexcept {
+  return at_rest(local_.start) && at_rest(local_.goal) ? 1 : 2;
+}
+
 Status Planner::run_corridor(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CorridorStage& stage = memory.stage.corridor;
   const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
-  count(report_, Stage::kCorridor, stage.planes, least(local_.budget.planes, kCorridorBound));
-  report_.high_water.planes = stage.planes_high;
-  report_.high_water.local_boxes = stage.boxes_high;
+  count(report_, Stage::kCorridor, planes_before_ + stage.planes,
+        least(local_.budget.planes, attempts() * kCorridorBound));
+  raise(report_.high_water.planes, stage.planes_high);
+  raise(report_.high_water.local_boxes, stage.boxes_high);
   if (status == Status::kRunning) return status;
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
-  if (status != Status::kOk) return end(Stage::kCorridor, status);
+  if (status != Status::kOk) {
+    // That the detour has no corridor does not make the path's own one unflyable for any other reason.
+    if (report_.detours != 0) return end(Stage::kTrajectory, Status::kNoTrajectory);
+    return end(Stage::kCorridor, status);
+  }
+  report_.half_spaces = 0;
+  report_.half_spaces_redundant = 0;
   for (int i = 0; i < memory.corridor.count; ++i) {
     report_.half_spaces += memory.corridor.polyhedra[i].count;
     report_.half_spaces_redundant += memory.corridor.polyhedra[i].redundant;
@@ -167,7 +192,8 @@ Status Planner::run_corridor(Work& work) noexcept {
 
 Status Planner::run_times() noexcept {
   Layout& memory = layout(workspace_);
-  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.time_weight, local_.budget.iterations};
+  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.time_weight,
+                              local_.budget.iterations - iterations_before_};
   trajectory_begin(memory.stage.trajectory, memory.corridor, query);
   count(report_, Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kMaxSegments);
   enter(Phase::kTrajectory);
@@ -178,23 +204,46 @@ Status Planner::run_trajectory(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   TrajectoryStage& stage = memory.stage.trajectory;
   const Status status = trajectory_advance(stage, memory.corridor, work, memory.trajectory);
-  count(report_, Stage::kTrajectory, stage.iterations, least(local_.budget.iterations, kTrajectoryBound));
-  report_.high_water.active = stage.active_high;
-  report_.high_water.qp_iterations = stage.longest_solve;
-  report_.high_water.qp_solves = stage.solves;
+  const std::uint32_t iterations = iterations_before_ + stage.iterations;
+  count(report_, Stage::kTrajectory, iterations, least(local_.budget.iterations, attempts() * kTrajectoryBound));
+  raise(report_.high_water.active, stage.active_high);
+  raise(report_.high_water.qp_iterations, stage.longest_solve);
+  raise(report_.high_water.qp_solves, stage.solves);
   if (status == Status::kRunning) return status;
   report_.quality = stage.quality;
   report_.optimiser = stage.optimiser;
   report_.qp_variables = stage.variables;
   report_.qp_inequalities = stage.inequalities;
   report_.qp_active = stage.active;
-  report_.qp_iterations = static_cast<std::int32_t>(stage.iterations);
+  report_.qp_iterations = static_cast<std::int32_t>(iterations);
   report_.kkt_residual = stage.kkt_residual;
+  if (status == Status::kNoTrajectory && report_.detours == 0) {
+    enter(Phase::kDetour);
+    return status;
+  }
   if (status != Status::kOk) return end(Stage::kTrajectory, status);
   memory.trajectory.origin = world().spec().origin;
   report_.high_water.segments = memory.trajectory.count;
   enter(Phase::kCheck);
   return status;
+}
+
+/// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
+Status Planner::run_detour(Work& work) noexcept {
+  if (!work.take()) return Status::kRunning;
+  Layout& memory = layout(workspace_);
+  StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
+  if (local_.budget.sight_lines - shortcut.work < kDetourLines) return end(Stage::kTrajectory, Status::kNoTrajectory);
+  std::uint32_t lines = 0;
+  const bool found = take_detour(world(), has_fences_ ? &memory.fences : nullptr, local_, memory.path, lines);
+  shortcut.work += lines;
+  if (!found) return end(Stage::kTrajectory, Status::kNoTrajectory);
+  report_.detours = 1;
+  planes_before_ = report_.stages[static_cast<int>(Stage::kCorridor)].work;
+  iterations_before_ = report_.stages[static_cast<int>(Stage::kTrajectory)].work;
+  has_corridor_ = false;
+  enter(Phase::kCorridor);
+  return Status::kOk;
 }
 
 Status Planner::run_check(Work& work) noexcept {

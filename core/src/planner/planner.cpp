@@ -86,6 +86,8 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   report_.timing_known = clock_ != nullptr;
   has_path_ = false;
   has_corridor_ = false;
+  planes_before_ = 0;
+  iterations_before_ = 0;
   grid_ = &grid;
   if (workspace_ == nullptr) return refuse(Status::kInvalidArgument, Field::kWorkspace);
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, Field::kStorage);
@@ -103,7 +105,7 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
 Status Planner::step(std::uint32_t work) noexcept {
   if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
   Work slice{work};
-  // Five phases follow one another; each ends the plan, ends the slice or enters the next.
+  // Phases follow one another, and once again after a detour; each ends the plan, ends the slice or enters the next.
   while (phase_ != Phase::kDone) {
     if (grid_->revision() != revision_) return end(stage_of_phase(), Status::kMapChanged);
     if (run_phase(slice) == Status::kRunning && slice.left == 0) return Status::kRunning;

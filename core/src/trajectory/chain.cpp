@@ -26,12 +26,6 @@ constexpr double kLongestRun = 2.5;
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
 
-/// Durations of the first two segments beside a moving end, in times that braking from its speed takes, and the part of
-/// the limit speed that counts as its speed at least.
-constexpr double kOuterPart = 0.4;
-constexpr double kInnerPart = 0.8;
-constexpr double kLeastEndSpeed = 0.25;
-
 bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
 }
@@ -58,15 +52,6 @@ int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits,
   return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
 }
 
-/// Seconds that it takes to lose the speed of an end, or a part of the limit speed.
-double braking_time(const JointState& end, const Limits& limits) {
-  double time = gauge(acceleration_bounds(limits), kZero - end.d[1]);
-  for (int a = 0; a < 3; ++a) {
-    time = larger(time, kLeastEndSpeed * axis(limits.v_max, a) / axis(limits.a_max, a));
-  }
-  return time;
-}
-
 /// The most that each polyhedron may be split for the sum to fit.
 int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& limits, double whole) {
   for (int most = kMaxSplit; most > 1; --most) {
@@ -80,10 +65,11 @@ int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& li
   return 1;
 }
 
-void append_pieces(const Polyhedron& polyhedron, int index, int pieces, Chain& chain) {
+/// `length`: of each piece.
+void append_pieces(double length, int polyhedron, int pieces, Chain& chain) {
   for (int i = 0; i < pieces; ++i) {
-    chain.polyhedron[chain.count] = index;
-    chain.length[chain.count] = way(polyhedron) / pieces;
+    chain.polyhedron[chain.count] = polyhedron;
+    chain.length[chain.count] = length;
     ++chain.count;
   }
 }
@@ -157,6 +143,14 @@ double fitting_duration(const JointState& end, const Polyhedron& polyhedron, con
   return larger(duration, kMinDuration);
 }
 
+bool goes_from_rest_to_rest(const Segment& segment) {
+  for (int k = 1; k < kJointOrder; ++k) {
+    if (distance(segment.points[0], segment.points[k]) > 0.0) return false;
+    if (distance(segment.points[kDegree], segment.points[kDegree - k]) > 0.0) return false;
+  }
+  return true;
+}
+
 /// The same state flown backwards in time.
 JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
@@ -174,25 +168,11 @@ void make_chain(const Corridor& corridor, const State& start, const State& goal,
   for (int i = 0; i < corridor.count; ++i) length += way(corridor.polyhedra[i]);
   const int most = fitting_split(chain, corridor, limits, length);
   for (int i = 0; i < corridor.count; ++i) {
-    const int split = split_of(chain, corridor, limits, i, length);
-    append_pieces(corridor.polyhedra[i], i, split < most ? split : most, chain);
+    const int wanted = split_of(chain, corridor, limits, i, length);
+    const int pieces = wanted < most ? wanted : most;
+    append_pieces(way(corridor.polyhedra[i]) / pieces, i, pieces, chain);
   }
   allocate(corridor, limits, chain);
-}
-
-void short_end_durations(const Limits& limits, const Chain& chain, double* durations) noexcept {
-  const int last = chain.count - 1;
-  for (int i = 0; i < chain.count; ++i) durations[i] = chain.duration[i];
-  if (last == 0) return;
-  const JointState* const ends[2] = {&chain.start, &chain.goal};
-  for (int side = 0; side < 2; ++side) {
-    if (!moves(*ends[side])) continue;
-    const double braking = braking_time(*ends[side], limits);
-    double& outer = durations[side == 0 ? 0 : last];
-    double& inner = durations[side == 0 ? 1 : last - 1];
-    outer = larger(kMinDuration, kOuterPart * braking);
-    if (last > 2) inner = smaller(inner, larger(kMinDuration, kInnerPart * braking));
-  }
 }
 
 void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {
@@ -200,6 +180,18 @@ void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noex
   chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
   chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
                                           backwards(limits), chain.duration[last]);
+}
+
+void follow(const Trajectory& plan, Chain& chain) noexcept {
+  const int most = 2 * plan.count <= kMaxSegments ? 2 : 1;
+  chain.count = 0;
+  for (int i = 0; i < plan.count; ++i) {
+    const Segment& segment = plan.segments[i];
+    const int pieces = goes_from_rest_to_rest(segment) ? most : 1;
+    const double length = distance(segment.points[0], segment.points[kDegree]) / pieces;
+    append_pieces(length, segment.polyhedron, pieces, chain);
+    for (int k = 1; k <= pieces; ++k) chain.duration[chain.count - k] = larger(kMinDuration, segment.duration / pieces);
+  }
 }
 
 double chain_duration(const Chain& chain) noexcept {

@@ -6,6 +6,7 @@
 #include "tern/config.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
+#include "tern/trajectory.hpp"
 #include "trajectory/hermite.hpp"
 
 namespace tern {
@@ -14,7 +15,7 @@ namespace tern {
 /// hold several segments in a row. Local frame.
 struct Chain {
   int count;                      ///< 1 .. kMaxSegments
-  int polyhedron[kMaxSegments];   ///< never decreasing, by one at most
+  int polyhedron[kMaxSegments];   ///< never decreasing
   double duration[kMaxSegments];  ///< seconds, >= kMinDuration
   double length[kMaxSegments];    ///< metres of the way that each is for
   JointState start;               ///< jerk zero
@@ -33,13 +34,14 @@ constexpr int kMaxSplit = 3;
 void make_chain(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
                 Chain& chain) noexcept;
 
-/// The chain's durations, but two short segments next to a moving end: its acceleration must come and go before the way
-/// matters. `durations`: chain.count values, seconds.
-void short_end_durations(const Limits& limits, const Chain& chain, double* durations) noexcept;
-
 /// Shortens the first and the last segment until what follows from the boundary states alone (half of their control
 /// points, and the hodographs' there) keeps the polyhedra and the limits; kMinDuration at least. No effect at rest.
 void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept;
+
+/// The segments of a plan that keeps everything, from the chain's start to its goal, with their durations: a programme
+/// over them has a solution. Segments from rest to rest become halves, which gives the programme freedom there, as far
+/// as kMaxSegments allows. Start, goal and centre stay.
+void follow(const Trajectory& plan, Chain& chain) noexcept;
 
 /// Sum of the durations, in order, seconds.
 double chain_duration(const Chain& chain) noexcept;

@@ -42,13 +42,9 @@ void begin_trade(Refinement& refinement, const Round& round, Chain& chain) {
 /// The ends' fitting may have shortened the chain's durations: each round starts from the last one's before that.
 void climb(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.accepted) return begin_trade(refinement, round, chain);
-  const bool exhausted = refinement.round == kClimbRounds;
-  if (exhausted && (refinement.course == Course::kClimbShortEnds || !refinement.has_short_ends)) {
-    return enter(refinement, Course::kDone);
-  }
-  if (exhausted) enter(refinement, Course::kClimbShortEnds);
+  if (refinement.round == kClimbRounds) return enter(refinement, Course::kDone);
   for (int i = 0; i < chain.count; ++i) {
-    refinement.base[i] = exhausted ? refinement.short_ends[i] : kClimbStep * refinement.base[i];
+    refinement.base[i] = kClimbStep * refinement.base[i];
     chain.duration[i] = refinement.base[i];
   }
 }
@@ -71,13 +67,9 @@ void trade(Refinement& refinement, const Round& round, Chain& chain) {
 
 }  // namespace
 
-void refinement_begin(Refinement& refinement, const Chain& chain, const double* short_ends, double rate) noexcept {
+void refinement_begin(Refinement& refinement, const Chain& chain, double rate) noexcept {
   enter(refinement, Course::kClimb);
   refinement.rate = rate;
-  refinement.has_short_ends = short_ends != nullptr;
-  if (short_ends != nullptr) {
-    for (int i = 0; i < chain.count; ++i) refinement.short_ends[i] = short_ends[i];
-  }
   keep(refinement, 0.0, chain);
 }
 
@@ -85,7 +77,6 @@ void refinement_next(Refinement& refinement, const Round& round, Chain& chain) n
   ++refinement.round;
   switch (refinement.course) {
     case Course::kClimb:
-    case Course::kClimbShortEnds:
       return climb(refinement, round, chain);
     case Course::kTrade:
       return trade(refinement, round, chain);

@@ -3,8 +3,7 @@
 //
 // Which durations to try next: a bounded search for the plan of least  snap + rate * duration.  One solve a round.
 //
-//   climb   durations grow from round to round until the programme has a solution: the first feasible plan. From or to
-//           a moving state in two courses, the second with short segments beside it.
+//   climb   durations grow from round to round until the programme has a solution: the first feasible plan.
 //   trade   every segment's duration moves to where the price of its time (time_prices.hpp) would equal the rate;
 //           halfway back where that leaves no plan or a worse one.
 #ifndef TERN_TRAJECTORY_REFINEMENT_HPP
@@ -16,7 +15,7 @@
 
 namespace tern {
 
-enum class Course : std::uint8_t { kClimb, kClimbShortEnds, kTrade, kDone };
+enum class Course : std::uint8_t { kClimb, kTrade, kDone };
 
 struct Refinement {
   Course course;
@@ -25,8 +24,6 @@ struct Refinement {
   double rate;                ///< m^2/s^8: what a second costs
   double cost;                ///< that the trade has come to, m^2/s^7
   double base[kMaxSegments];  ///< durations that go with it; of the climb, the last ones tried
-  bool has_short_ends;
-  double short_ends[kMaxSegments];  ///< durations that the second climb begins with
 };
 
 /// What became of the round's programme.
@@ -47,9 +44,8 @@ constexpr double kLongest = 1.6;
 /// The trade ends where a round gains less than this part of the cost.
 constexpr double kLeastGain = 0.02;
 
-/// Durations of the first round are the chain's own. `short_ends`: chain.count durations for the second climb, or null
-/// where both ends are at rest.
-void refinement_begin(Refinement& refinement, const Chain& chain, const double* short_ends, double rate) noexcept;
+/// Durations of the first round are the chain's own. `rate`: m^2/s^8, > 0.
+void refinement_begin(Refinement& refinement, const Chain& chain, double rate) noexcept;
 
 /// Learns from a round and enters the next: fills the chain's durations, or answers kDone.
 void refinement_next(Refinement& refinement, const Round& round, Chain& chain) noexcept;

@@ -4,15 +4,10 @@
 
 #include "base/bounds.hpp"
 #include "times/times.hpp"
-#include "trajectory/hermite.hpp"
-#include "trajectory/motion_limits.hpp"
+#include "trajectory/brake.hpp"
 
 namespace tern {
 namespace {
-
-/// Durations tried for a braking segment, each longer than the one before by kBrakeStep: a factor of 60 in all.
-constexpr int kBrakeTries = 44;
-constexpr double kBrakeStep = 1.1;
 
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
 
@@ -24,24 +19,6 @@ bool same_point(const Vec3& a, const Vec3& b) {
   return is_zero(a - b);
 }
 
-/// Seconds below which no braking from that state can keep the limits.
-double least_braking_time(const State& state, const Limits& limits) {
-  return larger(kMinDuration, gauge(acceleration_bounds(limits), kZero - state.velocity));
-}
-
-/// The first four control points follow from the state, the last four are where it stops: half a step past the fourth,
-/// which makes the slowing down symmetric in time for a start without acceleration.
-Segment braking_curve(const State& state, int polyhedron, double duration) {
-  Segment segment{};
-  segment.duration = duration;
-  segment.polyhedron = polyhedron;
-  const JointState start{{state.position, state.velocity, state.acceleration, kZero}};
-  control_points(start, start, duration, segment.points);
-  const Vec3 stop = segment.points[3] + 0.5 * (segment.points[3] - segment.points[2]);
-  for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = stop;
-  return segment;
-}
-
 /// The same path flown backwards.
 void reverse(Segment& segment) {
   for (int k = 0; k < kJointOrder; ++k) {
@@ -49,10 +26,6 @@ void reverse(Segment& segment) {
     segment.points[k] = segment.points[kDegree - k];
     segment.points[kDegree - k] = first;
   }
-}
-
-State backwards(const State& state) {
-  return State{state.position, kZero - state.velocity, state.acceleration};
 }
 
 /// End of leg i of the way along the corridor's waypoints to `to`.
@@ -75,6 +48,19 @@ void append(const Segment& segment, Trajectory& out) {
   ++out.count;
 }
 
+void append_brake(const Brake& brake, Trajectory& out) {
+  for (int part = 0; part < kBrakeSegments; ++part) append(brake_segment(brake, part, 0), out);
+}
+
+/// A braking flown backwards in time.
+void append_launch(const Brake& brake, int polyhedron, Trajectory& out) {
+  for (int part = kBrakeSegments - 1; part >= 0; --part) {
+    Segment segment = brake_segment(brake, part, polyhedron);
+    reverse(segment);
+    append(segment, out);
+  }
+}
+
 void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limits& limits, Trajectory& out) {
   for (int i = 0; i < corridor.count; ++i) {
     const Vec3 next = leg_end(corridor, to, i);
@@ -87,6 +73,10 @@ void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limi
 
 bool at_rest(const State& state) noexcept {
   return is_zero(state.velocity) && is_zero(state.acceleration);
+}
+
+State backwards(const State& state) noexcept {
+  return State{state.position, kZero - state.velocity, state.acceleration};
 }
 
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept {
@@ -104,39 +94,25 @@ Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const
   return segment;
 }
 
-bool brake_segment(const State& state, const Polyhedron& polyhedron, int index, const Limits& limits,
-                   Segment& segment) noexcept {
-  double time = least_braking_time(state, limits);
-  for (int i = 0; i < kBrakeTries; ++i) {
-    segment = braking_curve(state, index, time);
-    if (inside(segment, polyhedron) && within_limits(segment, limits)) return true;
-    time *= kBrakeStep;
-  }
-  return false;
-}
-
 Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
                    Trajectory& out) noexcept {
   const int last = corridor.count - 1;
   const bool brakes = !at_rest(start);
   const bool launches = !at_rest(goal);
-  Segment brake{};
-  Segment launch{};
-  if (brakes && !brake_segment(start, corridor.polyhedra[0], 0, limits, brake)) return Status::kNoTrajectory;
-  if (launches && !brake_segment(backwards(goal), corridor.polyhedra[last], last, backwards(limits), launch)) {
+  Brake brake{};
+  Brake launch{};
+  if (brakes && !find_brake(start, corridor.polyhedra[0], limits, brake)) return Status::kNoTrajectory;
+  if (launches && !find_brake(backwards(goal), corridor.polyhedra[last], backwards(limits), launch)) {
     return Status::kNoTrajectory;
   }
-  const Vec3 from = brakes ? brake.points[kDegree] : start.position;
-  const Vec3 to = launches ? launch.points[kDegree] : goal.position;
-  const int count = count_legs(corridor, from, to) + (brakes ? 1 : 0) + (launches ? 1 : 0);
+  const Vec3 from = brakes ? stopping_point(brake) : start.position;
+  const Vec3 to = launches ? stopping_point(launch) : goal.position;
+  const int count = count_legs(corridor, from, to) + kBrakeSegments * ((brakes ? 1 : 0) + (launches ? 1 : 0));
   if (count > kMaxSegments) return Status::kNoTrajectory;
   out.count = 0;
-  if (brakes) append(brake, out);
+  if (brakes) append_brake(brake, out);
   append_legs(corridor, from, to, limits, out);
-  if (launches) {
-    reverse(launch);
-    append(launch, out);
-  }
+  if (launches) append_launch(launch, last, out);
   if (count == 0) hover(from, out);
   return Status::kOk;
 }

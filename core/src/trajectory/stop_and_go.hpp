@@ -25,14 +25,12 @@ constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 2
 /// True where velocity and acceleration are zero.
 bool at_rest(const State& state) noexcept;
 
+/// The same state flown backwards in time.
+State backwards(const State& state) noexcept;
+
 /// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
 /// ends are the same point it stays there that long.
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept;
-
-/// The shortest of a bounded ladder of segments from the state to rest that keep the limits and the polyhedron. False
-/// where none does. At rest already: a straight segment of no length.
-bool brake_segment(const State& state, const Polyhedron& polyhedron, int index, const Limits& limits,
-                   Segment& segment) noexcept;
 
 /// kOk, or kNoTrajectory with `out` untouched: no room to brake or accelerate, or no segment left for it. Fills count
 /// and segments of `out`. Legs of no length are left out.

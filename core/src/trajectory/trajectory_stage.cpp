@@ -165,11 +165,23 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
+/// Where no programme had a solution: starts again from stop-and-go, along whose segments there is one.
+void follow_fallback(TrajectoryStage& stage, const Corridor& corridor) {
+  const TrajectoryQuery& query = stage.query;
+  if (stage.best.found || stage.has_fallback) return;
+  if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
+  stage.has_fallback = true;
+  stage.warm_count = 0;
+  follow(stage.fallback, stage.chain);
+  refinement_begin(stage.refinement, stage.chain, stage.refinement.rate);
+}
+
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
   stage.round.accepted = false;
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   refinement_next(stage.refinement, stage.round, stage.chain);
+  if (stage.refinement.course == Course::kDone) follow_fallback(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
@@ -216,6 +228,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   clear_results(stage);
   stage.query = query;
   stage.best.found = false;
+  stage.has_fallback = false;
   stage.warm_count = 0;
   stage.phase = TrajectoryPhase::kFinish;
   if (stays(corridor) && rests(query)) return;
@@ -224,9 +237,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
     return;
   }
   make_chain(corridor, query.start, query.goal, query.limits, stage.chain);
-  short_end_durations(query.limits, stage.chain, stage.round.prices);
-  refinement_begin(stage.refinement, stage.chain, rests(query) ? nullptr : stage.round.prices,
-                   snap_rate(query.limits, query.time_weight));
+  refinement_begin(stage.refinement, stage.chain, snap_rate(query.limits, query.time_weight));
   stage.phase = TrajectoryPhase::kPropose;
 }
 

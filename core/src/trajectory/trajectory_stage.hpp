@@ -70,6 +70,8 @@ struct TrajectoryStage {
   Round round;
   ProgrammeScale scale;
   BestPlan best;
+  bool has_fallback;    ///< the chain follows the fallback
+  Trajectory fallback;  ///< stop-and-go
   Status solve_status;
   std::uint32_t solve_begin;  ///< `iterations` when the programme was begun
   int warm_count;

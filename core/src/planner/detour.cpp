@@ -1,0 +1,102 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/detour.hpp"
+
+#include "base/bounds.hpp"
+#include "grid/distance.hpp"
+#include "path/polyline.hpp"
+#include "path/sight.hpp"
+#include "trajectory/stop_and_go.hpp"
+
+namespace tern {
+namespace {
+
+/// What lines are held against, and how many were.
+struct Lines {
+  const Grid& grid;
+  const Fences* fences;
+  std::uint32_t count;
+};
+
+bool fences_allow(const Lines& lines, const Vec3& from, const Vec3& to) {
+  return lines.fences == nullptr || fences_clear(*lines.fences, from, to, lines.grid.spec().radius);
+}
+
+/// A braking motion needs the radius alone, as a start does that is not in a free voxel.
+bool can_brake_along(Lines& lines, const Vec3& from, const Vec3& to) {
+  ++lines.count;
+  return segment_clear(lines.grid, from, to, lines.grid.spec().radius) && fences_allow(lines, from, to);
+}
+
+/// Legs of a path keep the margin that gives neighbouring polyhedra room in common.
+bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
+  ++lines.count;
+  return line_of_sight(lines.grid, from, to) && fences_allow(lines, from, to);
+}
+
+/// Where the sharpest braking stops that has room straight ahead. That way leads along the velocity, nearly, whatever
+/// the acceleration, and its polyhedron holds gentler ones too as far as it reaches.
+bool find_stop(Lines& lines, const State& state, const Limits& limits, Vec3& stop) {
+  for (int shape = kBrakeShapes - 1; shape >= 0; --shape) {
+    stop = stopping_point(make_brake(state, limits, shape));
+    if (can_brake_along(lines, state.position, stop)) return true;
+  }
+  return false;
+}
+
+/// The furthest waypoint in sight, `last` at most; 0, which saw the point, where no other does.
+int onward_waypoint(Lines& lines, const Vec3& point, const Path& path, int last) {
+  const int furthest = last < kOnwardWaypoints ? last : kOnwardWaypoints;
+  for (int k = furthest; k > 0; --k) {
+    if (can_lead_on(lines, point, path.points[k])) return k;
+  }
+  return 0;
+}
+
+/// Removes the waypoints between the first one and `next`, and puts `stop` there; twice the first one where that is
+/// `next`. In place: towards the end where there will be more waypoints, else towards the beginning.
+void insert_stop(const Vec3& stop, int next, Path& path) {
+  const int shift = 2 - next;
+  const int moved = path.count - next;
+  for (int i = 0; i < moved; ++i) {
+    const int k = shift > 0 ? path.count - 1 - i : next + i;
+    path.points[k + shift] = path.points[k];
+  }
+  path.points[1] = stop;
+  path.count += shift;
+}
+
+void reverse(Path& path) {
+  for (int k = 0; 2 * k < path.count - 1; ++k) {
+    const Vec3 point = path.points[k];
+    path.points[k] = path.points[path.count - 1 - k];
+    path.points[path.count - 1 - k] = point;
+  }
+}
+
+/// The detour of the path's first end; waypoints after `last` stay.
+bool lead_through_stop(Lines& lines, const State& start, const Limits& limits, int last, Path& path) {
+  Vec3 stop;
+  if (at_rest(start) || path.count + 2 > kMaxWaypoints || !find_stop(lines, start, limits, stop)) return false;
+  insert_stop(stop, onward_waypoint(lines, stop, path, last), path);
+  return true;
+}
+
+}  // namespace
+
+bool take_detour(const Grid& grid, const Fences* fences, const Request& request, Path& path,
+                 std::uint32_t& lines) noexcept {
+  Lines world{grid, fences, 0};
+  const bool start_led = lead_through_stop(world, request.start, request.limits, path.count - 1, path);
+  reverse(path);
+  // The start's own leg stays, whatever the goal's stopping point sees.
+  const int last = path.count - (start_led ? 2 : 1);
+  const bool goal_led = lead_through_stop(world, backwards(request.goal), backwards(request.limits), last, path);
+  reverse(path);
+  lines = world.count;
+  if (!start_led && !goal_led) return false;
+  path.length = polyline_length(path.points, path.count);
+  return true;
+}
+
+}  // namespace tern

@@ -1,0 +1,168 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+#include "planner/detour.hpp"
+#include "support/world.hpp"
+#include "trajectory/stop_and_go.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Path;
+using tern::Request;
+using tern::Status;
+using tern::Vec3;
+
+/// A corridor along x, 1 m wide, that opens to a room at x = 4.
+class Detour : public testing::Test {
+ protected:
+  Detour() : world_({80, 40, 20}, 0.1, 0.2) {
+    world_.block({0.0, 0.0, 0.0}, {4.0, 1.0, 2.0}).block({0.0, 2.0, 0.0}, {4.0, 4.0, 2.0});
+    world_.grid.inflate();
+    request_.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+    set_path({{1.0, 1.5, 1.0}, {4.2, 1.5, 1.0}, {5.0, 3.5, 1.0}});
+  }
+  void set_path(std::initializer_list<Vec3> points) {
+    path_->count = 0;
+    for (const Vec3& point : points) path_->points[path_->count++] = point;
+    path_->length = -1.0;
+    request_.start.position = path_->points[0];
+    request_.goal.position = path_->points[path_->count - 1];
+  }
+  bool take() { return tern::take_detour(world_.grid, nullptr, request_, *path_, lines_); }
+
+  World world_;
+  Request request_{};
+  std::unique_ptr<Path> path_ = std::make_unique<Path>();
+  std::uint32_t lines_ = 0;
+};
+
+TEST_F(Detour, LeadsPastTheStartsStoppingPoint) {
+  set_path({{5.0, 1.0, 1.0}, {4.2, 1.5, 1.0}, {1.0, 1.5, 1.0}});
+  request_.start.velocity = {1.0, 0.0, 0.0};
+  ASSERT_TRUE(take());
+  // 0.5 s at full deceleration, and a ramp's 0.05 s: half of 0.55 m.
+  ASSERT_EQ(path_->count, 4);
+  EXPECT_NEAR(path_->points[1].x, 5.275, 1e-12);
+  EXPECT_EQ(path_->points[1].y, 1.0);
+  EXPECT_EQ(path_->points[2].x, 4.2) << "the corridor's end is not in sight from there";
+  EXPECT_GT(path_->length, 4.4);
+  EXPECT_LE(lines_, tern::kDetourLines);
+}
+
+TEST_F(Detour, GoesOnToTheFurthestWaypointInSight) {
+  set_path({{5.0, 1.5, 1.0}, {5.5, 2.0, 1.0}, {6.0, 1.6, 1.0}, {7.5, 1.5, 1.0}});
+  request_.start.velocity = {0.0, 1.0, 0.0};
+  ASSERT_TRUE(take());
+  ASSERT_EQ(path_->count, 3);
+  EXPECT_NEAR(path_->points[1].y, 1.775, 1e-12);
+  EXPECT_EQ(path_->points[2].x, 7.5);
+}
+
+TEST_F(Detour, GoesBackWhereNothingElseIsInSight) {
+  set_path({{3.9, 1.5, 1.0}, {3.0, 1.5, 1.0}, {1.0, 1.5, 1.0}});
+  request_.start.velocity = {2.0, 2.0, 0.0};
+  ASSERT_TRUE(take());
+  ASSERT_EQ(path_->count, 5);
+  EXPECT_EQ(path_->points[2].x, 3.9) << "back to the start";
+  EXPECT_EQ(path_->points[3].x, 3.0);
+  EXPECT_EQ(path_->points[4].x, 1.0);
+}
+
+TEST_F(Detour, BrakesSharply) {
+  request_.start.velocity = {0.0, 1.0, 0.0};  // 0.3 m to the wall's clearance, 0.25 m at full deceleration
+  ASSERT_TRUE(take());
+  EXPECT_NEAR(path_->points[1].y, 1.775, 1e-12);
+}
+
+TEST_F(Detour, ThereIsNoneWhereTheMotionCannotStop) {
+  request_.start.velocity = {0.0, 2.0, 0.0};
+  EXPECT_FALSE(take());
+  EXPECT_EQ(path_->count, 3);
+  EXPECT_EQ(path_->length, -1.0) << "unchanged";
+  EXPECT_EQ(path_->points[0].x, 1.0);
+}
+
+TEST_F(Detour, LeadsToTheGoalFromWhereItsMotionCanBegin) {
+  request_.goal.velocity = {0.0, 1.0, 0.0};
+  ASSERT_TRUE(take());
+  ASSERT_EQ(path_->count, 4);
+  EXPECT_EQ(path_->points[3].y, 3.5);
+  EXPECT_NEAR(path_->points[2].y, 3.5 - 0.275, 1e-12);
+}
+
+TEST_F(Detour, KeepsBothEndsStops) {
+  set_path({{5.0, 1.5, 1.0}, {7.0, 1.5, 1.0}});
+  request_.start.velocity = {0.0, 1.0, 0.0};
+  request_.goal.velocity = {0.0, 1.0, 0.0};
+  ASSERT_TRUE(take());
+  ASSERT_EQ(path_->count, 4);
+  EXPECT_NEAR(path_->points[1].y, 1.775, 1e-12);
+  EXPECT_NEAR(path_->points[2].y, 1.225, 1e-12);
+}
+
+TEST_F(Detour, NeedsRoomForItsWaypoints) {
+  path_->count = tern::kMaxWaypoints - 1;
+  for (int k = 0; k < path_->count; ++k) path_->points[k] = {5.0, 1.5, 1.0};
+  request_.start.velocity = {0.0, 1.0, 0.0};
+  EXPECT_FALSE(take());
+}
+
+/// Starts into a dead end, away from the only way out: the polyhedron around the path's first leg does not reach there.
+World sideways() {
+  World world({80, 60, 20}, 0.1, 0.2);
+  world.block({1.5, 0.0, 0.0}, {1.7, 2.6, 2.0}).block({1.5, 3.4, 0.0}, {1.7, 6.0, 2.0});
+  world.block({0.0, 0.0, 0.0}, {0.9, 2.0, 2.0});
+  world.from({1.2, 2.4, 1.0}).to({6.0, 5.0, 1.0});
+  world.request.start.velocity = {0.0, -2.0, 0.0};
+  return world;
+}
+
+TEST(DetourPlan, IsReportedAndBounded) {
+  World world = sideways();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, 1);
+  EXPECT_EQ(world.planner.path()->points[1].x, 1.2);
+  EXPECT_LT(world.planner.path()->points[1].y, 1.4);
+  for (const tern::StageReport& stage : world.report.stages) EXPECT_LE(stage.work, stage.bound);
+}
+
+TEST(DetourPlan, SlicesGiveTheSameBits) {
+  World whole = sideways();
+  ASSERT_EQ(whole.plan(), Status::kOk);
+  World sliced = sideways();
+  sliced.grid.inflate();
+  std::memset(static_cast<void*>(&sliced.trajectory), 0x5A, sizeof sliced.trajectory);
+  ASSERT_EQ(sliced.planner.begin(sliced.grid, sliced.request), Status::kRunning);
+  while (sliced.planner.step(3) == Status::kRunning) {
+  }
+  ASSERT_EQ(sliced.planner.finish(sliced.trajectory, sliced.report), Status::kOk);
+  EXPECT_EQ(std::memcmp(&whole.trajectory, &sliced.trajectory, sizeof whole.trajectory), 0);
+}
+
+TEST(DetourPlan, KeepsTheBudgetsOverBothAttempts) {
+  World world = sideways();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const tern::Report full = world.report;
+  world.request.budget.iterations = full.stages[static_cast<int>(tern::Stage::kTrajectory)].work / 2;
+  ASSERT_EQ(world.replan(), Status::kOk) << "stop-and-go at least";
+  EXPECT_LE(world.report.stages[static_cast<int>(tern::Stage::kTrajectory)].work, world.request.budget.iterations);
+  world.request.budget.iterations = 0xFFFFFFFFu;
+  world.request.budget.planes = full.stages[static_cast<int>(tern::Stage::kCorridor)].work - 1;
+  EXPECT_EQ(world.replan(), Status::kNoTrajectory);
+  EXPECT_TRUE(world.trajectory_untouched());
+}
+
+TEST(DetourPlan, NoneAtRest) {
+  World world = sideways();
+  world.request.start.velocity = {0.0, 0.0, 0.0};
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, 0);
+}
+
+}  // namespace
+}  // namespace tern_test
