@@ -88,8 +88,7 @@ Step partial_step(QpSolver& solver, const Limit& limit, bool dependent) {
 }  // namespace
 
 void enter(const QpProblem& problem, QpSolver& solver, const Candidate& candidate) {
-  const int begin =
-      transform_row(problem.points[candidate.row.point], solver.planes[candidate.row.plane].normal, solver);
+  const int begin = transform_row(problem.points[candidate.row.point], candidate.row.plane, solver);
   split_row(solver, begin);
   solver.entering = candidate.row;
   solver.entering_multiplier = 0.0;

@@ -22,10 +22,10 @@ double* column(QpSolver& solver, int j) {
 }
 
 const double* triangle_column(const QpSolver& solver, int j) {
-  return solver.triangle + j * (j + 1) / 2;
+  return solver.triangle + packed_column(j);
 }
 double* triangle_column(QpSolver& solver, int j) {
-  return solver.triangle + j * (j + 1) / 2;
+  return solver.triangle + packed_column(j);
 }
 
 void project_block(const QpSolver& solver, int j, int begin, const double* v, double* out) {
@@ -42,18 +42,31 @@ void project_block(const QpSolver& solver, int j, int begin, const double* v, do
   for (int b = 0; b < kBlock; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
 }
 
+/// Two elements of four columns times their coordinates, added up.
+Pair combine(const Pair* c, const double* q, int stride) {
+  return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
+}
+
 void subtract_block(const QpSolver& solver, int j, const double* coordinates, double* v) {
-  const double* q0 = column(solver, j);
-  const double* q1 = column(solver, j + 1);
-  const double* q2 = column(solver, j + 2);
-  const double* q3 = column(solver, j + 3);
-  const Pair c0 = both(coordinates[j]);
-  const Pair c1 = both(coordinates[j + 1]);
-  const Pair c2 = both(coordinates[j + 2]);
-  const Pair c3 = both(coordinates[j + 3]);
-  for (int i = 0; i < solver.stride; i += kPair) {
-    pair(v + i) -= (c0 * pair(q0 + i) + c1 * pair(q1 + i)) + (c2 * pair(q2 + i) + c3 * pair(q3 + i));
+  const Pair c[kBlock] = {both(coordinates[j]), both(coordinates[j + 1]), both(coordinates[j + 2]),
+                          both(coordinates[j + 3])};
+  const double* q = column(solver, j);
+  const int stride = solver.stride;
+  for (int i = 0; i < stride; i += kPad) {
+    pair(v + i) -= combine(c, q + i, stride);
+    pair(v + i + kPair) -= combine(c, q + i + kPair, stride);
   }
+}
+
+/// Back substitution for columns j and j + 1, j even: two steps for one pass over what is above.
+void solve_two_columns(const QpSolver& solver, int j, double* out) {
+  const double* left = triangle_column(solver, j);
+  const double* right = triangle_column(solver, j + 1);
+  out[j + 1] *= solver.inverse_diagonal[j + 1];
+  out[j] = (out[j] - out[j + 1] * right[j]) * solver.inverse_diagonal[j];
+  const Pair first = both(out[j]);
+  const Pair second = both(out[j + 1]);
+  for (int i = 0; i < j; i += kPair) pair(out + i) -= second * pair(right + i) + first * pair(left + i);
 }
 
 /// Moves column c + 1 of the triangle to column c, applies the rotations so far and makes the one that clears what
@@ -69,9 +82,11 @@ void shift_triangle_column(QpSolver& solver, int first, int c) {
   }
   const double below = from[c + 1];
   const double radius = square_root(carried * carried + below * below);
-  solver.cosine[c] = carried / radius;
-  solver.sine[c] = below / radius;
+  const double inverse = 1.0 / radius;
+  solver.cosine[c] = carried * inverse;
+  solver.sine[c] = below * inverse;
   to[c] = radius;
+  solver.inverse_diagonal[c] = inverse;
 }
 
 void rotate_coordinates(const QpSolver& solver, int first, int last, double* v) {
@@ -141,12 +156,14 @@ void split_row(QpSolver& solver, int begin) {
 void solve_triangle(const QpSolver& solver, const double* in, double* out) {
   const int k = solver.active_count;
   for (int j = 0; j < k; ++j) out[j] = in[j];
-  for (int j = k - 1; j >= 0; --j) {
-    const double* upper = triangle_column(solver, j);
-    const double value = out[j] / upper[j];
-    out[j] = value;
-    for (int i = 0; i < j; ++i) out[i] -= value * upper[i];
+  int j = k;
+  if (k % 2 == 1) {
+    const double* upper = triangle_column(solver, --j);
+    out[j] *= solver.inverse_diagonal[j];
+    const Pair last = both(out[j]);
+    for (int i = 0; i < j; i += kPair) pair(out + i) -= last * pair(upper + i);
   }
+  for (j -= 2; j >= 0; j -= 2) solve_two_columns(solver, j, out);
 }
 
 void solve_transposed(const QpSolver& solver, const double* in, double* out) {
@@ -155,19 +172,21 @@ void solve_transposed(const QpSolver& solver, const double* in, double* out) {
     const double* upper = triangle_column(solver, j);
     double total = in[j];
     for (int i = 0; i < j; ++i) total -= upper[i] * out[i];
-    out[j] = total / upper[j];
+    out[j] = total * solver.inverse_diagonal[j];
   }
 }
 
 void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
   const int k = solver.active_count;
   const double length = square_root(solver.direction_squared);
-  const Pair scale = both(1.0 / length);
+  const double inverse = 1.0 / length;
+  const Pair scale = both(inverse);
   double* q = column(solver, k);
   for (int i = 0; i < solver.stride; i += kPair) pair(q + i) = scale * pair(solver.direction + i);
   double* upper = triangle_column(solver, k);
   for (int j = 0; j < k; ++j) upper[j] = solver.projection[j];
   upper[k] = length;
+  solver.inverse_diagonal[k] = inverse;
   solver.active[k] = row;
   solver.multiplier[k] = multiplier;
   solver.row_length[k] = square_root(solver.entering_squared);

@@ -26,12 +26,25 @@ void load_columns(const QpProblem& problem, QpSolver& solver) {
   }
 }
 
-/// Subtracts what column i of L explains from the columns right of it.
-void eliminate(QpSolver& solver, int i, int reach) {
+/// Subtracts what a column explains from the columns right of it. The column is still that of L times its pivot's root:
+/// the next pivot must not wait for that root.
+template <int kReach>
+void eliminate(QpSolver& solver, int i, double inverse_pivot) {
+  const double* column = solver.factor[i];
+  for (int d = 1; d <= kReach; ++d) {
+    double* target = solver.factor[i + d];
+    const double multiple = column[d] * inverse_pivot;
+    for (int e = 0; e <= kReach - d; ++e) target[e] -= multiple * column[d + e];
+  }
+}
+
+void eliminate(QpSolver& solver, int i, int reach, double inverse_pivot) {
+  if (reach == kQpBand) return eliminate<kQpBand>(solver, i, inverse_pivot);
   const double* column = solver.factor[i];
   for (int d = 1; d <= reach; ++d) {
     double* target = solver.factor[i + d];
-    for (int e = 0; e <= reach - d; ++e) target[e] -= column[d] * column[d + e];
+    const double multiple = column[d] * inverse_pivot;
+    for (int e = 0; e <= reach - d; ++e) target[e] -= multiple * column[d + e];
   }
 }
 
@@ -66,9 +79,9 @@ bool factor_hessian(const QpProblem& problem, QpSolver& solver) {
     const int reach = reach_of(i, n);
     const double diagonal = problem.hessian[i][0];
     if (!(column[0] > kPivotTolerance * diagonal) || !(diagonal > 0.0) || !finite(column[0])) return false;
+    eliminate(solver, i, reach, 1.0 / column[0]);
     column[0] = 1.0 / square_root(column[0]);
-    for (int d = 1; d <= reach; ++d) column[d] *= column[0];
-    eliminate(solver, i, reach);
+    for (int d = 1; d <= kQpBand; ++d) column[d] *= column[0];
   }
   return true;
 }
@@ -99,12 +112,19 @@ void unknowns_from(QpSolver& solver, const double* z) {
       low -= both(column[d]) * pair(solver.x[i + d]);
       high -= both(column[d]) * pair(solver.x[i + d] + kPair);
     }
-    pair(solver.x[i]) = low * both(column[0]);
-    pair(solver.x[i] + kPair) = high * both(column[0]);
+    low *= both(column[0]);
+    high *= both(column[0]);
+    pair(solver.x[i]) = low;
+    pair(solver.x[i] + kPair) = high;
+    pair(solver.spread[i]) = both(low[0]);
+    pair(solver.spread[i] + kPair) = both(low[1]);
+    pair(solver.spread[i] + 2 * kPair) = both(high[0]);
   }
 }
 
-int transform_row(const QpPoint& point, const double* normal, QpSolver& solver) {
+int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
+  const QpUnitPlanes& planes = solver.planes;
+  const double normal[kQpAxes] = {planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]};
   const int begin = kQpAxes * point.first;
   double window[kQpBand + 1] = {};
   for (int t = 0; t < point.terms; ++t) window[t] = point.coefficient[t];

@@ -22,9 +22,9 @@ void forward(const QpSolver& solver, const double* in, double* out);
 /// solver.x = L'^-1 z.
 void unknowns_from(QpSolver& solver, const double* z);
 
-/// solver.row = normal (x) L^-1 beta for a point's coefficients beta, and entering_squared = |row|^2. Returns the first
-/// element that is not zero by structure.
-int transform_row(const QpPoint& point, const double* normal, QpSolver& solver);
+/// solver.row = normal (x) L^-1 beta for a plane's normal and a point's coefficients beta, and entering_squared =
+/// |row|^2. Returns the first element that is not zero by structure.
+int transform_row(const QpPoint& point, int plane, QpSolver& solver);
 
 /// 1 / |L^-1 beta|, from the band of H^-1; 0 where beta is zero.
 double point_inverse_norm(const QpPoint& point, QpSolver& solver);

@@ -4,31 +4,25 @@
 
 #include "base/math.hpp"
 #include "qp/hessian.hpp"
+#include "qp/tile.hpp"
 
 namespace tern::qp {
 namespace {
 
-constexpr int kTilePairs = kQpTile / kPair;
-
-/// Below every violation that there can be, and above: that of a point that is no number.
-constexpr double kNoViolation = -1e300;
+/// Above every violation that there can be: that of a point that is no number.
 constexpr double kNoNumber = 1e300;
 
 /// A tile is left out while the worst violation that was found in it is less than this part of the one that entered...
 constexpr double kWorthwhile = 0.3;
 /// ...for so many scans at most: rows that have come to be violated must not wait until all others are met.
 constexpr int kPatience = 6;
-
-/// Coordinates of up to kQpTile points, by axis.
-struct Tile {
-  alignas(16) double at[kQpAxes][kQpTile];
-  alignas(16) double worst[kQpTile];
-  Pair finite;  ///< 0 times the sum of every tile's coordinates so far: 0 where all of them were numbers
-};
+/// After a scan, the worst point of each promising tile is looked at alone: where one is still violated by this part of
+/// what entered last, it enters without a scan.
+constexpr double kFavourite = 0.5;
 
 /// A scan in progress: the best row so far, and where it stands.
 struct Scan {
-  Tile tile;
+  Pair numbers = both(0.0);  ///< 0 times the sum of all coordinates so far: 0 where all of them were numbers
   int group = -1;
   int point = -1;
   double violation = 0.0;
@@ -39,74 +33,6 @@ struct Scan {
   bool skipped = false;
 };
 
-void put(const Value& first, const Value& second, int lane, Tile& tile) {
-  pair(tile.at[0] + lane) = Pair{first.low[0], second.low[0]};
-  pair(tile.at[1] + lane) = Pair{first.low[1], second.low[1]};
-  pair(tile.at[2] + lane) = Pair{first.high[0], second.high[0]};
-}
-
-/// Evaluates `count` points; the lanes left over repeat the last one.
-void fill(const QpPoint* points, int count, const QpSolver& solver, Tile& tile) {
-  Pair total = both(0.0);
-  Value last;
-  int lane = 0;
-  for (; lane < count; lane += kPair) {
-    const Value first = evaluate(points[lane], solver);
-    last = lane + 1 < count ? evaluate(points[lane + 1], solver) : first;
-    put(first, last, lane, tile);
-    total += (first.low + first.high) + (last.low + last.high);
-  }
-  for (; lane < kQpTile; lane += kPair) put(last, last, lane, tile);
-  tile.finite += both(0.0) * total;
-}
-
-/// Raises `worst` to what one plane whose normal is an axis leaves of each point.
-void scan_axis(const QpUnitPlane& plane, const Tile& tile, Pair* worst) {
-  const double* at = tile.at[plane.axis];
-  if (plane.facing == QpFacing::kUp) {
-    const Pair upper = both(plane.offset);
-    for (int i = 0; i < kTilePairs; ++i) worst[i] = larger_of(pair(at + kPair * i) - upper, worst[i]);
-    return;
-  }
-  const Pair lower = both(-plane.offset);
-  for (int i = 0; i < kTilePairs; ++i) worst[i] = larger_of(lower - pair(at + kPair * i), worst[i]);
-}
-
-/// normal . point for two points of the tile.
-Pair height(const Pair* normal, const Tile& tile, int lane) {
-  const Pair sum_xy = normal[0] * pair(tile.at[0] + lane) + normal[1] * pair(tile.at[1] + lane);
-  return sum_xy + normal[2] * pair(tile.at[2] + lane);
-}
-
-/// The largest violation of each point of the tile; true where one is positive.
-bool scan_planes(const QpUnitPlane* planes, int count, Tile& tile) {
-  Pair worst[kTilePairs];
-  for (int i = 0; i < kTilePairs; ++i) worst[i] = both(kNoViolation);
-  for (int p = 0; p < count; ++p) {
-    const QpUnitPlane& plane = planes[p];
-    if (plane.facing <= QpFacing::kDown) {
-      scan_axis(plane, tile, worst);
-      continue;
-    }
-    const Pair normal[kQpAxes] = {both(plane.normal[0]), both(plane.normal[1]), both(plane.normal[2])};
-    const Pair upper = both(plane.offset);
-    if (plane.facing == QpFacing::kSlab && p + 1 < count) {
-      const Pair lower = both(-planes[++p].offset);
-      for (int i = 0; i < kTilePairs; ++i) {
-        const Pair at = height(normal, tile, kPair * i);
-        worst[i] = larger_of(lower - at, larger_of(at - upper, worst[i]));
-      }
-      continue;
-    }
-    for (int i = 0; i < kTilePairs; ++i) {
-      worst[i] = larger_of(height(normal, tile, kPair * i) - upper, worst[i]);
-    }
-  }
-  for (int i = 0; i < kTilePairs; ++i) pair(tile.worst + kPair * i) = worst[i];
-  const Pair most = larger_of(larger_of(worst[0], worst[1]), larger_of(worst[2], worst[3]));
-  return larger(most[0], most[1]) > 0.0;
-}
-
 double inverse_norm(const QpProblem& problem, QpSolver& solver, int point) {
   double& known = solver.inverse_norm[point];
   if (known < 0.0) known = point_inverse_norm(problem.points[point], solver);
@@ -116,6 +42,7 @@ double inverse_norm(const QpProblem& problem, QpSolver& solver, int point) {
 /// Takes the point's worst row where it is the best so far; returns how far it is violated as a distance in the metric.
 double consider(const QpProblem& problem, QpSolver& solver, int group, int point, double violation, Scan& scan) {
   solver.worst = larger(solver.worst, violation);
+  if (problem.points[point].terms == 0) solver.constant_worst = larger(solver.constant_worst, violation);
   if (!(violation > kQpEntering) || !finite(violation) || scan.constant) return 0.0;
   const double inverse = inverse_norm(problem, solver, point);
   const bool constant = !(inverse > 0.0);
@@ -129,25 +56,53 @@ double consider(const QpProblem& problem, QpSolver& solver, int group, int point
   return distance;
 }
 
+bool promising(const QpSolver& solver, const QpLook& last) {
+  return last.distance > kWorthwhile * solver.entered;
+}
+
 /// True where this pass leaves the tile out.
 bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
   if (solver.scans == 0 || index >= kQpMaxTiles) return scan.rest && solver.scans > 0;
-  if (scan.rest) return solver.seen[index] == solver.scans;
-  return solver.scans - solver.seen[index] < kPatience && solver.found[index] <= kWorthwhile * solver.entered;
+  const QpLook& last = solver.looks[index];
+  if (scan.rest) return last.scan == solver.scans;
+  return solver.scans - last.scan < kPatience && !promising(solver, last);
 }
 
-/// Looks at a tile and returns the distance of its most violated row; 0 where none is violated.
-double look(const QpProblem& problem, QpSolver& solver, int group, int begin, int count, Scan& scan) {
+/// Points of one group that are looked at together: [begin, end).
+struct Strip {
+  int group;
+  int begin;
+  int end;
+};
+
+/// A tile's points: all of them in the first scan, afterwards those that unknowns move.
+Strip strip_of(const QpProblem& problem, const QpSolver& solver, int group, int begin) {
   const QpGroup& g = problem.groups[group];
-  fill(problem.points + begin, count, solver, scan.tile);
-  if (!scan_planes(solver.planes + g.plane_begin, g.plane_end - g.plane_begin, scan.tile)) return 0.0;
-  double distance = 0.0;
+  const QpScreen& screen = solver.screens[group];
+  const int wanted_begin = solver.scans == 0 ? g.point_begin : screen.moving_begin;
+  const int wanted_end = solver.scans == 0 ? g.point_end : screen.moving_end;
+  const int end = begin + kQpTile;
+  return {group, begin < wanted_begin ? wanted_begin : begin, end < wanted_end ? end : wanted_end};
+}
+
+/// Looks at a strip's points.
+QpLook look(const QpProblem& problem, QpSolver& solver, const Strip& strip, Scan& scan) {
+  QpLook result = {0.0, strip.begin, strip.group, solver.scans};
+  const int count = strip.end - strip.begin;
+  if (count <= 0) return result;
+  Tile tile;
+  scan.numbers += fill(problem.points + strip.begin, count, solver, tile);
+  const int plane_end = problem.groups[strip.group].plane_end;
+  if (!qp::scan(solver.planes, solver.screens[strip.group], plane_end, count, tile)) return result;
   for (int lane = 0; lane < count; ++lane) {
-    const double violation = scan.tile.worst[lane];
+    const double violation = tile.worst[lane];
     if (!(violation > 0.0)) continue;
-    distance = larger(distance, consider(problem, solver, group, begin + lane, violation, scan));
+    const double distance = consider(problem, solver, strip.group, strip.begin + lane, violation, scan);
+    if (!(distance > result.distance)) continue;
+    result.distance = distance;
+    result.point = strip.begin + lane;
   }
-  return distance;
+  return result;
 }
 
 void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& scan) {
@@ -158,11 +113,16 @@ void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& sca
       scan.skipped = true;
       continue;
     }
-    const int left = g.point_end - begin;
-    const double distance = look(problem, solver, group, begin, left < kQpTile ? left : kQpTile, scan);
-    if (tile >= kQpMaxTiles) continue;
-    solver.seen[tile] = solver.scans;
-    solver.found[tile] = distance;
+    const QpLook result = look(problem, solver, strip_of(problem, solver, group, begin), scan);
+    if (tile < kQpMaxTiles) solver.looks[tile] = result;
+  }
+}
+
+/// Looks again at what was worst in each promising tile, and at nothing else.
+void scan_favourites(const QpProblem& problem, QpSolver& solver, Scan& scan) {
+  for (int t = 0; t < solver.tiles; ++t) {
+    const QpLook& last = solver.looks[t];
+    if (promising(solver, last)) look(problem, solver, {last.group, last.point, last.point + 1}, scan);
   }
 }
 
@@ -171,19 +131,20 @@ void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
 }
 
-/// The first plane that the point violates most.
-int worst_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point) {
+/// The first plane that the point violates by as much as this.
+int violated_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point,
+                   double violation) {
   const Value at = evaluate(problem.points[point], solver);
   int plane = group.plane_begin;
-  double worst = kNoViolation;
-  for (int p = group.plane_begin; p < group.plane_end; ++p) {
-    const double violation = violation_at(at, solver.planes[p]);
-    if (violation > worst) {
-      worst = violation;
-      plane = p;
-    }
-  }
+  while (plane + 1 < group.plane_end && violation_at(at, solver.planes, plane) < violation) ++plane;
   return plane;
+}
+
+Candidate candidate_of(const QpProblem& problem, QpSolver& solver, const Scan& scan) {
+  solver.entered = scan.distance;
+  if (scan.group < 0) return {};
+  const int plane = violated_plane(problem, solver, problem.groups[scan.group], scan.point, scan.violation);
+  return {true, scan.constant, {scan.point, plane}, scan.violation};
 }
 
 }  // namespace
@@ -195,23 +156,29 @@ void forget_lengths(const QpProblem& problem, QpSolver& solver) {
 
 void forget_scans(QpSolver& solver) {
   solver.scans = 0;
+  solver.scanned = true;
+  solver.constant_worst = 0.0;
 }
 
 Candidate price(const QpProblem& problem, QpSolver& solver) {
+  if (solver.scans > 0 && solver.scanned && !solver.cautious) {
+    Scan favourites;
+    scan_favourites(problem, solver, favourites);
+    solver.scanned = !(favourites.distance > kFavourite * solver.entered);
+    if (!solver.scanned) return candidate_of(problem, solver, favourites);
+  }
   Scan scan;
-  scan.tile.finite = both(0.0);
-  solver.worst = 0.0;
+  solver.worst = solver.scans == 0 ? 0.0 : solver.constant_worst;
   scan_rows(problem, solver, scan);
   if (scan.group < 0 && scan.skipped) {
     scan.rest = true;
     scan_rows(problem, solver, scan);
   }
-  if (!finite(sum(scan.tile.finite))) solver.worst = kNoNumber;
+  if (!finite(sum(scan.numbers))) solver.worst = kNoNumber;
   ++solver.scans;
-  solver.entered = scan.distance;
-  if (scan.group < 0) return {};
-  const int plane = worst_plane(problem, solver, problem.groups[scan.group], scan.point);
-  return {true, scan.constant, {scan.point, plane}, scan.violation};
+  solver.scanned = true;
+  solver.tiles = scan.tiles < kQpMaxTiles ? scan.tiles : kQpMaxTiles;
+  return candidate_of(problem, solver, scan);
 }
 
 }  // namespace tern::qp

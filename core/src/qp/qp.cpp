@@ -21,7 +21,8 @@ void end(QpSolver& solver, Status status) {
 
 void clear_point(QpSolver& solver) {
   for (int i = 0; i < solver.unknowns; ++i) {
-    for (int lane = 0; lane < 4; ++lane) solver.x[i][lane] = 0.0;
+    for (double& value : solver.x[i]) value = 0.0;
+    for (double& value : solver.spread[i]) value = 0.0;
   }
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = 0.0;
 }
@@ -34,15 +35,29 @@ void aim(const QpProblem& problem, QpSolver& solver) {
   qp::forward(solver, solver.target, solver.target);
 }
 
-void start(const QpProblem& problem, QpSolver& solver) {
-  solver.iterations = 0;
-  solver.refinements = 0;
+/// At x = 0 with the rows that are active.
+void set_out(QpSolver& solver) {
   solver.stalled = 0;
   solver.gain = 0.0;
   solver.worst = 0.0;
   solver.phase = QpPhase::kWarmRow;
   clear_point(solver);
   qp::forget_scans(solver);
+}
+
+/// Rounding ended the way that was taken: the other way is from nothing, with every row that enters found by a scan.
+void start_over(QpSolver& solver) {
+  solver.cautious = true;
+  solver.active_count = 0;
+  solver.warm_next = solver.warm_count;
+  set_out(solver);
+}
+
+void start(const QpProblem& problem, QpSolver& solver) {
+  solver.iterations = 0;
+  solver.refinements = 0;
+  solver.cautious = false;
+  set_out(solver);
   solver.usable = solver.usable && qp::prepare_offsets(problem, solver);
   if (!solver.usable) return;
   aim(problem, solver);
@@ -148,6 +163,7 @@ void advance_step(const QpProblem& problem, QpSolver& solver, QpSolution& soluti
     case qp::Step::kNoRoom:
       return give_up(problem, solver, Status::kWorkingSetFull, solution);
     case qp::Step::kStalled:
+      if (!solver.cautious) return start_over(solver);
       return give_up(problem, solver, Status::kNumerical, solution);
   }
 }
@@ -175,7 +191,8 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
   solver.usable = qp::factor_hessian(problem, solver);
   qp::forget_lengths(problem, solver);
-  qp::prepare_normals(problem, solver);
+  qp::prepare_points(problem, solver);
+  solver.usable = qp::prepare_normals(problem, solver) && solver.usable;
   start(problem, solver);
 }
 

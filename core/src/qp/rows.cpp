@@ -21,22 +21,104 @@ double careful_inverse(const Vec3& n) {
   return 1.0 / largest / square_root(dot(scaled, scaled));
 }
 
-/// How a unit normal lies, as long as nothing is known of the next plane. What rounding leaves beside an axis is none.
-void face(QpUnitPlane& plane) {
-  const double size[kQpAxes] = {absolute(plane.normal[0]), absolute(plane.normal[1]), absolute(plane.normal[2])};
-  plane.facing = QpFacing::kOblique;
-  if (size[0] + size[1] + size[2] > 1.0) return;
+/// Makes one normal unit; returns 0 where it is a number.
+double take_normal(const Halfspace& plane, int p, QpUnitPlanes& planes) {
+  const double scale = inverse_length(plane);
+  planes.scale[p] = scale;
+  planes.normal[0][p] = scale * plane.normal.x;
+  planes.normal[1][p] = scale * plane.normal.y;
+  planes.normal[2][p] = scale * plane.normal.z;
+  planes.slab[p] = false;
+  return 0.0 * ((planes.normal[0][p] + planes.normal[1][p]) + planes.normal[2][p]);
+}
+
+/// The same for two planes, side by side as long as both are unit already.
+Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
+  const Pair x = {two[0].normal.x, two[1].normal.x};
+  const Pair y = {two[0].normal.y, two[1].normal.y};
+  const Pair z = {two[0].normal.z, two[1].normal.z};
+  const Pair excess = ((x * x + y * y) + z * z) - both(1.0);
+  const Pair size = larger_of(excess, -excess);
+  if (!(size[0] <= kUnitTolerance) || !(size[1] <= kUnitTolerance)) {
+    return Pair{take_normal(two[0], p, planes), take_normal(two[1], p + 1, planes)};
+  }
+  loose_pair(planes.normal[0] + p) = x;
+  loose_pair(planes.normal[1] + p) = y;
+  loose_pair(planes.normal[2] + p) = z;
+  loose_pair(planes.scale + p) = both(1.0);
+  const double apart = absolute(x[0] + x[1]) + absolute(y[0] + y[1]) + absolute(z[0] + z[1]);
+  planes.slab[p] = apart <= 0.0;
+  planes.slab[p + 1] = false;
+  return both(0.0);
+}
+
+/// Bounds nothing.
+constexpr double kFar = 1e300;
+
+/// The axis that a unit normal is: 0 .. 2 upwards, 3 .. 5 downwards; -1 for an oblique one. What rounding leaves beside
+/// an axis is none.
+int axis_of(const QpUnitPlanes& planes, int p) {
+  const double n[kQpAxes] = {planes.normal[0][p], planes.normal[1][p], planes.normal[2][p]};
+  if (absolute(n[0]) + absolute(n[1]) + absolute(n[2]) > 1.0) return -1;
   for (int a = 0; a < kQpAxes; ++a) {
-    if (size[a] < 1.0) continue;
-    plane.facing = plane.normal[a] > 0.0 ? QpFacing::kUp : QpFacing::kDown;
-    plane.axis = static_cast<std::uint8_t>(a);
+    if (n[a] >= 1.0) return a;
+    if (n[a] <= -1.0) return kQpAxes + a;
+  }
+  return -1;
+}
+
+/// The box of the group's first planes. Neighbours in the problem often have the same.
+void make_box(const QpGroup& group, const QpUnitPlanes& planes, QpScreen& screen) {
+  double low[kQpAxes] = {-kFar, -kFar, -kFar};
+  double high[kQpAxes] = {kFar, kFar, kFar};
+  for (int p = group.plane_begin; p < screen.oblique; ++p) {
+    const int a = planes.axis[p];
+    if (a < kQpAxes) {
+      high[a] = smaller(high[a], planes.offset[p]);
+    } else {
+      low[a - kQpAxes] = larger(low[a - kQpAxes], -planes.offset[p]);
+    }
+  }
+  for (int a = 0; a < kQpAxes; ++a) {
+    pair(screen.low[a]) = both(low[a]);
+    pair(screen.high[a]) = both(high[a]);
   }
 }
 
-/// True where the normals are opposite to the last bit.
-bool opposite(const QpUnitPlane& a, const QpUnitPlane& b) {
-  if (absolute(a.normal[0] + b.normal[0]) > 0.0) return false;
-  return absolute(a.normal[1] + b.normal[1]) + absolute(a.normal[2] + b.normal[2]) <= 0.0;
+void copy_box(const QpScreen& from, QpScreen& to) {
+  for (int a = 0; a < kQpAxes; ++a) {
+    pair(to.low[a]) = pair(from.low[a]);
+    pair(to.high[a]) = pair(from.high[a]);
+  }
+}
+
+bool same_planes(const QpGroup& a, const QpGroup& b) {
+  return a.plane_begin == b.plane_begin && a.plane_end == b.plane_end;
+}
+
+/// Boxes of all groups. Limits are the same planes for many groups in a row.
+void make_boxes(const QpProblem& problem, QpSolver& solver) {
+  for (int g = 0; g < problem.group_count; ++g) {
+    if (g > 0 && same_planes(problem.groups[g - 1], problem.groups[g])) {
+      copy_box(solver.screens[g - 1], solver.screens[g]);
+    } else {
+      make_box(problem.groups[g], solver.planes, solver.screens[g]);
+    }
+  }
+}
+
+void find_obliques(const QpProblem& problem, QpSolver& solver) {
+  for (int g = 0; g < problem.group_count; ++g) {
+    const QpGroup& group = problem.groups[g];
+    QpUnitPlanes& planes = solver.planes;
+    int p = group.plane_begin;
+    for (; p < group.plane_end; ++p) {
+      const int axis = axis_of(planes, p);
+      if (axis < 0) break;
+      planes.axis[p] = static_cast<std::int8_t>(axis);
+    }
+    solver.screens[g].oblique = p;
+  }
 }
 
 bool in_group(const QpGroup& group, const QpRow& row) {
@@ -54,37 +136,45 @@ double inverse_length(const Halfspace& plane) {
   return careful_inverse(n);
 }
 
-void prepare_normals(const QpProblem& problem, QpSolver& solver) {
-  for (int p = 0; p < problem.plane_count; ++p) {
-    const Halfspace& plane = problem.planes[p];
-    QpUnitPlane& unit = solver.planes[p];
-    unit.scale = inverse_length(plane);
-    unit.normal[0] = unit.scale * plane.normal.x;
-    unit.normal[1] = unit.scale * plane.normal.y;
-    unit.normal[2] = unit.scale * plane.normal.z;
-    face(unit);
-    if (p == 0 || unit.facing != QpFacing::kOblique || solver.planes[p - 1].facing != QpFacing::kOblique) continue;
-    if (opposite(solver.planes[p - 1], unit)) solver.planes[p - 1].facing = QpFacing::kSlab;
-  }
+bool prepare_normals(const QpProblem& problem, QpSolver& solver) {
+  const int count = problem.plane_count;
+  Pair numbers = both(0.0);
+  int p = 0;
+  for (; p + 1 < count; p += kPair) numbers += take_two_normals(problem.planes + p, p, solver.planes);
+  if (p < count) numbers[0] += take_normal(problem.planes[p], p, solver.planes);
+  find_obliques(problem, solver);
+  return finite(sum(numbers));
 }
 
 bool prepare_offsets(const QpProblem& problem, QpSolver& solver) {
+  QpUnitPlanes& planes = solver.planes;
   double numbers = 0.0;
   solver.contradictory = false;
   for (int p = 0; p < problem.plane_count; ++p) {
-    QpUnitPlane& unit = solver.planes[p];
     const double offset = problem.planes[p].offset;
-    unit.offset = unit.scale * offset;
-    numbers += 0.0 * ((unit.normal[0] + unit.normal[1]) + (unit.normal[2] + unit.offset));
-    if (unit.scale > 0.0 || !(offset < 0.0)) continue;
-    unit.offset = -1.0;
+    planes.offset[p] = planes.scale[p] * offset;
+    numbers += 0.0 * offset;
+    if (planes.scale[p] > 0.0 || !(offset < 0.0)) continue;
+    planes.offset[p] = -1.0;
     solver.contradictory = true;
   }
+  make_boxes(problem, solver);
   return finite(numbers);
 }
 
+void prepare_points(const QpProblem& problem, QpSolver& solver) {
+  for (int g = 0; g < problem.group_count; ++g) {
+    int begin = problem.groups[g].point_begin;
+    int end = problem.groups[g].point_end;
+    while (begin < end && problem.points[begin].terms == 0) ++begin;
+    while (begin < end && problem.points[end - 1].terms == 0) --end;
+    solver.screens[g].moving_begin = begin;
+    solver.screens[g].moving_end = end;
+  }
+}
+
 double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row) {
-  return violation_at(evaluate(problem.points[row.point], solver), solver.planes[row.plane]);
+  return violation_at(evaluate(problem.points[row.point], solver), solver.planes, row.plane);
 }
 
 bool is_row(const QpProblem& problem, const QpRow& row) {

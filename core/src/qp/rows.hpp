@@ -20,32 +20,29 @@ inline Value evaluate(const QpPoint& point, const QpSolver& solver) {
   Value value = {{point.offset.x, point.offset.y}, {point.offset.z, 0.0}};
   const double(*x)[4] = solver.x + point.first;
   const double* c = point.coefficient;
-  const double* const end = c + point.terms;
-  // Two at a time: points of one joint have four terms, of two joints eight.
-  for (; end - c >= 2; c += 2, x += 2) {
-    value.low += both(c[0]) * pair(x[0]);
-    value.high += both(c[0]) * pair(x[0] + kPair);
-    value.low += both(c[1]) * pair(x[1]);
-    value.high += both(c[1]) * pair(x[1] + kPair);
-  }
-  if (c < end) {
-    value.low += both(c[0]) * pair(x[0]);
-    value.high += both(c[0]) * pair(x[0] + kPair);
+  for (const double* const end = c + point.terms; c < end; ++c, ++x) {
+    value.low += both(*c) * pair(x[0]);
+    value.high += both(*c) * pair(x[0] + kPair);
   }
   return value;
 }
 
 /// normal . value - offset.
-inline double violation_at(const Value& at, const QpUnitPlane& plane) {
-  return ((plane.normal[0] * at.low[0] + plane.normal[1] * at.low[1]) + plane.normal[2] * at.high[0]) - plane.offset;
+inline double violation_at(const Value& at, const QpUnitPlanes& planes, int p) {
+  return ((planes.normal[0][p] * at.low[0] + planes.normal[1][p] * at.low[1]) + planes.normal[2][p] * at.high[0]) -
+         planes.offset[p];
 }
 
-/// Makes the planes' normals unit. A zero normal stays zero.
-void prepare_normals(const QpProblem& problem, QpSolver& solver);
+/// Makes the planes' normals unit and finds out which of them are axes. A zero normal stays zero. False where one is
+/// not a number.
+bool prepare_normals(const QpProblem& problem, QpSolver& solver);
 
-/// Scales the planes' offsets likewise. False where a plane is not a number. A plane with a zero normal is met, or
+/// Scales the planes' offsets likewise. False where one is not a number. A plane with a zero normal is met, or
 /// violated by 1 where its offset is negative; the latter sets solver.contradictory.
 bool prepare_offsets(const QpProblem& problem, QpSolver& solver);
+
+/// Sets the points aside that no unknown moves.
+void prepare_points(const QpProblem& problem, QpSolver& solver);
 
 /// 1 / |normal| of a plane; 0 for a zero normal.
 double inverse_length(const Halfspace& plane);

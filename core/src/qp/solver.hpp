@@ -12,10 +12,14 @@ namespace tern {
 constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
 /// Rows that can be active at once: the capacity, or what linear independence leaves.
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
-/// Points are scanned in tiles of this many: four registers of two lanes. A group's last tile may be partly empty.
+/// Points are scanned in tiles of this many. A group's last tile may be partly empty.
 constexpr int kQpTile = 8;
 constexpr int kQpMaxTiles = kQpMaxPoints / kQpTile + kQpMaxGroups;
-constexpr int kQpPackedRank = kQpMaxRank * (kQpMaxRank + 1) / 2;
+
+/// Where column j of a packed upper triangle begins, of even length each so that pairs are aligned.
+constexpr int packed_column(int j) {
+  return 2 * (j / 2 + 1) * (j / 2 + j % 2);
+}
 
 /// What qp_advance does next.
 enum class QpPhase : std::uint8_t {
@@ -26,21 +30,32 @@ enum class QpPhase : std::uint8_t {
   kDone,
 };
 
-/// How a plane's normal lies.
-enum class QpFacing : std::uint8_t {
-  kUp,       ///< along an axis
-  kDown,     ///< against an axis
-  kSlab,     ///< in any other direction, and the next plane's is the opposite one
-  kOblique,  ///< in any other direction
+/// The problem's planes over their normals' lengths, by coordinate.
+struct QpUnitPlanes {
+  double normal[kQpAxes][kQpMaxPlanes];
+  double offset[kQpMaxPlanes];
+  double scale[kQpMaxPlanes];      ///< 1 / |normal| of the problem's plane; 0 for a zero normal
+  bool slab[kQpMaxPlanes];         ///< the next plane's normal is the opposite one
+  std::int8_t axis[kQpMaxPlanes];  ///< of the planes in a box: 0 .. 2 upwards, 3 .. 5 downwards
 };
 
-/// A plane with a unit normal: the problem's plane over its normal's length.
-struct QpUnitPlane {
-  double normal[kQpAxes];
-  double offset;
-  double scale;  ///< 1 / |normal| of the problem's plane; 0 for a zero normal
-  QpFacing facing;
-  std::uint8_t axis;  ///< of kUp and kDown
+/// What a scan has to know of a group.
+struct QpScreen {
+  // The planes at the group's beginning whose normals are axes, as one box. Every bound is there twice.
+  alignas(16) double low[kQpAxes][2];
+  alignas(16) double high[kQpAxes][2];
+  std::int32_t oblique;  ///< the first plane after those
+  // The group's points without those at its ends that no unknown moves: one look at these lasts for a solve.
+  std::int32_t moving_begin;
+  std::int32_t moving_end;
+};
+
+/// What the last look at a tile has found.
+struct QpLook {
+  double distance;     ///< of its most violated row, in z; 0 where none was violated
+  std::int32_t point;  ///< where that was
+  std::int32_t group;
+  std::int32_t scan;  ///< when that was
 };
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
@@ -51,23 +66,25 @@ struct QpSolver {
   // band of H^-1, inverse[i][d] = H^-1(i, i + d), made when the first row is priced.
   alignas(16) double factor[kQpMaxUnknowns][kQpBand + 1];
   double inverse[kQpMaxUnknowns][kQpBand + 1];
-  alignas(16) double x[kQpMaxUnknowns][4];  ///< 3-vectors padded to two lanes of two
+  alignas(16) double x[kQpMaxUnknowns][4];                 ///< 3-vectors padded to two lanes of two
+  alignas(16) double spread[kQpMaxUnknowns][2 * kQpAxes];  ///< the same with every element twice
   alignas(16) double target[kQpMaxDimension];
   alignas(16) double z[kQpMaxDimension];
 
   // Of the rows.
-  QpUnitPlane planes[kQpMaxPlanes];
+  QpUnitPlanes planes;
+  QpScreen screens[kQpMaxGroups];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
-  double found[kQpMaxTiles];          ///< of a tile: the worst violation when it was looked at, a distance of z
-  int seen[kQpMaxTiles];              ///< of a tile: the scan that looked at it last
+  QpLook looks[kQpMaxTiles];
 
   // The working set.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
-  double triangle[kQpPackedRank];                          ///< upper triangle by columns: column j at j (j + 1) / 2
+  alignas(16) double triangle[packed_column(kQpMaxRank)];  ///< upper triangle by columns, see packed_column()
   QpRow active[kQpMaxRank];
-  double multiplier[kQpMaxRank];  ///< of the unit rows
-  double row_length[kQpMaxRank];  ///< of the transformed unit rows
-  double ratio[kQpMaxRank];       ///< triangle^-1 * projection: how fast the multipliers fall
+  alignas(16) double multiplier[kQpMaxRank];  ///< of the unit rows
+  double row_length[kQpMaxRank];              ///< of the transformed unit rows
+  double inverse_diagonal[kQpMaxRank];        ///< of the triangle
+  alignas(16) double ratio[kQpMaxRank];       ///< triangle^-1 * projection: how fast the multipliers fall
 
   // The row that enters: row = basis * projection + direction.
   alignas(16) double row[kQpMaxDimension];
@@ -82,20 +99,24 @@ struct QpSolver {
   double direction_squared;  ///< |direction|^2
 
   QpRow warm[kMaxActive];
-  double entered;  ///< violation of the row that the last scan found, a distance of z
-  double worst;    ///< largest violation at x, of the last pricing
-  double gain;     ///< how far the dual objective has risen
-  int unknowns;    ///< per axis
-  int dimension;   ///< 3 * unknowns
-  int stride;      ///< dimension, padded
+  double entered;         ///< violation of the row that the last scan found, a distance of z
+  double worst;           ///< largest violation at x, of the last scan
+  double constant_worst;  ///< the same of the points that no unknown moves
+  double gain;            ///< how far the dual objective has risen
+  int unknowns;           ///< per axis
+  int dimension;          ///< 3 * unknowns
+  int stride;             ///< dimension, padded
   int active_count;
   int warm_count;
   int warm_next;
   int iterations;
   int scans;
+  int tiles;    ///< that the last scan counted
   int stalled;  ///< full steps in a row that raised the dual objective by rounding at most
   int refinements;
   bool inverse_known;
+  bool cautious;       ///< started over after a stall
+  bool scanned;        ///< the last row to enter was found by a scan
   bool contradictory;  ///< a zero normal with a negative offset exists
   bool usable;         ///< the factors are of a problem of numbers with a positive definite Hessian
   QpPhase phase;
