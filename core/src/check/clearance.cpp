@@ -45,55 +45,97 @@ Range voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
            clamp_index((box.upper.z + reach) / spec.cell, spec.dims.z)}};
 }
 
-/// The least value of normal . p over a box: the corner that the normal points away from.
-double support(const Halfspace& plane, const Box& box) {
-  const double x = plane.normal.x * (plane.normal.x < 0.0 ? box.upper.x : box.lower.x);
-  const double y = plane.normal.y * (plane.normal.y < 0.0 ? box.upper.y : box.lower.y);
-  const double z = plane.normal.z * (plane.normal.z < 0.0 ? box.upper.z : box.lower.z);
-  return (x + y) + z;
-}
+/// A half-space as a row of voxels along x meets it: which of the row's voxels it cuts off from the polyhedron, as
+/// closed cubes with the radius to spare.
+struct Cut {
+  Vec3 normal;
+  double reach;  ///< metres along the normal from which on a cube is cut off
+  double per_x;  ///< 1 / (normal.x * cell): voxels of x a metre along the normal; 0: all voxels of a row alike
+};
 
-bool cuts_off(const Halfspace& plane, const Box& box, double radius) {
-  return support(plane, box) >= plane.offset + radius - kCheckDistance;
-}
+struct Cuts {
+  int count;
+  Cut cut[kMaxPlanes];
+};
 
-/// Tries the plane that cut off the last box first: neighbours are nearly always cut off by the same one.
-bool some_plane_cuts_off(const Polyhedron& polyhedron, const Box& box, double radius, int& last) {
-  if (cuts_off(polyhedron.planes[last], box, radius)) return true;
+/// Below this a normal's x counts for the whole row at once, with whichever end of the row is nearer.
+constexpr double kLeastSlope = 1e-9;
+
+Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron) {
+  const GridSpec& spec = grid.spec();
+  Cuts cuts{};
   for (int p = 0; p < all_planes(polyhedron); ++p) {
-    if (cuts_off(polyhedron.planes[p], box, radius)) {
-      last = p;
-      return true;
+    const Halfspace& plane = polyhedron.planes[p];
+    Cut& cut = cuts.cut[cuts.count++];
+    cut = {plane.normal, plane.offset + spec.radius - kCheckDistance, 0.0};
+    if (absolute(plane.normal.x) >= kLeastSlope) {
+      cut.per_x = 1.0 / (plane.normal.x * spec.cell);
+    } else {
+      cut.reach -= smaller(0.0, plane.normal.x * (spec.dims.x * spec.cell));
     }
+  }
+  return cuts;
+}
+
+/// Voxels [begin, end) of x.
+struct Span {
+  std::int32_t begin;
+  std::int32_t end;
+};
+
+/// Of the rows in a block of y and z: voxels that no half-space cuts off in all of them. One that cuts off a voxel
+/// towards larger x cuts off all that follow, so that what is left is one span; empty where begin >= end.
+Span uncut(const Grid& grid, const Cuts& cuts, const Range& block) {
+  const double cell = grid.spec().cell;
+  const Box box{{0.0, block.lo.y * cell, block.lo.z * cell}, {0.0, (block.hi.y + 1) * cell, (block.hi.z + 1) * cell}};
+  double begin = block.lo.x;
+  double end = block.hi.x + 1.0;
+  for (int p = 0; p < cuts.count; ++p) {
+    const Cut& cut = cuts.cut[p];
+    const double y = cut.normal.y * (cut.normal.y < 0.0 ? box.upper.y : box.lower.y);
+    const double z = cut.normal.z * (cut.normal.z < 0.0 ? box.upper.z : box.lower.z);
+    const double missing = cut.reach - (y + z);
+    const double x = missing * cut.per_x;
+    if (cut.per_x > 0.0) end = smaller(end, x);
+    if (cut.per_x < 0.0) begin = larger(begin, x);
+    if (!(cut.per_x > 0.0) && !(cut.per_x < 0.0) && missing <= 0.0) return {0, 0};
+    if (begin >= end) return {0, 0};
+  }
+  // A voxel is cut off from above where it begins at `end` or later, from below where it ends at `begin` or earlier.
+  const auto last = static_cast<std::int32_t>(end);
+  return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
+}
+
+bool has_obstacle(const std::uint64_t* row, const Span& span) {
+  for (std::int32_t x = span.begin; x < span.end; x = (x | 63) + 1) {
+    std::uint64_t word = row[x >> 6] >> (x & 63);
+    const std::int32_t left = span.end - x;
+    if (left < 64) word &= (std::uint64_t{1} << left) - 1;
+    if (word != 0) return true;
   }
   return false;
 }
 
-/// One past the last voxel of the run of obstacles that begins at x, no further than `end`.
-std::int32_t run_end(const std::uint64_t* row, std::int32_t x, std::int32_t end) {
-  while (x < end && ((row[x >> 6] >> (x & 63)) & 1u) != 0) ++x;
-  return x;
-}
+/// Rows of y and z that are looked at together: most blocks are cut off as a whole, or lie inside where nothing is.
+constexpr std::int32_t kBlock = 4;
 
-bool row_clear(const Grid& grid, const Polyhedron& polyhedron, const Range& range, std::int32_t y, std::int32_t z,
-               int& last) {
-  const double cell = grid.spec().cell;
-  const std::uint64_t* row = grid.obstacle_row(y, z);
-  const std::int32_t end = range.hi.x + 1;
-  for (std::int32_t x = range.lo.x; x < end;) {
-    const std::uint64_t rest = row[x >> 6] >> (x & 63);
-    if (rest == 0) {
-      x = (x | 63) + 1;
-      continue;
+/// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
+/// leave of all rows together.
+bool block_clear(const Grid& grid, const Cuts& cuts, const Range& block) {
+  const Span span = uncut(grid, cuts, block);
+  if (span.begin >= span.end) return true;
+  for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
+    for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
+      const std::uint64_t* const row = grid.obstacle_row(y, z);
+      if (!has_obstacle(row, span)) continue;
+      if (has_obstacle(row, uncut(grid, cuts, {{span.begin, y, z}, {span.end - 1, y, z}}))) return false;
     }
-    x += __builtin_ctzll(rest);
-    if (x >= end) break;
-    const std::int32_t stop = run_end(row, x, end);
-    const Box box{{x * cell, y * cell, z * cell}, {stop * cell, (y + 1) * cell, (z + 1) * cell}};
-    if (!some_plane_cuts_off(polyhedron, box, grid.spec().radius, last)) return false;
-    x = stop;
   }
   return true;
+}
+
+std::int32_t block_end(std::int32_t begin, std::int32_t last) {
+  return begin + (kBlock - 1) < last ? begin + (kBlock - 1) : last;
 }
 
 bool well_formed(const Polyhedron& polyhedron) {
@@ -112,10 +154,11 @@ bool well_formed(const Polyhedron& polyhedron) {
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept {
   if (!well_formed(polyhedron)) return false;
   const Range range = voxels_near(grid, polyhedron);
-  int last = 0;
-  for (std::int32_t z = range.lo.z; z <= range.hi.z; ++z) {
-    for (std::int32_t y = range.lo.y; y <= range.hi.y; ++y) {
-      if (!row_clear(grid, polyhedron, range, y, z, last)) return false;
+  const Cuts cuts = cuts_of(grid, polyhedron);
+  for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
+    for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
+      const Range block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), block_end(z, range.hi.z)}};
+      if (!block_clear(grid, cuts, block)) return false;
     }
   }
   return true;
