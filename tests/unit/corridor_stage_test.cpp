@@ -118,23 +118,49 @@ TEST_F(CorridorStageTest, LegsThatAPolyhedronHoldsAreNotBuilt) {
   expect_ellipsoid(first, 1.0);
 }
 
-TEST_F(CorridorStageTest, ALegIsBuiltThatEndsTooNearAFace) {
-  // The first polyhedron ends at y = 4, the margin is 0.005 m: one waypoint keeps it, the other does not.
-  const World world({80, 80, 40}, 0.1, 0.2);
-  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.994, 2.0}});
+TEST_F(CorridorStageTest, LegsThatALaterPolyhedronHoldsAreDropped) {
+  // Through a door of 0.2 m for the centre, then two legs. The middle one's polyhedron ends at x = 6, short of the last
+  // waypoint; the last one's begins at x = 3.5 and holds both.
+  World world({100, 60, 40}, 0.1, 0.2);
+  world.fill({30, 0, 0}, {32, 27, 40});
+  world.fill({30, 33, 0}, {32, 60, 40});
+  set_path({{1.0, 3.0, 2.0}, {3.6, 3.0, 2.0}, {4.0, 3.5, 2.0}, {8.0, 3.5, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
-  EXPECT_EQ(corridor_->count, 1);
-  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.996, 2.0}});
-  ASSERT_EQ(run(world, 1), Status::kOk);
-  EXPECT_EQ(corridor_->count, 2);
+  ASSERT_EQ(corridor_->count, 2);
+  expect_chain();
+  expect_same(corridor_->polyhedra[1].from, {3.6, 3.0, 2.0});
+  expect_same(corridor_->polyhedra[1].ellipsoid.center, {5.8, 3.25, 2.0});
+  expect_ellipsoid(corridor_->polyhedra[1], 1.0);
 }
 
-TEST_F(CorridorStageTest, AWayBackToTheStartKeepsItsEllipsoid) {
+TEST_F(CorridorStageTest, FirstAndLastPieceHaveTheirOwn) {
   const World world({40, 40, 40}, 0.1, 0.2);
-  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {1.0, 2.0, 2.0}});
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
-  ASSERT_EQ(corridor_->count, 1);
+  ASSERT_EQ(corridor_->count, 2);
+  expect_chain();
+  expect_every_waypoint();
+}
+
+TEST_F(CorridorStageTest, ALegIsBuiltThatEndsTooNearAFace) {
+  // The first polyhedron ends at y = 4, the margin is 0.005 m: one waypoint keeps it, the other does not. Either way
+  // the last polyhedron holds no leg before its own.
+  const World world({80, 80, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.994, 2.0}, {3.0, 7.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.996, 2.0}, {3.0, 7.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  EXPECT_EQ(corridor_->count, 3);
+}
+
+TEST_F(CorridorStageTest, AWayBackKeepsItsEllipsoid) {
+  const World world({80, 40, 40}, 0.1, 0.2);
+  set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {1.0, 2.0, 2.0}, {7.0, 2.0, 2.0}});
+  ASSERT_EQ(run(world, 1), Status::kOk);
+  ASSERT_EQ(corridor_->count, 2);
   expect_same(corridor_->polyhedra[0].to, {1.0, 2.0, 2.0});
+  expect_same(corridor_->polyhedra[0].ellipsoid.center, {2.0, 2.0, 2.0});
   expect_ellipsoid(corridor_->polyhedra[0], 1.0);
 }
 

@@ -28,70 +28,92 @@ std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
 }
 
 /// Equal pieces of at most kLongLeg, as far as there is room beside one segment for each later leg.
-std::int32_t pieces_of(const CorridorStage& stage, const Path& path, std::int32_t used) {
+std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
-  const std::int32_t room = kMaxSegments - used - (legs_of(path) - stage.leg - 1);
+  const std::int32_t room = kMaxSegments - stage.built - (legs_of(path) - stage.leg - 1);
   std::int32_t pieces = 1;
   while (pieces < room && length > kLongLeg * static_cast<double>(pieces)) ++pieces;
   return pieces;
 }
 
-void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg, std::int32_t used) {
+void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg) {
   stage.leg = leg;
   stage.piece = 0;
-  stage.pieces = pieces_of(stage, path, used);
+  stage.pieces = pieces_of(stage, path);
   stage.from = path.points[leg];
   stage.pending = 1;
   stage.ends[0] = piece_end(stage, path);
 }
 
 /// Cuts the piece at hand in its middle. `why` where it is a point or was halved often enough.
-Status halve(CorridorStage& stage, const Path& path, std::int32_t used, Status why) {
+Status halve(CorridorStage& stage, const Path& path, Status why) {
   const Vec3& to = stage.ends[stage.pending - 1];
   if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) return why;
-  if (used + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments) return Status::kSegmentsFull;
+  if (stage.built + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments) return Status::kSegmentsFull;
   stage.ends[stage.pending++] = 0.5 * (stage.from + to);
   return Status::kRunning;
 }
 
 /// Turns to the next piece, whole; kOk past the last.
-Status next_piece(CorridorStage& stage, const Path& path, std::int32_t used) {
+Status next_piece(CorridorStage& stage, const Path& path) {
   if (++stage.piece < stage.pieces) {
     stage.pending = 1;
     stage.ends[0] = piece_end(stage, path);
     return Status::kRunning;
   }
   if (stage.leg + 1 >= legs_of(path)) return Status::kOk;
-  begin_leg(stage, path, stage.leg + 1, used);
+  begin_leg(stage, path, stage.leg + 1);
   return Status::kRunning;
 }
 
-/// Moves on past a finished polyhedron, which also serves the pieces that it holds; kOk past the last. Half a piece is
+/// True for the last piece of the last leg. Its polyhedron and that of the first piece stay as they are: a moving start
+/// or goal needs all the room that a polyhedron made for it has.
+bool is_last_piece(const CorridorStage& stage, const Path& path) {
+  return stage.leg + 1 == legs_of(path) && stage.piece + 1 == stage.pieces;
+}
+
+/// Moves on past a finished polyhedron and past the pieces that it holds as well; kOk past the last. Half a piece is
 /// always built: else halvings would not be bounded by the polyhedra they make.
-Status move_on(CorridorStage& stage, const Path& path, double margin, std::int32_t used, Polyhedron& finished) {
+Status move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron& finished) {
   stage.from = stage.ends[--stage.pending];
   if (stage.pending > 0) return Status::kRunning;
-  Status status = next_piece(stage, path, used);
-  while (status == Status::kRunning && holds(finished, stage.ends[0], margin)) {
-    extend_segment(finished, stage.ends[0]);
+  Status status = next_piece(stage, path);
+  while (status == Status::kRunning && !is_last_piece(stage, path) && holds(finished, stage.ends[0], margin)) {
+    set_segment(finished, finished.from, stage.ends[0]);
     stage.from = stage.ends[0];
-    status = next_piece(stage, path, used);
+    status = next_piece(stage, path);
   }
   return status;
 }
 
+/// Drops the polyhedra before the last one, but for the first, whose segments the last one holds as well.
+void drop_held(Corridor& out, double margin) {
+  while (out.count > 2) {
+    const Polyhedron& last = out.polyhedra[out.count - 1];
+    Polyhedron& before = out.polyhedra[out.count - 2];
+    if (!holds(last, before.from, margin)) return;
+    const Vec3 from = before.from;
+    before = last;
+    set_segment(before, from, before.to);
+    --out.count;
+  }
+}
+
 /// Tries the piece at hand.
 Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
-  if (out.count + segments_ahead(stage, path) + stage.pending > kMaxSegments) return Status::kSegmentsFull;
+  if (stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments) return Status::kSegmentsFull;
   const Vec3 to = stage.ends[stage.pending - 1];
   const Status status = grow_polyhedron(grid, stage.from, to, stage.grow, out.polyhedra[out.count]);
   stage.planes = stage.grow.planes;
   stage.planes_high = stage.grow.planes_high;
   stage.boxes_high = stage.grow.boxes_high;
-  if (status == Status::kPlanesFull || status == Status::kObstaclesFull) return halve(stage, path, out.count, status);
+  if (status == Status::kPlanesFull || status == Status::kObstaclesFull) return halve(stage, path, status);
   if (status != Status::kOk) return status;
-  Polyhedron& finished = out.polyhedra[out.count++];
-  return move_on(stage, path, kSightMargin * grid.spec().cell, out.count, finished);
+  ++stage.built;
+  ++out.count;
+  const double margin = kSightMargin * grid.spec().cell;
+  drop_held(out, margin);
+  return move_on(stage, path, margin, out.polyhedra[out.count - 1]);
 }
 
 }  // namespace
@@ -108,6 +130,7 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   stage.piece = 0;
   stage.pieces = 0;
   stage.pending = 0;
+  stage.built = 0;
   stage.from = path.points[0];
 }
 
@@ -115,7 +138,7 @@ Status corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path
   if (legs_of(path) < 1 || legs_of(path) > kMaxSegments) return Status::kSegmentsFull;
   if (stage.leg < 0) {
     out.count = 0;
-    begin_leg(stage, path, 0, 0);
+    begin_leg(stage, path, 0);
   }
   Status status = Status::kRunning;
   while (status == Status::kRunning && work.take()) status = try_piece(stage, grid, path, out);

@@ -40,6 +40,7 @@ struct CorridorStage {
   std::int32_t leg;    ///< index of the path's leg at hand
   std::int32_t piece;  ///< piece of the leg at hand, and how many there are
   std::int32_t pieces;
+  std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
   Vec3 from;             ///< where the next polyhedron begins
   std::int32_t pending;  ///< ends of the halves that the piece was cut into, the next one last
   Vec3 ends[kMaxHalvings + 1];
@@ -52,8 +53,10 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 
 /// One unit of work is one polyhedron. kRunning, or the end: kOk with `out` full: polyhedron i holds its `from` and
 /// `to` and ends exactly where i + 1 begins; the first begins at the path's first point, the last ends at its last.
-/// Each leg, or each piece of one, lies in one of them: a polyhedron that holds the next leg with kSightMargin of a
-/// voxel to spare at its end serves it too, so that not every waypoint is an end. Else kCorridorBlocked, kOutOfMap,
+/// Those ends are waypoints, or ends of pieces of legs, in the path's order, but not all of them: a polyhedron that
+/// holds the piece after its own, or the beginning of the segment before it, with kSightMargin of a voxel to spare at
+/// that point, has the straight line to or from there for its segment. The first and
+/// the last piece of the path have polyhedra of their own. Else kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
 /// A path whose interior legs keep kSightMargin of a voxel from whatever is not free gives every pair of neighbours a

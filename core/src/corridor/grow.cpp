@@ -3,9 +3,9 @@
 #include "corridor/grow.hpp"
 
 #include "base/math.hpp"
-#include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/ellipsoid_fit.hpp"
 #include "corridor/fence_planes.hpp"
+#include "corridor/improve.hpp"
 #include "corridor/inscribe.hpp"
 #include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
@@ -70,36 +70,6 @@ Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const Segment
   return least_slack_at(polyhedron, center) < least_slack_at(polyhedron, middle) ? middle : center;
 }
 
-/// Copies what makes a polyhedron; half-spaces past its count are not worth it.
-void copy_planes(const Polyhedron& from, Polyhedron& to) {
-  to.count = from.count;
-  for (int p = 0; p < from.count; ++p) to.planes[p] = from.planes[p];
-}
-
-/// Tries the half-spaces that a larger ellipsoid inside the last polyhedron gives, and keeps the largest polyhedron of
-/// all rounds in `out`, with its analytic centre. The first `given` half-spaces stay.  A round whose half-spaces do not
-/// fit ends the rounds: there is a polyhedron already.
-Status improve(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch, int given,
-               Polyhedron& out, Vec3& center) {
-  const double least_slack = kLeastSlackCells * cell;
-  BarrierEllipsoid inner = barrier_ellipsoid(out, 0.5 * (segment.from + segment.to), least_slack);
-  double largest = inner.size;
-  center = inner.metric.center;
-  copy_planes(out, scratch.trial);
-  for (int round = 0; round < kImprovingRounds; ++round) {
-    scratch.trial.count = given;
-    const Status status = append_tangents(inner.metric, obstacles, segment, scratch, scratch.trial);
-    if (status == Status::kPlanesFull) break;
-    if (status != Status::kOk) return status;
-    inner = barrier_ellipsoid(scratch.trial, inner.metric.center, least_slack);
-    if (inner.size <= largest) continue;
-    largest = inner.size;
-    center = inner.metric.center;
-    copy_planes(scratch.trial, out);
-  }
-  return Status::kOk;
-}
-
 /// Fits the ellipsoid, makes the half-spaces, improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
@@ -108,7 +78,9 @@ Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double 
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
-  if (status == Status::kOk) status = improve(obstacles, segment, cell, scratch, given, out, center);
+  if (status == Status::kOk) {
+    status = improve({obstacles, segment, kLeastSlackCells * cell, given}, scratch, out, center);
+  }
   if (status != Status::kOk) return status;
   set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out), scratch.trial.planes);
   inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);

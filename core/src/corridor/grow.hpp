@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "corridor/grow_scratch.hpp"
+#include "corridor/improve.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
@@ -22,12 +23,10 @@ namespace tern {
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 
-/// Rounds of a larger ellipsoid inside the polyhedron and new half-spaces around it. The first gives a tenth to a
-/// sixth of volume, the second a few percent, further ones next to nothing.
-constexpr int kImprovingRounds = 2;
-
-/// Half-spaces that one call may make: each size of the local box begins anew, each round after the box's faces.
-constexpr std::uint32_t kGrowBound = static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds) * kMaxPlanes);
+/// Half-spaces that one call may make: each size of the local box begins anew, each round and each
+/// trial after the box's faces.
+constexpr std::uint32_t kGrowBound =
+    static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds + kLeaveOuts) * kMaxPlanes);
 
 /// Grows the polyhedron of the segment `from`, `to` (local frame, metres; may be a point), which must keep the radius
 /// from every obstacle and lie in the boundary.

@@ -16,12 +16,11 @@ bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexc
   return true;
 }
 
-void extend_segment(Polyhedron& polyhedron, const Vec3& point) noexcept {
-  polyhedron.to = point;
-  // Back to where it began, or from hover to hover: the ellipsoid stays, which lies inside as it is.
-  const bool is_point = distance(polyhedron.from, point) < kPointLike;
-  if (is_point) return;
-  EllipsoidFrame frame = sphere_over(polyhedron.from, point);
+void set_segment(Polyhedron& polyhedron, const Vec3& from, const Vec3& to) noexcept {
+  polyhedron.from = from;
+  polyhedron.to = to;
+  if (distance(from, to) < kPointLike) return;
+  EllipsoidFrame frame = sphere_over(from, to);
   inscribe(polyhedron, false, frame);
   polyhedron.ellipsoid = ellipsoid_of(frame);
 }
