@@ -30,18 +30,18 @@ constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCel
 /// Fences, the blocked layer of a grid with fences, the normals tried for one of them.
 constexpr std::size_t kFencePlanes = kMaxFencePlanes;
 constexpr std::size_t kFences =
-    kFencePlanes * (112 + 16 * kFencePlanes) + kMaxFences * 208 + static_cast<std::size_t>(kMaxFenceWords) * 8 + 1024;
+    kFencePlanes * (120 + 16 * kFencePlanes) + kMaxFences * 216 + static_cast<std::size_t>(kMaxFenceWords) * 8 + 1024;
 /// Solid boxes with what merging and measuring them takes.
 constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.
 constexpr std::size_t kTrajectory =
-    kSegments * (8800 + kPlanes * 80) + kActive * (kSegments * 96 + kActive * 4 + 128) + 4096;
+    kSegments * (9200 + kPlanes * 80) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// Path, corridor and trajectory, which outlive the stages that made them.
 constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlanes * 32 + 384) + 512;
 
 }  // namespace workspace
 
-/// Bytes that a planner needs, a constant of the configuration: 67 KB for tiny, 4.7 MB for mcu, 116 MB for companion,
+/// Bytes that a planner needs, a constant of the configuration: 73 KB for tiny, 4.7 MB for mcu, 116 MB for companion,
 /// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
