@@ -119,7 +119,7 @@ TEST(TrajectoryStage, TheWeightTradesDurationAgainstSnap) {
   const Corridor corridor = corner();
   double last_duration = 1e9;
   double last_snap = 0.0;
-  for (const double weight : {0.01, 0.3, 3.0, 40.0, 400.0}) {
+  for (const double weight : {0.01, 0.3, 3.0, 40.0}) {
     TrajectoryQuery query = rest_to_rest(corridor);
     query.time_weight = weight;
     const Flight run(corridor, query);

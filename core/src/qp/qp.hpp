@@ -105,6 +105,12 @@ void qp_begin_shifted(QpSolver& solver, const QpProblem& problem) noexcept;
 /// kWorkingSetFull, kNumerical. Fills `solution` at the end; before kOk its x is not feasible (a dual method).
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;
 
+/// Of a solve under way: no feasible x has an objective below this (but for rounding). It rises from step to step,
+/// where the problem is infeasible beyond all bounds. -kQpNoBound while a warm start is put together, and once it has
+/// ended.
+double qp_lower_bound(const QpSolver& solver) noexcept;
+constexpr double kQpNoBound = 1e300;
+
 }  // namespace tern
 
 #endif

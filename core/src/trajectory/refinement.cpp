@@ -28,7 +28,8 @@ double eighth_root(double x) {
 void retime(const Refinement& refinement, const Round& round, Chain& chain) {
   for (int i = 0; i < chain.count; ++i) {
     const double worth = larger(round.prices[i], 0.0) / (refinement.rate * chain.duration[i]);
-    const double factor = clamp(eighth_root(worth), kShortest, kLongest);
+    double factor = clamp(eighth_root(worth), kShortest, kLongest);
+    for (int k = 0; k < refinement.failures; ++k) factor = square_root(factor);
     chain.duration[i] = larger(kMinDuration, factor * chain.duration[i]);
   }
 }
@@ -61,7 +62,6 @@ void trade(Refinement& refinement, const Round& round, Chain& chain) {
   if (!round.accepted || !(round.cost < refinement.cost)) return retreat(refinement, chain);
   if (round.cost > refinement.cost * (1.0 - kLeastGain)) return enter(refinement, Course::kDone);
   keep(refinement, round.cost, chain);
-  refinement.failures = 0;
   retime(refinement, round, chain);
 }
 

@@ -5,7 +5,7 @@
 //
 //   climb   durations grow from round to round until the programme has a solution: the first feasible plan.
 //   trade   every segment's duration moves to where the price of its time (time_prices.hpp) would equal the rate;
-//           halfway back where that leaves no plan or a worse one.
+//           halfway back where that leaves no plan or a worse one, and shorter steps from there on.
 #ifndef TERN_TRAJECTORY_REFINEMENT_HPP
 #define TERN_TRAJECTORY_REFINEMENT_HPP
 
@@ -20,7 +20,7 @@ enum class Course : std::uint8_t { kClimb, kTrade, kDone };
 struct Refinement {
   Course course;
   int round;                  ///< of this course
-  int failures;               ///< of the trade since it last gained
+  int failures;               ///< of the trade's steps, each of which halves the steps to come
   double rate;                ///< m^2/s^8: what a second costs
   double cost;                ///< that the trade has come to, m^2/s^7
   double base[kMaxSegments];  ///< durations that go with it; of the climb, the last ones tried
@@ -39,7 +39,7 @@ constexpr double kClimbStep = 1.35;
 constexpr int kTradeRounds = 8;
 constexpr int kTradeFailures = 3;
 /// One round changes a duration by these factors at most: a programme that shrank too far is dear to prove infeasible.
-constexpr double kShortest = 0.8;
+constexpr double kShortest = 0.85;
 constexpr double kLongest = 1.6;
 /// The trade ends where a round gains less than this part of the cost.
 constexpr double kLeastGain = 0.02;

@@ -15,6 +15,9 @@ namespace {
 /// Passes of the stage's loop: three a programme, and the last ones.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
+/// Iterations of a programme after which its bound is looked at, again and again.
+constexpr std::uint32_t kBoundStride = 4;
+
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
 }
@@ -52,41 +55,8 @@ int most(int a, int b) {
   return a < b ? b : a;
 }
 
-void propose(TrajectoryStage& stage, const Corridor& corridor) {
-  if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
-    stage.phase = TrajectoryPhase::kFinish;
-    return;
-  }
-  fit_ends(corridor, stage.query.limits, stage.chain);
-  assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
-  qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
-  stage.solve_begin = stage.iterations;
-  stage.variables = kQpAxes * stage.problem.unknowns;
-  stage.inequalities = most(stage.inequalities, count_rows(stage.problem));
-  ++stage.solves;
-  stage.phase = TrajectoryPhase::kSolve;
-}
-
-/// Runs the solver within the slice and the plan's budget. False where the slice is used up.
-bool solve(TrajectoryStage& stage, Work& work) {
-  const std::uint32_t allowed = stage.query.max_iterations - stage.iterations;
-  const std::uint32_t slice = work.left < allowed ? work.left : allowed;
-  Work inner{slice};
-  const Status status = qp_advance(stage.solver, stage.problem, inner, stage.solution);
-  const std::uint32_t used = slice - inner.left;
-  work.left -= used;
-  stage.iterations += used;
-  stage.longest_solve = most(stage.longest_solve, static_cast<int>(stage.iterations - stage.solve_begin));
-  if (status == Status::kRunning) {
-    if (stage.iterations < stage.query.max_iterations) return false;
-    stage.optimiser = Status::kBudgetOptimise;
-    stage.phase = TrajectoryPhase::kFinish;
-    return true;
-  }
-  stage.solve_status = status;
-  stage.active_high = most(stage.active_high, stage.solution.active_count);
-  stage.phase = TrajectoryPhase::kJudge;
-  return true;
+std::uint32_t least(std::uint32_t a, std::uint32_t b) {
+  return b < a ? b : a;
 }
 
 Segment candidate(const TrajectoryStage& stage, int index) {
@@ -97,19 +67,7 @@ Segment candidate(const TrajectoryStage& stage, int index) {
   return segment;
 }
 
-/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
-/// where that costs less.
-double best_stretch(const TrajectoryStage& stage, double snap) {
-  double factor = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    factor = larger(factor, kMinDuration / stage.chain.duration[i]);
-    factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
-  }
-  // snap s^-7 + rate duration s is least where 7 snap s^-8 = rate duration.
-  const double worth = 7.0 * snap / (stage.refinement.rate * chain_duration(stage.chain));
-  return larger(factor, square_root(square_root(square_root(worth))));
-}
-
+/// Snap of the segments that stage.points holds.
 double candidate_snap(const TrajectoryStage& stage) {
   double snap = 0.0;
   for (int i = 0; i < stage.chain.count; ++i) {
@@ -119,9 +77,105 @@ double candidate_snap(const TrajectoryStage& stage) {
   return snap;
 }
 
+/// Snap of the chain with all unknowns zero, once there is a plan to compare with.
+double fixed_snap(TrajectoryStage& stage) {
+  if (!stage.best.found) return 0.0;
+  for (int a = 0; a < kQpAxes; ++a) {
+    for (int i = 0; i < stage.problem.unknowns; ++i) stage.solution.x[a][i] = 0.0;
+  }
+  read_points(stage.chain, stage.scale, stage.solution, stage.points);
+  return candidate_snap(stage);
+}
+
 double seventh_power(double x) {
   const double cube = x * x * x;
   return cube * cube * x;
+}
+
+/// Cost of a plan that is stretched by a factor: snap falls with its seventh power.
+double plan_cost(double snap, double rate, double duration, double factor) {
+  return snap / seventh_power(factor) + rate * factor * duration;
+}
+
+/// The factor of least cost: where 7 snap s^-8 = rate duration.
+double cheapest_stretch(double snap, double rate, double duration) {
+  return square_root(square_root(square_root(7.0 * snap / (rate * duration))));
+}
+
+void propose(TrajectoryStage& stage, const Corridor& corridor) {
+  if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
+    stage.phase = TrajectoryPhase::kFinish;
+    return;
+  }
+  fit_ends(corridor, stage.query.limits, stage.chain);
+  assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
+  stage.fixed_snap = fixed_snap(stage);
+  qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
+  stage.solve_begin = stage.iterations;
+  stage.variables = kQpAxes * stage.problem.unknowns;
+  stage.inequalities = most(stage.inequalities, count_rows(stage.problem));
+  ++stage.solves;
+  stage.phase = TrajectoryPhase::kSolve;
+}
+
+/// True where no solution of the programme can be worth more than the best plan: the cost that its lower bound on snap
+/// allows, stretched as suits it best.
+bool hopeless(const TrajectoryStage& stage) {
+  if (!stage.best.found) return false;
+  const double bound = qp_lower_bound(stage.solver);
+  if (!(bound > -kQpNoBound)) return false;
+  const double snap = larger(0.0, stage.scale.snap_per_cost * bound + stage.fixed_snap);
+  const double rate = stage.refinement.rate;
+  const double duration = chain_duration(stage.chain);
+  const double factor = rests(stage.query) ? cheapest_stretch(snap, rate, duration) : 1.0;
+  return plan_cost(snap, rate, duration, factor) >= stage.best.cost;
+}
+
+void note_iterations(TrajectoryStage& stage, std::uint32_t used) {
+  stage.iterations += used;
+  stage.longest_solve = most(stage.longest_solve, static_cast<int>(stage.iterations - stage.solve_begin));
+}
+
+/// Runs the solver to where its bound is looked at next, at most. kRunning there too.
+Status solve_on(TrajectoryStage& stage, Work& work) {
+  const std::uint32_t stride = kBoundStride - (stage.iterations - stage.solve_begin) % kBoundStride;
+  const std::uint32_t allowed = stage.query.max_iterations - stage.iterations;
+  const std::uint32_t slice = least(least(work.left, allowed), stride);
+  Work inner{slice};
+  const Status status = qp_advance(stage.solver, stage.problem, inner, stage.solution);
+  work.left -= slice - inner.left;
+  note_iterations(stage, slice - inner.left);
+  if (status != Status::kRunning || slice < stride || !hopeless(stage)) return status;
+  return Status::kIterationLimit;
+}
+
+/// Runs the solver within the slice and the plan's budget. False where the slice is used up.
+bool solve(TrajectoryStage& stage, Work& work) {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    if (stage.iterations == stage.query.max_iterations) {
+      stage.optimiser = Status::kBudgetOptimise;
+      stage.phase = TrajectoryPhase::kFinish;
+      return true;
+    }
+    if (work.left == 0) return false;
+    status = solve_on(stage, work);
+  }
+  stage.solve_status = status;
+  stage.active_high = most(stage.active_high, stage.solution.active_count);
+  stage.phase = TrajectoryPhase::kJudge;
+  return true;
+}
+
+/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
+/// where that costs less.
+double best_stretch(const TrajectoryStage& stage, double snap) {
+  double factor = 0.0;
+  for (int i = 0; i < stage.chain.count; ++i) {
+    factor = larger(factor, kMinDuration / stage.chain.duration[i]);
+    factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
+  }
+  return larger(factor, cheapest_stretch(snap, stage.refinement.rate, chain_duration(stage.chain)));
 }
 
 bool keeps_everything(const TrajectoryStage& stage, const Corridor& corridor, double factor) {
@@ -157,7 +211,7 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   const double snap = candidate_snap(stage);
   Round& round = stage.round;
   round.factor = rests(stage.query) ? best_stretch(stage, snap) : 1.0;
-  round.cost = snap / seventh_power(round.factor) + stage.refinement.rate * round.factor * chain_duration(stage.chain);
+  round.cost = plan_cost(snap, stage.refinement.rate, chain_duration(stage.chain), round.factor);
   round.accepted = keeps_everything(stage, corridor, round.factor);
   if (!round.accepted) stage.solve_status = Status::kNumerical;
   if (!round.accepted || (stage.best.found && !(round.cost < stage.best.cost))) return;

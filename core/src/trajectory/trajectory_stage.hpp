@@ -74,6 +74,7 @@ struct TrajectoryStage {
   Trajectory fallback;  ///< stop-and-go
   Status solve_status;
   std::uint32_t solve_begin;  ///< `iterations` when the programme was begun
+  double fixed_snap;          ///< of the chain with all unknowns zero: what the programme's cost leaves out
   int warm_count;
   QpRow warm[kMaxActive];
   Vec3 points[kMaxSegments][kControlPoints];  ///< the candidate's
