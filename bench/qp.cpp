@@ -55,29 +55,37 @@ void add(const CorridorAnswers& answers, Column& column) {
   column.undecided += decided(answers.cold.status) && decided(answers.warm.status) ? 0 : 1;
 }
 
+double most_of_ten(const std::vector<double>& values) {
+  return quantile(values, 0.9);
+}
+
 std::string format(const char* row, int segments, const Column& c) {
   char text[256];
-  std::snprintf(text, sizeof text, row, segments, c.cold.size(), median(c.cold), most(c.cold), median(c.warm),
-                most(c.warm), median(c.iterations), most(c.iterations), median(c.warm_iterations),
-                most(c.warm_iterations), median(c.active), most(c.active), c.residual, c.undecided);
+  std::snprintf(text, sizeof text, row, segments, c.cold.size(), median(c.cold), most_of_ten(c.cold), most(c.cold),
+                median(c.warm), most_of_ten(c.warm), most(c.warm), median(c.iterations), most_of_ten(c.iterations),
+                most(c.iterations), median(c.warm_iterations), most(c.warm_iterations), median(c.active),
+                most_of_ten(c.active), most(c.active), c.residual, c.undecided);
   return text;
 }
 
 void print(const std::map<int, Column>& columns) {
-  std::printf("%4s%7s%19s%19s%14s%14s%12s%10s%11s\n", "M", "cases", "cold us (max)", "warm us (max)", "iterations",
-              "warm", "active", "residual", "undecided");
+  std::printf("%4s%7s%28s%25s%20s%12s%18s%11s%11s\n", "M", "cases", "cold us: median p90 max", "warm us: same",
+              "iterations: same", "warm (max)", "active: same", "residual", "undecided");
   for (const auto& [segments, column] : columns) {
-    const char* const row = "%4d%7zu%9.2f (%7.1f)%9.2f (%7.1f)%7.0f (%4.0f)%7.0f (%4.0f)%6.0f (%3.0f)%10.1e%11d\n";
+    const char* const row =
+        "%4d%7zu%10.2f%9.1f%9.1f%9.2f%8.1f%8.1f%8.0f%6.0f%6.0f%6.0f (%3.0f)%7.0f%5.0f%6.0f%11.1e%11d\n";
     std::fputs(format(row, segments, column).c_str(), stdout);
   }
 }
 
 std::string csv(const std::map<int, Column>& columns) {
   std::string text =
-      "segments,cases,cold_median_us,cold_max_us,warm_median_us,warm_max_us,iterations_median,iterations_max,"
-      "warm_iterations_median,warm_iterations_max,active_median,active_max,kkt_residual,undecided\n";
+      "segments,cases,cold_median_us,cold_p90_us,cold_max_us,warm_median_us,warm_p90_us,warm_max_us,iterations_median,"
+      "iterations_p90,iterations_max,warm_iterations_median,warm_iterations_max,active_median,active_p90,active_max,"
+      "kkt_residual,undecided\n";
   for (const auto& [segments, column] : columns) {
-    text += format("%d,%zu,%.2f,%.2f,%.2f,%.2f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.1e,%d\n", segments, column);
+    const char* const row = "%d,%zu,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.1e,%d\n";
+    text += format(row, segments, column);
   }
   return text;
 }

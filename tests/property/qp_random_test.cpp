@@ -109,7 +109,7 @@ TEST(QpRandom, CorridorsWithUnequalDurationsAreSolved) {
   Random random(14);
   QpBench bench;
   for (int n = 0; n < scaled(400); ++n) {
-    tern_host::CorridorProgramme(random_corridor(random, random.integer(2, 10), 30.0), false).assemble(*bench.problem);
+    tern_host::CorridorProgramme(random_corridor(random, random.integer(2, 10), 100.0), false).assemble(*bench.problem);
     const Status status = bench.solve();
     ASSERT_EQ(status, Status::kOk) << "corridor " << n;
     expect_proven(bench, status);
@@ -118,7 +118,7 @@ TEST(QpRandom, CorridorsWithUnequalDurationsAreSolved) {
 }
 
 TEST(QpRandom, DurationsFourDecadesApartAreSolvedOrDeclined) {
-  // H loses its definiteness to rounding; whatever is answered, flying straight is feasible.
+  // Rounding leaves little of the long segments' part of H; whatever is answered, flying straight is feasible.
   Random random(15);
   QpBench bench;
   int solved = 0;
@@ -133,7 +133,7 @@ TEST(QpRandom, DurationsFourDecadesApartAreSolvedOrDeclined) {
     }
     solved += status == Status::kOk ? 1 : 0;
   }
-  EXPECT_GT(solved, 0);
+  EXPECT_GT(solved, cases * 4 / 5);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trajectory/hermite.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -73,8 +75,7 @@ CorridorProgramme::CorridorProgramme(const CorridorCase& c, bool moved) : c_(c) 
   if (moved) add(1.0, c.shift, c_.start[0]);
   for (int k = 0; k < 8; ++k) {
     for (int l = 0; l < 8; ++l) {
-      gram_[at(k)][at(l)] = snap_gram(k, l);
-      largest_gram_ = std::max(largest_gram_, std::fabs(gram_[at(k)][at(l)]));
+      largest_gram_ = std::max(largest_gram_, std::fabs(snap_gram(k, l)));
     }
   }
   const int first = c.start_jerk_fixed ? 0 : 1;
@@ -190,23 +191,18 @@ tern::Vec3 CorridorProgramme::state(int s, int i, const tern::QpSolution& soluti
   return v;
 }
 
-/// Element of the snap Gram matrix over joint states, map[k] the weights of control point k.
-double CorridorProgramme::curvature(const std::array<Local, 8>& map, int i, int j) const {
-  double total = 0.0;
-  for (int k = 0; k < 8; ++k) {
-    for (int l = 0; l < 8; ++l) total += gram_[at(k)][at(l)] * map[at(k)][at(i)] * map[at(l)][at(j)];
-  }
-  return total;
+/// Element of the snap form of a segment in the states at its ends. From exact integers: the sum over control points
+/// would lose digits that segments of very unequal durations need.
+double CorridorProgramme::curvature(int s, int i, int j) const {
+  return tern::kSnapForm[i][j] * std::pow(c_.durations[at(s)] / tau_, i % 4 + j % 4);
 }
 
 void CorridorProgramme::add_cost(int s, tern::QpProblem& problem) const {
-  std::array<Local, 8> map{};
-  for (int k = 0; k < 8; ++k) map[at(k)] = control_point(s, k);
   for (int i = 0; i < 8; ++i) {
     const int row = unknown(s, i);
     if (row < 0) continue;
     for (int j = 0; j < 8; ++j) {
-      const double h = 2.0 * cost_of(s) * curvature(map, i, j);
+      const double h = 2.0 * cost_of(s) * curvature(s, i, j);
       const int column = unknown(s, j);
       if (column >= 0 && column <= row) problem.hessian[row][row - column] += h;
       const tern::Vec3 fixed = given(s, j);

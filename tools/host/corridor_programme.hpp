@@ -45,16 +45,15 @@ class CorridorProgramme {
   int unknown(int s, int i) const;
   tern::Vec3 given(int s, int i) const;
   tern::Vec3 state(int s, int i, const tern::QpSolution& solution) const;
-  double curvature(const std::array<Local, 8>& map, int i, int j) const;
+  double curvature(int s, int i, int j) const;
   void add_cost(int s, tern::QpProblem& problem) const;
   void add_point(int s, const Local& weights, tern::QpProblem& problem) const;
   void add_corridor(int s, tern::QpProblem& problem) const;
   void add_limits(int order, double limit, tern::QpProblem& problem) const;
 
   CorridorCase c_;
-  std::array<Local, 8> gram_{};  ///< of snap, over control points
-  double largest_gram_ = 0.0;
-  double tau_ = 0.0;  ///< mean duration
+  double largest_gram_ = 0.0;  ///< element of the snap Gram matrix over control points
+  double tau_ = 0.0;           ///< mean duration
   int unknowns_ = 0;
 };
 

@@ -7,6 +7,13 @@
 namespace tern::qp {
 namespace {
 
+/// A pivot within this part of its diagonal element is mostly rounding, on either side of zero.
+constexpr double kPivotRounding = 1e-13;
+/// Such a pivot is raised to this part of the diagonal element at least...
+constexpr double kPivotFloor = 1e-15;
+/// ...and so far that its column takes at most one part in so many from any other diagonal element.
+constexpr double kPivotShare = 4.0;
+
 /// beta' H^-1 beta below this part of its diagonal terms is lost in rounding. It only steers pricing.
 constexpr double kNormFloor = 1e-12;
 /// Stands for a length that overflowed: such a point is not constant, whatever else it is.
@@ -48,6 +55,22 @@ void eliminate(QpSolver& solver, int i, int reach, double inverse_pivot) {
   }
 }
 
+/// Makes pivot i one to divide by; false where H is not positive definite, rounding apart, or not finite. Raising a
+/// pivot that is rounding changes H by what rounding has changed already: residuals of H itself judge the answer.
+bool secure_pivot(const QpProblem& problem, QpSolver& solver, int i, int reach) {
+  const double diagonal = problem.hessian[i][0];
+  double* column = solver.factor[i];
+  if (!(diagonal > 0.0) || !finite(column[0])) return false;
+  if (column[0] > kPivotRounding * diagonal) return true;
+  if (!(column[0] > -kPivotRounding * diagonal)) return false;
+  column[0] = larger(column[0], kPivotFloor * diagonal);
+  for (int d = 1; d <= reach; ++d) {
+    const double other = solver.factor[i + d][0];
+    if (other > 0.0) column[0] = larger(column[0], kPivotShare * column[d] * column[d] / other);
+  }
+  return finite(column[0]);
+}
+
 /// Takahashi's recurrence: row i of H^-1 within the band, from the rows below it.
 void inverse_row(QpSolver& solver, int i, int reach) {
   const double* column = solver.factor[i];
@@ -77,8 +100,7 @@ bool factor_hessian(const QpProblem& problem, QpSolver& solver) {
   for (int i = 0; i < n; ++i) {
     double* column = solver.factor[i];
     const int reach = reach_of(i, n);
-    const double diagonal = problem.hessian[i][0];
-    if (!(column[0] > kPivotTolerance * diagonal) || !(diagonal > 0.0) || !finite(column[0])) return false;
+    if (!secure_pivot(problem, solver, i, reach)) return false;
     eliminate(solver, i, reach, 1.0 / column[0]);
     column[0] = 1.0 / square_root(column[0]);
     for (int d = 1; d <= kQpBand; ++d) column[d] *= column[0];

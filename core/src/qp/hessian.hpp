@@ -9,11 +9,8 @@
 
 namespace tern::qp {
 
-/// A pivot below this part of its diagonal element is rounding: H is not positive definite to working precision.
-/// Cholesky's factor does not change under diagonal scaling but for rounding, so H needs none.
-constexpr double kPivotTolerance = 1e-15;
-
-/// Fills solver.factor; false where H is not positive definite (or not finite).
+/// Fills solver.factor; false where H is not positive definite, rounding apart, or not finite. Cholesky's factor does
+/// not change under diagonal scaling but for rounding, so H needs none.
 bool factor_hessian(const QpProblem& problem, QpSolver& solver);
 
 /// out = L^-1 in for interleaved 3-vectors, padding zeroed. `in` and `out` may be the same.

@@ -40,20 +40,33 @@ void gather_rows(const QpProblem& problem, QpSolver& solver, const QpSolution& s
   }
 }
 
-/// Row i of H times x, all axes.
-void multiply(const QpProblem& problem, const QpSolver& solver, int i, double* out) {
-  Pair low = both(0.0);
-  Pair high = both(0.0);
+/// A 3-vector of some unknown, the last lane zero.
+Value value_at(const double* v) {
+  return {loose_pair(v), Pair{v[2], 0.0}};
+}
+
+/// Row i of H times x.
+Value multiply(const QpProblem& problem, const QpSolver& solver, int i) {
+  Value product = {both(0.0), both(0.0)};
+  const auto add = [&](double h, int j) {
+    product.low += both(h) * pair(solver.x[j]);
+    product.high += both(h) * pair(solver.x[j] + kPair);
+  };
   const int left = i < kQpBand ? i : kQpBand;
   const int right = problem.unknowns - 1 - i < kQpBand ? problem.unknowns - 1 - i : kQpBand;
-  for (int d = -left; d <= right; ++d) {
-    const Pair h = both(d <= 0 ? problem.hessian[i][-d] : problem.hessian[i + d][d]);
-    low += h * pair(solver.x[i + d]);
-    high += h * pair(solver.x[i + d] + kPair);
-  }
-  out[0] = low[0];
-  out[1] = low[1];
-  out[2] = high[0];
+  for (int d = left; d >= 0; --d) add(problem.hessian[i][d], i - d);
+  for (int d = 1; d <= right; ++d) add(problem.hessian[i + d][d], i + d);
+  return product;
+}
+
+Pair size_of(Pair v) {
+  return larger_of(v, -v);
+}
+
+/// Largest squares of a 3-vector's elements, times `scale`, against those found so far.
+Pair largest_square(const Value& v, double scale, Pair so_far) {
+  const Pair s = both(scale);
+  return larger_of(v.low * v.low * s, larger_of(v.high * v.high * s, so_far));
 }
 
 struct Sums {
@@ -61,33 +74,40 @@ struct Sums {
   double slope = 0.0;      ///< f'x
 };
 
+/// Leaves -(Hx + f + A'y) where A'y was, in solver.row.
 Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
-  Sums sums;
-  double residual = 0.0;
-  double term = 0.0;
+  Value curvature = {both(0.0), both(0.0)};
+  Value slope = curvature;
+  Pair residual = both(0.0);
+  Pair term = both(0.0);
   for (int i = 0; i < problem.unknowns; ++i) {
-    double hx[kQpAxes];
-    multiply(problem, solver, i, hx);
+    double* at = solver.row + kQpAxes * i;
+    const Value hx = multiply(problem, solver, i);
+    const Value f = {{problem.linear[0][i], problem.linear[1][i]}, {problem.linear[2][i], 0.0}};
+    const Value ay = value_at(at);
+    const Value x = {pair(solver.x[i]), pair(solver.x[i] + kPair)};
     const double scale = 1.0 / problem.hessian[i][0];
-    for (int a = 0; a < kQpAxes; ++a) {
-      const double f = problem.linear[a][i];
-      double& ay = solver.row[kQpAxes * i + a];
-      const double most = larger(larger(absolute(hx[a]), absolute(f)), absolute(ay));
-      const double rest = (hx[a] + f) + ay;
-      term = larger(most * most * scale, term);
-      residual = larger(rest * rest * scale, residual);
-      sums.curvature += hx[a] * solver.x[i][a];
-      sums.slope += f * solver.x[i][a];
-      ay = -rest;
-    }
+    const Value most = {larger_of(larger_of(size_of(hx.low), size_of(f.low)), size_of(ay.low)),
+                        larger_of(larger_of(size_of(hx.high), size_of(f.high)), size_of(ay.high))};
+    const Value rest = {(hx.low + f.low) + ay.low, (hx.high + f.high) + ay.high};
+    term = largest_square(most, scale, term);
+    residual = largest_square(rest, scale, residual);
+    curvature = {curvature.low + hx.low * x.low, curvature.high + hx.high * x.high};
+    slope = {slope.low + f.low * x.low, slope.high + f.high * x.high};
+    loose_pair(at) = -rest.low;
+    at[2] = -rest.high[0];
   }
-  solution.stationarity = term > 0.0 ? square_root(residual / term) : 0.0;
-  return sums;
+  const double largest_term = larger(term[0], term[1]);
+  const double largest_residual = larger(residual[0], residual[1]);
+  solution.stationarity = largest_term > 0.0 ? square_root(largest_residual / largest_term) : 0.0;
+  return {sum(curvature.low + curvature.high), sum(slope.low + slope.high)};
 }
 
 double measure_complementarity(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution,
                                const Sums& sums) {
-  double scale = larger(absolute(sums.curvature), absolute(sums.slope));
+  // f'H^-1 f as well: at an optimum in the origin all other terms are rounding.
+  const double pull = inner(solver.target, solver.target, 0, solver.stride);
+  double scale = larger(pull, larger(absolute(sums.curvature), absolute(sums.slope)));
   double product = 0.0;
   for (int j = 0; j < solution.active_count; ++j) {
     const double slack = unit_violation(problem, solver, solution.active[j]);

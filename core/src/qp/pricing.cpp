@@ -68,61 +68,53 @@ bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
   return solver.scans - last.scan < kPatience && !promising(solver, last);
 }
 
-/// Points of one group that are looked at together: [begin, end).
-struct Strip {
-  int group;
-  int begin;
-  int end;
-};
-
-/// A tile's points: all of them in the first scan, afterwards those that unknowns move.
-Strip strip_of(const QpProblem& problem, const QpSolver& solver, int group, int begin) {
-  const QpGroup& g = problem.groups[group];
-  const QpScreen& screen = solver.screens[group];
-  const int wanted_begin = solver.scans == 0 ? g.point_begin : screen.moving_begin;
-  const int wanted_end = solver.scans == 0 ? g.point_end : screen.moving_end;
-  const int end = begin + kQpTile;
-  return {group, begin < wanted_begin ? wanted_begin : begin, end < wanted_end ? end : wanted_end};
-}
-
-/// Looks at a strip's points.
-QpLook look(const QpProblem& problem, QpSolver& solver, const Strip& strip, Scan& scan) {
-  QpLook result = {0.0, strip.begin, strip.group, solver.scans};
-  const int count = strip.end - strip.begin;
-  if (count <= 0) return result;
+/// Looks at points [begin, end) of a group, kQpTile at most. Fills `result` in its place: a copy of it would have to
+/// wait for its parts.
+void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int end, Scan& scan, QpLook& result) {
+  result.distance = 0.0;
+  result.point = begin;
+  result.group = group;
+  result.scan = solver.scans;
+  if (begin >= end) return;
   Tile tile;
-  scan.numbers += fill(problem.points + strip.begin, count, solver, tile);
-  const int plane_end = problem.groups[strip.group].plane_end;
-  if (!qp::scan(solver.planes, solver.screens[strip.group], plane_end, count, tile)) return result;
-  for (int lane = 0; lane < count; ++lane) {
-    const double violation = tile.worst[lane];
+  scan.numbers += fill(problem.points + begin, end - begin, solver, tile);
+  const int plane_end = problem.groups[group].plane_end;
+  if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, tile)) return;
+  for (int point = begin; point < end; ++point) {
+    const double violation = tile.worst[point - begin];
     if (!(violation > 0.0)) continue;
-    const double distance = consider(problem, solver, strip.group, strip.begin + lane, violation, scan);
+    const double distance = consider(problem, solver, group, point, violation, scan);
     if (!(distance > result.distance)) continue;
     result.distance = distance;
-    result.point = strip.begin + lane;
+    result.point = point;
   }
-  return result;
 }
 
+/// Looks at a group's tiles: at all of their points in the first scan, afterwards at those that unknowns move.
 void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& scan) {
   const QpGroup& g = problem.groups[group];
-  for (int begin = g.point_begin; begin < g.point_end; begin += kQpTile) {
+  const QpScreen& screen = solver.screens[group];
+  const int first = solver.scans == 0 ? g.point_begin : screen.moving_begin;
+  const int last = solver.scans == 0 ? g.point_end : screen.moving_end;
+  QpLook unkept;
+  for (int at = g.point_begin; at < g.point_end; at += kQpTile) {
     const int tile = scan.tiles++;
     if (passes_over(solver, tile, scan)) {
       scan.skipped = true;
       continue;
     }
-    const QpLook result = look(problem, solver, strip_of(problem, solver, group, begin), scan);
-    if (tile < kQpMaxTiles) solver.looks[tile] = result;
+    const int begin = at < first ? first : at;
+    const int end = at + kQpTile < last ? at + kQpTile : last;
+    look(problem, solver, group, begin, end, scan, tile < kQpMaxTiles ? solver.looks[tile] : unkept);
   }
 }
 
 /// Looks again at what was worst in each promising tile, and at nothing else.
 void scan_favourites(const QpProblem& problem, QpSolver& solver, Scan& scan) {
+  QpLook unkept;
   for (int t = 0; t < solver.tiles; ++t) {
     const QpLook& last = solver.looks[t];
-    if (promising(solver, last)) look(problem, solver, {last.group, last.point, last.point + 1}, scan);
+    if (promising(solver, last)) look(problem, solver, last.group, last.point, last.point + 1, scan, unkept);
   }
 }
 

@@ -83,8 +83,8 @@ struct QpSolution {
   double multiplier[kMaxActive + 1];  ///< >= 0, of the rows as given (not normalised)
   double stationarity;                ///< max |Hx + f + A'y| over the largest of |Hx|, |f|, |A'y|, each over sqrt(H_ii)
   double violation;                   ///< max of 0 and a'x - b over all rows, in the rows' unit over |normal| (metres)
-  double complementarity;             ///< max |y_i (a_i'x - b_i)| over the largest of |x'Hx|, |f'x|, |y_i b_i|
-  int iterations;                     ///< units of work: warm rows tried, rows entered, rows dropped
+  double complementarity;  ///< max |y_i (a_i'x - b_i)| over the largest of f'H^-1 f, |x'Hx|, |f'x|, |y_i b_i|
+  int iterations;          ///< units of work: warm rows tried, rows entered, rows dropped
   /// kInfeasible: multipliers y >= 0 of `active` with |A'y| ~ 0 and b'y < 0 (Farkas), scaled to max y = 1.
   double farkas_residual;  ///< max |A'y| over the largest |y_i a_i|, each over sqrt(H_ii)
   double farkas_gap;       ///< -b'y > 0

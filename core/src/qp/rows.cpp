@@ -29,6 +29,7 @@ double take_normal(const Halfspace& plane, int p, QpUnitPlanes& planes) {
   planes.normal[1][p] = scale * plane.normal.y;
   planes.normal[2][p] = scale * plane.normal.z;
   planes.slab[p] = false;
+  planes.zeros = planes.zeros || !(scale > 0.0);
   return 0.0 * ((planes.normal[0][p] + planes.normal[1][p]) + planes.normal[2][p]);
 }
 
@@ -50,6 +51,17 @@ Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
   planes.slab[p] = apart <= 0.0;
   planes.slab[p + 1] = false;
   return both(0.0);
+}
+
+/// Planes with a zero normal and a negative offset are violated by 1.
+void contradict_zeros(const QpProblem& problem, QpSolver& solver) {
+  solver.contradictory = false;
+  if (!solver.planes.zeros) return;
+  for (int p = 0; p < problem.plane_count; ++p) {
+    if (solver.planes.scale[p] > 0.0 || !(problem.planes[p].offset < 0.0)) continue;
+    solver.planes.offset[p] = -1.0;
+    solver.contradictory = true;
+  }
 }
 
 /// Bounds nothing.
@@ -138,6 +150,7 @@ double inverse_length(const Halfspace& plane) {
 
 bool prepare_normals(const QpProblem& problem, QpSolver& solver) {
   const int count = problem.plane_count;
+  solver.planes.zeros = false;
   Pair numbers = both(0.0);
   int p = 0;
   for (; p + 1 < count; p += kPair) numbers += take_two_normals(problem.planes + p, p, solver.planes);
@@ -147,19 +160,21 @@ bool prepare_normals(const QpProblem& problem, QpSolver& solver) {
 }
 
 bool prepare_offsets(const QpProblem& problem, QpSolver& solver) {
-  QpUnitPlanes& planes = solver.planes;
-  double numbers = 0.0;
-  solver.contradictory = false;
-  for (int p = 0; p < problem.plane_count; ++p) {
-    const double offset = problem.planes[p].offset;
-    planes.offset[p] = planes.scale[p] * offset;
-    numbers += 0.0 * offset;
-    if (planes.scale[p] > 0.0 || !(offset < 0.0)) continue;
-    planes.offset[p] = -1.0;
-    solver.contradictory = true;
+  const int count = problem.plane_count;
+  Pair numbers = both(0.0);
+  int p = 0;
+  for (; p + 1 < count; p += kPair) {
+    const Pair offset = {problem.planes[p].offset, problem.planes[p + 1].offset};
+    loose_pair(solver.planes.offset + p) = loose_pair(solver.planes.scale + p) * offset;
+    numbers += both(0.0) * offset;
   }
+  if (p < count) {
+    solver.planes.offset[p] = solver.planes.scale[p] * problem.planes[p].offset;
+    numbers[0] += 0.0 * problem.planes[p].offset;
+  }
+  contradict_zeros(problem, solver);
   make_boxes(problem, solver);
-  return finite(numbers);
+  return finite(sum(numbers));
 }
 
 void prepare_points(const QpProblem& problem, QpSolver& solver) {

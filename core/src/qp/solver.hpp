@@ -37,6 +37,7 @@ struct QpUnitPlanes {
   double scale[kQpMaxPlanes];      ///< 1 / |normal| of the problem's plane; 0 for a zero normal
   bool slab[kQpMaxPlanes];         ///< the next plane's normal is the opposite one
   std::int8_t axis[kQpMaxPlanes];  ///< of the planes in a box: 0 .. 2 upwards, 3 .. 5 downwards
+  bool zeros;                      ///< some normal is zero
 };
 
 /// What a scan has to know of a group.

@@ -20,30 +20,32 @@ struct Tile {
   alignas(16) double worst[kQpTile];
 };
 
-/// Evaluates two points. Neighbours mostly depend on the same unknowns.
-inline void place(const QpPoint& first, const QpPoint& second, const QpSolver& solver, int at, Tile& tile) {
-  if (first.first != second.first) {
-    const Value a = evaluate(first, solver);
-    const Value b = evaluate(second, solver);
-    tile.x[at] = Pair{a.low[0], b.low[0]};
-    tile.y[at] = Pair{a.low[1], b.low[1]};
-    tile.z[at] = Pair{a.high[0], b.high[0]};
-    return;
-  }
+/// Evaluates two points, as pair `at` of the tile, and returns the sum of their coordinates. Neighbours mostly depend
+/// on the same unknowns.
+inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& solver, int at, Tile& tile) {
   Pair sum_x = {first.offset.x, second.offset.x};
   Pair sum_y = {first.offset.y, second.offset.y};
   Pair sum_z = {first.offset.z, second.offset.z};
-  const int terms = first.terms < second.terms ? second.terms : first.terms;
-  const double(*x)[2 * kQpAxes] = solver.spread + first.first;
-  for (int t = 0; t < terms; ++t) {
-    const Pair factor = {first.coefficient[t], second.coefficient[t]};
-    sum_x += factor * pair(x[t]);
-    sum_y += factor * pair(x[t] + kPair);
-    sum_z += factor * pair(x[t] + 2 * kPair);
+  if (first.first == second.first) {
+    const int terms = first.terms < second.terms ? second.terms : first.terms;
+    const double(*x)[2 * kQpAxes] = solver.spread + first.first;
+    for (int t = 0; t < terms; ++t) {
+      const Pair factor = {first.coefficient[t], second.coefficient[t]};
+      sum_x += factor * pair(x[t]);
+      sum_y += factor * pair(x[t] + kPair);
+      sum_z += factor * pair(x[t] + 2 * kPair);
+    }
+  } else {
+    const Value a = evaluate(first, solver);
+    const Value b = evaluate(second, solver);
+    sum_x = Pair{a.low[0], b.low[0]};
+    sum_y = Pair{a.low[1], b.low[1]};
+    sum_z = Pair{a.high[0], b.high[0]};
   }
   tile.x[at] = sum_x;
   tile.y[at] = sum_y;
   tile.z[at] = sum_z;
+  return (sum_x + sum_y) + sum_z;
 }
 
 /// Evaluates `count` points; where they are odd in number the last is there twice. Returns 0 times their sum: 0 where
@@ -51,9 +53,7 @@ inline void place(const QpPoint& first, const QpPoint& second, const QpSolver& s
 inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, Tile& tile) {
   Pair total = both(0.0);
   for (int k = 0; k < count; k += kPair) {
-    const int at = k / kPair;
-    place(points[k], points[k + 1 < count ? k + 1 : k], solver, at, tile);
-    total += (tile.x[at] + tile.y[at]) + tile.z[at];
+    total += place(points[k], points[k + 1 < count ? k + 1 : k], solver, k / kPair, tile);
   }
   return both(0.0) * total;
 }
