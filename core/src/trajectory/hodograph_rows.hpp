@@ -10,11 +10,12 @@
 
 namespace tern {
 
-/// Equal pieces that hodographs are cut into: 1, 2 or 4.
-constexpr int kHodographPieces = 2;
+/// Equal pieces that the hodographs are cut into: 1, 2 or 4. An acceleration varies more within a segment.
+constexpr int kVelocityPieces = 2;
+constexpr int kAccelerationPieces = 4;
 /// Control points of all pieces, shared ends counted once.
-constexpr int kVelocityRows = 6 * kHodographPieces + 1;
-constexpr int kAccelerationRows = 5 * kHodographPieces + 1;
+constexpr int kVelocityRows = 6 * kVelocityPieces + 1;
+constexpr int kAccelerationRows = 5 * kAccelerationPieces + 1;
 
 /// Row r is the weights of c[0 .. 7]; times 1 / duration (velocity) or 1 / duration^2 (acceleration). Dyadic: exact.
 struct HodographRows {
@@ -56,11 +57,11 @@ constexpr WeightedCurve cut_weights(WeightedCurve& curve, double u) {
   return first;
 }
 
-constexpr void piece_weights(int order, double (*rows)[kControlPoints]) {
+constexpr void piece_weights(int order, int pieces, double (*rows)[kControlPoints]) {
   WeightedCurve rest = derivative_weights(order);
   const int n = rest.degree;
-  for (int piece = 0; piece < kHodographPieces; ++piece) {
-    const WeightedCurve first = cut_weights(rest, 1.0 / (kHodographPieces - piece));
+  for (int piece = 0; piece < pieces; ++piece) {
+    const WeightedCurve first = cut_weights(rest, 1.0 / (pieces - piece));
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; j <= kDegree; ++j) rows[piece * n + i][j] = first.w[i][j];
     }
@@ -69,8 +70,8 @@ constexpr void piece_weights(int order, double (*rows)[kControlPoints]) {
 
 constexpr HodographRows make_hodograph_rows() {
   HodographRows rows{};
-  piece_weights(1, rows.velocity);
-  piece_weights(2, rows.acceleration);
+  piece_weights(1, kVelocityPieces, rows.velocity);
+  piece_weights(2, kAccelerationPieces, rows.acceleration);
   return rows;
 }
 
