@@ -42,7 +42,7 @@ void gather_rows(const QpProblem& problem, QpSolver& solver, const QpSolution& s
 
 /// A 3-vector of some unknown, the last lane zero.
 Value value_at(const double* v) {
-  return {loose_pair(v), Pair{v[2], 0.0}};
+  return {load_two(v), Pair{v[2], 0.0}};
 }
 
 /// Row i of H times x.
@@ -94,7 +94,7 @@ Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution
     residual = largest_square(rest, scale, residual);
     curvature = {curvature.low + hx.low * x.low, curvature.high + hx.high * x.high};
     slope = {slope.low + f.low * x.low, slope.high + f.high * x.high};
-    loose_pair(at) = -rest.low;
+    store_two(-rest.low, at);
     at[2] = -rest.high[0];
   }
   const double largest_term = larger(term[0], term[1]);

@@ -9,8 +9,6 @@
 namespace tern::qp {
 
 using Pair __attribute__((vector_size(16), __may_alias__)) = double;
-/// The same anywhere in an array of doubles.
-using LoosePair __attribute__((vector_size(16), aligned(8), __may_alias__)) = double;
 
 constexpr int kPair = 2;
 /// Vectors are padded with zeros to a multiple of this, so that kernels need no tails.
@@ -27,11 +25,14 @@ inline const Pair& pair(const double* p) {
 inline Pair& pair(double* p) {
   return *reinterpret_cast<Pair*>(p);
 }
-inline Pair loose_pair(const double* p) {
-  return *reinterpret_cast<const LoosePair*>(p);
+/// Two neighbours anywhere in an array of doubles.
+inline Pair load_two(const double* p) {
+  Pair value;
+  __builtin_memcpy(&value, p, sizeof value);
+  return value;
 }
-inline LoosePair& loose_pair(double* p) {
-  return *reinterpret_cast<LoosePair*>(p);
+inline void store_two(Pair value, double* p) {
+  __builtin_memcpy(p, &value, sizeof value);
 }
 inline Pair both(double v) {
   return Pair{v, v};

@@ -43,10 +43,10 @@ Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
   if (!(size[0] <= kUnitTolerance) || !(size[1] <= kUnitTolerance)) {
     return Pair{take_normal(two[0], p, planes), take_normal(two[1], p + 1, planes)};
   }
-  loose_pair(planes.normal[0] + p) = x;
-  loose_pair(planes.normal[1] + p) = y;
-  loose_pair(planes.normal[2] + p) = z;
-  loose_pair(planes.scale + p) = both(1.0);
+  store_two(x, planes.normal[0] + p);
+  store_two(y, planes.normal[1] + p);
+  store_two(z, planes.normal[2] + p);
+  store_two(both(1.0), planes.scale + p);
   const double apart = absolute(x[0] + x[1]) + absolute(y[0] + y[1]) + absolute(z[0] + z[1]);
   planes.slab[p] = apart <= 0.0;
   planes.slab[p + 1] = false;
@@ -165,7 +165,7 @@ bool prepare_offsets(const QpProblem& problem, QpSolver& solver) {
   int p = 0;
   for (; p + 1 < count; p += kPair) {
     const Pair offset = {problem.planes[p].offset, problem.planes[p + 1].offset};
-    loose_pair(solver.planes.offset + p) = loose_pair(solver.planes.scale + p) * offset;
+    store_two(load_two(solver.planes.scale + p) * offset, solver.planes.offset + p);
     numbers += both(0.0) * offset;
   }
   if (p < count) {
