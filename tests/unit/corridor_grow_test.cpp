@@ -45,6 +45,15 @@ class CorridorGrow : public ::testing::Test {
     return most;
   }
 
+  void expect_box(const Vec3& lower, const Vec3& upper) const {
+    EXPECT_NEAR(extent({1.0, 0.0, 0.0}), upper.x, 1e-9);
+    EXPECT_NEAR(extent({0.0, 1.0, 0.0}), upper.y, 1e-9);
+    EXPECT_NEAR(extent({0.0, 0.0, 1.0}), upper.z, 1e-9);
+    EXPECT_NEAR(extent({-1.0, 0.0, 0.0}), -lower.x, 1e-9);
+    EXPECT_NEAR(extent({0.0, -1.0, 0.0}), -lower.y, 1e-9);
+    EXPECT_NEAR(extent({0.0, 0.0, -1.0}), -lower.z, 1e-9);
+  }
+
   std::unique_ptr<GrowScratch> scratch_ = std::make_unique<GrowScratch>();
   Polyhedron polyhedron_{};
   Random random_{99};
@@ -104,10 +113,7 @@ TEST_F(CorridorGrow, AOneVoxelTunnelIsFilled) {
   world.fill({0, 0, 0}, {40, 20, 20});
   for (int x = 0; x < 40; ++x) world.clear(x, 10, 10);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 1.05, 1.05}, {3.5, 1.05, 1.05}));
-  EXPECT_NEAR(extent({0.0, 1.0, 0.0}), 1.1, 1e-9);
-  EXPECT_NEAR(extent({0.0, -1.0, 0.0}), -1.0, 1e-9);
-  EXPECT_NEAR(extent({0.0, 0.0, 1.0}), 1.1, 1e-9);
-  EXPECT_NEAR(extent({1.0, 0.0, 0.0}), 4.0, 1e-9);
+  expect_box({0.0, 1.0, 1.0}, {4.0, 1.1, 1.1});
 }
 
 TEST_F(CorridorGrow, AnObliqueLineThroughAOneVoxelTunnel) {
@@ -115,6 +121,23 @@ TEST_F(CorridorGrow, AnObliqueLineThroughAOneVoxelTunnel) {
   world.fill({0, 0, 0}, {40, 20, 20});
   for (int x = 0; x < 40; ++x) world.clear(x, 10, 10);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 1.005, 1.005}, {3.5, 1.095, 1.095}));
+  // 0.005 m of room is all margin: the planes are the walls' faces, not tangents of the needle along the line.
+  expect_box({0.0, 1.0, 1.0}, {4.0, 1.1, 1.1});
+}
+
+TEST_F(CorridorGrow, AHoverInAPocketOfOneVoxel) {
+  World world({20, 20, 20}, 0.1, 0.0);
+  world.fill({0, 0, 0}, {20, 20, 20});
+  world.clear(10, 10, 10);
+  ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.05, 1.05, 1.05}, {1.05, 1.05, 1.05}));
+  expect_box({1.0, 1.0, 1.0}, {1.1, 1.1, 1.1});
+}
+
+TEST_F(CorridorGrow, AHoverThatTouches) {
+  World world({40, 40, 40}, 0.1, 0.2);
+  world.fill({25, 0, 0}, {30, 40, 40});
+  ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.3, 2.0, 2.0}, {2.3, 2.0, 2.0}));
+  expect_box({0.3, 0.0, 0.0}, {2.3, 4.0, 4.0});
 }
 
 TEST_F(CorridorGrow, AFlatSlitOneVoxelHigh) {
@@ -122,9 +145,7 @@ TEST_F(CorridorGrow, AFlatSlitOneVoxelHigh) {
   world.fill({0, 0, 0}, {40, 40, 10});
   world.fill({0, 0, 11}, {40, 40, 20});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 0.7, 1.05}, {3.1, 2.9, 1.02}));
-  EXPECT_NEAR(extent({0.0, 0.0, 1.0}), 1.1, 1e-9);
-  EXPECT_NEAR(extent({0.0, 0.0, -1.0}), -1.0, 1e-9);
-  EXPECT_NEAR(extent({0.0, 1.0, 0.0}), 4.0, 1e-9) << "opposite planes must not bend the rest";
+  expect_box({0.0, 0.0, 1.0}, {4.0, 4.0, 1.1});  // opposite planes must not bend the rest
 }
 
 TEST_F(CorridorGrow, ASlitThatTheRadiusFillsToAHair) {
@@ -147,6 +168,24 @@ TEST_F(CorridorGrow, AlongAWallThatTouches) {
   World world({60, 40, 40}, 0.1, 0.0);
   world.fill({0, 0, 0}, {60, 10, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 2.0}, {5.0, 1.0, 2.0}));
+  expect_box({0.0, 1.0, 0.0}, {6.0, 3.0, 4.0});
+}
+
+TEST_F(CorridorGrow, AlongTheEdgeBetweenTwoWalls) {
+  World world({60, 40, 40}, 0.1, 0.0);
+  world.fill({0, 0, 0}, {60, 10, 40});
+  world.fill({0, 0, 0}, {60, 40, 10});
+  ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 1.0}, {5.0, 1.0, 1.0}));
+  expect_box({0.0, 1.0, 1.0}, {6.0, 3.0, 3.0});
+}
+
+TEST_F(CorridorGrow, AlongOneFaceOfASlit) {
+  // Opposite planes a voxel apart, and no room before one of them.
+  World world({60, 40, 40}, 0.1, 0.0);
+  world.fill({0, 0, 0}, {60, 10, 40});
+  world.fill({0, 11, 0}, {60, 40, 40});
+  ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 2.0}, {5.0, 1.0, 2.0}));
+  expect_box({0.0, 1.0, 0.0}, {6.0, 1.1, 4.0});
 }
 
 TEST_F(CorridorGrow, AStartOnAVoxelFace) {
@@ -160,12 +199,17 @@ TEST_F(CorridorGrow, AStartOnAVoxelCorner) {
   World world({60, 40, 40}, 0.1, 0.0);
   world.fill({20, 20, 20}, {22, 22, 22});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.2, 2.2, 2.2}, {4.0, 2.5, 2.3}));
+  // Three faces leave no room alike; the first is taken.
+  EXPECT_NEAR(extent({-1.0, 0.0, 0.0}), -2.2, 1e-9);
+  EXPECT_NEAR(extent({0.0, -1.0, 0.0}), -0.2, 1e-9);
+  EXPECT_NEAR(extent({0.0, 0.0, -1.0}), -0.2, 1e-9);
 }
 
 TEST_F(CorridorGrow, PastAnEdgeThatTouches) {
   World world({60, 40, 40}, 0.1, 0.0);
   world.fill({20, 20, 0}, {22, 22, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.7, 2.7, 2.0}, {2.7, 1.7, 2.0}));
+  EXPECT_NEAR(extent({-1.0, -1.0, 0.0}), -4.4, 1e-9) << "the plane of the edge and the segment: x + y >= 4.4";
 }
 
 TEST_F(CorridorGrow, BetweenTwoCornersThatTouch) {
@@ -174,6 +218,8 @@ TEST_F(CorridorGrow, BetweenTwoCornersThatTouch) {
   world.fill({10, 20, 0}, {20, 30, 20});
   world.fill({20, 10, 0}, {30, 20, 20});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.5, 1.5, 1.0}, {2.5, 2.5, 1.0}));
+  EXPECT_NEAR(extent({1.0, -1.0, 0.0}), 0.0, 1e-9) << "a sheet, x = y";
+  EXPECT_NEAR(extent({-1.0, 1.0, 0.0}), 0.0, 1e-9);
 }
 
 TEST_F(CorridorGrow, OnTheBoundarysFace) {

@@ -20,7 +20,7 @@ constexpr int kImprovingRounds = 2;
 
 /// Then half-spaces are left out, one at a time: what the others hold has a larger ellipsoid, and tangents to that may
 /// make a larger polyhedron. So many trials at most, and none where the ellipsoid's size grows by less than this factor
-/// (volumes by its root). Together they give one to five per cent of volume.
+/// (volumes by its root). In dense maps they give 2 % of volume in the mean, up to 5 % in the median.
 constexpr int kLeaveOuts = 4;
 constexpr double kWorthLeavingOut = 1.3;
 
