@@ -13,6 +13,8 @@ namespace {
 constexpr double kCostScale = 1e-5;
 constexpr int kEnds = 2 * kJointOrder;
 
+static_assert(kControlPoints + kVelocityRows + kAccelerationRows <= kQpPointsPerSegment, "room for a segment's points");
+
 /// One segment as the programme sees it.
 struct Piece {
   int index;
