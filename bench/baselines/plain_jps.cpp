@@ -35,7 +35,7 @@ bool PlainJps::jump(Voxel at, int move, Voxel& found) const {
     at = at + tern::offset(move);
     free = tern::free_cells(grid_, at);
     found = at;
-    if (tern::same(at, goal_) || tern::forced_moves(move, free) != 0) return true;
+    if (tern::same(at, goal_) || tern::forced_moves(move, free, tern::legal_moves(free)) != 0) return true;
     // A jump point along a natural part of a diagonal makes this voxel one, too.
     Voxel beyond{};
     for (CellMask left = tern::natural_moves(move); left != 0; left &= left - 1) {
@@ -61,9 +61,10 @@ void PlainJps::relax(std::uint32_t from, const Voxel& to, int arrival) {
 void PlainJps::expand(std::uint32_t index) {
   const Voxel at = voxel_of(index);
   const CellMask free = tern::free_cells(grid_, at);
+  const CellMask legal = tern::legal_moves(free);
   CellMask moves = 0;
   for (CellMask left = nodes_[index].arrivals; left != 0; left &= left - 1) {
-    moves |= tern::successor_moves(__builtin_ctz(left), free);
+    moves |= tern::successor_moves(__builtin_ctz(left), free, legal);
   }
   moves &= ~nodes_[index].followed;
   nodes_[index].followed |= moves;

@@ -106,7 +106,7 @@ TimedRoute paper_astar(const PaperMap& map, const tern_host::Scenario& scenario,
   return timed;
 }
 
-TernFrontEnd::TernFrontEnd() : stage_(new tern::PathStage), path_(new tern::Path) {}
+TernFrontEnd::TernFrontEnd() : stage_(new tern::PathStage), scans_(new tern::ScanMap), path_(new tern::Path) {}
 
 TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions) {
   TernRoutes routes;
@@ -120,7 +120,9 @@ TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenari
     // The first call ends between search and shortcut, the second with the path.
     tern::Work work{kNoBudget};
     const double begin = thread_time();
-    tern::path_begin(*stage_, grid, query);
+    // Each repetition finds the map new, as the peers do.
+    tern::scan_forget(*scans_);
+    tern::path_begin(*stage_, *scans_, grid, query);
     routes.status = tern::path_advance(*stage_, grid, work, *path_);
     const double between = thread_time();
     if (routes.status == tern::Status::kRunning) routes.status = tern::path_advance(*stage_, grid, work, *path_);

@@ -48,6 +48,7 @@ class TernFrontEnd {
 
  private:
   std::unique_ptr<tern::PathStage> stage_;
+  std::unique_ptr<tern::ScanMap> scans_;
   std::unique_ptr<tern::Path> path_;
 };
 

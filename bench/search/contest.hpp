@@ -16,9 +16,11 @@
 
 namespace tern_bench {
 
-/// One searcher on one set of queries. Times are the least processor time of each query's repetitions, microseconds.
+/// One searcher on one set of queries. Times are processor times, microseconds: the least of each query's repetitions,
+/// and the first one's.
 struct Tally {
   std::vector<double> times;
+  std::vector<double> first_times;
   std::uint64_t expanded = 0;  ///< over all queries
 };
 
@@ -34,7 +36,8 @@ struct Outcome {
   std::int32_t heap = 0;     ///< most open entries of one query
 };
 
-/// Runs queries on both and tells the outcome.
+/// Runs queries on both and tells the outcome. Either is given the map before the first query: the A* copies it, Tern
+/// finds it in the grid, and out about it in its first queries.
 class Contest {
  public:
   /// `repetitions` of every query, fewer where one takes long.
@@ -49,6 +52,7 @@ class Contest {
   int repetitions_;
   Outcome outcome_;
   std::unique_ptr<tern::Search> search_;
+  std::unique_ptr<tern::ScanMap> scans_;
 };
 
 }  // namespace tern_bench

@@ -90,7 +90,7 @@ void run_monte_carlo(Run& run) {
   const std::uint64_t maps = run.options().quick ? 10 : 50;
   for (const double cell : {0.2, 0.1}) {
     for (const tern_bench::ForestKind& kind : kKinds) {
-      run.set(std::string("random ") + kind.name + " " + metres(cell), 3, [&](Contest& contest) {
+      run.set(std::string("random ") + kind.name + " " + metres(cell), 5, [&](Contest& contest) {
         for (std::uint64_t seed = 1; seed <= maps; ++seed) {
           World world;
           const Query query = tern_bench::build(kind, seed, cell, world);
@@ -134,7 +134,7 @@ void run_voxel_benchmark(Run& run) {
       std::printf("(no %s)\n", file.c_str());
       continue;
     }
-    run.set(std::string("voxel ") + name, run.options().quick ? 1 : 3, [&](Contest& contest) {
+    run.set(std::string("voxel ") + name, run.options().quick ? 2 : 3, [&](Contest& contest) {
       World world;
       std::vector<Query> queries = tern_bench::build_voxel_benchmark(file, world);
       if (run.options().quick) {

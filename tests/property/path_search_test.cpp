@@ -86,6 +86,7 @@ TEST(PathSearch, CostEqualsPlainAStarOnRandomGrids) {
 TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
   const std::unique_ptr<tern::Search> search(new tern::Search);
   std::memset(static_cast<void*>(search.get()), 0xA5, sizeof(tern::Search));
+  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
   Random random(5);
   int jumped = 0;
   for (int k = 0; k < scaled(12000); ++k) {
@@ -94,12 +95,12 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
     const double optimum = ReferenceSearch(world.grid).cost(start, goal);
-    tern::search_begin(*search, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
+    tern::search_begin(*search, *scans, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
     Status status = Status::kRunning;
     while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
     ASSERT_EQ(status, optimum < 0.0 ? Status::kNoPath : Status::kOk) << "case " << k;
     if (optimum < 0.0) continue;
-    const double cost = static_cast<double>(tern::search_cost(*search, world.grid));
+    const double cost = static_cast<double>(tern::search_cost(*search));
     ASSERT_NEAR(cost / static_cast<double>(tern::kStraightCost), optimum, 1e-7) << "case " << k;
     jumped += search->jumps ? 1 : 0;
   }

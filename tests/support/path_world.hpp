@@ -50,6 +50,14 @@ class VoxelWorld {
   std::vector<std::uint64_t> words_;
 };
 
+/// A scan map whose memory starts as garbage.
+inline std::unique_ptr<tern::ScanMap> garbage_scans(unsigned char byte = 0xA5) {
+  std::unique_ptr<tern::ScanMap> scans(new tern::ScanMap);
+  std::memset(static_cast<void*>(scans.get()), byte, sizeof *scans);
+  tern::scan_forget(*scans);
+  return scans;
+}
+
 /// Runs the path stage in memory that starts as garbage.
 class PathRunner {
  public:
@@ -58,11 +66,12 @@ class PathRunner {
   void fill(unsigned char byte) {
     std::memset(static_cast<void*>(stage_.get()), byte, sizeof *stage_);
     std::memset(static_cast<void*>(path_.get()), byte, sizeof *path_);
+    scans_ = garbage_scans(byte);
   }
 
   /// Runs a query to its end in slices of `slice` units.
   tern::Status run(const tern::Grid& grid, const tern::PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
-    tern::path_begin(*stage_, grid, query);
+    tern::path_begin(*stage_, *scans_, grid, query);
     tern::Status status = tern::Status::kRunning;
     while (status == tern::Status::kRunning) {
       tern::Work work{slice};
@@ -86,6 +95,7 @@ class PathRunner {
  private:
   std::unique_ptr<tern::PathStage> stage_;
   std::unique_ptr<tern::Path> path_;
+  std::unique_ptr<tern::ScanMap> scans_;
 };
 
 /// Distance of two points, apart from the core's own.
@@ -103,11 +113,16 @@ inline tern::Path chain_of(const tern::Grid& grid, const tern::Path& path) {
   return chain;
 }
 
+/// Any voxel of a grid.
+inline tern::Voxel random_voxel(Random& random, const tern::Voxel& dims) {
+  return {random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)};
+}
+
 /// A free voxel of the grid, chosen at random; false where there is none among 200 tries.
 inline bool random_free(const tern::Grid& grid, Random& random, tern::Voxel& out) {
   const tern::Voxel& dims = grid.spec().dims;
   for (int k = 0; k < 200; ++k) {
-    out = {random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)};
+    out = random_voxel(random, dims);
     if (grid.free(out)) return true;
   }
   return false;

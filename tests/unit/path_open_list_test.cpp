@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "path/open_list.hpp"
+#include "support/path_world.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -19,45 +20,94 @@ namespace {
 using tern::NodeStore;
 using tern::OpenKey;
 using tern::OpenList;
+using tern::Voxel;
 using tern_test::Random;
+using tern_test::random_voxel;
+
+constexpr Voxel kDims{128, 100, 80};
+constexpr Voxel kGoal{40, 50, 60};
 
 /// Both structures, in memory that starts as garbage.
 struct Fixture {
   Fixture() : store(new NodeStore), open(new OpenList) {
     std::memset(static_cast<void*>(store.get()), 0xA5, sizeof *store);
     std::memset(static_cast<void*>(open.get()), 0xA5, sizeof *open);
-    tern::store_reset(*store, 1 << 20);
-    tern::open_reset(*open);
+    tern::store_reset(*store, kDims);
+    tern::open_reset(*open, 0);
   }
+
+  /// Takes the first node off, as a search does; kMaxNodes where there is none.
+  std::uint32_t take(tern::Cost& f) {
+    for (int k = 0; k < 1 << 20 && open->count > 0; ++k) {
+      if (!tern::open_ready(*open, *store, kGoal)) continue;
+      const std::uint32_t node = tern::open_take(*open, *store, f);
+      if (node != static_cast<std::uint32_t>(tern::kMaxNodes)) return node;
+    }
+    return static_cast<std::uint32_t>(tern::kMaxNodes);
+  }
+
   std::unique_ptr<NodeStore> store;
   std::unique_ptr<OpenList> open;
 };
 
+/// As searches do it: nothing that is put in precedes what was taken last, keys improve, a node that was taken comes
+/// back with the same key at most. Jumps reach far: f grows by up to 4000 voxels, so that the ring of bins is gone
+/// round.
 TEST(PathOpenList, TakesInTotalOrderWithKeysThatImprove) {
   Fixture f;
   Random random(21);
   std::map<std::uint32_t, OpenKey> reference;
-  for (int round = 0; round < 20000; ++round) {
-    if (reference.empty() || random.chance(0.6)) {
-      const auto voxel = static_cast<std::uint32_t>(random.integer(0, 3000));
-      // Few distinct values, so that ties are common.
-      const OpenKey key = tern::open_key(static_cast<tern::Cost>(random.integer(0, 9)) << tern::kCostFraction,
-                                         static_cast<tern::Cost>(random.integer(0, 9)) << tern::kCostFraction, voxel);
-      const auto known = reference.find(voxel);
-      if (known != reference.end() && !tern::before(key, known->second)) continue;
-      reference[voxel] = key;
-      ASSERT_TRUE(tern::open_put(*f.open, *f.store, tern::store_find_or_add(*f.store, voxel), key));
+  std::map<std::uint32_t, tern::Cost> taken;
+  tern::Cost last = 0;
+  int improved = 0;
+  for (int round = 0; round < 60000; ++round) {
+    if (reference.empty() || random.chance(0.55)) {
+      // Few voxels and few distinct costs, so that ties and better ways are common.
+      const Voxel voxel{round / 100 % 120 + random.integer(0, 5), round / 12000 * 8 + random.integer(0, 5),
+                        random.integer(0, 2)};
+      const std::uint32_t index = tern::store_find_or_add(*f.store, voxel);
+      tern::SearchNode& node = f.store->nodes[index];
+      const tern::Cost h = tern::octile(voxel, kGoal);
+      const int far = random.chance(0.005) ? 4000 : 3;
+      const tern::Cost g = last - (last < h ? last : h) +
+                           (static_cast<tern::Cost>(random.integer(0, 4 * far)) << (tern::kCostFraction - 2));
+      const OpenKey key = tern::open_key(g, h, node.voxel);
+      const auto known = reference.find(index);
+      const auto before_now = taken.find(index);
+      if (before_now != taken.end() && before_now->second != key.f) continue;
+      if (key.f < last || (known != reference.end() && !tern::before(key, known->second))) continue;
+      improved += known != reference.end() ? 1 : 0;
+      reference[index] = key;
+      node.g = g;
+      ASSERT_TRUE(tern::open_put(*f.open, *f.store, index, key));
     } else {
       const auto least = std::min_element(reference.begin(), reference.end(), [](const auto& a, const auto& b) {
         return tern::before(a.second, b.second);
       });
-      const std::uint32_t node = tern::open_take(*f.open, *f.store);
-      ASSERT_EQ(f.store->nodes[node].voxel, least->first);
-      ASSERT_EQ(f.store->nodes[node].open_slot, tern::kNotOpen);
+      const std::uint32_t node = f.take(last);
+      ASSERT_EQ(node, least->first) << "round " << round;
+      ASSERT_EQ(last, least->second.f);
+      ASSERT_EQ(f.store->nodes[node].open, 0);
+      taken[node] = last;
       reference.erase(least);
     }
-    ASSERT_EQ(f.open->count, static_cast<int>(reference.size()));
+    ASSERT_GE(f.open->count, static_cast<int>(reference.size()));
   }
+  EXPECT_GT(improved, 50);
+  EXPECT_GT(last, tern::Cost{100000} << tern::kCostFraction) << "the ring was not gone round";
+}
+
+TEST(PathOpenList, PutsBackWhatItTakes) {
+  Fixture f;
+  tern::Cost cost = 0;
+  EXPECT_EQ(f.take(cost), static_cast<std::uint32_t>(tern::kMaxNodes));
+  const std::uint32_t node = tern::store_find_or_add(*f.store, kGoal);
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_TRUE(tern::open_put(*f.open, *f.store, node, tern::open_key(0, 0, f.store->nodes[node].voxel)));
+    EXPECT_EQ(f.take(cost), node);
+    EXPECT_EQ(f.open->count, 0);
+  }
+  EXPECT_EQ(f.open->high, 1);
 }
 
 TEST(PathOpenList, OrderIsCostThenHeuristicThenVoxel) {
@@ -73,24 +123,43 @@ TEST(PathNodeStore, FindsWhatItHolds) {
   Random random(22);
   std::map<std::uint32_t, std::uint32_t> reference;
   for (int round = 0; round < 50000; ++round) {
-    const auto voxel = static_cast<std::uint32_t>(random.integer(0, (1 << 20) - 1));
+    const Voxel voxel = random_voxel(random, kDims);
     const std::uint32_t index = tern::store_find_or_add(*f.store, voxel);
-    const auto [known, added] = reference.emplace(voxel, static_cast<std::uint32_t>(reference.size()));
+    const tern::SearchNode& node = f.store->nodes[index];
+    const auto number = static_cast<std::uint32_t>(voxel.x + kDims.x * (voxel.y + kDims.y * voxel.z));
+    const auto [known, added] = reference.emplace(number, static_cast<std::uint32_t>(reference.size()));
     ASSERT_EQ(index, known->second);
-    ASSERT_EQ(f.store->nodes[index].voxel, voxel);
+    ASSERT_EQ(node.voxel, number);
+    ASSERT_TRUE(tern::same(node.at(), voxel));
     if (added) {
-      ASSERT_EQ(f.store->nodes[index].arrivals, 0u);
+      ASSERT_EQ(node.arrivals, 0u);
+      ASSERT_EQ(node.open, 0);
     }
   }
   EXPECT_EQ(f.store->count, reference.size());
 }
 
+/// Voxels that all have the same place in their blocks compete for few slots, and are told apart all the same.
+TEST(PathNodeStore, FindsVoxelsThatShareTheirPlace) {
+  Fixture f;
+  std::uint32_t expected = 0;
+  for (int pass = 0; pass < 2; ++pass) {
+    expected = 0;
+    for (int z = 3; z < kDims.z; z += 4) {
+      for (int y = 3; y < kDims.y; y += 4) {
+        for (int x = 3; x < kDims.x; x += 4) ASSERT_EQ(tern::store_find_or_add(*f.store, {x, y, z}), expected++);
+      }
+    }
+  }
+  EXPECT_EQ(f.store->count, expected);
+}
+
 TEST(PathNodeStore, ForgetsOnReset) {
   Fixture f;
-  for (std::uint32_t v = 0; v < 1000; ++v) tern::store_find_or_add(*f.store, v);
-  tern::store_reset(*f.store, 1 << 20);
-  EXPECT_EQ(tern::store_find_or_add(*f.store, 999), 0u);
-  EXPECT_EQ(tern::store_find_or_add(*f.store, 5), 1u);
+  for (int x = 0; x < 100; ++x) tern::store_find_or_add(*f.store, {x, 7, 9});
+  tern::store_reset(*f.store, kDims);
+  EXPECT_EQ(tern::store_find_or_add(*f.store, {99, 7, 9}), 0u);
+  EXPECT_EQ(tern::store_find_or_add(*f.store, {5, 7, 9}), 1u);
   EXPECT_EQ(f.store->count, 2u);
 }
 

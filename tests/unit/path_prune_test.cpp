@@ -96,7 +96,7 @@ std::vector<bool> pruned_by_definition(CellMask free, int arrival) {
 }
 
 void expect_rules_match(CellMask free, int arrival) {
-  const CellMask moves = tern::successor_moves(arrival, free);
+  const CellMask moves = tern::successor_moves(arrival, free, tern::legal_moves(free));
   const std::vector<bool> pruned = pruned_by_definition(free, arrival);
   for (int d = 0; d < 27; ++d) {
     if (d == kCentre) continue;
@@ -140,17 +140,19 @@ TEST(PathPrune, MatchesDefinitionOnEveryFewBlockedCells) {
 TEST(PathPrune, OpenSpaceForcesNothing) {
   for (int arrival = 0; arrival < 27; ++arrival) {
     if (arrival == kCentre) continue;
-    EXPECT_EQ(tern::forced_moves(arrival, tern::kAllCells), 0u);
+    EXPECT_EQ(tern::forced_moves(arrival, tern::kAllCells, tern::legal_moves(tern::kAllCells)), 0u);
     const int axes = tern::axes_of(arrival);
-    EXPECT_EQ(__builtin_popcount(tern::successor_moves(arrival, tern::kAllCells)), axes == 1 ? 1 : (axes == 2 ? 3 : 7));
+    EXPECT_EQ(__builtin_popcount(tern::successor_moves(arrival, tern::kAllCells, tern::legal_moves(tern::kAllCells))),
+              axes == 1 ? 1 : (axes == 2 ? 3 : 7));
   }
-  EXPECT_EQ(__builtin_popcount(tern::successor_moves(tern::kHere, tern::kAllCells)), 26);
+  EXPECT_EQ(__builtin_popcount(tern::successor_moves(tern::kHere, tern::kAllCells, tern::legal_moves(tern::kAllCells))),
+            26);
 }
 
 TEST(PathPrune, BlockedCellBesideForcesTheTurnPastIt) {
   // Arriving along +x past a blocked cell at (-1, 1, 0): straight and diagonal turns to +y open up.
   const CellMask free = tern::kAllCells & ~tern::cell_bit(tern::direction(-1, 1, 0));
-  const CellMask forced = tern::forced_moves(tern::direction(1, 0, 0), free);
+  const CellMask forced = tern::forced_moves(tern::direction(1, 0, 0), free, tern::legal_moves(free));
   EXPECT_NE(forced & tern::cell_bit(tern::direction(0, 1, 0)), 0u);
   EXPECT_NE(forced & tern::cell_bit(tern::direction(1, 1, 0)), 0u);
   EXPECT_EQ(forced & tern::cell_bit(tern::direction(0, -1, 0)), 0u);

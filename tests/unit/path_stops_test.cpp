@@ -27,14 +27,13 @@ int slow_scan(const tern::Grid& grid, const Voxel& goal, Voxel at, int move, int
   for (;;) {
     at = at + tern::offset(move);
     if (!grid.free(at)) return tern::scan::kNowhere;
-    const bool forced = tern::forced_moves(move, tern::free_cells(grid, at)) != 0;
+    const tern::CellMask free = tern::free_cells(grid, at);
+    const bool forced = tern::forced_moves(move, free, tern::legal_moves(free)) != 0;
     if (forced || tern::same(at, goal)) return tern::axis(at, along);
   }
 }
 
 struct Scans {
-  Scans() : map(new tern::ScanMap) { std::memset(static_cast<void*>(map.get()), 0xA5, sizeof *map); }
-
   template <int kAxis, bool kUp>
   void expect_equal(const tern::Grid& grid, const Voxel& goal, const Voxel& from) {
     int step[3] = {0, 0, 0};
@@ -54,7 +53,7 @@ struct Scans {
     expect_equal<2, false>(grid, goal, from);
   }
 
-  std::unique_ptr<tern::ScanMap> map;
+  std::unique_ptr<tern::ScanMap> map = tern_test::garbage_scans();
   int something = 0;
   int nothing = 0;
 };
@@ -66,7 +65,7 @@ TEST(PathStops, ScansStopWhereTheRuleSays) {
     const VoxelWorld world = random_world(random);
     Voxel goal{};
     if (!random_free(world.grid, random, goal)) continue;
-    tern::scan_reset(*scans.map, world.grid);
+    tern::scan_begin(*scans.map, world.grid);
     // So many that tiles are walked at first and made on the way.
     for (int m = 0; m < 60; ++m) {
       Voxel from{};
@@ -86,11 +85,10 @@ TEST(PathStops, LinesAreRightAcrossWordsAndFaces) {
   for (const Voxel& dims : kShapes) {
     VoxelWorld world(dims);
     for (int m = 0; m < dims.x * dims.y * dims.z / 12; ++m) {
-      world.grid.mark_voxel(
-          {random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)});
+      world.grid.mark_voxel(random_voxel(random, dims));
     }
     world.grid.inflate();
-    tern::scan_reset(*scans.map, world.grid);
+    tern::scan_begin(*scans.map, world.grid);
     for (int m = 0; m < scaled(6000); ++m) {
       Voxel from{};
       if (!random_free(world.grid, random, from)) break;
@@ -100,6 +98,51 @@ TEST(PathStops, LinesAreRightAcrossWordsAndFaces) {
         __builtin_popcountll(scans.map->along[1].ready[0]) + __builtin_popcountll(scans.map->along[2].ready[0]);
   }
   EXPECT_GT(tiles_made, 0) << "the walks never turned into tiles";
+}
+
+/// What is kept of a map serves as long as the map does: after each change scans go by the new map.
+TEST(PathStops, KeptStopsFollowTheMap) {
+  Scans scans;
+  Random random(73);
+  VoxelWorld world({130, 70, 66});
+  for (int m = 0; m < 20000; ++m) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
+  int kept = 0;
+  for (int round = 0; round < scaled(60); ++round) {
+    for (int m = 0; m < 3; ++m) {
+      const Voxel at = random_voxel(random, world.grid.spec().dims);
+      if (random.chance(0.5)) {
+        world.grid.mark_voxel(at);
+      } else {
+        world.grid.clear_voxel(at);
+      }
+    }
+    world.grid.inflate();
+    tern::scan_begin(*scans.map, world.grid);
+    for (const tern::StopLayer& layer : scans.map->along) kept += layer.ready[0] != 0 ? 1 : 0;
+    for (int m = 0; m < 600; ++m) {
+      Voxel from{};
+      if (!random_free(world.grid, random, from)) break;
+      ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, from)) << "round " << round;
+    }
+  }
+  EXPECT_GT(kept, 0) << "nothing was ever kept";
+}
+
+/// Another grid with as many changes, over the same memory, is another map.
+TEST(PathStops, AnotherMapOfThatShapeIsNotTakenForTheOldOne) {
+  Scans scans;
+  VoxelWorld first({64, 64, 64});
+  VoxelWorld second({64, 64, 64});
+  first.block(Voxel{20, 20, 20});
+  second.block(Voxel{20, 20, 21});
+  for (VoxelWorld* world : {&first, &second, &first}) {
+    tern::scan_begin(*scans.map, world->grid);
+    for (int m = 0; m < 400; ++m) {
+      for (const Voxel& from : {Voxel{20, 19, 1}, Voxel{19, 1, 21}, Voxel{1, 20, 19}, Voxel{20, 20, 1}}) {
+        ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world->grid, {0, 0, 0}, from));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -51,6 +51,9 @@ class Session {
   /// Lays out, fills and inflates the grid, and plans. Throws ScenarioError where the grid does not fit.
   PlanResult plan(const Scenario& scenario);
 
+  /// The next plan takes as long as a first one on its map: Planner::forget_map.
+  void forget_map() { planner_.forget_map(); }
+
  private:
   tern::Status build_grid(PlanResult& result);
   double microseconds(std::uint64_t ticks) const;

@@ -33,8 +33,8 @@ struct GridSpec {
 constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
 
-/// 64-bit words that a grid of these dimensions needs for both layers and for noting what changed, one bit for each
-/// word of a layer; 0 for dimensions that do not fit.
+/// 64-bit words that a grid of these dimensions needs for both layers, for noting what changed, one bit for each word
+/// of a layer, and for telling contents apart, one word for 64; 0 for dimensions that do not fit.
 std::size_t grid_words(const Voxel& dims) noexcept;
 
 /// A grid over the caller's storage, which must outlive it. Copying copies the view, not the bits.
@@ -97,8 +97,13 @@ class Grid {
   Grid with_blocked(std::uint64_t* words) const noexcept {
     Grid view = *this;
     view.blocked_ = words;
+    view.contents_ = nullptr;
     return view;
   }
+  /// A number for each region of the blocked layer (64 voxels along x and along y, one plane) that tells its content:
+  /// where two numbers are equal, in one grid at two times or in two grids, so are the regions. Null for a view whose
+  /// blocked layer was given. Written by inflate().
+  const std::uint64_t* contents() const noexcept { return contents_; }
 
   /// Local frame (world minus origin).
   Vec3 to_local(const Vec3& world) const noexcept;
@@ -132,6 +137,8 @@ class Grid {
   std::uint64_t* obstacles_ = nullptr;
   std::uint64_t* blocked_ = nullptr;
   std::uint64_t* changes_ = nullptr;
+  std::uint64_t content_ = 0;          // of the obstacle layer
+  std::uint64_t* contents_ = nullptr;  // of the blocked layer's regions
 };
 
 }  // namespace tern

@@ -27,12 +27,16 @@ using ClockFn = std::uint64_t (*)(void* context);
 /// workspaces are independent. Holds no state outside the workspace and itself.
 class Planner {
  public:
-  /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner.
-  /// Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
+  /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner,
+  /// which keeps there from plan to plan what it found out about the map: nobody else may write to it, another planner
+  /// least. Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
   Planner(void* memory, std::size_t bytes) noexcept;
 
   /// Ticks for the report. Null (the default) reports no times.
   void set_clock(ClockFn clock, void* context) noexcept;
+
+  /// The next plan finds its map new, whatever it is. For measuring the first plan's time: it changes no result.
+  void forget_map() noexcept;
 
   /// Plans in one call. kOk: `trajectory` holds the checked plan. Anything else: `trajectory` is untouched.
   /// `report` is always filled. The grid must be inflated.

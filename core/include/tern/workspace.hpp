@@ -24,9 +24,13 @@ constexpr std::size_t larger(std::size_t a, std::size_t b) {
   return a < b ? b : a;
 }
 
-/// Nodes with their hash slots, the open list, a bit a voxel for the stops of scans in six directions, and for each 64
-/// voxels eight bytes for their witness and three for how far scans have walked.
-constexpr std::size_t kSearch = kNodes * 48 + kHeap * 20 + kCells / 8 * 7 + kCells / 16 + 8192;
+constexpr std::size_t kDimension = static_cast<std::size_t>(kMaxDimension);
+
+/// Nodes with their hash slots, the open list's entries and bins, and a witness for each 64 voxels.
+constexpr std::size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
+/// A bit a voxel for the stops of scans in six directions, three bytes for each 64 voxels for how far scans have
+/// walked, and what the map was; from plan to plan.
+constexpr std::size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
 /// Fences, the blocked layer of a grid with fences, the normals tried for one of them.
 constexpr std::size_t kFencePlanes = kMaxFencePlanes;
 constexpr std::size_t kFences =
@@ -48,7 +52,7 @@ constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
 constexpr std::size_t kWorkspaceBytes =
     (workspace::larger(workspace::kSearch, workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
-     workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
+     workspace::kScans + workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 

@@ -13,25 +13,24 @@ void hold(IndexRange& range, std::int32_t index) {
 
 }  // namespace
 
-std::size_t Changes::words(const Voxel& dims, std::int32_t row_words) noexcept {
-  const std::int32_t blocks = (dims.y + kBlockRows - 1) / kBlockRows;
-  return static_cast<std::size_t>((dims.z + 63) / 64 + dims.z * blocks * row_words);
+std::size_t Changes::words(const Voxel& dims) noexcept {
+  return static_cast<std::size_t>((dims.z + 63) / 64 + Regions(dims).count());
 }
 
 bool Changes::any() const noexcept {
-  for (std::int32_t k = 0; k < (planes_ + 63) / 64; ++k) {
+  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) {
     if (summary_[k] != 0) return true;
   }
   return false;
 }
 
 ChangeExtent Changes::extent() const noexcept {
-  ChangeExtent extent{{planes_, 0}, {blocks_, 0}, {row_words_, 0}};
-  for (std::int32_t z = 0; z < planes_; ++z) {
+  ChangeExtent extent{{regions_.planes, 0}, {regions_.blocks, 0}, {regions_.words, 0}};
+  for (std::int32_t z = 0; z < regions_.planes; ++z) {
     if (!plane(z)) continue;
     hold(extent.planes, z);
-    for (std::int32_t block = 0; block < blocks_; ++block) {
-      for (std::int32_t k = 0; k < row_words_; ++k) {
+    for (std::int32_t block = 0; block < regions_.blocks; ++block) {
+      for (std::int32_t k = 0; k < regions_.words; ++k) {
         if (bits_[at(z, block, k)] == 0) continue;
         hold(extent.blocks, block);
         hold(extent.words, k);
@@ -43,19 +42,19 @@ ChangeExtent Changes::extent() const noexcept {
 
 void Changes::set_plane(std::int32_t z, std::uint64_t value) noexcept {
   std::uint64_t* words = bits_ + at(z, 0, 0);
-  for (std::int32_t k = 0; k < blocks_ * row_words_; ++k) words[k] = value;
+  for (std::int32_t k = 0; k < regions_.blocks * regions_.words; ++k) words[k] = value;
 }
 
 void Changes::note_all() noexcept {
-  for (std::int32_t k = 0; k < (planes_ + 63) / 64; ++k) summary_[k] = ~std::uint64_t{0};
-  for (std::int32_t z = 0; z < planes_; ++z) set_plane(z, ~std::uint64_t{0});
+  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) summary_[k] = ~std::uint64_t{0};
+  for (std::int32_t z = 0; z < regions_.planes; ++z) set_plane(z, ~std::uint64_t{0});
 }
 
 void Changes::clear() noexcept {
-  for (std::int32_t z = 0; z < planes_; ++z) {
+  for (std::int32_t z = 0; z < regions_.planes; ++z) {
     if (plane(z)) set_plane(z, 0);
   }
-  for (std::int32_t k = 0; k < (planes_ + 63) / 64; ++k) summary_[k] = 0;
+  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) summary_[k] = 0;
 }
 
 }  // namespace tern

@@ -10,12 +10,10 @@
 #include <cstdint>
 
 #include "grid/lattice.hpp"
+#include "grid/regions.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
-
-/// Rows that one word of the change map speaks for.
-constexpr std::int32_t kBlockRows = 64;
 
 /// Where a change map has bits set: planes, blocks of rows, words; empty ranges where it has none.
 struct ChangeExtent {
@@ -29,26 +27,22 @@ struct ChangeExtent {
 /// bit of its own where it holds any. Bits past the grid's last row have no meaning.
 class Changes {
  public:
-  Changes(const Voxel& dims, std::int32_t row_words, std::uint64_t* storage) noexcept
-      : row_words_(row_words),
-        blocks_((dims.y + kBlockRows - 1) / kBlockRows),
-        planes_(dims.z),
-        summary_(storage),
-        bits_(storage + (dims.z + 63) / 64) {}
+  Changes(const Voxel& dims, std::uint64_t* storage) noexcept
+      : regions_(dims), summary_(storage), bits_(storage + (dims.z + 63) / 64) {}
 
   /// Words of storage for a grid of these dimensions.
-  static std::size_t words(const Voxel& dims, std::int32_t row_words) noexcept;
+  static std::size_t words(const Voxel& dims) noexcept;
 
-  std::int32_t blocks() const noexcept { return blocks_; }
+  std::int32_t blocks() const noexcept { return regions_.blocks; }
   /// True where anything changed.
   bool any() const noexcept;
   /// True where plane z has a change; false past the grid.
   bool plane(std::int32_t z) const noexcept {
-    return z >= 0 && z < planes_ && (summary_[z >> 6] >> (z & 63) & 1u) != 0;
+    return z >= 0 && z < regions_.planes && (summary_[z >> 6] >> (z & 63) & 1u) != 0;
   }
   /// The block's changed rows in word k; none past the grid.
   std::uint64_t rows(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
-    return block >= 0 && block < blocks_ ? bits_[at(z, block, k)] : 0;
+    return block >= 0 && block < regions_.blocks ? bits_[at(z, block, k)] : 0;
   }
 
   ChangeExtent extent() const noexcept;
@@ -64,12 +58,10 @@ class Changes {
  private:
   void set_plane(std::int32_t z, std::uint64_t value) noexcept;
   std::size_t at(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
-    return static_cast<std::size_t>((z * blocks_ + block) * row_words_ + k);
+    return static_cast<std::size_t>(regions_.at(z, block, k));
   }
 
-  std::int32_t row_words_;
-  std::int32_t blocks_;
-  std::int32_t planes_;
+  Regions regions_;
   std::uint64_t* summary_;
   std::uint64_t* bits_;
 };

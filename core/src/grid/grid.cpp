@@ -7,6 +7,7 @@
 #include "base/math.hpp"
 #include "grid/changes.hpp"
 #include "grid/lattice.hpp"
+#include "grid/regions.hpp"
 #include "grid/stencil.hpp"
 
 namespace tern {
@@ -96,6 +97,21 @@ Box boundary_in_grid(const GridSpec& spec) {
   return local;
 }
 
+/// Of an empty grid: a hash of all that its blocked layer depends on.
+std::uint64_t content_of(const GridSpec& spec, const Box& local_boundary) {
+  const Vec3& lower = local_boundary.lower;
+  const Vec3& upper = local_boundary.upper;
+  const double numbers[] = {spec.cell, spec.radius, lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
+  std::uint64_t content = 0;
+  for (const double number : numbers) {
+    std::uint64_t bits = 0;
+    __builtin_memcpy(&bits, &number, sizeof bits);
+    content = content_after(content, bits);
+  }
+  for (int a = 0; a < 3; ++a) content = content_after(content, static_cast<std::uint64_t>(axis(spec.dims, a)));
+  return content;
+}
+
 /// The last voxel that a point on the boundary's upper face belongs to.
 std::int32_t last_index(double upper, double cell, std::int32_t count) {
   const std::int32_t last = ceil_index(upper / cell - kLatticeTolerance, 0, count) - 1;
@@ -109,7 +125,7 @@ std::size_t grid_words(const Voxel& dims) noexcept {
     if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
   }
   if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
-  return 2 * words_of_layer(dims) + Changes::words(dims, words_of_row(dims));
+  return 2 * words_of_layer(dims) + Changes::words(dims) + static_cast<std::size_t>(Regions(dims).count());
 }
 
 Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field) noexcept {
@@ -126,7 +142,10 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   changes_ = words + 2 * layer;
   for (std::size_t k = 0; k < layer; ++k) obstacles_[k] = 0;
   for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
-  Changes(spec.dims, row_words_, changes_).note_all();
+  Changes(spec.dims, changes_).note_all();
+  content_ = content_of(spec, local_boundary_);
+  contents_ = changes_ + Changes::words(spec.dims);
+  for (std::int32_t k = 0; k < Regions(spec.dims).count(); ++k) contents_[k] = content_;
   ++revision_;
   return Status::kOk;
 }

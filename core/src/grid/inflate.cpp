@@ -131,6 +131,8 @@ struct Inflation {
   const Stencil stencil;
   const Inside inside;
   std::uint64_t* blocked;
+  std::uint64_t content;    ///< of the obstacle layer
+  std::uint64_t* contents;  ///< of the blocked layer's regions: that of the obstacles they were last made from
 
   /// A row that ends in enough padding, or a window with a halo on both sides, keeps its rows apart.
   bool rows_apart(std::int32_t first, std::int32_t end) const {
@@ -169,6 +171,8 @@ struct Inflation {
         patch.rows.begin += block * kBlockRows;
         patch.rows.end += block * kBlockRows;
         make(patch);
+        for (std::int32_t w = patch.words.begin; w < patch.words.end; ++w)
+          contents[Regions(grid.spec().dims).at(z, block, w)] = content;
       }
     }
   }
@@ -190,9 +194,9 @@ struct Inflation {
 
 void Grid::inflate() noexcept {
   if (!bound()) return;
-  Changes changes(spec_.dims, row_words_, changes_);
+  Changes changes(spec_.dims, changes_);
   if (changes.any()) {
-    const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_};
+    const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_, content_, contents_};
     inflation.run(changes);
     changes.clear();
   }

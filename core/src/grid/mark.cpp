@@ -73,7 +73,10 @@ void Grid::set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int3
   if (changed.begin >= changed.end) return;
   const std::int32_t first = changed.begin - reach_x_;
   const std::int32_t last = changed.end - 1 + reach_x_;
-  Changes(spec_.dims, row_words_, changes_)
+  const std::uint64_t where = static_cast<std::uint64_t>(y) | static_cast<std::uint64_t>(z) << 12;
+  const std::uint64_t what = static_cast<std::uint64_t>(begin) << 24 | static_cast<std::uint64_t>(end) << 36;
+  content_ = content_after(content_, where | what | std::uint64_t{value} << 48);
+  Changes(spec_.dims, changes_)
       .note(y, z, first < 0 ? 0 : first >> 6, last < spec_.dims.x ? last >> 6 : row_words_ - 1);
 }
 

@@ -49,6 +49,21 @@ constexpr Cost move_cost(int d) {
   return axes_of(d) == 1 ? kStraightCost : (axes_of(d) == 2 ? kPlaneDiagonalCost : kSpaceDiagonalCost);
 }
 
+/// The moves as the search takes them.
+struct Move {
+  Voxel step;
+  Cost cost;
+};
+struct MoveTable {
+  Move at[kDirections];
+};
+constexpr MoveTable make_moves() {
+  MoveTable table{};
+  for (int d = 0; d < kDirections; ++d) table.at[d] = {offset(d), d == kHere ? 0 : move_cost(d)};
+  return table;
+}
+inline constexpr MoveTable kMoveOf = make_moves();
+
 /// How often each kind of move occurs in the cheapest way between two voxels of an empty map.
 struct MoveCounts {
   std::int32_t space;     ///< along three axes

@@ -80,20 +80,20 @@ void add_counts(MoveCounts& sum, const MoveCounts& jump) {
 
 }  // namespace
 
-Cost search_cost(Search& search, const Grid& grid) noexcept {
-  return search.store.nodes[store_find_or_add(search.store, voxel_index(grid, search.goal))].g;
+Cost search_cost(Search& search) noexcept {
+  return search.store.nodes[store_find_or_add(search.store, search.goal)].g;
 }
 
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept {
   NodeStore& store = search.store;
-  const std::uint32_t goal = store_find_or_add(store, voxel_index(grid, search.goal));
+  const std::uint32_t goal = store_find_or_add(store, search.goal);
   TurnWriter writer{grid, path, kMaxJumpPoints - reserve, search.start, kHere, false};
   writer.point(search.start);
   MoveCounts sum{0, 0, 0};
   std::uint32_t node = reverse_parents(store, goal);
   for (std::uint32_t k = 0; k < store.count && node != goal; ++k) {
     node = store.nodes[node].parent;
-    const Voxel to = voxel_at(grid, store.nodes[node].voxel);
+    const Voxel to = store.nodes[node].at();
     add_counts(sum, octile_moves(writer.last, to));
     write_jump(writer, to);
   }

@@ -9,14 +9,11 @@
 namespace tern {
 namespace {
 
-/// Steps of one sweep: bounds the work of one expansion to a few thousand straight scans a space diagonal.
-constexpr int kSweepSteps = 32;
-
-/// Records a way of cost g to `voxel` that arrives by `arrival`: a better one replaces what was known, an equally good
-/// one adds its arrival, a worse one is forgotten.
-void relax(const Expansion& from, const Voxel& voxel, Cost g, int arrival) {
+/// Records a way of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
+/// known, an equally good one adds its arrival, a worse one is forgotten.
+void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
-  const std::uint32_t index = store_find_or_add(search.store, voxel_index(from.grid, voxel));
+  const std::uint32_t index = store_find_or_add(search.store, voxel);
   if (index == static_cast<std::uint32_t>(kMaxNodes)) {
     search.nodes_full = true;
     return;
@@ -31,15 +28,14 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, int arrival) {
     node.followed = 0;
   }
   node.arrivals |= cell_bit(arrival);
-  const OpenKey key = open_key(g, octile(voxel, search.goal), node.voxel);
-  if (!open_put(search.open, search.store, index, key)) search.heap_full = true;
+  if (!open_put(search.open, search.store, index, open_key(g, h, node.voxel))) search.heap_full = true;
 }
 
 /// Scans from a voxel that the expansion reaches at cost g.
 template <int kAxis, bool kUp>
 void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   Search& search = from.search;
-  const std::int32_t stop = scan_straight<kAxis, kUp>(search.map, from.grid, search.goal, cursor);
+  const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor);
   if (stop == scan::kNowhere) return;
   Voxel found = cursor;
   axis(found, kAxis) = stop;
@@ -47,7 +43,8 @@ void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   g += static_cast<Cost>(steps) * kStraightCost;
   if (is_detour(search.witnesses, from.grid, found, g)) return;
   constexpr int kStep = kUp ? 1 : -1;
-  relax(from, found, g, direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
+  relax(from, found, g, octile(found, search.goal),
+        direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
 }
 
 template <int kAxis>
@@ -56,9 +53,20 @@ void scan_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t 
   scan_line<kAxis, false>(from, cursor, g);
 }
 
-/// True where a sweep must leave the voxel to a node of its own.
-bool stops_at(const Expansion& from, const Voxel& voxel, Cost g, int step) {
-  return step >= kSweepSteps || same(voxel, from.search.goal) || g + octile(voxel, from.search.goal) > from.limit;
+/// True where a sweep must leave the voxel, g from the start and h from the goal, to a node of its own. The goal's own
+/// is the only h of 0.
+bool stops_at(const Expansion& from, Cost g, Cost h, int step) {
+  return step >= kSweepSteps || h == 0 || g + h > from.limit;
+}
+
+/// How often a step can be made before it leaves the grid; kSweepSteps at most.
+int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
+  int steps = kSweepSteps;
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t room = axis(step, a) > 0 ? axis(grid.spec().dims, a) - 1 - axis(at, a) : axis(at, a);
+    if (axis(step, a) != 0 && room < steps) steps = room;
+  }
+  return steps;
 }
 
 /// Sweeps the plane diagonal `move`, in the plane that kNormal leaves: scans along both its parts from every step.
@@ -66,14 +74,15 @@ template <int kNormal>
 void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   constexpr int kFirst = kNormal == 0 ? 1 : 0;
   constexpr int kSecond = kNormal == 2 ? 1 : 2;
-  const Voxel step = offset(move);
-  PlaneWalk<kNormal> walk(from.grid, cursor);
-  for (int k = 1;; ++k) {
+  const Voxel step = kMoveOf.at[move].step;
+  const int steps = steps_inside(from.grid, cursor, step);
+  PlaneWalk<kNormal> walk(from.grid, cursor, step);
+  for (int k = 1; k <= steps && walk.step(); ++k) {
     cursor = cursor + step;
     g += kPlaneDiagonalCost;
-    if (!from.grid.inside(cursor) || !walk.step(from.grid, cursor, step)) return;
     if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
-    if (walk.forced() || stops_at(from, cursor, g, k)) return relax(from, cursor, g, move);
+    const Cost h = octile(cursor, from.search.goal);
+    if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
     scan_axis<kFirst>(from, cursor, g, axis(step, kFirst));
     scan_axis<kSecond>(from, cursor, g, axis(step, kSecond));
   }
@@ -81,7 +90,7 @@ void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
 
 /// Follows straight moves and plane diagonals from a voxel that the expansion reaches at cost g.
 void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
-  const Voxel step = offset(move);
+  const Voxel step = kMoveOf.at[move].step;
   if (axes_of(move) == 2) {
     if (step.x == 0) return sweep_plane<0>(from, cursor, g, move);
     if (step.y == 0) return sweep_plane<1>(from, cursor, g, move);
@@ -95,13 +104,15 @@ void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
 /// Sweeps a space diagonal: from every step, the parts of the move along fewer axes. Nothing is ever forced on it.
 void sweep_space(const Expansion& from, int move, CellMask free) {
   const CellMask parts = natural_moves(move) & ~cell_bit(move);
+  const Voxel step = kMoveOf.at[move].step;
   Voxel cursor = from.at;
   Cost g = from.g;
   for (int k = 1; legal_move(move, free); ++k) {
-    cursor = cursor + offset(move);
+    cursor = cursor + step;
     g += kSpaceDiagonalCost;
     if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
-    if (stops_at(from, cursor, g, k)) return relax(from, cursor, g, move);
+    const Cost h = octile(cursor, from.search.goal);
+    if (stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
     for (CellMask left = parts; left != 0; left &= left - 1) follow(from, cursor, g, __builtin_ctz(left));
     free = free_cells(from.grid, cursor);
   }
@@ -110,9 +121,9 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
 }  // namespace
 
 void step(const Expansion& expansion, int move) noexcept {
-  const Voxel to = expansion.at + offset(move);
-  const Cost g = expansion.g + move_cost(move);
-  relax(expansion, to, g, move);
+  const Move& taken = kMoveOf.at[move];
+  const Voxel to = expansion.at + taken.step;
+  relax(expansion, to, expansion.g + taken.cost, octile(to, expansion.search.goal), move);
 }
 
 void jump(const Expansion& expansion, int move, CellMask free) noexcept {

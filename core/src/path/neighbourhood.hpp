@@ -31,18 +31,31 @@ inline CellMask triple_at(const Grid& grid, std::int32_t x, std::int32_t y, std:
 }
 
 /// The free cells of the 3x3x3 neighbourhood of a voxel inside the grid; nothing is free outside the grid.
-inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
-  const Voxel& dims = grid.spec().dims;
-  const std::int32_t words = grid.row_words();
-  CellMask free = 0;
+inline CellMask free_cells_at_face(const Grid& grid, const Voxel& v) noexcept {
+  CellMask blocked = 0;
   int shift = 0;
   for (std::int32_t z = v.z - 1; z <= v.z + 1; ++z) {
-    for (std::int32_t y = v.y - 1; y <= v.y + 1; ++y, shift += 3) {
-      if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) continue;
-      free |= (blocked_triple(grid.blocked_row(y, z), words, v.x) ^ 7u) << shift;
+    for (std::int32_t y = v.y - 1; y <= v.y + 1; ++y, shift += 3) blocked |= triple_at(grid, v.x, y, z) << shift;
+  }
+  return blocked ^ kAllCells;
+}
+
+/// As above: most voxels are not at the grid's faces and have their neighbours along x in the same word.
+inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  const int bit = v.x & 63;
+  if (bit == 0 || bit == 63 || v.y == 0 || v.z == 0 || v.y + 1 == dims.y || v.z + 1 == dims.z)
+    return free_cells_at_face(grid, v);
+  const std::uint64_t* first = grid.blocked_row(v.y - 1, v.z - 1) + (v.x >> 6);
+  const std::int64_t row = grid.row_words();
+  const std::int64_t slice = row * dims.y;
+  CellMask blocked = 0;
+  for (int z = 0; z < 3; ++z) {
+    for (int y = 0; y < 3; ++y) {
+      blocked |= (static_cast<CellMask>(first[y * row + z * slice] >> (bit - 1)) & 7u) << (3 * y + 9 * z);
     }
   }
-  return free;
+  return blocked ^ kAllCells;
 }
 
 }  // namespace tern

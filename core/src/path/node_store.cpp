@@ -5,33 +5,57 @@
 namespace tern {
 namespace {
 
-/// Multiplicative hashing by the golden ratio, upper bits.
-std::uint32_t home_slot(const NodeStore& store, std::uint32_t voxel) {
-  return (voxel * 0x9E3779B1u) >> (32 - store.slot_bits);
+constexpr std::uint32_t kBlocks = kNodeSlots / kBlockSlots;
+
+/// The voxel's slot if no other has taken it: its block by multiplicative hashing (the golden ratio, upper bits), and
+/// its place in the block.
+std::uint32_t home_slot(const Voxel& v) {
+  const auto block = static_cast<std::uint32_t>((v.x >> 2) | (v.y >> 2) << 10 | (v.z >> 2) << 20);
+  const auto place = static_cast<std::uint32_t>((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
+  const std::uint64_t spread = std::uint64_t{block * 0x9E3779B1u} * kBlocks;
+  return static_cast<std::uint32_t>(spread >> 32) * kBlockSlots + place;
+}
+
+/// Clears the 64 slots around a slot that this search has not looked at yet.
+void clear_block(NodeStore& store, std::uint32_t block) {
+  store.cleared[block / 64] |= std::uint64_t{1} << (block % 64);
+  std::uint32_t* slots = store.slots + block * kBlockSlots;
+  for (std::uint32_t k = 0; k < kBlockSlots; ++k) slots[k] = 0;
 }
 
 }  // namespace
 
-void store_reset(NodeStore& store, std::int64_t voxels) noexcept {
-  const std::int64_t most = voxels < kMaxNodes ? voxels : kMaxNodes;
+void store_reset(NodeStore& store, const Voxel& dims) noexcept {
   store.count = 0;
-  store.slot_bits = 1;
-  while (std::int64_t{1} << store.slot_bits < 2 * most) ++store.slot_bits;
+  store.nx = static_cast<std::uint32_t>(dims.x);
+  store.ny = static_cast<std::uint32_t>(dims.y);
+  for (std::uint64_t& word : store.cleared) word = 0;
 }
 
-std::uint32_t store_find_or_add(NodeStore& store, std::uint32_t voxel) noexcept {
-  const std::uint32_t mask = (std::uint32_t{1} << store.slot_bits) - 1;
-  std::uint32_t slot = home_slot(store, voxel);
-  // Ends at an unused slot at the latest: no more than half of them are used.
-  for (;; slot = (slot + 1) & mask) {
-    const std::uint32_t index = store.slots[slot];
-    if (index >= store.count || store.nodes[index].slot != slot) break;
-    if (store.nodes[index].voxel == voxel) return index;
+std::uint32_t store_find_or_add(NodeStore& store, const Voxel& voxel) noexcept {
+  const std::uint32_t row = static_cast<std::uint32_t>(voxel.y) + store.ny * static_cast<std::uint32_t>(voxel.z);
+  const std::uint32_t number = static_cast<std::uint32_t>(voxel.x) + store.nx * row;
+  std::uint32_t slot = home_slot(voxel);
+  // Ends at a free slot at the latest: no more than half of them are used.
+  for (;; slot = (slot + 1) % kNodeSlots) {
+    const std::uint32_t block = slot / kBlockSlots;
+    if ((store.cleared[block / 64] >> (block % 64) & 1u) == 0) clear_block(store, block);
+    const std::uint32_t held = store.slots[slot];
+    if (held == 0) break;
+    if (store.nodes[held - 1].voxel == number) return held - 1;
   }
   if (store.count == static_cast<std::uint32_t>(kMaxNodes)) return store.count;
   const std::uint32_t index = store.count++;
-  store.slots[slot] = index;
-  store.nodes[index] = {0, voxel, index, 0, 0, slot, kNotOpen};
+  store.slots[slot] = index + 1;
+  store.nodes[index] = {0,
+                        static_cast<std::int16_t>(voxel.x),
+                        static_cast<std::int16_t>(voxel.y),
+                        static_cast<std::int16_t>(voxel.z),
+                        0,
+                        number,
+                        index,
+                        0,
+                        0};
   return index;
 }
 

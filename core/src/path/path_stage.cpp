@@ -125,7 +125,8 @@ Status advance_tighten(PathStage& stage, const Grid& grid, Work& work, Path& out
 
 }  // namespace
 
-void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept {
+void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuery& query) noexcept {
+  stage.map = &map;
   stage.expansions = 0;
   stage.sight_lines = 0;
   stage.nodes_high = 0;
@@ -156,7 +157,7 @@ Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) n
   if (stage.phase == PathPhase::kJoinGoal) {
     const Status status = advance_join(stage, grid, work, stage.goal, stage.query.goal);
     if (status != Status::kOk) return status;
-    search_begin(stage.search, grid, stage.start.voxel, stage.goal.voxel);
+    search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel);
     stage.phase = PathPhase::kSearch;
   }
   if (stage.phase == PathPhase::kSearch) {

@@ -54,6 +54,7 @@ struct PathStage {
 
   PathPhase phase;
   PathQuery query;
+  ScanMap* map;
   Join start;
   Join goal;
   Search search;
@@ -63,8 +64,8 @@ struct PathStage {
   };
 };
 
-/// The grid must be inflated and must not change until the stage ends.
-void path_begin(PathStage& stage, const Grid& grid, const PathQuery& query) noexcept;
+/// The grid must be inflated and must not change until the stage ends. `map` as in search_begin.
+void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuery& query) noexcept;
 
 /// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
 /// joins an end to the grid, one step of the shortcut, which walks one line of sight at most, or one trial of

@@ -117,6 +117,27 @@ constexpr PruneTable make_table() {
 
 inline constexpr PruneTable kPrune = make_table();
 
+/// Cells by how they lie to the centre: a step along one axis; along all but one axis; along three.
+struct CellSets {
+  CellMask straight[3];
+  CellMask plane[3];
+  CellMask space;
+};
+
+constexpr CellSets make_sets() {
+  CellSets sets{};
+  for (int d = 0; d < kDirections; ++d) {
+    const Voxel o = offset(d);
+    const int axes = axes_of(d);
+    if (axes == 1) sets.straight[o.x != 0 ? 0 : (o.y != 0 ? 1 : 2)] |= cell_bit(d);
+    if (axes == 2) sets.plane[o.x == 0 ? 0 : (o.y == 0 ? 1 : 2)] |= cell_bit(d);
+    if (axes == 3) sets.space |= cell_bit(d);
+  }
+  return sets;
+}
+
+inline constexpr CellSets kSets = make_sets();
+
 constexpr bool covers(CellMask free, CellMask cells) {
   return (free & cells) == cells;
 }

@@ -6,6 +6,7 @@
 #define TERN_PATH_SCAN_HPP
 
 #include "grid/lattice.hpp"
+#include "grid/regions.hpp"
 #include "path/direction.hpp"
 #include "path/line_walk.hpp"
 #include "path/stops.hpp"
@@ -13,13 +14,25 @@
 
 namespace tern {
 
-/// What scans read.
+/// Regions of the largest map whose stops are kept from one search to the next.
+constexpr std::int32_t kStopRegions = static_cast<std::int32_t>((kMaxCells + 1023) / 1024);
+
+/// What scans read. It outlives a search: stops stay as long as the map around them does.
 struct ScanMap {
+  bool kept;   ///< the stops belong to a map whose regions had these contents
+  Voxel dims;  ///< of that map
+  std::uint64_t contents[kStopRegions];
   StopLayer along[3];
 };
 
-/// Prepares scans of a grid, which must not change until they end.
-void scan_reset(ScanMap& map, const Grid& grid) noexcept;
+/// To be called once before the first scan_begin, on memory with any content.
+inline void scan_forget(ScanMap& map) noexcept {
+  map.kept = false;
+}
+
+/// Prepares scans of a grid, which must not change until they end: forgets the stops near regions that are not what
+/// they were when the last scans began, all of them where most are not or that is not known.
+void scan_begin(ScanMap& map, const Grid& grid) noexcept;
 
 namespace scan {
 

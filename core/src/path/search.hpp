@@ -26,7 +26,7 @@ constexpr std::uint32_t kExpansionBound =
 
 /// A search begins with so many expansions step by step (docs/search.md). Steps take more nodes than sweeps do: fewer
 /// of them where the store is small. The profiles mcu and companion step alike, so that they break ties alike.
-constexpr std::uint32_t kLeastSteps = kMaxNodes < 32 * 1024 ? kMaxNodes / 128 : 512;
+constexpr std::uint32_t kLeastSteps = kMaxNodes < 32 * 1024 ? kMaxNodes / 128 : 32;
 
 /// A search between two free voxels. Plain data; needs no initialisation before search_begin.
 struct Search {
@@ -40,13 +40,15 @@ struct Search {
   Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;
   OpenList open;
-  ScanMap map;
+  ScanMap* map;  ///< outlives the search
   WitnessMap witnesses;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
+/// `map` holds what searches before found out about this map or another, or is forgotten (scan_forget); it changes what
+/// the search costs, never what it finds.
 /// `steps`, 2^24 at most, changes what the search costs and which of the cheapest paths it finds: 0 jumps at once.
-void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal,
+void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
 /// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kHeapFull; not to be called after the end.
@@ -57,23 +59,7 @@ Status search_expand(Search& search, const Grid& grid) noexcept;
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
 
 /// The cost of the path found. Only after kOk, before or after search_extract.
-Cost search_cost(Search& search, const Grid& grid) noexcept;
-
-/// A node's voxel.
-inline Voxel voxel_at(const Grid& grid, std::uint32_t index) noexcept {
-  const auto nx = static_cast<std::uint32_t>(grid.spec().dims.x);
-  const auto ny = static_cast<std::uint32_t>(grid.spec().dims.y);
-  const std::uint32_t row = index / nx;
-  return {static_cast<std::int32_t>(index % nx), static_cast<std::int32_t>(row % ny),
-          static_cast<std::int32_t>(row / ny)};
-}
-
-inline std::uint32_t voxel_index(const Grid& grid, const Voxel& v) noexcept {
-  const Voxel& dims = grid.spec().dims;
-  return static_cast<std::uint32_t>(v.x) +
-         static_cast<std::uint32_t>(dims.x) *
-             (static_cast<std::uint32_t>(v.y) + static_cast<std::uint32_t>(dims.y) * static_cast<std::uint32_t>(v.z));
-}
+Cost search_cost(Search& search) noexcept;
 
 }  // namespace tern
 

@@ -36,10 +36,14 @@ struct StopLayer {
 
 /// A tile is made once scans have walked so many steps through it voxel by voxel, which is what making it costs: scans
 /// that come once or twice never pay for a tile, and none ever pays much more than twice the least.
-constexpr std::uint8_t kWalkFirst = 160;
+constexpr std::uint8_t kWalkFirst = 64;
 
 /// Prepares the layer of an axis with nothing made yet: clears one bit a word or tile.
 void stops_reset(StopLayer& layer, const Grid& grid, int axis) noexcept;
+
+/// Forgets what depends on a region of the blocked layer (grid/regions.hpp).
+void stops_forget(StopLayer& layer, const Grid& grid, int axis, std::int32_t z, std::int32_t block,
+                  std::int32_t word) noexcept;
 
 /// Makes word `word` of the line along x at (y, z).
 void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept;

@@ -13,8 +13,8 @@
 
 namespace tern {
 
-/// What the workspace holds. Each stage's result outlives it; the stages' own states never live at the same time and
-/// share one piece of memory.
+/// What the workspace holds. Each stage's result outlives it, as do the stops of scans; the stages' own states never
+/// live at the same time and share one piece of memory.
 struct Layout {
   Path path;
   Corridor corridor;
@@ -22,6 +22,7 @@ struct Layout {
   Fences fences;
   Grid fenced;  ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;
+  ScanMap scans;  ///< what a search found out about the map serves the next one
   union {
     PathStage path;
     CorridorStage corridor;

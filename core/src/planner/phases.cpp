@@ -65,7 +65,7 @@ void Planner::enter(Phase phase) noexcept {
       const PathQuery query{local_.start.position,     local_.goal.position,
                             local_.shortcut,           local_.budget.expansions,
                             local_.budget.sight_lines, has_fences_ ? &memory.fences : nullptr};
-      return path_begin(memory.stage.path, world(), query);
+      return path_begin(memory.stage.path, memory.scans, world(), query);
     }
     case Phase::kCorridor:
       return corridor_begin(memory.stage.corridor, world(), memory.path, local_.budget.planes - planes_before_,

@@ -33,7 +33,13 @@ constexpr int kMaxSteps = 16;
 
 }  // namespace
 
-Planner::Planner(void* memory, std::size_t bytes) noexcept : workspace_(align(memory, bytes)) {}
+Planner::Planner(void* memory, std::size_t bytes) noexcept : workspace_(align(memory, bytes)) {
+  forget_map();
+}
+
+void Planner::forget_map() noexcept {
+  if (workspace_ != nullptr) scan_forget(static_cast<Layout*>(workspace_)->scans);
+}
 
 void Planner::set_clock(ClockFn clock, void* context) noexcept {
   clock_ = clock;

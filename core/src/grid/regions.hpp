@@ -1,0 +1,42 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Regions of a layer, and numbers that tell their content apart.
+#ifndef TERN_GRID_REGIONS_HPP
+#define TERN_GRID_REGIONS_HPP
+
+#include <cstdint>
+
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// Rows of a region.
+constexpr std::int32_t kBlockRows = 64;
+
+/// A layer's regions: one word each of 64 consecutive rows of one plane.
+struct Regions {
+  std::int32_t words;   ///< along x
+  std::int32_t blocks;  ///< along y
+  std::int32_t planes;  ///< along z
+
+  explicit Regions(const Voxel& dims) noexcept
+      : words((dims.x + 63) / 64), blocks((dims.y + kBlockRows - 1) / kBlockRows), planes(dims.z) {}
+
+  std::int32_t count() const noexcept { return words * blocks * planes; }
+  std::int32_t at(std::int32_t z, std::int32_t block, std::int32_t word) const noexcept {
+    return (z * blocks + block) * words + word;
+  }
+};
+
+/// The number of a content that came from another by a change: a hash of all changes since the grid was bound. Equal
+/// numbers mean equal histories, and so equal contents, but for a chance of 2^-64.
+constexpr std::uint64_t content_after(std::uint64_t content, std::uint64_t change) noexcept {
+  content = (content ^ change) * 0x9E3779B97F4A7C15u;
+  content = (content ^ content >> 32) * 0xD6E8FEB86659FD93u;
+  return content ^ content >> 32;
+}
+
+}  // namespace tern
+
+#endif
