@@ -123,19 +123,25 @@ void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
 }
 
-/// The first plane that the point violates by as much as this.
-int violated_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point,
-                   double violation) {
+/// The plane that the point violates most, the first of equals. A scan adds in another order than this does: what it
+/// found is not looked for by its value.
+int violated_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point) {
   const Value at = evaluate(problem.points[point], solver);
-  int plane = group.plane_begin;
-  while (plane + 1 < group.plane_end && violation_at(at, solver.planes, plane) < violation) ++plane;
-  return plane;
+  int worst = group.plane_begin;
+  double most = violation_at(at, solver.planes, worst);
+  for (int plane = worst + 1; plane < group.plane_end; ++plane) {
+    const double violation = violation_at(at, solver.planes, plane);
+    if (!(violation > most)) continue;
+    most = violation;
+    worst = plane;
+  }
+  return worst;
 }
 
 Candidate candidate_of(const QpProblem& problem, QpSolver& solver, const Scan& scan) {
   solver.entered = scan.distance;
   if (scan.group < 0) return {};
-  const int plane = violated_plane(problem, solver, problem.groups[scan.group], scan.point, scan.violation);
+  const int plane = violated_plane(problem, solver, problem.groups[scan.group], scan.point);
   return {true, scan.constant, {scan.point, plane}, scan.violation};
 }
 
