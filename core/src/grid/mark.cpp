@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "grid/changes.hpp"
 #include "grid/lattice.hpp"
+#include "grid/regions.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -65,6 +66,16 @@ IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bo
   return changed;
 }
 
+/// The content after a box of voxels was set or cleared (grid/regions.hpp).
+std::uint64_t content_with(std::uint64_t content, const IndexRange& x, const IndexRange& y, const IndexRange& z,
+                           bool value) {
+  const auto bits = [](const IndexRange& range) {
+    return static_cast<std::uint64_t>(range.begin) | static_cast<std::uint64_t>(range.end) << 12;
+  };
+  content = content_after(content, bits(x) | bits(y) << 24);
+  return content_after(content, bits(z) | std::uint64_t{value} << 24);
+}
+
 }  // namespace
 
 /// Sets or clears voxels [begin, end) of a row and notes what that may change in the blocked layer.
@@ -73,9 +84,6 @@ void Grid::set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int3
   if (changed.begin >= changed.end) return;
   const std::int32_t first = changed.begin - reach_x_;
   const std::int32_t last = changed.end - 1 + reach_x_;
-  const std::uint64_t where = static_cast<std::uint64_t>(y) | static_cast<std::uint64_t>(z) << 12;
-  const std::uint64_t what = static_cast<std::uint64_t>(begin) << 24 | static_cast<std::uint64_t>(end) << 36;
-  content_ = content_after(content_, where | what | std::uint64_t{value} << 48);
   Changes(spec_.dims, changes_)
       .note(y, z, first < 0 ? 0 : first >> 6, last < spec_.dims.x ? last >> 6 : row_words_ - 1);
 }
@@ -89,6 +97,7 @@ Status Grid::set_box(const Box& world, bool value) noexcept {
   const IndexRange y = voxels_met(spec_, world.lower.y, world.upper.y, 1);
   const IndexRange z = voxels_met(spec_, world.lower.z, world.upper.z, 2);
   if (x.begin >= x.end) return Status::kOk;
+  content_ = content_with(content_, x, y, z, value);
   for (std::int32_t k = z.begin; k < z.end; ++k) {
     for (std::int32_t j = y.begin; j < y.end; ++j) set_row(j, k, x.begin, x.end, value);
   }
@@ -107,6 +116,7 @@ Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!inside(voxel)) return Status::kOutOfMap;
   ++revision_;
+  content_ = content_with(content_, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, value);
   set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, value);
   return Status::kOk;
 }
@@ -131,7 +141,9 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
     if (!inside(voxel)) continue;
     ++hits;
     // Most of a frame was seen before.
-    if (!bit(obstacles_, voxel)) set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
+    if (bit(obstacles_, voxel)) continue;
+    content_ = content_with(content_, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, true);
+    set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
   }
   if (inside_count != nullptr) *inside_count = hits;
   return Status::kOk;
