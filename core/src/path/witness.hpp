@@ -39,14 +39,16 @@ inline bool is_detour(WitnessMap& map, const Grid& grid, const Voxel& voxel, Cos
   const std::int32_t block = (voxel.x >> 2) + map.width * (voxel.y >> 2) + map.slice * (voxel.z >> 2);
   if (block >= kWitnesses) return false;
   const std::uint64_t bit = std::uint64_t{1} << (block & 63);
+  const auto place = static_cast<Cost>((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 3) << 4);
   std::uint64_t& witness = map.witnesses[block];
   const Cost cost = witness & ~kPlaceMask;
   if ((map.known[block >> 6] & bit) == 0 || cost >= g) {
     map.known[block >> 6] |= bit;
-    const auto place = static_cast<Cost>((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 3) << 4);
     witness = ((g + kPlaceMask) & ~kPlaceMask) | place;
     return false;
   }
+  // Most are as good as their witness: another voxel is a step away at least.
+  if (cost + kStraightCost >= g && (witness & kPlaceMask) != place) return false;
   const auto at = static_cast<std::int32_t>(witness & kPlaceMask);
   const Voxel from{(voxel.x & ~3) + (at & 3), (voxel.y & ~3) + (at >> 2 & 3), (voxel.z & ~3) + (at >> 4)};
   return cost + octile(from, voxel) < g && block_box_free(grid, from, voxel);
