@@ -42,7 +42,7 @@
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
 #endif
 
-/// Entries of the search's open list, 20 bytes each. Beyond it: Status::kHeapFull.
+/// Entries of the search's open list, 24 bytes each. Beyond it: Status::kHeapFull.
 #ifndef TERN_MAX_HEAP
 #define TERN_MAX_HEAP TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
 #endif

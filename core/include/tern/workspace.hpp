@@ -45,7 +45,7 @@ constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlane
 
 }  // namespace workspace
 
-/// Bytes that a planner needs, a constant of the configuration: 73 KB for tiny, 4.7 MB for mcu, 116 MB for companion,
+/// Bytes that a planner needs, a constant of the configuration: 101 KB for tiny, 5.0 MB for mcu, 119 MB for companion,
 /// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr std::size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
