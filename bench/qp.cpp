@@ -12,9 +12,11 @@
 
 #include "host/atomic_file.hpp"
 #include "host/corridor_solver.hpp"
+#include "quantile.hpp"
 
 namespace {
 
+using tern_bench::quantile;
 using tern_host::CorridorAnswers;
 
 /// What is tabulated of all programmes with one number of segments.
@@ -27,11 +29,6 @@ struct Column {
   double residual = 0.0;
   int undecided = 0;
 };
-
-double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
-}
 
 double median(const std::vector<double>& values) {
   return quantile(values, 0.5);

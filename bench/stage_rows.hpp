@@ -5,10 +5,8 @@
 #ifndef TERN_BENCH_STAGE_ROWS_HPP
 #define TERN_BENCH_STAGE_ROWS_HPP
 
-#include <algorithm>
-#include <vector>
-
 #include "host/session.hpp"
+#include "quantile.hpp"
 
 namespace tern_bench {
 
@@ -53,12 +51,6 @@ constexpr StageRow kStageRows[] = {{"inflate", rows::inflate, nullptr},
                                    rows::stage<tern::Stage::kTrajectory>("trajectory"),
                                    rows::stage<tern::Stage::kCheck>("check"),
                                    {"total", rows::total, nullptr}};
-
-/// The sample that a part `q` of [0, 1] of them does not exceed, to the nearest rank. `values` is not empty.
-inline double quantile(std::vector<double> values, double q) {
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
-}
 
 }  // namespace tern_bench
 

@@ -7,14 +7,10 @@
 #include <numeric>
 #include <sstream>
 
+#include "quantile.hpp"
+
 namespace tern_bench {
 namespace {
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
-}
 
 double median(const std::vector<double>& values) {
   return quantile(values, 0.5);

@@ -11,6 +11,8 @@
 #include <numeric>
 #include <vector>
 
+#include "quantile.hpp"
+
 namespace tern_bench {
 
 /// 0 for no values.
@@ -25,13 +27,6 @@ inline double standard_deviation(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double v : values) sum += (v - middle) * (v - middle);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
-}
-
-/// The value below which the part `q` of the values lies, one of them; 0 for no values.
-inline double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
 /// Slope of the least-squares line through (x, y).

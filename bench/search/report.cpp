@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/report.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <numeric>
 
+#include "quantile.hpp"
+
 namespace tern_bench {
 namespace {
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
-}
 
 /// Microseconds; totals in milliseconds.
 struct Summary {

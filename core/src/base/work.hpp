@@ -19,6 +19,11 @@ struct Work {
   }
 };
 
+/// Of two amounts of work.
+constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b) noexcept {
+  return b < a ? b : a;
+}
+
 }  // namespace tern
 
 #endif

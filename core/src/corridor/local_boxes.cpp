@@ -3,6 +3,7 @@
 #include "corridor/local_boxes.hpp"
 
 #include "base/math.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
@@ -27,10 +28,8 @@ struct Window {
 Window window_of(const VoxelRange& range) {
   const std::int32_t first = range.lower.x >> 6;
   const std::int32_t last = (range.upper.x - 1) >> 6;
-  const std::uint64_t from_first = ~std::uint64_t{0} << (range.lower.x & 63);
-  const std::uint64_t to_last = ~std::uint64_t{0} >> (63 - ((range.upper.x - 1) & 63));
-  if (first == last) return {first, 1, from_first & to_last, from_first & to_last};
-  return {first, last - first + 1, from_first, to_last};
+  const IndexRange bits{range.lower.x, range.upper.x};
+  return {first, last - first + 1, bits_within(bits, first), bits_within(bits, last)};
 }
 
 /// One layer's rows of the range: row y begins `y * stride` words after `words`.

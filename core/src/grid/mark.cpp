@@ -76,6 +76,10 @@ std::uint64_t content_with(std::uint64_t content, const IndexRange& x, const Ind
   return content_after(content, bits(z) | std::uint64_t{value} << 24);
 }
 
+std::uint64_t content_with(std::uint64_t content, const Voxel& voxel, bool value) {
+  return content_with(content, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, value);
+}
+
 }  // namespace
 
 /// Sets or clears voxels [begin, end) of a row and notes what that may change in the blocked layer.
@@ -116,7 +120,7 @@ Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!inside(voxel)) return Status::kOutOfMap;
   ++revision_;
-  content_ = content_with(content_, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, value);
+  content_ = content_with(content_, voxel, value);
   set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, value);
   return Status::kOk;
 }
@@ -142,7 +146,7 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
     ++hits;
     // Most of a frame was seen before.
     if (bit(obstacles_, voxel)) continue;
-    content_ = content_with(content_, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, true);
+    content_ = content_with(content_, voxel, true);
     set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
   }
   if (inside_count != nullptr) *inside_count = hits;

@@ -28,10 +28,6 @@ void raise(std::int32_t& mark, std::int32_t value) {
   if (mark < value) mark = value;
 }
 
-std::uint32_t least(std::uint32_t a, std::uint32_t b) {
-  return b < a ? b : a;
-}
-
 }  // namespace
 
 Stage Planner::stage_of_phase() const noexcept {

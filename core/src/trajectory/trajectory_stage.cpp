@@ -3,6 +3,7 @@
 #include "trajectory/trajectory_stage.hpp"
 
 #include "base/bounds.hpp"
+#include "base/work.hpp"
 #include "times/times.hpp"
 #include "trajectory/bezier.hpp"
 #include "trajectory/motion_limits.hpp"
@@ -53,10 +54,6 @@ int count_rows(const QpProblem& problem) {
 
 int most(int a, int b) {
   return a < b ? b : a;
-}
-
-std::uint32_t least(std::uint32_t a, std::uint32_t b) {
-  return b < a ? b : a;
 }
 
 Segment candidate(const TrajectoryStage& stage, int index) {
