@@ -62,6 +62,7 @@ class Planner {
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
   Status run_phase(Work& work) noexcept;
+  void set_ends() noexcept;
   Status accept_fences(const Request& request) noexcept;
   const Grid& world() const noexcept;
   Status run_fences(Work& work) noexcept;
@@ -88,7 +89,7 @@ class Planner {
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
-  Request local_{};  // the request in the grid's local frame
+  Request asked_{};  // as given; its fences are not read again
   Report report_{};
 };
 

@@ -39,7 +39,7 @@ constexpr std::size_t kFences =
 constexpr std::size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.
 constexpr std::size_t kTrajectory =
-    kSegments * (9200 + kPlanes * 80) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
+    kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// Path, corridor and trajectory, which outlive the stages that made them.
 constexpr std::size_t kResults = (kJumps + kSegments) * 24 + kSegments * (kPlanes * 32 + 384) + 512;
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/work.hpp"
+#include "check/tolerance.hpp"
 #include "grid/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
@@ -17,14 +18,6 @@
 #include "tern/trajectory.hpp"
 
 namespace tern {
-
-/// Metres by which a control point may lie outside a half-space, or a polyhedron within the radius of an obstacle:
-/// the rounding of the arithmetic, not a clearance that anybody would notice.
-constexpr double kCheckDistance = 1e-7;
-/// Relative excess over a limit, and relative mismatch of a derivative at a joint or an end.
-constexpr double kCheckRelative = 1e-7;
-/// Jerk at both ends of a plan, m/s^3 an axis: zero but for rounding over the cube of a short duration.
-constexpr double kCheckJerk = 1e-5;
 
 /// Units of one check: every polyhedron and every segment.
 constexpr std::uint32_t kCheckBound = 2 * kMaxSegments;
@@ -42,7 +35,7 @@ enum class Finding : std::uint8_t {
   kBoundary,      ///< a boundary state is not met
 };
 
-/// What the plan was asked for. Local frame.
+/// What the plan was asked for, as it was asked. World frame.
 struct CheckQuery {
   State start;
   State goal;

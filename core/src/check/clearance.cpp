@@ -58,16 +58,19 @@ struct Cuts {
   Cut cut[kMaxPlanes];
 };
 
+/// Units in the last place by which the square of a unit normal may miss 1.
+constexpr double kUnitUlps = 16.0;
+
 /// Below this a normal's x counts for the whole row at once, with whichever end of the row is nearer.
 constexpr double kLeastSlope = 1e-9;
 
-Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron) {
+Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
   const GridSpec& spec = grid.spec();
   Cuts cuts{};
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     Cut& cut = cuts.cut[cuts.count++];
-    cut = {plane.normal, plane.offset + spec.radius - kCheckDistance, 0.0};
+    cut = {plane.normal, plane.offset + spec.radius - tolerance, 0.0};
     if (absolute(plane.normal.x) >= kLeastSlope) {
       cut.per_x = 1.0 / (plane.normal.x * spec.cell);
     } else {
@@ -144,7 +147,7 @@ bool well_formed(const Polyhedron& polyhedron) {
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     if (!finite(plane.normal) || !finite(plane.offset)) return false;
-    if (absolute(dot(plane.normal, plane.normal) - 1.0) > 1e-9) return false;
+    if (absolute(dot(plane.normal, plane.normal) - 1.0) > kUnitUlps * kUlp) return false;
   }
   return true;
 }
@@ -154,7 +157,7 @@ bool well_formed(const Polyhedron& polyhedron) {
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept {
   if (!well_formed(polyhedron)) return false;
   const Range range = voxels_near(grid, polyhedron);
-  const Cuts cuts = cuts_of(grid, polyhedron);
+  const Cuts cuts = cuts_of(grid, polyhedron, kCheckDistance + grid_rounding(grid));
   for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
     for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
       const Range block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), block_end(z, range.hi.z)}};

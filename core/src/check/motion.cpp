@@ -51,11 +51,18 @@ struct Allowed {
   double horizontal_squared;  ///< 0: no limit on the horizontal norm
 };
 
-Allowed allowed(const Vec3& most, const Vec3& least, double horizontal) {
+/// `rounding`: of the values that are held against the limits.
+Allowed allowed(const Vec3& most, const Vec3& least, double horizontal, double rounding) {
   constexpr double kWider = 1.0 + kCheckRelative;
-  Allowed result{kWider * most, kWider * least, (horizontal * kWider) * (horizontal * kWider)};
+  Allowed result{kWider * most, kWider * least, 0.0};
   for (int a = 0; a < 3; ++a) {
     if (!(axis(least, a) < 0.0)) axis(result.least, a) = -axis(result.most, a);
+    axis(result.most, a) += rounding;
+    axis(result.least, a) -= rounding;
+  }
+  if (horizontal > 0.0) {
+    const double norm = kWider * horizontal + 2.0 * rounding;
+    result.horizontal_squared = norm * norm;
   }
   return result;
 }
@@ -108,9 +115,24 @@ bool numbers_are_sane(const Segment& segment, const Corridor& corridor) {
   return true;
 }
 
-bool within(const Vec3& point, const Box& box) {
+/// The control points' frame as the grid and the request are seen from it.
+struct PlanFrame {
+  Vec3 from_grid;  ///< the frame's origin in the grid's local frame
+  Box boundary;    ///< relative to the frame's origin
+  double rounding;
+};
+
+PlanFrame frame_of(const Grid& grid, const Trajectory& trajectory) {
+  const GridSpec& spec = grid.spec();
+  const Vec3& origin = trajectory.origin;
+  return {origin - spec.origin,
+          {spec.boundary.lower - origin, spec.boundary.upper - origin},
+          place_rounding(grid, trajectory)};
+}
+
+bool within(const Vec3& point, const Box& box, double tolerance) {
   for (int a = 0; a < 3; ++a) {
-    if (axis(point, a) < axis(box.lower, a) - kCheckDistance || axis(point, a) > axis(box.upper, a) + kCheckDistance) {
+    if (axis(point, a) < axis(box.lower, a) - tolerance || axis(point, a) > axis(box.upper, a) + tolerance) {
       return false;
     }
   }
@@ -118,22 +140,23 @@ bool within(const Vec3& point, const Box& box) {
 }
 
 /// Bezier curves lie in the hull of their control points: all inside means the curve is (the paper's Section 3.4.2).
-bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const Box& boundary) {
+bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid) {
+  const double tolerance = kCheckDistance + frame.rounding;
   for (const Vec3& point : segment.points) {
-    if (!within(point, boundary)) return false;
-    for (int p = 0; p < all_planes(polyhedron); ++p) {
-      if (dot(polyhedron.planes[p].normal, point) > polyhedron.planes[p].offset + kCheckDistance) return false;
+    if (!within(point, frame.boundary, tolerance + lattice_rounding(grid))) return false;
+  }
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
+    const Vec3& normal = polyhedron.planes[p].normal;
+    const double room = polyhedron.planes[p].offset - dot(normal, frame.from_grid);
+    for (const Vec3& point : segment.points) {
+      if (dot(normal, point) > room + tolerance) return false;
     }
   }
   return true;
 }
 
-bool close(double a, double b) {
-  return absolute(a - b) <= kCheckRelative * (1.0 + absolute(b));
-}
-
-bool close(const Vec3& a, const Vec3& b) {
-  return close(a.x, b.x) && close(a.y, b.y) && close(a.z, b.z);
+bool close(const Vec3& a, const Vec3& b, double tolerance) {
+  return absolute(a.x - b.x) <= tolerance && absolute(a.y - b.y) <= tolerance && absolute(a.z - b.z) <= tolerance;
 }
 
 /// Position and derivatives to jerk at a segment's beginning or end.
@@ -151,29 +174,33 @@ Jet jet(const Segment& segment, bool at_end) {
   return result;
 }
 
+/// Positions are the same bits; derivatives agree but for the rounding of either side.
 bool joins(const Segment& before, const Segment& after) {
   const Jet left = jet(before, true);
   const Jet right = jet(after, false);
-  for (int k = 0; k < 4; ++k) {
-    if (!close(left.d[k], right.d[k])) return false;
+  if (!close(left.d[0], right.d[0], 0.0)) return false;
+  for (int k = 1; k < 4; ++k) {
+    if (!close(left.d[k], right.d[k], derivative_rounding(before, k) + derivative_rounding(after, k))) return false;
   }
   return true;
 }
 
-bool boundary_met(const Segment& segment, const State& state, bool at_end) {
+bool boundary_met(const Segment& segment, const State& state, const PlanFrame& frame, const Vec3& origin, bool at_end) {
+  constexpr Vec3 kZero{0.0, 0.0, 0.0};
   const Jet end = jet(segment, at_end);
-  return close(end.d[0], state.position) && close(end.d[1], state.velocity) && close(end.d[2], state.acceleration) &&
-         absolute(end.d[3].x) <= kCheckJerk && absolute(end.d[3].y) <= kCheckJerk && absolute(end.d[3].z) <= kCheckJerk;
+  return close(end.d[0], state.position - origin, frame.rounding) &&
+         close(end.d[1], state.velocity, derivative_rounding(segment, 1)) &&
+         close(end.d[2], state.acceleration, derivative_rounding(segment, 2)) &&
+         close(end.d[3], kZero, derivative_rounding(segment, 3));
 }
 
 Finding check_limits(const Segment& segment, const Limits& limits) {
   const Curve velocity = derivative(position_of(segment), segment.duration);
-  if (!allowed_throughout(velocity, allowed(limits.v_max, limits.v_min, limits.v_horizontal))) {
-    return Finding::kVelocity;
-  }
+  const Allowed speed = allowed(limits.v_max, limits.v_min, limits.v_horizontal, hodograph_rounding(segment, 1));
+  if (!allowed_throughout(velocity, speed)) return Finding::kVelocity;
   const Curve acceleration = derivative(velocity, segment.duration);
-  const bool kept = allowed_throughout(acceleration, allowed(limits.a_max, limits.a_min, limits.a_horizontal));
-  return kept ? Finding::kNone : Finding::kAcceleration;
+  const Allowed pull = allowed(limits.a_max, limits.a_min, limits.a_horizontal, hodograph_rounding(segment, 2));
+  return allowed_throughout(acceleration, pull) ? Finding::kNone : Finding::kAcceleration;
 }
 
 }  // namespace
@@ -182,9 +209,12 @@ Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajecto
                       const CheckQuery& query) noexcept {
   const Segment& segment = trajectory.segments[index];
   if (!numbers_are_sane(segment, corridor)) return Finding::kMalformed;
-  if (!points_inside(segment, corridor.polyhedra[segment.polyhedron], grid.local_boundary())) return Finding::kOutside;
-  if (index == 0 && !boundary_met(segment, query.start, false)) return Finding::kBoundary;
-  if (index == trajectory.count - 1 && !boundary_met(segment, query.goal, true)) return Finding::kBoundary;
+  const PlanFrame frame = frame_of(grid, trajectory);
+  const Vec3& origin = trajectory.origin;
+  if (!points_inside(segment, corridor.polyhedra[segment.polyhedron], frame, grid)) return Finding::kOutside;
+  if (index == 0 && !boundary_met(segment, query.start, frame, origin, false)) return Finding::kBoundary;
+  const bool last = index == trajectory.count - 1;
+  if (last && !boundary_met(segment, query.goal, frame, origin, true)) return Finding::kBoundary;
   if (index > 0 && !joins(trajectory.segments[index - 1], segment)) return Finding::kJoint;
   return check_limits(segment, query.limits);
 }

@@ -13,12 +13,29 @@
 
 namespace tern {
 
+/// Both ends of the flight at hand, as the trajectory has them: relative to the start that was asked for, bit for bit
+/// the origin of the plan's frame. Beside them the same positions in the grid's local frame, within its boundary.
+struct FlightEnds {
+  State start;
+  State goal;
+  Vec3 start_in_grid;
+  Vec3 goal_in_grid;
+  Vec3 origin_in_grid;  ///< of the plan's frame
+};
+
+/// The trajectory stage and the corridor that it is given.
+struct TrajectoryMemory {
+  Corridor corridor;  ///< relative to the plan's origin
+  TrajectoryStage stage;
+};
+
 /// What the workspace holds. Each stage's result outlives it, as do the stops of scans; the stages' own states never
 /// live at the same time and share one piece of memory.
 struct Layout {
   Path path;
   Corridor corridor;
   Trajectory trajectory;
+  FlightEnds ends;
   Fences fences;
   Grid fenced;  ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;
@@ -26,7 +43,7 @@ struct Layout {
   union {
     PathStage path;
     CorridorStage corridor;
-    TrajectoryStage trajectory;
+    TrajectoryMemory trajectory;
     CheckStage check;
   } stage;
 };

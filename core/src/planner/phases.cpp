@@ -7,7 +7,9 @@
 #include "base/work.hpp"
 #include "planner/detour.hpp"
 #include "planner/layout.hpp"
+#include "planner/request.hpp"
 #include "tern/planner.hpp"
+#include "trajectory/relative_corridor.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern {
@@ -58,13 +60,13 @@ void Planner::enter(Phase phase) noexcept {
   phase_ = phase;
   switch (phase) {
     case Phase::kPath: {
-      const PathQuery query{local_.start.position,     local_.goal.position,
-                            local_.shortcut,           local_.budget.expansions,
-                            local_.budget.sight_lines, has_fences_ ? &memory.fences : nullptr};
+      const PathQuery query{memory.ends.start_in_grid, memory.ends.goal_in_grid,
+                            asked_.shortcut,           asked_.budget.expansions,
+                            asked_.budget.sight_lines, has_fences_ ? &memory.fences : nullptr};
       return path_begin(memory.stage.path, memory.scans, world(), query);
     }
     case Phase::kCorridor:
-      return corridor_begin(memory.stage.corridor, world(), memory.path, local_.budget.planes - planes_before_,
+      return corridor_begin(memory.stage.corridor, world(), memory.path, asked_.budget.planes - planes_before_,
                             has_fences_ ? &memory.fences : nullptr);
     case Phase::kCheck:
       return check_begin(memory.stage.check);
@@ -136,9 +138,9 @@ Status Planner::run_path(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
-  count(report_, Stage::kSearch, stage.expansions, least(local_.budget.expansions, kSearchBound));
+  count(report_, Stage::kSearch, stage.expansions, least(asked_.budget.expansions, kSearchBound));
   count(report_, Stage::kShortcut, stage.sight_lines,
-        least(local_.budget.sight_lines, shortcut_bound(stage.query.mode) + (attempts() - 1) * kDetourLines));
+        least(asked_.budget.sight_lines, shortcut_bound(stage.query.mode) + (attempts() - 1) * kDetourLines));
   report_.high_water.nodes = stage.nodes_high;
   report_.high_water.heap = stage.heap_high;
   report_.high_water.jump_points = stage.raw_high;
@@ -157,7 +159,7 @@ Status Planner::run_path(Work& work) noexcept {
 
 /// How often corridor and trajectory may be made: a second time where an end moves, after a detour.
 std::uint32_t Planner::attempts() const noexcept {
-  return at_rest(local_.start) && at_rest(local_.goal) ? 1 : 2;
+  return at_rest(asked_.start) && at_rest(asked_.goal) ? 1 : 2;
 }
 
 Status Planner::run_corridor(Work& work) noexcept {
@@ -165,7 +167,7 @@ Status Planner::run_corridor(Work& work) noexcept {
   CorridorStage& stage = memory.stage.corridor;
   const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
   count(report_, Stage::kCorridor, planes_before_ + stage.planes,
-        least(local_.budget.planes, attempts() * kCorridorBound));
+        least(asked_.budget.planes, attempts() * kCorridorBound));
   raise(report_.high_water.planes, stage.planes_high);
   raise(report_.high_water.local_boxes, stage.boxes_high);
   if (status == Status::kRunning) return status;
@@ -188,9 +190,12 @@ Status Planner::run_corridor(Work& work) noexcept {
 
 Status Planner::run_times() noexcept {
   Layout& memory = layout(workspace_);
-  const TrajectoryQuery query{local_.start, local_.goal, local_.limits, local_.time_weight,
-                              local_.budget.iterations - iterations_before_};
-  trajectory_begin(memory.stage.trajectory, memory.corridor, query);
+  const FlightEnds& ends = memory.ends;
+  const TrajectoryQuery query{ends.start, ends.goal, asked_.limits, asked_.time_weight,
+                              asked_.budget.iterations - iterations_before_};
+  TrajectoryMemory& trajectory = memory.stage.trajectory;
+  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, trajectory.corridor);
+  trajectory_begin(trajectory.stage, trajectory.corridor, query);
   count(report_, Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kMaxSegments);
   enter(Phase::kTrajectory);
   return Status::kOk;
@@ -198,10 +203,10 @@ Status Planner::run_times() noexcept {
 
 Status Planner::run_trajectory(Work& work) noexcept {
   Layout& memory = layout(workspace_);
-  TrajectoryStage& stage = memory.stage.trajectory;
-  const Status status = trajectory_advance(stage, memory.corridor, work, memory.trajectory);
+  TrajectoryStage& stage = memory.stage.trajectory.stage;
+  const Status status = trajectory_advance(stage, memory.stage.trajectory.corridor, work, memory.trajectory);
   const std::uint32_t iterations = iterations_before_ + stage.iterations;
-  count(report_, Stage::kTrajectory, iterations, least(local_.budget.iterations, attempts() * kTrajectoryBound));
+  count(report_, Stage::kTrajectory, iterations, least(asked_.budget.iterations, attempts() * kTrajectoryBound));
   raise(report_.high_water.active, stage.active_high);
   raise(report_.high_water.qp_iterations, stage.longest_solve);
   raise(report_.high_water.qp_solves, stage.solves);
@@ -218,7 +223,7 @@ Status Planner::run_trajectory(Work& work) noexcept {
     return status;
   }
   if (status != Status::kOk) return end(Stage::kTrajectory, status);
-  memory.trajectory.origin = world().spec().origin;
+  memory.trajectory.origin = asked_.start.position;
   report_.high_water.segments = memory.trajectory.count;
   enter(Phase::kCheck);
   return status;
@@ -229,9 +234,10 @@ Status Planner::run_detour(Work& work) noexcept {
   if (!work.take()) return Status::kRunning;
   Layout& memory = layout(workspace_);
   StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
-  if (local_.budget.sight_lines - shortcut.work < kDetourLines) return end(Stage::kTrajectory, Status::kNoTrajectory);
+  if (asked_.budget.sight_lines - shortcut.work < kDetourLines) return end(Stage::kTrajectory, Status::kNoTrajectory);
   std::uint32_t lines = 0;
-  const bool found = take_detour(world(), has_fences_ ? &memory.fences : nullptr, local_, memory.path, lines);
+  const bool found =
+      take_detour(world(), has_fences_ ? &memory.fences : nullptr, to_local(*grid_, asked_), memory.path, lines);
   shortcut.work += lines;
   if (!found) return end(Stage::kTrajectory, Status::kNoTrajectory);
   report_.detours = 1;
@@ -245,7 +251,7 @@ Status Planner::run_detour(Work& work) noexcept {
 Status Planner::run_check(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{local_.start, local_.goal, local_.limits, has_fences_ ? &memory.fences : nullptr};
+  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.fences : nullptr};
   const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(report_, Stage::kCheck, stage.units, kCheckBound);
   if (status == Status::kRunning) return status;

@@ -77,14 +77,27 @@ Status Planner::accept_fences(const Request& request) noexcept {
   const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
   if (loaded != Status::kOk) return refuse(loaded, Field::kFences);
   const double radius = grid_->spec().radius;
-  const Vec3& start = local_.start.position;
-  const Vec3& goal = local_.goal.position;
+  const Vec3& start = memory.ends.start_in_grid;
+  const Vec3& goal = memory.ends.goal_in_grid;
   report_.fence = fence_broken(memory.fences, start, start, radius);
   if (report_.fence != kNoFence) return refuse(Status::kStartFenced, Field::kStartPosition);
   report_.fence = fence_broken(memory.fences, goal, goal, radius);
   if (report_.fence != kNoFence) return refuse(Status::kGoalFenced, Field::kGoalPosition);
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
   return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
+}
+
+/// The plan's frame has its origin in the start, in world coordinates as they were given.
+void Planner::set_ends() noexcept {
+  const Request local = to_local(*grid_, asked_);
+  FlightEnds& ends = static_cast<Layout*>(workspace_)->ends;
+  ends.start_in_grid = local.start.position;
+  ends.goal_in_grid = local.goal.position;
+  ends.origin_in_grid = local.start.position;
+  ends.start = asked_.start;
+  ends.goal = asked_.goal;
+  ends.start.position = {0.0, 0.0, 0.0};
+  ends.goal.position = asked_.goal.position - asked_.start.position;
 }
 
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {
@@ -99,7 +112,8 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, Field::kStorage);
   const Verdict verdict = validate(grid, request);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
-  local_ = to_local(grid, request);
+  asked_ = request;
+  set_ends();
   const Status fences = accept_fences(request);
   if (fences != Status::kRunning) return fences;
   revision_ = grid.revision();

@@ -1,0 +1,50 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How much the check forgives, and why. A tolerance is a distance that the planner allows itself, or follows from the
+// rounding of the numbers that are compared: a unit in the last place times a count of operations.
+#ifndef TERN_CHECK_TOLERANCE_HPP
+#define TERN_CHECK_TOLERANCE_HPP
+
+#include "tern/grid.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// Metres by which a control point may lie outside a half-space or the boundary, and a polyhedron within the radius of
+/// an obstacle: a start or a goal may be that much nearer than the radius, and a plan from there begins there.
+constexpr double kCheckDistance = 1e-9;
+
+/// Relative excess over a limit: braking may exceed a speed that the start already has by kBrakeTolerance.
+constexpr double kCheckRelative = 3e-8;
+
+/// A unit in the last place, relative: 2^-52.
+constexpr double kUlp = 1.0 / 4503599627370496.0;
+
+/// Metres that a half-space of the corridor may miss a voxel's corner by: its offset is a sum of three products of
+/// local coordinates, taken once by the corridor and once by the check, each rounded to half a unit in the last place.
+double grid_rounding(const Grid& grid) noexcept;
+constexpr double kGridUlps = 8.0;
+
+/// Metres between where the corridor has a point and where the trajectory has it: grid_rounding, and the subtraction of
+/// a world position from the grid's origin and from the plan's.
+double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept;
+constexpr double kWorldUlps = 2.0;
+
+/// What a face of the boundary may move by when it is put on the lattice (kLatticeTolerance of a voxel).
+double lattice_rounding(const Grid& grid) noexcept;
+
+/// Error of the derivative of that order (0 to 3) at an end of a segment whose control points are rounded: a control
+/// point is the sum of four products, good to kPointUlps units in the last place of the segment's largest coordinate;
+/// the k-th derivative is a k-th difference, a sum of 2^k control points at most, times 7! / (7 - k)! / duration^k.
+double derivative_rounding(const Segment& segment, int order) noexcept;
+constexpr double kPointUlps = 32.0;
+
+/// Error of a hodograph's control point computed from control points taken as they are: their differences round by
+/// units in the last place of the segment's extent.
+double hodograph_rounding(const Segment& segment, int order) noexcept;
+constexpr double kDifferenceUlps = 8.0;
+
+}  // namespace tern
+
+#endif

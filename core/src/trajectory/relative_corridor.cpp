@@ -1,0 +1,34 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/relative_corridor.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+Halfspace relative_plane(const Halfspace& plane, const Vec3& origin, const Vec3& from, const Vec3& to) {
+  const double offset = plane.offset - dot(plane.normal, origin);
+  const double far = larger(dot(plane.normal, from), dot(plane.normal, to));
+  return {plane.normal, larger(far, offset - kCorridorReserve)};
+}
+
+}  // namespace
+
+void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3& start, const Vec3& goal,
+                       Corridor& out) noexcept {
+  out.count = corridor.count;
+  for (int i = 0; i < corridor.count; ++i) {
+    const Polyhedron& in = corridor.polyhedra[i];
+    Polyhedron& relative = out.polyhedra[i];
+    relative.count = in.count;
+    relative.redundant = 0;
+    relative.from = i == 0 ? start : in.from - origin;
+    relative.to = i + 1 == corridor.count ? goal : in.to - origin;
+    for (int p = 0; p < in.count; ++p) {
+      relative.planes[p] = relative_plane(in.planes[p], origin, relative.from, relative.to);
+    }
+  }
+}
+
+}  // namespace tern
