@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdint>
 #include <new>
 
 #include "tern/tern.h"
