@@ -48,7 +48,7 @@ struct Budget {
   uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
 };
 
-/// How the front end shortens the jump-point path.
+/// How the front end shortens the jump-point path. Any other number is refused (field kShortcut).
 enum class ShortcutMode : uint8_t {
   kShortestChain = 0,    ///< shortest chain through mutually visible waypoints, supercover line of sight
   kGreedyBresenham = 1,  ///< the paper's Section 3.2.3, for comparison: greedy, one voxel a step; NOT safe, the

@@ -96,6 +96,7 @@ enum class Field : uint8_t {
   kAHorizontal,
   kTimeWeight,
   kFences,
+  kShortcut,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.
