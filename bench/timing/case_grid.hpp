@@ -3,6 +3,8 @@
 #ifndef TERN_BENCH_TIMING_CASE_GRID_HPP
 #define TERN_BENCH_TIMING_CASE_GRID_HPP
 
+#include <cstdint>
+
 #include "timing/cases.hpp"
 
 namespace tern_timing {

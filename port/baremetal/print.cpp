@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "baremetal/print.hpp"
 
+#include <cstdint>
+
 #include "baremetal/semihosting.hpp"
 
 namespace tern_board {

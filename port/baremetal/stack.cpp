@@ -3,6 +3,9 @@
 //
 // High-water mark of the stack, by paint: what a run wrote over no longer holds the pattern. A frame that happens to
 // write the pattern, or reserves and does not touch, is not seen; the call graph's bound stands beside it.
+#include <cstddef>
+#include <cstdint>
+
 #include "baremetal/board.hpp"
 
 extern "C" {

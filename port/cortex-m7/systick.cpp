@@ -5,6 +5,8 @@
 // better choice; QEMU leaves that at 0, and under -icount with a fixed shift SysTick is the same in every run.
 #include "cortex-m7/systick.hpp"
 
+#include <cstdint>
+
 #include "baremetal/board.hpp"
 #include "cortex-m7/registers.hpp"
 

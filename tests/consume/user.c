@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "tern/tern.h"
 
@@ -22,6 +23,7 @@ static int check_layout(void) {
   REQUIRE(tern_size_of(TERN_SIZE_TRAJECTORY) == sizeof(tern_trajectory));
   REQUIRE(tern_size_of(TERN_SIZE_REPORT) == sizeof(tern_report));
   REQUIRE(tern_size_of(TERN_SIZE_GRID_SPEC) == sizeof(tern_grid_spec));
+  REQUIRE(tern_size_of(99) == 0 && tern_size_of(-1) == 0);
   REQUIRE(tern_self_test(tern_configuration_hash(), NULL) == 0);
   REQUIRE(tern_self_test(tern_configuration_hash() + 1, NULL) != 0);
   return 0;
@@ -57,6 +59,10 @@ static int check_refusals(tern_planner* planner, const tern_grid* grid, tern_req
   request->start.position.x = 0.5;
   REQUIRE(tern_plan(planner, grid, request, trajectory, report) != 0);
   printf("refused as it must be: %s, %s\n", tern_status_name(report->status), tern_status_meaning(report->status));
+  request->shortcut = 77;
+  REQUIRE(tern_plan(planner, grid, request, trajectory, report) != 0);
+  REQUIRE(strcmp(tern_stage_name(report->stage), "request") == 0);
+  REQUIRE(strcmp(tern_field_name(report->field), "shortcut") == 0);
   return 0;
 }
 

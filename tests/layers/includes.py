@@ -2,7 +2,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """includes.py ROOT: fails where a stage of the core includes one to its right in the data flow, qp includes any stage,
-or a file of the core includes a header that the core must not know."""
+a file of the core includes a header that the core must not know, or a public header one of the C++ library."""
 import pathlib
 import re
 import sys
@@ -12,6 +12,8 @@ ORDER = ["base", "grid", "path", "corridor", "times", "qp", "trajectory", "check
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"}}
 # From the standard library the core takes types and placement, nothing that runs.
 SYSTEM = {"cstddef", "cstdint", "new", "stddef.h", "stdint.h", "stdbool.h", "Eigen/Core"}
+# The users of a public header may have no C++ library at all, as modules of NuttX.
+PUBLIC = {"stddef.h", "stdint.h", "stdbool.h"}
 
 
 def allowed(stage):
@@ -25,8 +27,8 @@ def problems(path, stage):
             continue
         name = match.group(2)
         if match.group(1) == "<":
-            if name not in SYSTEM:
-                yield f"{path}:{number}: <{name}> is not for the core"
+            if name not in (PUBLIC if stage is None else SYSTEM):
+                yield f"{path}:{number}: <{name}> is not for {'a public header' if stage is None else 'the core'}"
         elif not name.startswith("tern/"):
             other = name.split("/")[0]
             if stage is None or other not in allowed(stage):

@@ -3,6 +3,7 @@
 #ifndef TERN_HOST_SESSION_HPP
 #define TERN_HOST_SESSION_HPP
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #ifndef TERN_BENCH_TIMING_CAPS_CAP_HPP
 #define TERN_BENCH_TIMING_CAPS_CAP_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "tern/tern.hpp"

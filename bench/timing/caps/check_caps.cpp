@@ -3,6 +3,8 @@
 //
 // The check of as many polyhedra with as many half-spaces as there may be, in a comb of obstacles whose every run is
 // cut off by another half-space than the one before.
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "caps/cap.hpp"
 #include "check/check_stage.hpp"

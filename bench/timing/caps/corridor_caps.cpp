@@ -3,6 +3,8 @@
 //
 // One polyhedron among as many solid boxes as its local box may hold, so strewn that its half-spaces run out and the
 // local box shrinks several times.
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "caps/cap.hpp"
 #include "corridor/corridor_stage.hpp"

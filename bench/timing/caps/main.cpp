@@ -3,6 +3,8 @@
 //
 // The gate's second image: what each loop costs at its configured bound. Prints one CSV row a cap; gate.py fails where
 // a row did not reach its bound. docs/timing.md says what the rows mean and leave out.
+#include <cstddef>
+
 #include "baremetal/board.hpp"
 #include "caps/cap.hpp"
 

@@ -3,6 +3,8 @@
 //
 // A quadratic programme with the unknowns and more rows than the largest trajectory has, so made that rows enter and
 // leave for longer than they may.
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "caps/cap.hpp"
 #include "qp/solver.hpp"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The shortcut of a path with as many points as there may be, whose last point sees none of the others.
+#include <cstddef>
+
 #include "caps/cap.hpp"
 #include "path/shortcut.hpp"
 

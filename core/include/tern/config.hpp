@@ -105,13 +105,13 @@
 
 #ifdef __cplusplus
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 namespace tern {
 
-constexpr std::int64_t kMaxCells = TERN_MAX_CELLS;
-constexpr std::int32_t kMaxDimension = TERN_MAX_DIMENSION;
+constexpr int64_t kMaxCells = TERN_MAX_CELLS;
+constexpr int32_t kMaxDimension = TERN_MAX_DIMENSION;
 constexpr int kMaxNodes = TERN_MAX_NODES;
 constexpr int kMaxHeap = TERN_MAX_HEAP;
 constexpr int kMaxJumpPoints = TERN_MAX_JUMP_POINTS;
@@ -124,7 +124,7 @@ constexpr int kMaxQpIterations = TERN_MAX_QP_ITERATIONS;
 constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
 constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
-constexpr std::int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
+constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
 
 /// Distances that differ by less than this part of a voxel count as equal, so that boxes that lie on
 /// the lattice but for rounding do not take a further voxel. 1e-9 of a 0.1 m voxel is 0.1 nm.
@@ -134,7 +134,7 @@ constexpr double kLatticeTolerance = 1e-9;
 /// that polyhedra around it hold it with a margin and neighbours share a ball around a waypoint.
 constexpr double kSightMargin = 0.05;
 
-static_assert(kMaxCells <= std::int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");
+static_assert(kMaxCells <= int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");
 static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
 static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,

@@ -3,14 +3,14 @@
 #ifndef TERN_FENCE_HPP
 #define TERN_FENCE_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
 
-enum class FenceKind : std::uint8_t {
+enum class FenceKind : uint8_t {
   kKeepIn = 0,   ///< the robot's centre stays inside, as it stays inside the boundary; the radius plays no part
   kKeepOut = 1,  ///< the robot's centre keeps the grid's radius from it, as from an obstacle
 };
@@ -20,14 +20,14 @@ enum class FenceKind : std::uint8_t {
 /// without points keeps nothing out, a keep-in without points lets nothing in.
 struct Fence {
   const Halfspace* planes;  ///< the caller's; read while a plan begins
-  std::int32_t count;       ///< 1 or more
+  int32_t count;            ///< 1 or more
   FenceKind kind;
 };
 constexpr double kMinFenceNormal = 1e-6;
 constexpr double kMaxFenceNormal = 1e6;
 
 /// No fence, where one is named by its index in the request.
-constexpr std::int32_t kNoFence = -1;
+constexpr int32_t kNoFence = -1;
 
 /// Half-spaces of a box.
 constexpr int kBoxPlanes = 6;

@@ -6,7 +6,7 @@
 #ifndef TERN_FLATNESS_HPP
 #define TERN_FLATNESS_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
@@ -30,7 +30,7 @@ struct Yaw {
 };
 
 /// What of a flat state is a stand-in, because the vehicle's attitude is undefined there.
-enum class Singularity : std::uint8_t {
+enum class Singularity : uint8_t {
   kNone = 0,
   kFreeFall,   ///< thrust below kLeastThrust: level attitude, body rates of the yaw alone
   kHeading,    ///< thrust along the heading's left or right: nose at the heading, no rate about the thrust

@@ -8,8 +8,8 @@
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "tern/config.hpp"
 #include "tern/status.hpp"
@@ -35,7 +35,7 @@ constexpr double kMaxCell = 1e6;
 
 /// 64-bit words that a grid of these dimensions needs for both layers, for noting what changed, one bit for each word
 /// of a layer, and for telling contents apart, one word for 64; 0 for dimensions that do not fit.
-std::size_t grid_words(const Voxel& dims) noexcept;
+size_t grid_words(const Voxel& dims) noexcept;
 
 /// A grid over the caller's storage, which must outlive it. Copying copies the view, not the bits.
 ///
@@ -46,7 +46,7 @@ class Grid {
   /// Binds the grid to `words` (at least grid_words(spec.dims)) and clears it: no obstacle, and nothing free before
   /// inflate(). kNonFiniteInput / kInvalidArgument, with the field in *field where given; the grid and the words are
   /// then as they were.
-  Status bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field = nullptr) noexcept;
+  Status bind(const GridSpec& spec, uint64_t* words, size_t word_count, Field* field = nullptr) noexcept;
 
   // Every mark and clear answers kInvalidArgument on a grid that is not bound, and changes nothing unless kOk.
 
@@ -61,7 +61,7 @@ class Grid {
   /// Marks the voxel that holds each point (lower faces closed); points outside the grid are skipped. Returns how many
   /// were inside through *inside where given. kNonFiniteInput where any point is not finite, marking none;
   /// kInvalidArgument for null with count > 0.
-  Status mark_points(const Vec3* world, std::size_t count, std::size_t* inside = nullptr) noexcept;
+  Status mark_points(const Vec3* world, size_t count, size_t* inside = nullptr) noexcept;
 
   /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary: only the words near
   /// obstacles that changed since the last time are made again, equal to making all. Does nothing where nothing
@@ -74,7 +74,7 @@ class Grid {
   /// True where the blocked layer is up to date.
   bool inflated() const noexcept { return bound() && inflated_revision_ == revision_; }
   /// Grows by one with every bind, mark or clear that answered kOk.
-  std::uint64_t revision() const noexcept { return revision_; }
+  uint64_t revision() const noexcept { return revision_; }
 
   bool inside(const Voxel& v) const noexcept {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < spec_.dims.x && v.y < spec_.dims.y && v.z < spec_.dims.z;
@@ -84,17 +84,16 @@ class Grid {
   bool free(const Voxel& v) const noexcept { return inside(v) && !bit(blocked_, v); }
 
   /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in obstacles, 1 in blocked.
-  std::int32_t row_words() const noexcept { return row_words_; }
-  const std::uint64_t* obstacle_row(std::int32_t y, std::int32_t z) const noexcept { return obstacles_ + row(y, z); }
-  const std::uint64_t* blocked_row(std::int32_t y, std::int32_t z) const noexcept { return blocked_ + row(y, z); }
+  int32_t row_words() const noexcept { return row_words_; }
+  const uint64_t* obstacle_row(int32_t y, int32_t z) const noexcept { return obstacles_ + row(y, z); }
+  const uint64_t* blocked_row(int32_t y, int32_t z) const noexcept { return blocked_ + row(y, z); }
 
   /// Words of one layer.
-  std::size_t layer_words() const noexcept {
-    return static_cast<std::size_t>(spec_.dims.z) * static_cast<std::size_t>(spec_.dims.y) *
-           static_cast<std::size_t>(row_words_);
+  size_t layer_words() const noexcept {
+    return static_cast<size_t>(spec_.dims.z) * static_cast<size_t>(spec_.dims.y) * static_cast<size_t>(row_words_);
   }
   /// A view whose blocked layer is `words` (layer_words() of them), taken as they are, rows as in this grid's.
-  Grid with_blocked(std::uint64_t* words) const noexcept {
+  Grid with_blocked(uint64_t* words) const noexcept {
     Grid view = *this;
     view.blocked_ = words;
     view.contents_ = nullptr;
@@ -103,7 +102,7 @@ class Grid {
   /// A number for each region of the blocked layer (64 voxels along x and along y, one plane) that tells its content:
   /// where two numbers are equal, in one grid at two times or in two grids, so are the regions. Null for a view whose
   /// blocked layer was given. Written by inflate().
-  const std::uint64_t* contents() const noexcept { return contents_; }
+  const uint64_t* contents() const noexcept { return contents_; }
 
   /// Local frame (world minus origin).
   Vec3 to_local(const Vec3& world) const noexcept;
@@ -117,28 +116,28 @@ class Grid {
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
-  std::size_t row(std::int32_t y, std::int32_t z) const noexcept {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(spec_.dims.y) + static_cast<std::size_t>(y)) *
-           static_cast<std::size_t>(row_words_);
+  size_t row(int32_t y, int32_t z) const noexcept {
+    return (static_cast<size_t>(z) * static_cast<size_t>(spec_.dims.y) + static_cast<size_t>(y)) *
+           static_cast<size_t>(row_words_);
   }
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
-  void set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int32_t end, bool value) noexcept;
-  bool bit(const std::uint64_t* layer, const Voxel& v) const noexcept {
-    return ((layer[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
+  void set_row(int32_t y, int32_t z, int32_t begin, int32_t end, bool value) noexcept;
+  bool bit(const uint64_t* layer, const Voxel& v) const noexcept {
+    return ((layer[row(v.y, v.z) + static_cast<size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
   }
 
   GridSpec spec_{};
   Box local_boundary_{};
-  std::int32_t row_words_ = 0;
-  std::int32_t reach_x_ = 0;  // voxels along x that an obstacle blocks to either side
-  std::uint64_t revision_ = 0;
-  std::uint64_t inflated_revision_ = ~std::uint64_t{0};
-  std::uint64_t* obstacles_ = nullptr;
-  std::uint64_t* blocked_ = nullptr;
-  std::uint64_t* changes_ = nullptr;
-  std::uint64_t content_ = 0;          // of the obstacle layer
-  std::uint64_t* contents_ = nullptr;  // of the blocked layer's regions
+  int32_t row_words_ = 0;
+  int32_t reach_x_ = 0;  // voxels along x that an obstacle blocks to either side
+  uint64_t revision_ = 0;
+  uint64_t inflated_revision_ = ~uint64_t{0};
+  uint64_t* obstacles_ = nullptr;
+  uint64_t* blocked_ = nullptr;
+  uint64_t* changes_ = nullptr;
+  uint64_t content_ = 0;          // of the obstacle layer
+  uint64_t* contents_ = nullptr;  // of the blocked layer's regions
 };
 
 }  // namespace tern

@@ -3,8 +3,8 @@
 #ifndef TERN_PLANNER_HPP
 #define TERN_PLANNER_HPP
 
-#include <cstddef>
-#include <cstdint>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "tern/config.hpp"
 #include "tern/corridor.hpp"
@@ -21,7 +21,7 @@ struct Work;
 
 /// A platform's monotonic tick counter; `context` is the caller's. Used for Report::stages[].ticks only: no result
 /// depends on it.
-using ClockFn = std::uint64_t (*)(void* context);
+using ClockFn = uint64_t (*)(void* context);
 
 /// Grid and request in, checked trajectory out. The only facade; not thread-safe, but two planners over two
 /// workspaces are independent. Holds no state outside the workspace and itself.
@@ -30,7 +30,7 @@ class Planner {
   /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner,
   /// which keeps there from plan to plan what it found out about the map: nobody else may write to it, another planner
   /// least. Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
-  Planner(void* memory, std::size_t bytes) noexcept;
+  Planner(void* memory, size_t bytes) noexcept;
 
   /// Ticks for the report. Null (the default) reports no times.
   void set_clock(ClockFn clock, void* context) noexcept;
@@ -47,7 +47,7 @@ class Planner {
   Status begin(const Grid& grid, const Request& request) noexcept;
   /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, an iteration, a detour
   /// or a segment's check each.
-  Status step(std::uint32_t work) noexcept;
+  Status step(uint32_t work) noexcept;
   /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
 
@@ -57,7 +57,7 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : std::uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kCheck, kDone };
+  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
@@ -73,19 +73,19 @@ class Planner {
   Status run_detour(Work& work) noexcept;
   Status run_check(Work& work) noexcept;
   Stage stage_of_phase() const noexcept;
-  std::uint32_t attempts() const noexcept;
+  uint32_t attempts() const noexcept;
   void enter(Phase phase) noexcept;
 
   void* workspace_;  // aligned; null where the memory does not do
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;
-  std::uint64_t revision_ = 0;
+  uint64_t revision_ = 0;
   Phase phase_ = Phase::kIdle;
   bool has_fences_ = false;
-  std::int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
-  std::uint32_t planes_before_ = 0;  // work of the stages before the detour
-  std::uint32_t iterations_before_ = 0;
+  int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
+  uint32_t planes_before_ = 0;  // work of the stages before the detour
+  uint32_t iterations_before_ = 0;
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;

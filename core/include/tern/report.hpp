@@ -3,7 +3,7 @@
 #ifndef TERN_REPORT_HPP
 #define TERN_REPORT_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "tern/fence.hpp"
 #include "tern/status.hpp"
@@ -13,26 +13,26 @@ namespace tern {
 
 /// What one stage did. `bound` holds before the stage runs (contract C2): work <= bound always.
 struct StageReport {
-  std::uint32_t work;   ///< units: expansions, sight lines, planes, polyhedra timed, iterations, checks
-  std::uint32_t bound;  ///< the bound on it that follows from capacities, input sizes and budget
-  std::uint64_t ticks;  ///< of the caller's clock; 0 with no clock
+  uint32_t work;   ///< units: expansions, sight lines, planes, polyhedra timed, iterations, checks
+  uint32_t bound;  ///< the bound on it that follows from capacities, input sizes and budget
+  uint64_t ticks;  ///< of the caller's clock; 0 with no clock
 };
 
 /// Highest use of each capacity of config.hpp during the plan.
 struct HighWater {
-  std::int32_t nodes;
-  std::int32_t heap;
-  std::int32_t jump_points;
-  std::int32_t segments;
-  std::int32_t planes;         ///< of the fullest polyhedron
-  std::int32_t local_boxes;    ///< around the busiest segment
-  std::int32_t active;         ///< of the largest working set
-  std::int32_t qp_iterations;  ///< of the longest quadratic programme
-  std::int32_t qp_solves;
+  int32_t nodes;
+  int32_t heap;
+  int32_t jump_points;
+  int32_t segments;
+  int32_t planes;         ///< of the fullest polyhedron
+  int32_t local_boxes;    ///< around the busiest segment
+  int32_t active;         ///< of the largest working set
+  int32_t qp_iterations;  ///< of the longest quadratic programme
+  int32_t qp_solves;
 };
 
 /// What the trajectory is.
-enum class Quality : std::uint8_t {
+enum class Quality : uint8_t {
   kNone = 0,
   kHover,      ///< start equals goal: one segment that stays
   kStopAndGo,  ///< straight from waypoint to waypoint, at rest in each (contract C6)
@@ -52,21 +52,21 @@ struct Report {
   Vec3 nearest_free;  ///< world frame: centre of the free voxel nearest to an occupied start or goal
   StageReport stages[kStageCount];
   HighWater high_water;
-  std::int32_t fence = kNoFence;  ///< kStartFenced / kGoalFenced: which of Request::fences, the first that is broken
+  int32_t fence = kNoFence;  ///< kStartFenced / kGoalFenced: which of Request::fences, the first that is broken
 
   // The corridor's half-spaces, of all polyhedra together.
-  std::int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
-  std::int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
+  int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
+  int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
 
   /// 1 where an end moves too fast for the room around it on the path, and the plan leads along its motion first.
-  std::int32_t detours;
+  int32_t detours;
 
   // The optimiser's last quadratic programme.
-  std::int32_t qp_variables;
-  std::int32_t qp_inequalities;
-  std::int32_t qp_active;
-  std::int32_t qp_iterations;  ///< of all quadratic programmes together
-  double kkt_residual;         ///< relative; see docs/qp.md
+  int32_t qp_variables;
+  int32_t qp_inequalities;
+  int32_t qp_active;
+  int32_t qp_iterations;  ///< of all quadratic programmes together
+  double kkt_residual;    ///< relative; see docs/qp.md
 };
 
 }  // namespace tern

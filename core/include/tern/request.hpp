@@ -3,7 +3,7 @@
 #ifndef TERN_REQUEST_HPP
 #define TERN_REQUEST_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "tern/fence.hpp"
 #include "tern/vec3.hpp"
@@ -42,14 +42,14 @@ constexpr double kMaxTimeWeight = 1e6;
 
 /// Work that a plan may spend, counted, never timed (contract C7). The stage bounds of config.hpp hold besides.
 struct Budget {
-  std::uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
-  std::uint32_t sight_lines = 0xFFFFFFFFu;  ///< steps of the shortcut, each a line of sight or a trial
-  std::uint32_t planes = 0xFFFFFFFFu;       ///< half-spaces made by the corridor
-  std::uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
+  uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
+  uint32_t sight_lines = 0xFFFFFFFFu;  ///< steps of the shortcut, each a line of sight or a trial
+  uint32_t planes = 0xFFFFFFFFu;       ///< half-spaces made by the corridor
+  uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
 };
 
-/// How the front end shortens the jump-point path.
-enum class ShortcutMode : std::uint8_t {
+/// How the front end shortens the jump-point path. Any other number is refused (field kShortcut).
+enum class ShortcutMode : uint8_t {
   kShortestChain = 0,    ///< shortest chain through mutually visible waypoints, supercover line of sight
   kGreedyBresenham = 1,  ///< the paper's Section 3.2.3, for comparison: greedy, one voxel a step; NOT safe, the
                          ///< plan is refused by the check where a corner was cut
@@ -64,7 +64,7 @@ struct Request {
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
   double time_weight = kDefaultTimeWeight;  ///< within [kMinTimeWeight, kMaxTimeWeight]
   const Fence* fences = nullptr;            ///< geofences; the caller's, read while a plan begins
-  std::int32_t fence_count = 0;             ///< 0 .. kMaxFences
+  int32_t fence_count = 0;                  ///< 0 .. kMaxFences
 };
 
 }  // namespace tern

@@ -3,28 +3,32 @@
 #ifndef TERN_SELF_TEST_HPP
 #define TERN_SELF_TEST_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 #include "tern/config.hpp"
 #include "tern/status.hpp"
 
 namespace tern {
 
+/// FNV-1a over whole numbers, in the order given.
+constexpr uint64_t hash_of(uint64_t hash) noexcept {
+  return hash;
+}
+template <typename... Rest>
+constexpr uint64_t hash_of(uint64_t hash, int64_t value, Rest... rest) noexcept {
+  return hash_of((hash ^ static_cast<uint64_t>(value)) * 0x100000001B3u, rest...);
+}
+
 /// A hash of every capacity and of the ABI number: equal exactly where the headers were compiled with the same
 /// configuration.
-constexpr std::uint64_t configuration_hash() noexcept {
-  const std::int64_t values[] = {kMaxCells,    kMaxDimension, kMaxNodes,       kMaxHeap,      kMaxJumpPoints,
-                                 kMaxSegments, kMaxPlanes,    kMaxLocalBoxes,  kMaxActive,    kMaxQpIterations,
-                                 kMaxQpSolves, kMaxFences,    kMaxFencePlanes, kMaxFenceWords};
-  std::uint64_t hash = 0xCBF29CE484222325u;
-  for (const std::int64_t value : values) {
-    hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001B3u;
-  }
-  return hash;
+constexpr uint64_t configuration_hash() noexcept {
+  return hash_of(0xCBF29CE484222325u, kMaxCells, kMaxDimension, kMaxNodes, kMaxHeap, kMaxJumpPoints, kMaxSegments,
+                 kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves, kMaxFences, kMaxFencePlanes,
+                 kMaxFenceWords);
 }
 
 /// What a self-test found wrong, one bit each; 0 is healthy.
-enum SelfTestFault : std::uint32_t {
+enum SelfTestFault : uint32_t {
   kFaultFlushToZero = 1u << 0,    ///< denormals are flushed: some part of the program was linked with -ffast-math
   kFaultRoundingMode = 1u << 1,   ///< not round-to-nearest-even
   kFaultContraction = 1u << 2,    ///< a * b + c was fused: the core was compiled without -ffp-contract=off
@@ -34,7 +38,7 @@ enum SelfTestFault : std::uint32_t {
 
 /// Run once at start-up, and again in any thread that plans: the floating-point mode belongs to the thread.
 /// `hash` is the caller's configuration_hash(). kOk or kSelfTestFailed, with the faults in *faults where given.
-Status self_test(std::uint64_t hash, std::uint32_t* faults) noexcept;
+Status self_test(uint64_t hash, uint32_t* faults) noexcept;
 
 }  // namespace tern
 

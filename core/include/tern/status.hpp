@@ -3,13 +3,13 @@
 #ifndef TERN_STATUS_HPP
 #define TERN_STATUS_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace tern {
 
 /// What became of a call. Grouped by whose fault it is; the values are part of the ABI.
 /// Whatever is neither kOk nor kRunning leaves the caller's output untouched.
-enum class Status : std::uint8_t {
+enum class Status : uint8_t {
   kOk = 0,
   kRunning = 1,  ///< a sliced plan has work left: call step() again
 
@@ -59,7 +59,7 @@ enum class Status : std::uint8_t {
 };
 
 /// The stages of a plan, in the order that data flows through them.
-enum class Stage : std::uint8_t {
+enum class Stage : uint8_t {
   kRequest = 0,  ///< validation of the request, before any stage
   kSearch,       ///< jump point search
   kShortcut,     ///< shortest chain of visible waypoints
@@ -71,7 +71,7 @@ enum class Stage : std::uint8_t {
 constexpr int kStageCount = 7;
 
 /// The field of a request or grid that a status speaks of.
-enum class Field : std::uint8_t {
+enum class Field : uint8_t {
   kNone = 0,
   kStartPosition,
   kStartVelocity,
@@ -96,6 +96,7 @@ enum class Field : std::uint8_t {
   kAHorizontal,
   kTimeWeight,
   kFences,
+  kShortcut,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

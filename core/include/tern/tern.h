@@ -58,7 +58,7 @@ typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
-  uint8_t shortcut;
+  uint8_t shortcut;   /* 0 shortest chain, 1 greedy and not safe: see tern::ShortcutMode; no other number */
   double time_weight; /* tern_request_init sets the default */
   const tern_fence* fences;
   int32_t fence_count;
@@ -107,12 +107,15 @@ typedef enum {
 /* The library's TERN_ABI, configuration hash and sizes: compare at start-up. */
 int32_t tern_abi(void);
 uint64_t tern_configuration_hash(void);
-size_t tern_size_of(tern_size what);
+size_t tern_size_of(int32_t what); /* a tern_size; 0 for any other number */
 
 /* The status' name ("ok", "no_path", ...) and one sentence on it. Every function below that answers uint8_t answers a
- * tern::Status; 0 is ok. */
+ * tern::Status; 0 is ok. Likewise the names of a report's stage and field. Any number has a name: "unknown" where it
+ * is none of this version's. */
 const char* tern_status_name(uint8_t status);
 const char* tern_status_meaning(uint8_t status);
+const char* tern_stage_name(uint8_t stage);
+const char* tern_field_name(uint8_t field);
 
 /* Flush-to-zero, rounding mode, compiler flags, arithmetic, and `hash` against the library's configuration. `faults`
  * may be null. */

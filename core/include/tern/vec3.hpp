@@ -3,7 +3,7 @@
 #ifndef TERN_VEC3_HPP
 #define TERN_VEC3_HPP
 
-#include <cstdint>
+#include <stdint.h>
 
 namespace tern {
 
@@ -16,9 +16,9 @@ struct Vec3 {
 
 /// A voxel's integer coordinates in a grid, counted from the grid's lower corner.
 struct Voxel {
-  std::int32_t x;
-  std::int32_t y;
-  std::int32_t z;
+  int32_t x;
+  int32_t y;
+  int32_t z;
 };
 
 /// An axis-aligned box, lower <= upper on every axis; a zero extent is a plate, a rod or a point.

@@ -125,6 +125,7 @@ const char* field_name(Field field) noexcept {
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
+    case Field::kShortcut: return "shortcut";
   }
   return "unknown";
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/local_boxes.hpp"
 
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 

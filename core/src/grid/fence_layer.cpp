@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/fence_layer.hpp"
 
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 

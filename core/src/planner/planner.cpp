@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern/planner.hpp"
 
+#include <cstddef>
+
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "planner/layout.hpp"

@@ -89,6 +89,11 @@ Verdict check_states(const Request& request) {
   return kAccepted;
 }
 
+/// From C any byte may come.
+bool known(ShortcutMode mode) {
+  return mode == ShortcutMode::kShortestChain || mode == ShortcutMode::kGreedyBresenham;
+}
+
 bool in_map(const Grid& grid, const Vec3& world) {
   const Vec3 local = grid.to_local(world);
   const Box boundary = grid.local_boundary();
@@ -120,6 +125,7 @@ Verdict validate(const Grid& grid, const Request& request) noexcept {
   if (request.time_weight < kMinTimeWeight || request.time_weight > kMaxTimeWeight) {
     return {Status::kLimitsInvalid, Field::kTimeWeight};
   }
+  if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
   return check_states(request);

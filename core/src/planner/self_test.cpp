@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern/self_test.hpp"
 
+#include <cstdint>
+
 #include "base/math.hpp"
 
 namespace tern {

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdint>
 #include <new>
 
 #include "tern/tern.h"
@@ -41,7 +43,7 @@ std::uint64_t tern_configuration_hash(void) {
   return tern::configuration_hash();
 }
 
-std::size_t tern_size_of(tern_size what) {
+std::size_t tern_size_of(std::int32_t what) {
   switch (what) {
     case TERN_SIZE_REQUEST:
       return sizeof(tern::Request);
@@ -65,6 +67,14 @@ const char* tern_status_name(std::uint8_t status) {
 
 const char* tern_status_meaning(std::uint8_t status) {
   return tern::status_meaning(static_cast<Status>(status));
+}
+
+const char* tern_stage_name(std::uint8_t stage) {
+  return tern::stage_name(static_cast<tern::Stage>(stage));
+}
+
+const char* tern_field_name(std::uint8_t field) {
+  return tern::field_name(static_cast<tern::Field>(field));
 }
 
 std::uint8_t tern_self_test(std::uint64_t hash, std::uint32_t* faults) {

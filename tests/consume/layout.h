@@ -1,0 +1,54 @@
+/* Copyright (c) 2026, the Tern authors
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Where each field of the C interface lies: TERN_LAYOUT(FIELD) calls FIELD(type, field) for every one. Compiled as C and
+ * as C++ it must give the same numbers. */
+#ifndef TERN_TESTS_CONSUME_LAYOUT_H
+#define TERN_TESTS_CONSUME_LAYOUT_H
+
+#include "tern/tern.h"
+
+#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD)
+
+#define TERN_LAYOUT_IN(FIELD)                                                                                        \
+  FIELD(tern_vec3, x) FIELD(tern_vec3, y) FIELD(tern_vec3, z)                                                        \
+  FIELD(tern_voxel, x) FIELD(tern_voxel, y) FIELD(tern_voxel, z)                                                     \
+  FIELD(tern_box, lower) FIELD(tern_box, upper)                                                                      \
+  FIELD(tern_grid_spec, origin) FIELD(tern_grid_spec, cell) FIELD(tern_grid_spec, dims)                              \
+  FIELD(tern_grid_spec, boundary) FIELD(tern_grid_spec, radius)                                                      \
+  FIELD(tern_state, position) FIELD(tern_state, velocity) FIELD(tern_state, acceleration)                            \
+  FIELD(tern_limits, v_max) FIELD(tern_limits, a_max) FIELD(tern_limits, v_min) FIELD(tern_limits, a_min)            \
+  FIELD(tern_limits, v_horizontal) FIELD(tern_limits, a_horizontal)                                                  \
+  FIELD(tern_budget, expansions) FIELD(tern_budget, sight_lines) FIELD(tern_budget, planes)                          \
+  FIELD(tern_budget, iterations)                                                                                     \
+  FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
+  FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
+  FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
+  FIELD(tern_request, shortcut) FIELD(tern_request, time_weight) FIELD(tern_request, fences)                         \
+  FIELD(tern_request, fence_count)                                                                                   \
+  FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
+
+#define TERN_LAYOUT_OUT(FIELD)                                                                                       \
+  FIELD(tern_segment, duration) FIELD(tern_segment, points) FIELD(tern_segment, polyhedron)                          \
+  FIELD(tern_trajectory, count) FIELD(tern_trajectory, origin) FIELD(tern_trajectory, segments)                      \
+  FIELD(tern_sample, position) FIELD(tern_sample, velocity) FIELD(tern_sample, acceleration)                         \
+  FIELD(tern_sample, jerk) FIELD(tern_sample, snap)                                                                  \
+  FIELD(tern_flat_state, thrust) FIELD(tern_flat_state, attitude) FIELD(tern_flat_state, quaternion)                 \
+  FIELD(tern_flat_state, body_rates) FIELD(tern_flat_state, singularity)                                             \
+  FIELD(tern_stage_report, work) FIELD(tern_stage_report, bound) FIELD(tern_stage_report, ticks)                     \
+  FIELD(tern_high_water, nodes) FIELD(tern_high_water, heap) FIELD(tern_high_water, jump_points)                     \
+  FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
+  FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
+  FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \
+  FIELD(tern_report, has_nearest_free) FIELD(tern_report, timing_known) FIELD(tern_report, quality)                  \
+  FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free) FIELD(tern_report, stages)                          \
+  FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, half_spaces)                           \
+  FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
+  FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
+  FIELD(tern_report, kkt_residual)
+
+/* A field's place and size, and the size of the type that it is in. */
+typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;
+#define TERN_LAYOUT_ENTRY(type, field) {#type, #field, offsetof(type, field), sizeof(((type*)0)->field), sizeof(type)},
+
+#endif

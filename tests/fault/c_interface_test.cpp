@@ -1,0 +1,85 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What C can pass and C++ never would: numbers that are no value of an enumeration. Each has an answer, and the
+// sanitizers' build finds none of them undefined.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "support/world.hpp"
+#include "tern/tern.h"
+
+namespace {
+
+using tern::Field;
+using tern::Status;
+using tern_test::World;
+
+/// Writes a byte as C would: no value of the enumeration need have it.
+template <typename Enumeration>
+void set_byte(Enumeration& value, int byte) {
+  static_assert(sizeof value == 1, "a byte in C");
+  std::memset(&value, byte, 1);
+}
+
+World open_world() {
+  World world({20, 20, 10}, 0.1, 0.1);
+  world.from({0.55, 0.55, 0.55}).to({1.45, 1.45, 0.55});
+  return world;
+}
+
+TEST(CInterface, SizesOfNothing) {
+  for (const int what : {-1, 6, 7, 8, 99, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    EXPECT_EQ(tern_size_of(what), 0u) << what;
+  }
+  EXPECT_EQ(tern_size_of(TERN_SIZE_REPORT), sizeof(tern_report));
+}
+
+TEST(CInterface, EveryByteHasNames) {
+  int named = 0;
+  for (int byte = 0; byte < 256; ++byte) {
+    const auto value = static_cast<std::uint8_t>(byte);
+    named += std::strcmp(tern_status_name(value), "unknown") != 0 ? 1 : 0;
+    EXPECT_GT(std::strlen(tern_status_meaning(value)), 0u) << byte;
+    EXPECT_GT(std::strlen(tern_stage_name(value)), 0u) << byte;
+    EXPECT_GT(std::strlen(tern_field_name(value)), 0u) << byte;
+  }
+  EXPECT_GT(named, 30);
+  EXPECT_STREQ(tern_status_name(200), "unknown");
+  EXPECT_STREQ(tern_stage_name(200), "unknown");
+  EXPECT_STREQ(tern_field_name(200), "unknown");
+  EXPECT_STREQ(tern_stage_name(1), "search");
+  EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kShortcut)), "shortcut");
+}
+
+TEST(CInterface, UnknownShortcutIsRefused) {
+  World world = open_world();
+  for (int byte = 0; byte < 256; ++byte) {
+    set_byte(world.request.shortcut, byte);
+    const Status expected = byte < 2 ? Status::kOk : Status::kInvalidArgument;
+    EXPECT_EQ(world.plan(), expected) << byte;
+    EXPECT_EQ(world.report.field, byte < 2 ? Field::kNone : Field::kShortcut) << byte;
+    EXPECT_EQ(world.trajectory_untouched(), byte >= 2) << byte;
+  }
+}
+
+TEST(CInterface, UnknownFenceKindIsRefused) {
+  World world = open_world();
+  tern::Halfspace planes[tern::kBoxPlanes];
+  tern::box_planes({{0.0, 0.0, 0.0}, {2.0, 2.0, 1.0}}, planes);
+  tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepIn};
+  world.request.fences = &fence;
+  world.request.fence_count = 1;
+  EXPECT_EQ(world.plan(), Status::kOk);
+  for (int byte = 2; byte < 256; ++byte) {
+    set_byte(fence.kind, byte);
+    EXPECT_EQ(world.plan(), Status::kInvalidArgument) << byte;
+    EXPECT_EQ(world.report.field, Field::kFences) << byte;
+    EXPECT_TRUE(world.trajectory_untouched()) << byte;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""headers.py ROOT COMPILER...: every public header must compile alone, without the C++ standard library's headers, in
+each standard that it promises, with each of these C++ compilers. tern.h must compile as C too."""
+import pathlib
+import subprocess
+import sys
+
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"]
+CXX = ["c++11", "gnu++11", "gnu++14", "c++17"]
+C = ["c99", "c11"]
+
+
+def compiles(compiler, language, standard, include, header):
+    command = [compiler, "-x", language, f"-std={standard}", "-fsyntax-only", *WARNINGS, f"-I{include}", "-"]
+    if language == "c++":
+        command.insert(1, "-nostdinc++")
+    done = subprocess.run(command, input=f'#include "tern/{header.name}"\n', capture_output=True, text=True)
+    if done.returncode != 0:
+        print(f"{' '.join(command)} < {header.name}\n{done.stderr}")
+    return done.returncode == 0
+
+
+def main():
+    include = pathlib.Path(sys.argv[1]) / "core/include"
+    headers = sorted(include.glob("tern/*.h*"))
+    tried = [(compiler, "c++", standard, header) for compiler in sys.argv[2:] for standard in CXX for header in headers]
+    tried += [(compiler, "c", standard, include / "tern/tern.h") for compiler in sys.argv[2:] for standard in C]
+    bad = [case for case in tried if not compiles(case[0], case[1], case[2], include, case[3])]
+    print(f"{len(headers)} headers, {len(tried)} compilations, {len(bad)} failed")
+    return 1 if bad or not headers or not tried else 0
+
+
+sys.exit(main())
