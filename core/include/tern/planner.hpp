@@ -57,7 +57,7 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kCheck, kDone };
+  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kEscape, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
@@ -73,7 +73,20 @@ class Planner {
   Status run_detour(Work& work) noexcept;
   Status run_check(Work& work) noexcept;
   Stage stage_of_phase() const noexcept;
-  uint32_t attempts() const noexcept;
+  Status run_escape(Work& work) noexcept;
+  Status fail(Stage stage, Status status) noexcept;
+  Status fall_back(Status why) noexcept;
+  void report_trajectory() noexcept;
+  bool escape_may_help(Status status) const noexcept;
+  void begin_escape() noexcept;
+  void rest_at_escapes() noexcept;
+  State asked_end(int end) const noexcept;
+  bool rests() const noexcept;
+  uint32_t searches() const noexcept;
+  uint32_t corridors() const noexcept;
+  uint32_t escape_planes() const noexcept;
+  uint32_t before(Stage stage) const noexcept { return before_[static_cast<int>(stage)]; }
+  void count(Stage stage, uint32_t work, uint32_t budget, uint32_t bound) noexcept;
   void enter(Phase phase) noexcept;
 
   void* workspace_;  // aligned; null where the memory does not do
@@ -84,8 +97,12 @@ class Planner {
   Phase phase_ = Phase::kIdle;
   bool has_fences_ = false;
   int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
-  uint32_t planes_before_ = 0;  // work of the stages before the detour
-  uint32_t iterations_before_ = 0;
+  uint32_t before_[kStageCount] = {};  // work of each stage when the phase began
+  uint32_t escapes_ = 0;               // tried
+  bool stop_and_go_ = false;           // the optimiser's plan was refused,
+  Status refused_ = Status::kOk;       // for this
+  Stage failed_stage_ = Stage::kRequest;
+  Status failed_status_ = Status::kOk;
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;

@@ -58,7 +58,8 @@ struct Report {
   int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
   int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
 
-  /// 1 where an end moves too fast for the room around it on the path, and the plan leads along its motion first.
+  /// Where an end moves too fast for the room around it on the path: 1, the path leads along its motion first; 2, the
+  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest).
   int32_t detours;
 
   // The optimiser's last quadratic programme.

@@ -15,7 +15,7 @@ namespace tern {
 /// an obstacle: a start or a goal may be that much nearer than the radius, and a plan from there begins there.
 constexpr double kCheckDistance = 1e-9;
 
-/// Relative excess over a limit: braking may exceed a speed that the start already has by kBrakeTolerance.
+/// Relative excess over a limit: a stop may exceed a speed limit by kStopTolerance.
 constexpr double kCheckRelative = 3e-8;
 
 /// A unit in the last place, relative: 2^-52.

@@ -84,22 +84,38 @@ const Vec3& lowest(const Vec3& normal, const Hull& hull) {
   return hull.points[best];
 }
 
+const Vec3& highest(const Vec3& normal, const Hull& hull) {
+  int best = 0;
+  for (int k = 1; k < hull.count; ++k) {
+    if (dot(normal, hull.points[best]) < dot(normal, hull.points[k])) best = k;
+  }
+  return hull.points[best];
+}
+
 }  // namespace
 
 double hull_support(const Vec3& normal, const Hull& hull) noexcept {
   return dot(normal, lowest(normal, hull));
 }
 
+double hull_reach(const Vec3& normal, const Hull& hull) noexcept {
+  return dot(normal, highest(normal, hull));
+}
+
 HullGap segment_hull_gap(const Vec3& from, const Vec3& to, const Hull& hull) noexcept {
+  const Vec3 ends[2] = {from, to};
+  return hull_gap({ends, 2}, hull);
+}
+
+HullGap hull_gap(const Hull& first, const Hull& second) noexcept {
   HullGap gap{{0.0, 0.0, 0.0}, 0.0};
-  Vec3 toward = hull.points[0] - from;
+  Vec3 toward = second.points[0] - first.points[0];
   Simplex simplex{{toward, toward, toward, toward}, 1};
   for (int step = 0; step < kGapSteps; ++step) {
     const double norm = length(toward);
     if (norm < kMeeting) return gap;
     const Vec3 normal = (1.0 / norm) * toward;
-    const Vec3& far = dot(normal, from) < dot(normal, to) ? to : from;
-    const Vec3 difference = lowest(normal, hull) - far;
+    const Vec3 difference = lowest(normal, second) - highest(normal, first);
     const double distance = dot(normal, difference);
     if (distance > gap.distance) gap = {normal, distance};
     if (norm - gap.distance <= kSettled * norm) return gap;

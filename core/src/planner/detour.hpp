@@ -16,6 +16,9 @@
 
 namespace tern {
 
+/// Report::detours of a plan that took one.
+constexpr std::int32_t kDetoured = 1;
+
 /// Waypoints that a stopping point may lead on to, counted from its end of the path.
 constexpr int kOnwardWaypoints = 4;
 

@@ -8,6 +8,7 @@
 #include "grid/fence_layer.hpp"
 #include "grid/fences.hpp"
 #include "path/path_stage.hpp"
+#include "planner/escape.hpp"
 #include "tern/workspace.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
@@ -36,6 +37,7 @@ struct Layout {
   Corridor corridor;
   Trajectory trajectory;
   FlightEnds ends;
+  Escape escapes[2];  ///< the start's and the goal's
   Fences fences;
   Grid fenced;  ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;

@@ -1,33 +1,16 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The planner's phases: one a stage state in the workspace. Each runs a slice of its stage, copies what the stage
-// counted into the report, and enters the next phase or ends the plan.
-#include "base/math.hpp"
+// Which phase follows which: each runs a slice of its stage and enters the next one, or ends the plan.
 #include "base/work.hpp"
-#include "planner/detour.hpp"
 #include "planner/layout.hpp"
-#include "planner/request.hpp"
 #include "tern/planner.hpp"
-#include "trajectory/relative_corridor.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {
 
 Layout& layout(void* workspace) {
   return *static_cast<Layout*>(workspace);
-}
-
-void count(Report& report, Stage stage, std::uint32_t work, std::uint32_t bound) {
-  StageReport& entry = report.stages[static_cast<int>(stage)];
-  entry.work = work;
-  entry.bound = bound;
-}
-
-/// A high-water mark: the detour's stages do not lower it.
-void raise(std::int32_t& mark, std::int32_t value) {
-  if (mark < value) mark = value;
 }
 
 }  // namespace
@@ -46,6 +29,8 @@ Stage Planner::stage_of_phase() const noexcept {
       return Stage::kTrajectory;
     case Phase::kDetour:
       return Stage::kShortcut;
+    case Phase::kEscape:
+      return Stage::kCorridor;
     case Phase::kCheck:
       return Stage::kCheck;
     case Phase::kIdle:
@@ -57,17 +42,24 @@ Stage Planner::stage_of_phase() const noexcept {
 
 void Planner::enter(Phase phase) noexcept {
   Layout& memory = layout(workspace_);
+  const Fences* const fences = has_fences_ ? &memory.fences : nullptr;
   phase_ = phase;
+  for (int s = 0; s < kStageCount; ++s) before_[s] = report_.stages[s].work;
   switch (phase) {
     case Phase::kPath: {
-      const PathQuery query{memory.ends.start_in_grid, memory.ends.goal_in_grid,
-                            asked_.shortcut,           asked_.budget.expansions,
-                            asked_.budget.sight_lines, has_fences_ ? &memory.fences : nullptr};
+      const PathQuery query{memory.ends.start_in_grid,
+                            memory.ends.goal_in_grid,
+                            asked_.shortcut,
+                            asked_.budget.expansions - before(Stage::kSearch),
+                            asked_.budget.sight_lines - before(Stage::kShortcut),
+                            fences};
       return path_begin(memory.stage.path, memory.scans, world(), query);
     }
     case Phase::kCorridor:
-      return corridor_begin(memory.stage.corridor, world(), memory.path, asked_.budget.planes - planes_before_,
-                            has_fences_ ? &memory.fences : nullptr);
+      return corridor_begin(memory.stage.corridor, world(), memory.path,
+                            asked_.budget.planes - before(Stage::kCorridor), fences);
+    case Phase::kEscape:
+      return begin_escape();
     case Phase::kCheck:
       return check_begin(memory.stage.check);
     case Phase::kFences:
@@ -103,6 +95,9 @@ Status Planner::run_phase(Work& work) noexcept {
     case Phase::kDetour:
       status = run_detour(work);
       break;
+    case Phase::kEscape:
+      status = run_escape(work);
+      break;
     case Phase::kCheck:
       status = run_check(work);
       break;
@@ -115,147 +110,6 @@ Status Planner::run_phase(Work& work) noexcept {
   if (after < before) report_.timing_known = false;
   report_.stages[static_cast<int>(stage)].ticks += after - before;
   return status;
-}
-
-/// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
-Status Planner::run_fences(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
-  const Fences& fences = memory.fences;
-  for (; fences_blocked_ <= fences.keep_out_count; ++fences_blocked_) {
-    if (!work.take()) return Status::kRunning;
-    if (fences_blocked_ == 0) {
-      block_outside(fences, memory.fence_layer, memory.fenced);
-    } else {
-      block_keep_out(fences, fences.keep_out[fences_blocked_ - 1], memory.fence_layer, memory.fenced);
-    }
-    count(report_, Stage::kRequest, static_cast<std::uint32_t>(fences_blocked_) + 1, kMaxFences + 1);
-  }
-  enter(Phase::kPath);
-  return Status::kOk;
-}
-
-Status Planner::run_path(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
-  PathStage& stage = memory.stage.path;
-  const Status status = path_advance(stage, world(), work, memory.path);
-  count(report_, Stage::kSearch, stage.expansions, least(asked_.budget.expansions, kSearchBound));
-  count(report_, Stage::kShortcut, stage.sight_lines,
-        least(asked_.budget.sight_lines, shortcut_bound(stage.query.mode) + (attempts() - 1) * kDetourLines));
-  report_.high_water.nodes = stage.nodes_high;
-  report_.high_water.heap = stage.heap_high;
-  report_.high_water.jump_points = stage.raw_high;
-  report_.high_water.segments = stage.segments_high;
-  if (status == Status::kRunning) return status;
-  if (status != Status::kOk) {
-    report_.raw_occupied = stage.raw_occupied;
-    report_.has_nearest_free = stage.has_nearest_free;
-    if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
-    return end(stage.stage, status);
-  }
-  has_path_ = true;
-  enter(Phase::kCorridor);
-  return status;
-}
-
-/// How often corridor and trajectory may be made: a second time where an end moves, after a detour.
-std::uint32_t Planner::attempts() const noexcept {
-  return at_rest(asked_.start) && at_rest(asked_.goal) ? 1 : 2;
-}
-
-Status Planner::run_corridor(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
-  CorridorStage& stage = memory.stage.corridor;
-  const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
-  count(report_, Stage::kCorridor, planes_before_ + stage.planes,
-        least(asked_.budget.planes, attempts() * kCorridorBound));
-  raise(report_.high_water.planes, stage.planes_high);
-  raise(report_.high_water.local_boxes, stage.boxes_high);
-  if (status == Status::kRunning) return status;
-  if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
-  if (status != Status::kOk) {
-    // That the detour has no corridor does not make the path's own one unflyable for any other reason.
-    if (report_.detours != 0) return end(Stage::kTrajectory, Status::kNoTrajectory);
-    return end(Stage::kCorridor, status);
-  }
-  report_.half_spaces = 0;
-  report_.half_spaces_redundant = 0;
-  for (int i = 0; i < memory.corridor.count; ++i) {
-    report_.half_spaces += memory.corridor.polyhedra[i].count;
-    report_.half_spaces_redundant += memory.corridor.polyhedra[i].redundant;
-  }
-  has_corridor_ = true;
-  enter(Phase::kTimes);
-  return status;
-}
-
-Status Planner::run_times() noexcept {
-  Layout& memory = layout(workspace_);
-  const FlightEnds& ends = memory.ends;
-  const TrajectoryQuery query{ends.start, ends.goal, asked_.limits, asked_.time_weight,
-                              asked_.budget.iterations - iterations_before_};
-  TrajectoryMemory& trajectory = memory.stage.trajectory;
-  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, trajectory.corridor);
-  trajectory_begin(trajectory.stage, trajectory.corridor, query);
-  count(report_, Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kMaxSegments);
-  enter(Phase::kTrajectory);
-  return Status::kOk;
-}
-
-Status Planner::run_trajectory(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
-  TrajectoryStage& stage = memory.stage.trajectory.stage;
-  const Status status = trajectory_advance(stage, memory.stage.trajectory.corridor, work, memory.trajectory);
-  const std::uint32_t iterations = iterations_before_ + stage.iterations;
-  count(report_, Stage::kTrajectory, iterations, least(asked_.budget.iterations, attempts() * kTrajectoryBound));
-  raise(report_.high_water.active, stage.active_high);
-  raise(report_.high_water.qp_iterations, stage.longest_solve);
-  raise(report_.high_water.qp_solves, stage.solves);
-  if (status == Status::kRunning) return status;
-  report_.quality = stage.quality;
-  report_.optimiser = stage.optimiser;
-  report_.qp_variables = stage.variables;
-  report_.qp_inequalities = stage.inequalities;
-  report_.qp_active = stage.active;
-  report_.qp_iterations = static_cast<std::int32_t>(iterations);
-  report_.kkt_residual = stage.kkt_residual;
-  if (status == Status::kNoTrajectory && report_.detours == 0) {
-    enter(Phase::kDetour);
-    return status;
-  }
-  if (status != Status::kOk) return end(Stage::kTrajectory, status);
-  memory.trajectory.origin = asked_.start.position;
-  report_.high_water.segments = memory.trajectory.count;
-  enter(Phase::kCheck);
-  return status;
-}
-
-/// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
-Status Planner::run_detour(Work& work) noexcept {
-  if (!work.take()) return Status::kRunning;
-  Layout& memory = layout(workspace_);
-  StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
-  if (asked_.budget.sight_lines - shortcut.work < kDetourLines) return end(Stage::kTrajectory, Status::kNoTrajectory);
-  std::uint32_t lines = 0;
-  const bool found =
-      take_detour(world(), has_fences_ ? &memory.fences : nullptr, to_local(*grid_, asked_), memory.path, lines);
-  shortcut.work += lines;
-  if (!found) return end(Stage::kTrajectory, Status::kNoTrajectory);
-  report_.detours = 1;
-  planes_before_ = report_.stages[static_cast<int>(Stage::kCorridor)].work;
-  iterations_before_ = report_.stages[static_cast<int>(Stage::kTrajectory)].work;
-  has_corridor_ = false;
-  enter(Phase::kCorridor);
-  return Status::kOk;
-}
-
-Status Planner::run_check(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
-  CheckStage& stage = memory.stage.check;
-  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.fences : nullptr};
-  const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
-  count(report_, Stage::kCheck, stage.units, kCheckBound);
-  if (status == Status::kRunning) return status;
-  return end(Stage::kCheck, status);
 }
 
 }  // namespace tern

@@ -100,6 +100,7 @@ void Planner::set_ends() noexcept {
   ends.goal = asked_.goal;
   ends.start.position = {0.0, 0.0, 0.0};
   ends.goal.position = asked_.goal.position - asked_.start.position;
+  for (Escape& escape : static_cast<Layout*>(workspace_)->escapes) escape.next = escape.count = 0;
 }
 
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {
@@ -107,8 +108,8 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   report_.timing_known = clock_ != nullptr;
   has_path_ = false;
   has_corridor_ = false;
-  planes_before_ = 0;
-  iterations_before_ = 0;
+  escapes_ = 0;
+  stop_and_go_ = false;
   grid_ = &grid;
   if (workspace_ == nullptr) return refuse(Status::kInvalidArgument, Field::kWorkspace);
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, Field::kStorage);

@@ -1,3 +1,3 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-set(TERN_STAGE_SOURCES detour.cpp planner.cpp phases.cpp request.cpp self_test.cpp tern_c.cpp)
+set(TERN_STAGE_SOURCES detour.cpp escape.cpp moving_ends.cpp planner.cpp phases.cpp request.cpp self_test.cpp stage_phases.cpp tern_c.cpp)

@@ -16,13 +16,6 @@ constexpr Vec3 kZero{0.0, 0.0, 0.0};
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
-/// The state after `time` of a ramp (or, where both are equal, a hold) to another acceleration.
-JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) {
-  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration;
-  return JointState{{from.d[0] + time * from.d[1] + (time * time) * way,
-                     from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
-}
-
 double ramp_time(const State& state, const Limits& limits, int shape) {
   double time = gauge(acceleration_bounds(limits), kZero - state.velocity);
   for (int i = 0; i < shape; ++i) time *= kBrakeSharper;
@@ -38,6 +31,12 @@ bool holds(const Brake& brake, const Polyhedron& polyhedron, const Limits& limit
 }
 
 }  // namespace
+
+JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept {
+  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration;
+  return JointState{{from.d[0] + time * from.d[1] + (time * time) * way,
+                     from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
+}
 
 Brake make_brake(const State& state, const Limits& limits, int shape) noexcept {
   const double ramp = ramp_time(state, limits, shape);

@@ -29,6 +29,9 @@ struct Brake {
 /// allow. Nothing else is looked at.
 Brake make_brake(const State& state, const Limits& limits, int shape) noexcept;
 
+/// The state after `time` of a ramp to another acceleration, jerk zero at both ends; where both are equal, of a hold.
+JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept;
+
 inline const Vec3& stopping_point(const Brake& brake) noexcept {
   return brake.joint[kBrakeSegments].d[0];
 }

@@ -15,12 +15,12 @@ double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept 
   return square_root(peak_bound(acceleration, acceleration_bounds(limits), speed * speed, kPeakTolerance));
 }
 
-bool within_limits(const Segment& segment, const Limits& limits) noexcept {
-  constexpr double kMost = 1.0 + kLimitTolerance;
+bool within_limits(const Segment& segment, const Limits& limits, double tolerance) noexcept {
+  const double most = 1.0 + tolerance;
   const Curve velocity = hodograph(curve_of(segment), segment.duration);
-  if (peak_bound(velocity, velocity_bounds(limits), kMost, 0.0) > kMost) return false;
+  if (peak_bound(velocity, velocity_bounds(limits), most, 0.0) > most) return false;
   const Curve acceleration = hodograph(velocity, segment.duration);
-  return !(peak_bound(acceleration, acceleration_bounds(limits), kMost, 0.0) > kMost);
+  return !(peak_bound(acceleration, acceleration_bounds(limits), most, 0.0) > most);
 }
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {

@@ -23,8 +23,8 @@ constexpr double kPeakTolerance = 1e-7;
 /// faster. Never less than the truth, and more by kPeakTolerance at most.
 double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept;
 
-/// True where v and a are within (1 + kLimitTolerance) times the limits for all t.
-bool within_limits(const Segment& segment, const Limits& limits) noexcept;
+/// True where v and a are within (1 + tolerance) times the limits for all t.
+bool within_limits(const Segment& segment, const Limits& limits, double tolerance = kLimitTolerance) noexcept;
 
 /// True where all control points are inside, so that the segment is.
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept;

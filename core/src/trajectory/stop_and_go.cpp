@@ -19,15 +19,6 @@ bool same_point(const Vec3& a, const Vec3& b) {
   return is_zero(a - b);
 }
 
-/// The same path flown backwards.
-void reverse(Segment& segment) {
-  for (int k = 0; k < kJointOrder; ++k) {
-    const Vec3 first = segment.points[k];
-    segment.points[k] = segment.points[kDegree - k];
-    segment.points[kDegree - k] = first;
-  }
-}
-
 /// End of leg i of the way along the corridor's waypoints to `to`.
 const Vec3& leg_end(const Corridor& corridor, const Vec3& to, int i) {
   return i + 1 < corridor.count ? corridor.polyhedra[i].to : to;
@@ -55,9 +46,7 @@ void append_brake(const Brake& brake, Trajectory& out) {
 /// A braking flown backwards in time.
 void append_launch(const Brake& brake, int polyhedron, Trajectory& out) {
   for (int part = kBrakeSegments - 1; part >= 0; --part) {
-    Segment segment = brake_segment(brake, part, polyhedron);
-    reverse(segment);
-    append(segment, out);
+    append(reversed(brake_segment(brake, part, polyhedron)), out);
   }
 }
 
@@ -73,6 +62,12 @@ void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limi
 
 bool at_rest(const State& state) noexcept {
   return is_zero(state.velocity) && is_zero(state.acceleration);
+}
+
+Segment reversed(const Segment& segment) noexcept {
+  Segment result = segment;
+  for (int k = 0; k < kControlPoints; ++k) result.points[k] = segment.points[kDegree - k];
+  return result;
 }
 
 State backwards(const State& state) noexcept {

@@ -25,8 +25,9 @@ constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 2
 /// True where velocity and acceleration are zero.
 bool at_rest(const State& state) noexcept;
 
-/// The same state flown backwards in time.
+/// The same state flown backwards in time, and the same segment.
 State backwards(const State& state) noexcept;
+Segment reversed(const Segment& segment) noexcept;
 
 /// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
 /// ends are the same point it stays there that long.

@@ -1,0 +1,116 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/hull_polyhedron.hpp"
+
+#include "base/math.hpp"
+#include "corridor/separation.hpp"
+
+namespace tern {
+namespace {
+
+/// Below this gap, in metres, the normal that the iteration found is rounding.
+constexpr double kTooClose = 1e-7;
+
+constexpr int kCorners = 8;
+
+bool cut_off(const Hull& solid, double radius, const Polyhedron& polyhedron) {
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const Halfspace& plane = polyhedron.planes[p];
+    if (hull_support(plane.normal, solid) >= plane.offset + radius) return true;
+  }
+  return false;
+}
+
+/// Hulls that touch: the axis that leaves the most room.
+Vec3 widest_axis(const Hull& hull, const Hull& solid) {
+  Vec3 best{0.0, 0.0, 0.0};
+  double room = 0.0;
+  for (int k = 0; k < 6; ++k) {
+    Vec3 normal{0.0, 0.0, 0.0};
+    axis(normal, k / 2) = k % 2 == 0 ? 1.0 : -1.0;
+    const double offered = hull_support(normal, solid) - hull_reach(normal, hull);
+    if (k > 0 && offered <= room) continue;
+    best = normal;
+    room = offered;
+  }
+  return best;
+}
+
+Status append_between(const Hull& hull, const Hull& solid, double radius, GrowScratch& scratch, Polyhedron& out) {
+  const HullGap gap = hull_gap(hull, solid);
+  const Vec3 normal = gap.distance < kTooClose ? widest_axis(hull, solid) : gap.normal;
+  const double far = hull_reach(normal, hull);
+  const double offset = hull_support(normal, solid) - radius;
+  if (far > offset + kTouching) return Status::kCorridorBlocked;
+  return append({normal, larger(far, offset)}, scratch, out);
+}
+
+/// The box around the hull, as half-spaces.
+Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scratch, Polyhedron& out) {
+  const Box boundary = grid.local_boundary();
+  Status status = Status::kOk;
+  for (int a = 0; a < 3 && status == Status::kOk; ++a) {
+    Vec3 normal{0.0, 0.0, 0.0};
+    axis(normal, a) = 1.0;
+    axis(box.upper, a) = hull_reach(normal, hull);
+    axis(box.lower, a) = hull_support(normal, hull);
+    if (axis(box.upper, a) > axis(boundary.upper, a) + kTouching) return Status::kOutOfMap;
+    if (axis(box.lower, a) < axis(boundary.lower, a) - kTouching) return Status::kOutOfMap;
+    status = append({normal, axis(box.upper, a)}, scratch, out);
+    if (status == Status::kOk) status = append({-1.0 * normal, -axis(box.lower, a)}, scratch, out);
+  }
+  return status;
+}
+
+Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, GrowScratch& scratch, Polyhedron& out) {
+  const double radius = grid.spec().radius;
+  const int count = extract_local_boxes(grid, voxels_within_reach(grid, box), scratch.extract, scratch.boxes);
+  if (count < 0) return Status::kObstaclesFull;
+  Status status = Status::kOk;
+  for (int i = 0; i < count && status == Status::kOk; ++i) {
+    const LocalBox& solid = scratch.boxes[i];
+    Vec3 corners[kCorners];
+    for (int k = 0; k < kCorners; ++k) {
+      corners[k] = {(k & 1) != 0 ? solid.upper[0] : solid.lower[0], (k & 2) != 0 ? solid.upper[1] : solid.lower[1],
+                    (k & 4) != 0 ? solid.upper[2] : solid.lower[2]};
+    }
+    const Hull corner_hull{corners, kCorners};
+    if (!cut_off(corner_hull, radius, out)) status = append_between(hull, corner_hull, radius, scratch, out);
+  }
+  return status;
+}
+
+Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) {
+  if (scratch.fences == nullptr) return Status::kOk;
+  const Fences& fences = *scratch.fences;
+  const double radius = grid.spec().radius;
+  for (int k = 0; k < fences.keep_in_count; ++k) {
+    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + kTouching) {
+      return Status::kCorridorBlocked;
+    }
+  }
+  Status status = Status::kOk;
+  for (int k = 0; k < fences.keep_out_count && status == Status::kOk; ++k) {
+    const Hull solid = hull_of(fences, fences.keep_out[k]);
+    if (!cut_off(solid, radius, out)) status = append_between(hull, solid, radius, scratch, out);
+  }
+  return status;
+}
+
+}  // namespace
+
+Status enclose_hull(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) noexcept {
+  out.count = 0;
+  out.redundant = 0;
+  Box box;
+  Status status = append_box(grid, hull, box, scratch, out);
+  if (status == Status::kOk) status = append_obstacles(grid, hull, box, scratch, out);
+  if (status == Status::kOk) status = append_fences(grid, hull, scratch, out);
+  out.from = hull.points[0];
+  out.to = hull.points[hull.count - 1];
+  out.ellipsoid = Ellipsoid{{{kTooClose, 0.0, 0.0}, {0.0, kTooClose, 0.0}, {0.0, 0.0, kTooClose}},
+                            0.5 * (out.from + out.to)};
+  return status;
+}
+
+}  // namespace tern

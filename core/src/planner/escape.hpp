@@ -1,0 +1,57 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What remains for an end that moves where neither the corridor nor a detour has room for its motion: come to rest
+// first, in any way there is room for (trajectory/stopping.hpp), and fly from there. A goal's escape is flown backwards
+// in time, to where the motion can have begun.
+#ifndef TERN_PLANNER_ESCAPE_HPP
+#define TERN_PLANNER_ESCAPE_HPP
+
+#include <cstdint>
+
+#include "corridor/grow_scratch.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+#include "tern/request.hpp"
+#include "tern/trajectory.hpp"
+#include "trajectory/stopping.hpp"
+
+namespace tern {
+
+/// Report::detours of a plan that took one.
+constexpr std::int32_t kEscaped = 2;
+
+/// A segment whose hull has no room is halved, and each half again: a hull's excess over its curve shrinks fourfold.
+constexpr int kEscapeHalvings = 4;
+constexpr int kEscapeSegments = kMaxSegments < 16 ? kMaxSegments : 16;
+
+/// Half-spaces that one choice makes at most: each segment is the last half of one that had no room.
+constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::uint32_t>(kMaxPlanes);
+
+/// One end's way to rest, each segment in a polyhedron of its own.
+struct Escape {
+  int next;   ///< choice to be tried next, 0 .. kStoppingChoices
+  int count;  ///< segments; 0 while there is no way
+  Vec3 rest;  ///< where the motion ends (a goal's: begins), relative to the plan's origin
+  Segment segments[kEscapeSegments];
+  Polyhedron polyhedra[kEscapeSegments];
+};
+
+/// Where a stop is flown.
+struct EscapeRoom {
+  const Grid& grid;
+  Vec3 origin;   ///< of the plan's frame, in the grid's local frame
+  bool to_goal;  ///< the state is the goal's
+};
+
+/// Tries the next choice for `state` (relative to the plan's origin). True where it has room: fills the escape.
+bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits, GrowScratch& scratch,
+                Escape& escape) noexcept;
+
+/// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed,
+/// where there is no capacity for all segments or polyhedra.
+bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept;
+
+}  // namespace tern
+
+#endif

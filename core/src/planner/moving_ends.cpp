@@ -1,0 +1,156 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a plan goes through besides where an end moves and the corridor has no room for its motion: a detour along the
+// path, then an escape to rest. And how often, which bounds the work.
+#include "base/math.hpp"
+#include "base/work.hpp"
+#include "grid/distance.hpp"
+#include "planner/detour.hpp"
+#include "planner/escape.hpp"
+#include "planner/layout.hpp"
+#include "planner/request.hpp"
+#include "tern/planner.hpp"
+#include "trajectory/stop_and_go.hpp"
+
+namespace tern {
+namespace {
+
+/// Stops that a plan goes on from at most: from the first few there may be no path.
+constexpr std::uint32_t kEscapeTries = 3;
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+Layout& layout(void* workspace) {
+  return *static_cast<Layout*>(workspace);
+}
+
+Vec3 into(const Box& box, const Vec3& p) {
+  return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
+          clamp(p.z, box.lower.z, box.upper.z)};
+}
+
+}  // namespace
+
+bool Planner::rests() const noexcept {
+  return at_rest(asked_.start) && at_rest(asked_.goal);
+}
+
+std::uint32_t Planner::searches() const noexcept {
+  return rests() ? 1 : 1 + kEscapeTries;
+}
+
+std::uint32_t Planner::corridors() const noexcept {
+  return rests() ? 1 : 2 + kEscapeTries;
+}
+
+std::uint32_t Planner::escape_planes() const noexcept {
+  return rests() ? 0 : 2u * static_cast<std::uint32_t>(kStoppingChoices) * kEscapePlanes;
+}
+
+/// The start (0) or the goal (1) as it was asked for, relative to the plan's origin.
+State Planner::asked_end(int end) const noexcept {
+  State state = end == 0 ? asked_.start : asked_.goal;
+  state.position = end == 0 ? kZero : asked_.goal.position - asked_.start.position;
+  return state;
+}
+
+/// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
+Status Planner::run_detour(Work& work) noexcept {
+  if (!work.take()) return Status::kRunning;
+  Layout& memory = layout(workspace_);
+  StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
+  if (asked_.budget.sight_lines - shortcut.work < kDetourLines) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+  std::uint32_t lines = 0;
+  const bool found =
+      take_detour(world(), has_fences_ ? &memory.fences : nullptr, to_local(*grid_, asked_), memory.path, lines);
+  shortcut.work += lines;
+  if (!found) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+  report_.detours = kDetoured;
+  has_corridor_ = false;
+  enter(Phase::kCorridor);
+  return Status::kOk;
+}
+
+/// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path begins.
+bool Planner::escape_may_help(Status status) const noexcept {
+  if (rests() || escapes_ == kEscapeTries) return false;
+  const FlightEnds& ends = static_cast<const Layout*>(workspace_)->ends;
+  const double radius = world().spec().radius;
+  switch (status) {
+    case Status::kNoTrajectory:
+    case Status::kCorridorBlocked:
+      return true;
+    case Status::kStartOccupied:
+      return !at_rest(asked_.start) && point_clear(world(), ends.start_in_grid, radius);
+    case Status::kGoalOccupied:
+      return !at_rest(asked_.goal) && point_clear(world(), ends.goal_in_grid, radius);
+    case Status::kNoPath:
+    case Status::kSegmentsFull:
+      return escapes_ > 0;  // from another stop there may be a path, or a shorter one
+    default:
+      return false;
+  }
+}
+
+/// Ends the plan, or tries the next escape. What ends it is what failed first: that is about the request as it was.
+Status Planner::fail(Stage stage, Status status) noexcept {
+  if (escapes_ == 0) {
+    failed_stage_ = stage;
+    failed_status_ = status;
+  }
+  if (!escape_may_help(status)) return end(failed_stage_, failed_status_);
+  enter(Phase::kEscape);
+  return Status::kOk;
+}
+
+void Planner::begin_escape() noexcept {
+  Layout& memory = layout(workspace_);
+  GrowScratch& scratch = memory.stage.corridor.grow;
+  reset_counters(scratch);
+  scratch.planes_allowed = asked_.budget.planes - before(Stage::kCorridor);
+  if (has_fences_) scratch.fences = &memory.fences;
+  // Another try drops one end's way: the start's, where that moves.
+  if (escapes_ > 0) memory.escapes[at_rest(asked_.start) ? 1 : 0].count = 0;
+  ++escapes_;
+}
+
+/// One unit is one choice of one end. With a way to rest for each end that moves the plan begins again between them.
+Status Planner::run_escape(Work& work) noexcept {
+  Layout& memory = layout(workspace_);
+  GrowScratch& scratch = memory.stage.corridor.grow;
+  for (int e = 0; e < 2; ++e) {
+    const State state = asked_end(e);
+    Escape& escape = memory.escapes[e];
+    const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
+    while (!at_rest(state) && escape.count == 0) {
+      if (escape.next == kStoppingChoices) return end(failed_stage_, failed_status_);
+      if (!work.take()) return Status::kRunning;
+      escape_try(room, state, asked_.limits, scratch, escape);
+      count(Stage::kCorridor, scratch.planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes());
+    }
+  }
+  rest_at_escapes();
+  has_path_ = false;
+  has_corridor_ = false;
+  report_.detours = kEscaped;
+  enter(Phase::kPath);
+  return Status::kOk;
+}
+
+/// The plan's ends become the stops.
+void Planner::rest_at_escapes() noexcept {
+  Layout& memory = layout(workspace_);
+  FlightEnds& ends = memory.ends;
+  const Box boundary = world().local_boundary();
+  if (memory.escapes[0].count > 0) {
+    ends.start = {memory.escapes[0].rest, kZero, kZero};
+    ends.start_in_grid = into(boundary, ends.origin_in_grid + ends.start.position);
+  }
+  if (memory.escapes[1].count > 0) {
+    ends.goal = {memory.escapes[1].rest, kZero, kZero};
+    ends.goal_in_grid = into(boundary, ends.origin_in_grid + ends.goal.position);
+  }
+}
+
+}  // namespace tern

@@ -1,0 +1,52 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ways to come to rest from a moving state, in closed form: straight ahead (brake.hpp), or with a swerve to a side on
+// the way. Whether there is room for one is the caller's question.
+#ifndef TERN_TRAJECTORY_STOPPING_HPP
+#define TERN_TRAJECTORY_STOPPING_HPP
+
+#include "tern/request.hpp"
+#include "tern/trajectory.hpp"
+#include "trajectory/brake.hpp"
+
+namespace tern {
+
+/// Relative excess over a speed limit that a stop may have: a state at its limit cannot level off at once.
+constexpr double kStopTolerance = 2e-8;
+
+/// Shortest time in which an acceleration levels off before the brakes, seconds: 0.05 s halved this many times.
+constexpr int kLevelHalvings = 12;
+
+/// Swerves: directions around the velocity, sizes (each half the one before; the first takes all of the limit on
+/// acceleration), and parts of the limits that the braking leaves for them.
+constexpr int kSwerveDirections = 8;
+constexpr int kSwerveSizes = 3;
+constexpr int kSwerveStrengths = 2;
+constexpr int kSwerveShapes = 2;
+constexpr int kSwerves = kSwerveDirections * kSwerveSizes * kSwerveStrengths * kSwerveShapes;
+
+/// Straight ways first, the sharpest last; then swerves.
+constexpr int kStoppingChoices = kBrakeShapes + kSwerves;
+constexpr int kStoppingSegments = 1 + kBrakeSegments;
+
+/// Segments that lead from the state to rest, continuous to jerk, which is zero at either end. Same frame as the state.
+struct Stopping {
+  int count;
+  Segment segments[kStoppingSegments];
+};
+
+/// The stop of that choice, 0 .. kStoppingChoices - 1. False where it breaks the limits by more than kStopTolerance.
+bool make_stopping(const State& state, const Limits& limits, int choice, Stopping& out) noexcept;
+
+/// The same flown backwards in time.
+void reverse(Stopping& stopping) noexcept;
+
+/// Where it ends.
+inline const Vec3& rest_of(const Stopping& stopping) noexcept {
+  return stopping.segments[stopping.count - 1].points[kDegree];
+}
+
+}  // namespace tern
+
+#endif
