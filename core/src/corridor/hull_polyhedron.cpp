@@ -21,24 +21,43 @@ bool cut_off(const Hull& solid, double radius, const Polyhedron& polyhedron) {
   return false;
 }
 
-/// Hulls that touch: the axis that leaves the most room.
-Vec3 widest_axis(const Hull& hull, const Hull& solid) {
-  Vec3 best{0.0, 0.0, 0.0};
-  double room = 0.0;
+/// Offers a normal of any length; keeps the one that leaves the most room between hull and solid.
+struct Widest {
+  const Hull& hull;
+  const Hull& solid;
+  Vec3 normal;
+  double room;
+
+  void offer(const Vec3& any) {
+    const double size = length(any);
+    if (!(size > 0.0)) return;
+    const Vec3 unit = (1.0 / size) * any;
+    const double offered = hull_support(unit, solid) - hull_reach(unit, hull);
+    if (offered <= room) return;
+    normal = unit;
+    room = offered;
+  }
+};
+
+/// Below kTooClose the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
+/// direction, which separate an edge that the curve grazes.
+Vec3 widest_normal(const Hull& hull, const Hull& solid) {
+  const HullGap gap = hull_gap(hull, solid);
+  if (gap.distance >= kTooClose) return gap.normal;
+  Widest widest{hull, solid, {1.0, 0.0, 0.0}, -1e300};
+  widest.offer(gap.normal);
+  const Vec3 along = hull.points[hull.count - 1] - hull.points[0];
   for (int k = 0; k < 6; ++k) {
     Vec3 normal{0.0, 0.0, 0.0};
     axis(normal, k / 2) = k % 2 == 0 ? 1.0 : -1.0;
-    const double offered = hull_support(normal, solid) - hull_reach(normal, hull);
-    if (k > 0 && offered <= room) continue;
-    best = normal;
-    room = offered;
+    widest.offer(normal);
+    widest.offer(cross(normal, along));
   }
-  return best;
+  return widest.normal;
 }
 
 Status append_between(const Hull& hull, const Hull& solid, double radius, GrowScratch& scratch, Polyhedron& out) {
-  const HullGap gap = hull_gap(hull, solid);
-  const Vec3 normal = gap.distance < kTooClose ? widest_axis(hull, solid) : gap.normal;
+  const Vec3 normal = widest_normal(hull, solid);
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
   if (far > offset + kTouching) return Status::kCorridorBlocked;

@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "grid/distance.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
@@ -24,7 +25,7 @@ void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point)
 }
 
 void collect(Join& join, const Grid& grid, const Vec3& point) {
-  const Voxel home = join.voxel;
+  const Voxel home = join.home;
   for (int dz = -kJoinReach; dz <= kJoinReach; ++dz) {
     for (int dy = -kJoinReach; dy <= kJoinReach; ++dy) {
       for (int dx = -kJoinReach; dx <= kJoinReach; ++dx) {
@@ -35,10 +36,39 @@ void collect(Join& join, const Grid& grid, const Vec3& point) {
   }
 }
 
+/// Where a voxel is in `searched`; -1 out of reach.
+int cell_of(const Join& join, const Voxel& voxel) {
+  const Voxel d{voxel.x - join.home.x + kJoinReach, voxel.y - join.home.y + kJoinReach,
+                voxel.z - join.home.z + kJoinReach};
+  const bool within = d.x >= 0 && d.y >= 0 && d.z >= 0 && d.x < kJoinWidth && d.y < kJoinWidth && d.z < kJoinWidth;
+  return within ? d.x + kJoinWidth * (d.y + kJoinWidth * d.z) : -1;
+}
+
+/// Marks the free voxels that faces join to the first one, which is in reach.
+void mark_searched(Join& join, const Grid& grid, const Voxel& first) {
+  Voxel waiting[kJoinCells];
+  int count = 0;
+  waiting[count++] = first;
+  join.searched[cell_of(join, first)] = true;
+  while (count > 0) {
+    const Voxel voxel = waiting[--count];
+    for (int k = 0; k < 6; ++k) {
+      Voxel next = voxel;
+      axis(next, k / 2) += k % 2 == 0 ? 1 : -1;
+      const int cell = cell_of(join, next);
+      if (cell < 0 || join.searched[cell] || !grid.free(next)) continue;
+      join.searched[cell] = true;
+      waiting[count++] = next;
+    }
+  }
+}
+
 }  // namespace
 
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.voxel = grid.voxel_of(point);
+  join.home = join.voxel;
+  for (bool& searched : join.searched) searched = false;
   join.count = 0;
   join.next = 0;
   join.state = JoinState::kJoined;
@@ -47,12 +77,20 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.state = join.count > 0 ? JoinState::kTrying : JoinState::kRefused;
 }
 
+bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept {
+  mark_searched(join, grid, join.voxel);
+  if (join.count == 0) collect(join, grid, point);
+  join.state = join.next < join.count ? JoinState::kTrying : JoinState::kRefused;
+  return join.state == JoinState::kTrying;
+}
+
 void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
   const Voxel candidate = join.candidates[join.next++];
   const Vec3 center = grid.center(candidate);
   const double radius = grid.spec().radius;
+  const bool known = join.searched[cell_of(join, candidate)];
   const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);
-  if (allowed && segment_clear(grid, point, center, radius)) {
+  if (!known && allowed && segment_clear(grid, point, center, radius)) {
     join.voxel = candidate;
     join.state = JoinState::kJoined;
   } else if (join.next == join.count) {

@@ -14,7 +14,9 @@ namespace tern {
 
 /// Free voxels whose centres a point may join are at most so many voxels away from its own on every axis.
 constexpr int kJoinReach = 2;
-constexpr int kMaxJoins = (2 * kJoinReach + 1) * (2 * kJoinReach + 1) * (2 * kJoinReach + 1) - 1;
+constexpr int kJoinWidth = 2 * kJoinReach + 1;
+constexpr int kJoinCells = kJoinWidth * kJoinWidth * kJoinWidth;
+constexpr int kMaxJoins = kJoinCells - 1;
 
 enum class JoinState : std::uint8_t {
   kJoined,   ///< `voxel` is free, and the straight line from the point to its centre is clear
@@ -26,14 +28,21 @@ enum class JoinState : std::uint8_t {
 struct Join {
   JoinState state;
   Voxel voxel;
+  Voxel home;  ///< the point's own
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels, nearest centre first, then least z, y, x
+  bool searched[kJoinCells];    ///< around home, x fastest: from here a search found no way
 };
 
 /// A point in a free voxel is joined at once. A point whose voxel is not free, but that keeps the radius itself, has
 /// the free voxels around it as candidates.
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
+
+/// The search from `voxel` found no way: it may lie in a pocket that is cut off. What the voxel is joined to by faces
+/// within the candidates' reach is not tried again. False where no candidate is left. Where the point's own voxel is free
+/// its neighbours become candidates now.
+bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// Checks the line to the next candidate, which has to be clear of `fences`, too (null: none); only while kTrying.
 void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;

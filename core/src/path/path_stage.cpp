@@ -9,6 +9,10 @@
 namespace tern {
 namespace {
 
+std::int32_t larger_of(std::int32_t a, std::int32_t b) {
+  return a < b ? b : a;
+}
+
 bool same_point(const Vec3& a, const Vec3& b) {
   return !(a.x < b.x) && !(b.x < a.x) && !(a.y < b.y) && !(b.y < a.y) && !(a.z < b.z) && !(b.z < a.z);
 }
@@ -29,7 +33,7 @@ Status take_expansion(PathStage& stage, Work& work) {
   return Status::kOk;
 }
 
-/// kOk when the end has joined the grid.
+/// kOk when the end has joined the grid; kNoPath where it has in vain, everywhere.
 Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Status taken = take_expansion(stage, work);
@@ -37,8 +41,32 @@ Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, 
     join_try(join, grid, stage.query.fences, point);
   }
   if (join.state == JoinState::kJoined) return Status::kOk;
+  if (stage.failed > 0) return Status::kNoPath;
   const bool at_start = &join == &stage.start;
   return occupied(stage, grid, point, at_start ? Status::kStartOccupied : Status::kGoalOccupied);
+}
+
+/// True where an end may join the grid elsewhere after a search that found no way.
+bool may_join_elsewhere(const Join& join, bool moves) {
+  return moves || join.state == JoinState::kTrying;
+}
+
+void join_start(PathStage& stage, const Grid& grid) {
+  join_begin(stage.start, grid, stage.query.start);
+  stage.phase = PathPhase::kJoinStart;
+}
+
+/// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
+/// start's, at the goal's. kNoPath where none is left.
+Status join_elsewhere(PathStage& stage, const Grid& grid) {
+  if (++stage.failed == stage.searches) return Status::kNoPath;
+  if (join_others(stage.start, grid, stage.query.start)) {
+    stage.phase = PathPhase::kJoinStart;
+    return Status::kOk;
+  }
+  if (!join_others(stage.goal, grid, stage.query.goal)) return Status::kNoPath;
+  join_start(stage, grid);
+  return Status::kOk;
 }
 
 /// A path that needs no grid: the points coincide, or share one free voxel.
@@ -82,8 +110,8 @@ Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out)
     const Status taken = take_expansion(stage, work);
     if (taken != Status::kOk) return taken;
     status = search_expand(stage.search, grid);
-    stage.nodes_high = static_cast<std::int32_t>(stage.search.store.count);
-    stage.heap_high = stage.search.open.high;
+    stage.nodes_high = larger_of(stage.nodes_high, static_cast<std::int32_t>(stage.search.store.count));
+    stage.heap_high = larger_of(stage.heap_high, stage.search.open.high);
   }
   if (status != Status::kOk) return status;
   status = write_raw(stage, grid, out);
@@ -123,6 +151,27 @@ Status advance_tighten(PathStage& stage, const Grid& grid, Work& work, Path& out
   return Status::kOk;
 }
 
+/// Joins both ends and searches, again where an end may join elsewhere. kOk with the raw path found.
+Status find_raw_path(PathStage& stage, const Grid& grid, Work& work, Path& out) {
+  for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
+    Status status = Status::kOk;
+    if (stage.phase == PathPhase::kJoinStart) {
+      status = advance_join(stage, grid, work, stage.start, stage.query.start);
+      if (status == Status::kOk) stage.phase = PathPhase::kJoinGoal;
+    }
+    if (stage.phase == PathPhase::kJoinGoal) {
+      status = advance_join(stage, grid, work, stage.goal, stage.query.goal);
+      if (status == Status::kOk) {
+        search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel);
+        stage.phase = PathPhase::kSearch;
+      }
+    }
+    if (stage.phase == PathPhase::kSearch) status = advance_search(stage, grid, work, out);
+    if (status != Status::kNoPath || join_elsewhere(stage, grid) != Status::kOk) return status;
+  }
+  return Status::kNoPath;
+}
+
 }  // namespace
 
 void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuery& query) noexcept {
@@ -137,31 +186,21 @@ void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuer
   stage.has_nearest_free = false;
   stage.nearest_free = {0.0, 0.0, 0.0};
   stage.stage = Stage::kSearch;
-  stage.phase = PathPhase::kJoinStart;
+  stage.failed = 0;
   stage.query = query;
-  join_begin(stage.start, grid, query.start);
+  join_start(stage, grid);
   join_begin(stage.goal, grid, query.goal);
+  const bool elsewhere =
+      may_join_elsewhere(stage.start, query.start_moves) || may_join_elsewhere(stage.goal, query.goal_moves);
+  stage.searches = elsewhere ? kJoinSearches : 1;
 }
 
 Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) noexcept {
-  if (stage.phase == PathPhase::kJoinStart) {
-    if (is_direct(stage, grid)) {
-      direct_path(stage, out);
-      begin_shortcut(stage, grid, out);
-    } else {
-      const Status status = advance_join(stage, grid, work, stage.start, stage.query.start);
-      if (status != Status::kOk) return status;
-      stage.phase = PathPhase::kJoinGoal;
-    }
-  }
-  if (stage.phase == PathPhase::kJoinGoal) {
-    const Status status = advance_join(stage, grid, work, stage.goal, stage.query.goal);
-    if (status != Status::kOk) return status;
-    search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel);
-    stage.phase = PathPhase::kSearch;
-  }
-  if (stage.phase == PathPhase::kSearch) {
-    const Status status = advance_search(stage, grid, work, out);
+  if (stage.phase == PathPhase::kJoinStart && stage.failed == 0 && is_direct(stage, grid)) {
+    direct_path(stage, out);
+    begin_shortcut(stage, grid, out);
+  } else if (stage.stage == Stage::kSearch) {
+    const Status status = find_raw_path(stage, grid, work, out);
     // The shortcut begins with the next call, so that a caller can time the two apart.
     return status == Status::kOk ? Status::kRunning : status;
   }

@@ -19,8 +19,14 @@
 
 namespace tern {
 
-/// Bound on PathStage::expansions: those of the search, and the lines that join both ends to the grid.
-constexpr std::uint32_t kSearchBound = kExpansionBound + 2u * kMaxJoins;
+/// Searches of a query at most: one, and others from where an end can join the grid besides.
+constexpr std::uint32_t kJoinSearches = 4;
+
+/// Bound on PathStage::expansions where so many searches may be made: theirs, and the lines that join both ends to the
+/// grid before each.
+constexpr std::uint32_t search_bound(std::uint32_t searches) {
+  return searches * (kExpansionBound + 2u * static_cast<std::uint32_t>(kMaxJoins));
+}
 
 /// Bound on PathStage::sight_lines.
 constexpr std::uint32_t shortcut_bound(ShortcutMode mode) {
@@ -35,13 +41,16 @@ struct PathQuery {
   std::uint32_t max_expansions;    ///< Budget::expansions
   std::uint32_t max_sight_lines;   ///< Budget::sight_lines
   const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
+  bool start_moves = false;        ///< a state in flight may be in a pocket of free voxels that is cut off, and see
+  bool goal_moves = false;         ///< the way on all the same
 };
 
 enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut, kTighten };
 
 /// Plain data; needs no initialisation before path_begin.
 struct PathStage {
-  std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
+  std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= search_bound(searches) and the budget
+  std::uint32_t searches;      ///< that may be made: 1 where both ends are joined at once and at rest
   std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= shortcut_bound() and the budget
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t heap_high;      ///< most open at once
@@ -54,6 +63,7 @@ struct PathStage {
 
   PathPhase phase;
   PathQuery query;
+  std::uint32_t failed;  ///< searches that found no way
   ScanMap* map;
   Join start;
   Join goal;

@@ -22,7 +22,7 @@ namespace tern {
 constexpr std::int32_t kEscaped = 2;
 
 /// A segment whose hull has no room is halved, and each half again: a hull's excess over its curve shrinks fourfold.
-constexpr int kEscapeHalvings = 4;
+constexpr int kEscapeHalvings = 6;
 constexpr int kEscapeSegments = kMaxSegments < 16 ? kMaxSegments : 16;
 
 /// Half-spaces that one choice makes at most: each segment is the last half of one that had no room.

@@ -55,7 +55,7 @@ Status Planner::run_path(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
-  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * search_bound(stage.searches));
   count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
         searches() * (shortcut_bound(stage.query.mode) + kDetourLines));
   raise(report_.high_water.nodes, stage.nodes_high);

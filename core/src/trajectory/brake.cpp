@@ -16,10 +16,10 @@ constexpr Vec3 kZero{0.0, 0.0, 0.0};
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
-double ramp_time(const State& state, const Limits& limits, int shape) {
+double ramp_time(const State& state, const Limits& limits, int shape, double least) {
   double time = gauge(acceleration_bounds(limits), kZero - state.velocity);
   for (int i = 0; i < shape; ++i) time *= kBrakeSharper;
-  return larger(kMinDuration, time);
+  return larger(least, time);
 }
 
 bool holds(const Brake& brake, const Polyhedron& polyhedron, const Limits& limits) {
@@ -38,12 +38,12 @@ JointState after_ramp(const JointState& from, const Vec3& acceleration, double t
                      from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
 }
 
-Brake make_brake(const State& state, const Limits& limits, int shape) noexcept {
-  const double ramp = ramp_time(state, limits, shape);
+Brake make_brake(const State& state, const Limits& limits, int shape, double least) noexcept {
+  const double ramp = ramp_time(state, limits, shape, least);
   // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
   // and the hold.
   const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
-  const double hold = larger(kMinDuration, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
+  const double hold = larger(least, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
   const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
   Brake brake{{ramp, hold, ramp}, {}};
   brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, kZero}};

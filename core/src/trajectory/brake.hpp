@@ -9,6 +9,7 @@
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
+#include "times/times.hpp"
 #include "trajectory/hermite.hpp"
 
 namespace tern {
@@ -26,8 +27,8 @@ struct Brake {
 };
 
 /// The braking whose ramps have shape 0 .. kBrakeShapes - 1, and whose hold is as short as the limits on acceleration
-/// allow. Nothing else is looked at.
-Brake make_brake(const State& state, const Limits& limits, int shape) noexcept;
+/// allow; ramps and hold last `least` seconds at least. Nothing else is looked at.
+Brake make_brake(const State& state, const Limits& limits, int shape, double least = kMinDuration) noexcept;
 
 /// The state after `time` of a ramp to another acceleration, jerk zero at both ends; where both are equal, of a hold.
 JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept;

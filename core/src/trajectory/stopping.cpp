@@ -13,9 +13,9 @@ namespace {
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
 constexpr double kHalfRoot = 0.70710678118654752;  // sqrt(1 / 2)
 
-/// One swerve of kSwerves.
+/// One of the swerves.
 struct Swerve {
-  int direction;
+  int side;
   double size;      ///< part of the largest sideways way that the limits allow
   double strength;  ///< part of the limits on acceleration that the braking takes
   int shape;        ///< of the braking
@@ -26,13 +26,35 @@ Swerve swerve_of(int index) {
   constexpr int kShapes[kSwerveShapes] = {kBrakeShapes - 1, 2};
   constexpr double kSizes[kSwerveSizes] = {1.0, 0.5, 0.25};
   Swerve swerve{};
-  swerve.direction = index % kSwerveDirections;
-  index /= kSwerveDirections;
+  swerve.side = index % kSwerveSides;
+  index /= kSwerveSides;
   swerve.size = kSizes[index % kSwerveSizes];
   index /= kSwerveSizes;
   swerve.strength = kStrengths[index % kSwerveStrengths];
   swerve.shape = kShapes[index / kSwerveStrengths];
   return swerve;
+}
+
+/// One of the turns.
+struct Turn {
+  int side;
+  double strength;  ///< part of the limit on acceleration towards the side
+  double braking;   ///< part of the limit that slows down meanwhile
+  double hold;      ///< part of the time that braking at the limit takes
+};
+
+Turn turn_of(int index) {
+  constexpr double kStrengths[kTurnStrengths] = {1.0, 0.5, 0.25};
+  constexpr double kBrakings[kTurnBrakings] = {0.7, 0.0, 0.3};
+  constexpr double kHolds[kTurnHolds] = {0.5, 0.25, 0.125, 1.0};
+  Turn turn{};
+  turn.hold = kHolds[index % kTurnHolds];
+  index /= kTurnHolds;
+  turn.braking = kBrakings[index % kTurnBrakings];
+  index /= kTurnBrakings;
+  turn.strength = kStrengths[index % kTurnStrengths];
+  turn.side = index / kTurnStrengths;
+  return turn;
 }
 
 Limits weaker(const Limits& limits, double strength) {
@@ -43,13 +65,30 @@ Limits weaker(const Limits& limits, double strength) {
   return result;
 }
 
-/// One of eight unit vectors at right angles to the velocity.
-Vec3 sideways(const Vec3& velocity, int direction) {
-  constexpr double kCosines[kSwerveDirections] = {1.0, kHalfRoot, 0.0, -kHalfRoot, -1.0, -kHalfRoot, 0.0, kHalfRoot};
+/// The direction of motion; upwards for none.
+Vec3 heading_of(const Vec3& velocity) {
   const double speed = length(velocity);
-  const Vec3 along = speed > 0.0 ? (1.0 / speed) * velocity : Vec3{0.0, 0.0, 1.0};
-  const Vec3 u = perpendicular(along);
-  return kCosines[direction] * u + kCosines[(direction + 6) % kSwerveDirections] * cross(along, u);
+  return speed > 0.0 ? (1.0 / speed) * velocity : Vec3{0.0, 0.0, 1.0};
+}
+
+/// One of eight unit vectors at right angles to the heading.
+Vec3 sideways(const Vec3& heading, int side) {
+  constexpr double kCosines[kSwerveSides] = {1.0, kHalfRoot, 0.0, -kHalfRoot, -1.0, -kHalfRoot, 0.0, kHalfRoot};
+  const Vec3 u = perpendicular(heading);
+  return kCosines[side] * u + kCosines[(side + 6) % kSwerveSides] * cross(heading, u);
+}
+
+/// The acceleration of a turn. The last side is where the state turns already, as sharply as it does or half.
+Vec3 turning(const State& state, const Limits& limits, const Turn& turn) {
+  const Vec3 heading = heading_of(state.velocity);
+  const Bounds bounds = acceleration_bounds(limits);
+  const Vec3 slower = (-turn.braking / gauge(bounds, kZero - heading)) * heading;
+  if (turn.side == kTurnSides - 1) {
+    return slower + turn.strength * (state.acceleration - dot(state.acceleration, heading) * heading);
+  }
+  const Vec3 side = sideways(heading, turn.side);
+  const Vec3 wanted = slower + (turn.strength / gauge(bounds, side)) * side;
+  return (1.0 / larger(1.0, gauge(bounds, wanted))) * wanted;
 }
 
 /// Bernstein coefficients of 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7 over [begin, end] within [0, 1]: from rest to rest.
@@ -92,20 +131,53 @@ bool keeps_limits(const Stopping& stopping, const Limits& limits) {
   return true;
 }
 
-void add_brake(const State& state, const Limits& limits, int choice, Stopping& out) {
-  const bool straight = choice < kBrakeShapes;
-  const Swerve swerve = straight ? Swerve{0, 0.0, 1.0, choice} : swerve_of(choice - kBrakeShapes);
-  const Brake brake = make_brake(state, weaker(limits, swerve.strength), swerve.shape);
+Segment segment_between(const JointState& first, const JointState& second, double duration) {
+  Segment segment{};
+  segment.duration = duration;
+  control_points(first, second, duration, segment.points);
+  return segment;
+}
+
+State state_of(const JointState& joint) {
+  return {joint.d[0], joint.d[1], joint.d[2]};
+}
+
+/// Ramps to the turn's acceleration and holds it.
+State add_turn(const State& state, const Limits& limits, int index, double least, Stopping& out) {
+  const Turn turn = turn_of(index);
+  const Vec3 acceleration = turning(state, limits, turn);
+  const double hold = larger(least, turn.hold * gauge(acceleration_bounds(limits), kZero - state.velocity));
+  const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
+  const JointState second = after_ramp(first, acceleration, least);
+  const JointState third = after_ramp(second, acceleration, hold);
+  out.segments[out.count++] = segment_between(first, second, least);
+  out.segments[out.count++] = segment_between(second, third, hold);
+  return state_of(third);
+}
+
+void add_brake(const State& state, const Limits& limits, const Swerve& swerve, double least, Stopping& out) {
+  const Brake brake = make_brake(state, weaker(limits, swerve.strength), swerve.shape, least);
   Segment* const segments = out.segments + out.count;
   for (int part = 0; part < kBrakeSegments; ++part) segments[part] = brake_segment(brake, part, 0);
   out.count += kBrakeSegments;
-  if (straight) return;
-  const Vec3 side = sideways(state.velocity, swerve.direction);
+  if (!(swerve.size > 0.0)) return;
+  const Vec3 side = sideways(heading_of(state.velocity), swerve.side);
   const double time = (brake.duration[0] + brake.duration[1]) + brake.duration[2];
   const Bounds acceleration = acceleration_bounds(limits);
   const double pull = larger(gauge(acceleration, side), gauge(acceleration, kZero - side));
   add_swerve((swerve.size * time * time / (kRestPeakAcceleration * pull)) * side, brake, segments);
-  close_joints(out);
+}
+
+constexpr Swerve straight(int shape) {
+  return {0, 0.0, 1.0, shape};
+}
+
+/// Way 0 .. kStoppingWays - 1, with ramps of `least` seconds at least.
+void add_way(const State& state, const Limits& limits, int way, double least, Stopping& out) {
+  if (way < kBrakeShapes) return add_brake(state, limits, straight(way), least, out);
+  way -= kBrakeShapes;
+  if (way >= kTurns) return add_brake(state, limits, swerve_of(way - kTurns), least, out);
+  add_brake(add_turn(state, limits, way, least, out), limits, straight(kBrakeShapes - 1), least, out);
 }
 
 /// A ramp that takes the acceleration back to none. The speed changes by half of acceleration times duration, and so
@@ -119,21 +191,21 @@ State level_off(const State& state, const Limits& limits, Stopping& out) {
   }
   const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
   const JointState second = after_ramp(first, kZero, time);
-  Segment& segment = out.segments[out.count++];
-  segment.duration = time;
-  segment.polyhedron = 0;
-  control_points(first, second, time, segment.points);
-  return {second.d[0], second.d[1], kZero};
+  out.segments[out.count++] = segment_between(first, second, time);
+  return state_of(second);
 }
 
 }  // namespace
 
 bool make_stopping(const State& state, const Limits& limits, int choice, Stopping& out) noexcept {
+  const double least = choice < kStoppingWays ? kMinDuration : kSharpRamp;
+  const int way = choice % kStoppingWays;
   out.count = 0;
-  add_brake(state, limits, choice, out);
-  if (keeps_limits(out, limits)) return true;
-  out.count = 0;
-  add_brake(level_off(state, limits, out), limits, choice, out);
+  add_way(state, limits, way, least, out);
+  if (!keeps_limits(out, limits) && way < kBrakeShapes) {
+    out.count = 0;
+    add_brake(level_off(state, limits, out), limits, straight(way), least, out);
+  }
   close_joints(out);
   return keeps_limits(out, limits);
 }

@@ -18,17 +18,28 @@ constexpr double kStopTolerance = 2e-8;
 /// Shortest time in which an acceleration levels off before the brakes, seconds: 0.05 s halved this many times.
 constexpr int kLevelHalvings = 12;
 
-/// Swerves: directions around the velocity, sizes (each half the one before; the first takes all of the limit on
-/// acceleration), and parts of the limits that the braking leaves for them.
-constexpr int kSwerveDirections = 8;
+/// Turns before the brakes: towards a side (eight around the velocity, or where the state turns already), how sharply,
+/// how much of the limits goes into braking at the same time, and for how long, in parts of what braking takes.
+constexpr int kTurnSides = 9;
+constexpr int kTurnStrengths = 3;
+constexpr int kTurnBrakings = 3;
+constexpr int kTurnHolds = 4;
+constexpr int kTurns = kTurnSides * kTurnStrengths * kTurnBrakings * kTurnHolds;
+
+/// Swerves while braking: sides, sizes (each half the one before; the first takes all of the limit on acceleration),
+/// and parts of the limits that the braking takes.
+constexpr int kSwerveSides = 8;
 constexpr int kSwerveSizes = 3;
 constexpr int kSwerveStrengths = 2;
 constexpr int kSwerveShapes = 2;
-constexpr int kSwerves = kSwerveDirections * kSwerveSizes * kSwerveStrengths * kSwerveShapes;
+constexpr int kSwerves = kSwerveSides * kSwerveSizes * kSwerveStrengths * kSwerveShapes;
 
-/// Straight ways first, the sharpest last; then swerves.
-constexpr int kStoppingChoices = kBrakeShapes + kSwerves;
-constexpr int kStoppingSegments = 1 + kBrakeSegments;
+/// Straight ways first, the sharpest last; then turns; then swerves. All of them with the usual ramps, then all again
+/// with ramps that may be as short as kSharpRamp.
+constexpr int kStoppingWays = kBrakeShapes + kTurns + kSwerves;
+constexpr int kStoppingChoices = 2 * kStoppingWays;
+constexpr int kStoppingSegments = 2 + kBrakeSegments;
+constexpr double kSharpRamp = 0.01;  ///< seconds
 
 /// Segments that lead from the state to rest, continuous to jerk, which is zero at either end. Same frame as the state.
 struct Stopping {
