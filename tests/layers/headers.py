@@ -7,7 +7,8 @@ import pathlib
 import subprocess
 import sys
 
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Werror"]
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wdouble-promotion", "-Wfloat-equal",
+            "-Werror"]
 CXX = ["c++11", "gnu++11", "gnu++14", "c++17"]
 C = ["c99", "c11"]
 

@@ -117,8 +117,21 @@ const char* tern_status_meaning(uint8_t status);
 const char* tern_stage_name(uint8_t stage);
 const char* tern_field_name(uint8_t field);
 
-/* Flush-to-zero, rounding mode, compiler flags, arithmetic, and `hash` against the library's configuration. `faults`
- * may be null. */
+/* What tern_self_test() found wrong, one bit each, as in tern/self_test.hpp. */
+typedef enum {
+  TERN_FAULT_FLUSH_TO_ZERO = 1 << 0,    /* denormals are flushed: the program was linked with -ffast-math */
+  TERN_FAULT_ROUNDING_MODE = 1 << 1,    /* not round-to-nearest-even */
+  TERN_FAULT_CONTRACTION = 1 << 2,      /* a * b + c was fused: the core was compiled without -ffp-contract=off */
+  TERN_FAULT_ARITHMETIC = 1 << 3,       /* NaN, infinity or sqrt are not IEEE 754's: -ffinite-math-only */
+  TERN_FAULT_CONFIGURATION = 1 << 4,    /* the hash is not the library's */
+  TERN_FAULT_RECIPROCAL_MATH = 1 << 5,  /* the core was compiled with -freciprocal-math */
+  TERN_FAULT_NO_SIGNED_ZEROS = 1 << 6,  /* the core was compiled with -fno-signed-zeros */
+  TERN_FAULT_ASSOCIATIVE_MATH = 1 << 7, /* the core was compiled with -fassociative-math */
+  TERN_FAULT_SINGLE_PRECISION_CONSTANT = 1 << 8 /* core or caller: -fsingle-precision-constant */
+} tern_fault;
+
+/* Flush-to-zero, rounding mode, compiler flags, arithmetic, and `hash` against the library's configuration. `faults`,
+ * a sum of tern_fault, may be null. */
 uint8_t tern_self_test(uint64_t hash, uint32_t* faults);
 
 /* Grid: words for both layers (0 where the dimensions do not fit), then bind, mark, inflate. `words` stays the

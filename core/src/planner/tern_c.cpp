@@ -16,6 +16,16 @@ static_assert(sizeof(Grid) <= sizeof(tern_grid) && alignof(Grid) <= alignof(tern
 static_assert(sizeof(Planner) <= sizeof(tern_planner) && alignof(Planner) <= alignof(tern_planner),
               "raise TERN_PLANNER_WORDS");
 
+static_assert(std::uint32_t{TERN_FAULT_FLUSH_TO_ZERO} == tern::kFaultFlushToZero, "");
+static_assert(std::uint32_t{TERN_FAULT_ROUNDING_MODE} == tern::kFaultRoundingMode, "");
+static_assert(std::uint32_t{TERN_FAULT_CONTRACTION} == tern::kFaultContraction, "");
+static_assert(std::uint32_t{TERN_FAULT_ARITHMETIC} == tern::kFaultArithmetic, "");
+static_assert(std::uint32_t{TERN_FAULT_CONFIGURATION} == tern::kFaultConfiguration, "");
+static_assert(std::uint32_t{TERN_FAULT_RECIPROCAL_MATH} == tern::kFaultReciprocalMath, "");
+static_assert(std::uint32_t{TERN_FAULT_NO_SIGNED_ZEROS} == tern::kFaultNoSignedZeros, "");
+static_assert(std::uint32_t{TERN_FAULT_ASSOCIATIVE_MATH} == tern::kFaultAssociativeMath, "");
+static_assert(std::uint32_t{TERN_FAULT_SINGLE_PRECISION_CONSTANT} == tern::kFaultSinglePrecisionConstant, "");
+
 constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
 
 std::uint8_t code(Status status) {
