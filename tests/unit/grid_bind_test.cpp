@@ -164,6 +164,19 @@ TEST(GridBind, RefusesAnOriginWhereCoordinatesAreCoarserThanCells) {
   expect_refused(spec, Status::kInvalidArgument, Field::kOrigin);
 }
 
+TEST(GridBind, KeepsARadiusOfANanometreOrLessAsNone) {
+  for (const double radius : {-0.0, 0.0, 1e-300, 1e-12, 1e-9}) {
+    OwnedGrid owned(whole_grid({10, 8, 6}, 0.1, radius));
+    ASSERT_EQ(owned.status, Status::kOk);
+    EXPECT_EQ(owned.grid.spec().radius, 0.0);
+    EXPECT_FALSE(std::signbit(owned.grid.spec().radius));
+  }
+  EXPECT_EQ(OwnedGrid(whole_grid({10, 8, 6}, 0.1, 1.1e-9)).grid.spec().radius, 1.1e-9);
+  GridSpec spec = good();
+  spec.radius = -1e-12;
+  expect_refused(spec, Status::kInvalidArgument, Field::kRadius);
+}
+
 TEST(GridBind, TakesABoundaryThatMissesTheGridByRounding) {
   // 0.1 * 3 is 0.30000000000000004, a hair above three cells.
   GridSpec spec = whole_grid({3, 3, 3}, 0.1, 0.0);

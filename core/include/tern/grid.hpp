@@ -26,7 +26,7 @@ struct GridSpec {
                   ///< inside the grid. Make the grid wider than the boundary by the radius where
                   ///< obstacles beyond the boundary matter.
   double radius;  ///< clearance of the robot's centre from every obstacle, 0 .. kMaxDimension cells;
-                  ///< a nanometre or less counts as 0
+                  ///< a nanometre or less counts as 0, and is 0 in Grid::spec()
 };
 
 /// Voxel edges that a grid accepts, metres: a micrometre to a thousand kilometres, far from where doubles end.

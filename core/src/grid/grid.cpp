@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "grid/changes.hpp"
+#include "grid/distance.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
 #include "grid/stencil.hpp"
@@ -163,6 +164,8 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   if (verdict.status != Status::kOk) return verdict.status;
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
+  // One radius for every stage: what is none for inflation is none for the corridor.
+  if (spec.radius <= kClearTolerance) spec_.radius = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_of_row(spec.dims);
   reach_x_ = Stencil(spec_).gap_x() + 1;
