@@ -129,8 +129,9 @@ class Grid {
   /// Local frame (world minus origin).
   Vec3 to_local(const Vec3& world) const noexcept;
   /// The voxel of a local point: half-open cubes (a point within kLatticeTolerance below a face counts as on it), but
-  /// the boundary's upper faces belong to the last voxel. Outside the grid for a point outside, never further than one
-  /// voxel: coordinates are clamped to -1 .. dims.
+  /// the boundary's upper faces belong to the last voxel. A point that the rounding of its world coordinates left
+  /// outside the boundary counts as on its face. Outside the grid for a point outside, never further than one voxel:
+  /// coordinates are clamped to -1 .. dims.
   Voxel voxel_of(const Vec3& local) const noexcept;
   /// A voxel's centre, local frame.
   Vec3 center(const Voxel& voxel) const noexcept;

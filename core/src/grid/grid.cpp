@@ -207,7 +207,7 @@ Voxel Grid::voxel_of(const Vec3& local) const noexcept {
   Voxel voxel{};
   for (int a = 0; a < 3; ++a) {
     const std::int32_t count = axis(spec_.dims, a);
-    const double cells = axis(local, a) / spec_.cell;
+    const double cells = onto_boundary(*this, axis(local, a), a) / spec_.cell;
     std::int32_t index = floor_index(cells + kLatticeTolerance, -1, count);
     const double upper = axis(local_boundary_.upper, a);
     const std::int32_t last = last_index(upper, spec_.cell, count);
