@@ -192,6 +192,7 @@ void Grid::begin_header() noexcept {
   bound_at_revision_ = (latest / kBindStep + 1) * kBindStep;
   const std::uint64_t content = content_of(spec_, local_boundary_);
   binding_ = binding_of(spec_, content, bound_at_revision_);
+  for (std::size_t k = 0; k < kHeaderWords; ++k) words_[k] = 0;
   words_[kTag] = kHeaderTag;
   words_[kBinding] = binding_;
   words_[kRevision] = bound_at_revision_;
