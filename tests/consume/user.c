@@ -1,7 +1,7 @@
 /* Copyright (c) 2026, the Tern authors
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * The C interface from C99: sizes, self-test, a plan around a wall, and its evaluation. */
+ * The C interface from C99: sizes, self-test, a plan around a wall, its evaluation, and grids that are bound again. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +17,8 @@
     }                                                              \
   } while (0)
 
+static int is(uint8_t status, const char* name) { return strcmp(tern_status_name(status), name) == 0; }
+
 static int check_layout(void) {
   REQUIRE(tern_abi() == TERN_ABI);
   REQUIRE(tern_size_of(TERN_SIZE_REQUEST) == sizeof(tern_request));
@@ -29,12 +31,14 @@ static int check_layout(void) {
   return 0;
 }
 
+static const tern_grid_spec spec = {
+    {-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15};
+
 static int make_grid(tern_grid* grid, uint64_t** words) {
-  tern_grid_spec spec = {{-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15};
   const tern_box wall = {{0.4, 0.0, 0.0}, {0.6, 2.0, 2.0}};
   const size_t count = tern_grid_words(spec.dims);
   REQUIRE(count > 0);
-  *words = malloc(count * sizeof **words);
+  *words = realloc(*words, count * sizeof **words);
   REQUIRE(tern_grid_bind(grid, &spec, *words, count) == 0);
   REQUIRE(tern_grid_mark_box(grid, &wall) == 0);
   REQUIRE(tern_grid_inflate(grid) == 0);
@@ -66,6 +70,52 @@ static int check_refusals(tern_planner* planner, const tern_grid* grid, tern_req
   return 0;
 }
 
+/* Memory that holds no grid is refused by every call. */
+static int check_unbound(tern_planner* planner, const tern_request* request, tern_trajectory* trajectory,
+                         tern_report* report) {
+  tern_grid grid;
+  const tern_box box = {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.5}};
+  const tern_vec3 point = {0.0, 0.0, 0.0};
+  tern_grid_spec bad = spec;
+  bad.cell = -1.0;
+  memset(&grid, 0, sizeof grid);
+  for (int turn = 0; turn < 2; ++turn) {
+    REQUIRE(is(tern_grid_mark_box(&grid, &box), "invalid_argument"));
+    REQUIRE(is(tern_grid_clear_box(&grid, &box), "invalid_argument"));
+    REQUIRE(is(tern_grid_mark_points(&grid, &point, 1, NULL), "invalid_argument"));
+    REQUIRE(is(tern_grid_inflate(&grid), "invalid_argument"));
+    REQUIRE(is(tern_plan(planner, &grid, request, trajectory, report), "invalid_argument"));
+    REQUIRE(is(tern_plan_begin(planner, &grid, request), "invalid_argument"));
+    REQUIRE(is(tern_plan_step(planner, 10), "invalid_argument"));
+    REQUIRE(is(tern_plan_finish(planner, trajectory, report), "invalid_argument"));
+    REQUIRE(is(tern_grid_bind(&grid, &bad, NULL, 0), "invalid_argument")); /* and does not bind it */
+  }
+  return 0;
+}
+
+/* A bind that is refused leaves the grid that was there; one that is not ends the plan that is under way. */
+static int check_bound_again(tern_planner* planner, tern_grid* grid, const tern_request* request,
+                             tern_trajectory* trajectory, tern_report* report) {
+  const tern_grid_spec small = {{-1.0, 0.0, 0.0}, 0.1, {5, 5, 5}, {{-1.0, 0.0, 0.0}, {-0.5, 0.5, 0.5}}, 0.0};
+  const tern_box wall = {{0.4, 0.0, 0.0}, {0.6, 2.0, 2.0}};
+  const size_t count = tern_grid_words(small.dims);
+  uint64_t* words = malloc(count * sizeof *words);
+  tern_grid_spec bad = spec;
+  bad.cell = -1.0;
+  REQUIRE(words != NULL);
+  REQUIRE(is(tern_grid_bind(grid, &bad, words, count), "invalid_argument"));
+  REQUIRE(is(tern_grid_bind(grid, &small, words, count - 1), "invalid_argument"));
+  REQUIRE(tern_plan(planner, grid, request, trajectory, report) == 0);
+  REQUIRE(is(tern_plan_begin(planner, grid, request), "running"));
+  REQUIRE(is(tern_plan_step(planner, 2), "running"));
+  REQUIRE(tern_grid_bind(grid, &small, words, count) == 0);
+  REQUIRE(tern_grid_mark_box(grid, &wall) == 0 && tern_grid_inflate(grid) == 0);
+  REQUIRE(is(tern_plan_step(planner, 2), "map_changed"));
+  REQUIRE(is(tern_plan_finish(planner, trajectory, report), "map_changed"));
+  free(words);
+  return 0;
+}
+
 int main(void) {
   tern_grid grid;
   tern_planner planner;
@@ -84,6 +134,8 @@ int main(void) {
   request.limits.a_max = (tern_vec3){2.0, 2.0, 1.0};
   REQUIRE(tern_plan(&planner, &grid, &request, trajectory, &report) == 0);
   if (check_plan(trajectory, &report) != 0) return 1;
+  if (check_unbound(&planner, &request, trajectory, &report) != 0) return 1;
+  if (check_bound_again(&planner, &grid, &request, trajectory, &report) != 0 || make_grid(&grid, &words) != 0) return 1;
   if (check_refusals(&planner, &grid, &request, trajectory, &report) != 0) return 1;
   free(words);
   free(trajectory);

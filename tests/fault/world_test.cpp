@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "support/random.hpp"
+
 namespace {
 
 using tern::Status;
@@ -98,6 +102,29 @@ TEST(WorldFault, RadiusThatJustFits) {  // F10: a door exactly two radii and one
   narrow.block({1.4, 0.0, 0.0}, {1.5, 0.6, 1.0}).block({1.4, 1.3, 0.0}, {1.5, 2.0, 1.0});
   narrow.from({0.45, 0.45, 0.45}).to({2.55, 1.55, 0.45});
   EXPECT_EQ(narrow.plan(), Status::kNoPath);
+}
+
+/// A start on the corner of touching obstacles is blocked by no stage where the radius counts as none.
+TEST(WorldFault, ARadiusOfANanometreIsNone) {  // F10
+  tern_test::Random random(10);
+  int planned = 0;
+  for (int turn = 0; turn < tern_test::scaled(400); ++turn) {
+    World none({12, 12, 8}, 0.2, 0.0, {0.3, 0.4, 0.5});
+    World nanometre({12, 12, 8}, 0.2, 1e-9, {0.3, 0.4, 0.5});
+    for (int k = 0; k < 120; ++k) {
+      const tern::Voxel voxel{random.integer(0, 11), random.integer(0, 11), random.integer(0, 7)};
+      for (World* world : {&none, &nanometre}) ASSERT_EQ(world->grid.mark_voxel(voxel), Status::kOk);
+    }
+    const tern::Vec3 corner{0.2 * random.integer(1, 10), 0.2 * random.integer(1, 10), 0.2 * random.integer(1, 6)};
+    const tern::Vec3 goal{0.2 * random.integer(1, 10) + 0.1, 0.2 * random.integer(1, 10) + 0.1, 0.7};
+    for (World* world : {&none, &nanometre}) world->from(corner).to(goal);
+    ASSERT_EQ(nanometre.plan(), none.plan()) << "turn " << turn;
+    if (none.report.status != Status::kOk) continue;
+    ++planned;
+    const std::size_t bytes = sizeof(tern::Segment) * static_cast<std::size_t>(none.trajectory.count);
+    ASSERT_EQ(std::memcmp(none.trajectory.segments, nanometre.trajectory.segments, bytes), 0) << "turn " << turn;
+  }
+  EXPECT_GT(planned, tern_test::scaled(400) / 4);
 }
 
 }  // namespace

@@ -270,7 +270,7 @@ TEST(GridMarkProperty, PointsEqualBruteForce) {
     ASSERT_EQ(inside, expected.size());
     OwnedGrid reference(spec_of(c));
     for (const Voxel& v : expected) ASSERT_EQ(reference.grid.mark_voxel(v), Status::kOk);
-    ASSERT_EQ(owned.words, reference.words);
+    ASSERT_EQ(tern_test::words_of(owned), tern_test::words_of(reference));
   }
 }
 

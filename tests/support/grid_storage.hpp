@@ -20,6 +20,11 @@ struct OwnedGrid {
   tern::Status status;
 };
 
+/// The words behind the header: both layers, what changed, and the regions' numbers.
+inline std::vector<std::uint64_t> words_of(const OwnedGrid& owned) {
+  return {owned.grid.obstacle_row(0, 0), owned.words.data() + owned.words.size()};
+}
+
 /// A spec whose boundary is the whole grid.
 inline tern::GridSpec whole_grid(tern::Voxel dims, double cell, double radius, tern::Vec3 origin = {0.0, 0.0, 0.0}) {
   return {origin,

@@ -50,10 +50,10 @@ GridSpec good() {
 
 TEST(GridWords, CountsBothLayersAndWhatChanged) {
   // Two layers; for each region of 64 rows a word for what changed and one for its content; a bit a plane.
-  EXPECT_EQ(tern::grid_words({1, 1, 1}), 2u + 2u * 1u + 1u);
-  EXPECT_EQ(tern::grid_words({64, 3, 2}), 12u + 2u * 2u + 1u);
-  EXPECT_EQ(tern::grid_words({65, 3, 2}), 24u + 2u * 4u + 1u);
-  EXPECT_EQ(tern::grid_words({200, 200, 40}), 2u * 4u * 200u * 40u + 2u * 4u * 4u * 40u + 1u);
+  EXPECT_EQ(tern::grid_words({1, 1, 1}), 8u + 2u + 2u * 1u + 1u);
+  EXPECT_EQ(tern::grid_words({64, 3, 2}), 8u + 12u + 2u * 2u + 1u);
+  EXPECT_EQ(tern::grid_words({65, 3, 2}), 8u + 24u + 2u * 4u + 1u);
+  EXPECT_EQ(tern::grid_words({200, 200, 40}), 8u + 2u * 4u * 200u * 40u + 2u * 4u * 4u * 40u + 1u);
 }
 
 TEST(GridWords, IsZeroForDimensionsThatDoNotFit) {
@@ -162,6 +162,19 @@ TEST(GridBind, RefusesAnOriginWhereCoordinatesAreCoarserThanCells) {
   EXPECT_EQ(bind(spec).status, Status::kOk);
   spec = whole_grid({10, 8, 6}, 0.1, 0.0, {0.0, 0.0, 1e15});
   expect_refused(spec, Status::kInvalidArgument, Field::kOrigin);
+}
+
+TEST(GridBind, KeepsARadiusOfANanometreOrLessAsNone) {
+  for (const double radius : {-0.0, 0.0, 1e-300, 1e-12, 1e-9}) {
+    OwnedGrid owned(whole_grid({10, 8, 6}, 0.1, radius));
+    ASSERT_EQ(owned.status, Status::kOk);
+    EXPECT_EQ(owned.grid.spec().radius, 0.0);
+    EXPECT_FALSE(std::signbit(owned.grid.spec().radius));
+  }
+  EXPECT_EQ(OwnedGrid(whole_grid({10, 8, 6}, 0.1, 1.1e-9)).grid.spec().radius, 1.1e-9);
+  GridSpec spec = good();
+  spec.radius = -1e-12;
+  expect_refused(spec, Status::kInvalidArgument, Field::kRadius);
 }
 
 TEST(GridBind, TakesABoundaryThatMissesTheGridByRounding) {

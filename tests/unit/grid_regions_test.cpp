@@ -96,6 +96,35 @@ TEST(GridRegions, EqualNumbersMeanEqualWords) {
   EXPECT_GT(different, 100);
 }
 
+TEST(GridRegions, WhatIsNotMadeYetIsNotWhatIsFree) {
+  OwnedGrid world(whole_grid(kDims, 0.1, 0.1));
+  const std::vector<std::uint64_t> unmade = numbers(world.grid);
+  world.grid.inflate();
+  const std::vector<std::uint64_t> made = numbers(world.grid);
+  for (std::size_t k = 0; k < made.size(); ++k) EXPECT_NE(made[k], unmade[k]) << k;
+  ASSERT_EQ(world.grid.bind(world.grid.spec(), world.words.data(), world.words.size()), tern::Status::kOk);
+  EXPECT_EQ(numbers(world.grid), unmade);
+  world.grid.inflate();
+  EXPECT_EQ(numbers(world.grid), made);
+}
+
+/// Each bit of a change flips each bit of the number in half of all cases: changes do not cancel each other.
+TEST(GridRegions, NumbersDependOnEveryBitOfAChange) {
+  constexpr int kCases = 4000;
+  Random random(82);
+  for (int bit = 0; bit < 64; ++bit) {
+    int flips[64] = {};
+    for (int k = 0; k < kCases; ++k) {
+      const std::uint64_t content = random.next();
+      const std::uint64_t change = random.next() >> 16;
+      const std::uint64_t other = change ^ std::uint64_t{1} << bit;
+      const std::uint64_t flipped = tern::content_after(content, change) ^ tern::content_after(content, other);
+      for (int k2 = 0; k2 < 64; ++k2) flips[k2] += static_cast<int>(flipped >> k2 & 1u);
+    }
+    for (const int count : flips) EXPECT_NEAR(count, kCases / 2, kCases / 20) << "bit " << bit;
+  }
+}
+
 TEST(GridRegions, AnotherRadiusIsAnotherContent) {
   OwnedGrid narrow(whole_grid(kDims, 0.1, 0.1));
   OwnedGrid wide(whole_grid(kDims, 0.1, 0.2));

@@ -93,7 +93,7 @@ class Planner {
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;
-  uint64_t revision_ = 0;
+  GridVersion version_{};  // of the map that is planned on
   Phase phase_ = Phase::kIdle;
   bool has_fences_ = false;
   int32_t fences_blocked_ = 0;  // units of the fences' phase that are done

@@ -134,8 +134,9 @@ typedef enum {
  * a sum of tern_fault, may be null. */
 uint8_t tern_self_test(uint64_t hash, uint32_t* faults);
 
-/* Grid: words for both layers (0 where the dimensions do not fit), then bind, mark, inflate. `words` stays the
- * caller's and must outlive the grid. */
+/* Grid: words of storage (0 where the dimensions do not fit), then bind, mark, inflate. `words` stays the caller's and
+ * must outlive the grid. A tern_grid may hold anything at its first bind; where another call can come before it, zero
+ * the tern_grid, and that call answers kInvalidArgument. A bind that is refused leaves grid and words as they were. */
 size_t tern_grid_words(tern_voxel dims);
 uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* words, size_t word_count);
 uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);

@@ -6,12 +6,26 @@
 
 #include "base/math.hpp"
 #include "grid/changes.hpp"
+#include "grid/distance.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
 #include "grid/stencil.hpp"
 
 namespace tern {
 namespace {
+
+/// Words before the layers: a cache line, so that the layers lie in lines as the storage does.
+constexpr std::size_t kHeaderWords = 8;
+
+/// First word of a storage that was bound before.
+constexpr std::uint64_t kHeaderTag = 0x7465726E2D677264u;
+
+/// The change from an empty grid to one whose blocked layer was not made yet; marks have other numbers.
+constexpr std::uint64_t kUnmade = ~std::uint64_t{0};
+
+/// Revisions begin with the next multiple of this at each bind: later than all that the grid had before, which may have
+/// been counted through copies of it, in storage that is gone.
+constexpr std::uint64_t kBindStep = std::uint64_t{1} << 32;
 
 /// World coordinates at the origin must tell this part of a cell apart, or "inside" has no meaning there.
 constexpr double kOriginResolution = 1e-3;
@@ -97,19 +111,34 @@ Box boundary_in_grid(const GridSpec& spec) {
   return local;
 }
 
+std::uint64_t hash_after(std::uint64_t hash, double number) {
+  std::uint64_t bits = 0;
+  __builtin_memcpy(&bits, &number, sizeof bits);
+  return content_after(hash, bits);
+}
+
+std::uint64_t hash_after(std::uint64_t hash, const Vec3& point) {
+  return hash_after(hash_after(hash_after(hash, point.x), point.y), point.z);
+}
+
 /// Of an empty grid: a hash of all that its blocked layer depends on.
 std::uint64_t content_of(const GridSpec& spec, const Box& local_boundary) {
-  const Vec3& lower = local_boundary.lower;
-  const Vec3& upper = local_boundary.upper;
-  const double numbers[] = {spec.cell, spec.radius, lower.x, lower.y, lower.z, upper.x, upper.y, upper.z};
-  std::uint64_t content = 0;
-  for (const double number : numbers) {
-    std::uint64_t bits = 0;
-    __builtin_memcpy(&bits, &number, sizeof bits);
-    content = content_after(content, bits);
-  }
+  std::uint64_t content = hash_after(hash_after(0, spec.cell), spec.radius);
+  content = hash_after(hash_after(content, local_boundary.lower), local_boundary.upper);
   for (int a = 0; a < 3; ++a) content = content_after(content, static_cast<std::uint64_t>(axis(spec.dims, a)));
   return content;
+}
+
+/// Tells a bind from all other ones of the storage, and views of one spec from those of another.
+std::uint64_t binding_of(const GridSpec& spec, std::uint64_t content, std::uint64_t revision) {
+  const std::uint64_t frame =
+      hash_after(hash_after(hash_after(content, spec.origin), spec.boundary.lower), spec.boundary.upper);
+  return content_after(frame, revision);
+}
+
+/// A word of storage that may never have been written: read as volatile, it has one value.
+std::uint64_t word_as_it_is(const std::uint64_t& word) {
+  return *static_cast<const volatile std::uint64_t*>(&word);
 }
 
 /// The last voxel that a point on the boundary's upper face belongs to.
@@ -125,7 +154,8 @@ std::size_t grid_words(const Voxel& dims) noexcept {
     if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
   }
   if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
-  return 2 * words_of_layer(dims) + Changes::words(dims) + static_cast<std::size_t>(Regions(dims).count());
+  return kHeaderWords + 2 * words_of_layer(dims) + Changes::words(dims) +
+         static_cast<std::size_t>(Regions(dims).count());
 }
 
 Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field) noexcept {
@@ -134,20 +164,40 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   if (verdict.status != Status::kOk) return verdict.status;
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
-  local_boundary_ = boundary_in_grid(spec);
+  // One radius for every stage: what is none for inflation is none for the corridor.
+  if (spec.radius <= kClearTolerance) spec_.radius = 0.0;
+  local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_of_row(spec.dims);
-  reach_x_ = Stencil(spec).gap_x() + 1;
-  obstacles_ = words;
-  blocked_ = words + layer;
-  changes_ = words + 2 * layer;
+  reach_x_ = Stencil(spec_).gap_x() + 1;
+  words_ = words;
+  obstacles_ = words + kHeaderWords;
+  blocked_ = obstacles_ + layer;
+  changes_ = blocked_ + layer;
+  contents_ = changes_ + Changes::words(spec.dims);
   for (std::size_t k = 0; k < layer; ++k) obstacles_[k] = 0;
   for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
   Changes(spec.dims, changes_).note_all();
-  content_ = content_of(spec, local_boundary_);
-  contents_ = changes_ + Changes::words(spec.dims);
-  for (std::int32_t k = 0; k < Regions(spec.dims).count(); ++k) contents_[k] = content_;
-  ++revision_;
+  begin_header();
+  // Nothing is free yet: not what the regions hold once they are made.
+  const std::uint64_t unmade = content_after(words_[kContent], kUnmade);
+  for (std::int32_t k = 0; k < Regions(spec.dims).count(); ++k) contents_[k] = unmade;
   return Status::kOk;
+}
+
+/// Numbers the bind: its revision is later than any that this grid or the storage had.
+void Grid::begin_header() noexcept {
+  const bool used = word_as_it_is(words_[kTag]) == kHeaderTag;
+  const std::uint64_t before = used ? word_as_it_is(words_[kRevision]) : 0;
+  const std::uint64_t latest = before > bound_at_revision_ ? before : bound_at_revision_;
+  bound_at_revision_ = (latest / kBindStep + 1) * kBindStep;
+  const std::uint64_t content = content_of(spec_, local_boundary_);
+  binding_ = binding_of(spec_, content, bound_at_revision_);
+  for (std::size_t k = 0; k < kHeaderWords; ++k) words_[k] = 0;
+  words_[kTag] = kHeaderTag;
+  words_[kBinding] = binding_;
+  words_[kRevision] = bound_at_revision_;
+  words_[kInflated] = bound_at_revision_ - 1;
+  words_[kContent] = content;
 }
 
 Vec3 Grid::to_local(const Vec3& world) const noexcept {
@@ -158,7 +208,7 @@ Voxel Grid::voxel_of(const Vec3& local) const noexcept {
   Voxel voxel{};
   for (int a = 0; a < 3; ++a) {
     const std::int32_t count = axis(spec_.dims, a);
-    const double cells = axis(local, a) / spec_.cell;
+    const double cells = onto_boundary(*this, axis(local, a), a) / spec_.cell;
     std::int32_t index = floor_index(cells + kLatticeTolerance, -1, count);
     const double upper = axis(local_boundary_.upper, a);
     const std::int32_t last = last_index(upper, spec_.cell, count);

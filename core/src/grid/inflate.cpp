@@ -196,11 +196,11 @@ void Grid::inflate() noexcept {
   if (!bound()) return;
   Changes changes(spec_.dims, changes_);
   if (changes.any()) {
-    const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_, content_, contents_};
+    const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_, words_[kContent], contents_};
     inflation.run(changes);
     changes.clear();
   }
-  inflated_revision_ = revision_;
+  words_[kInflated] = words_[kRevision];
 }
 
 }  // namespace tern

@@ -55,6 +55,19 @@ inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexce
   return mask;
 }
 
+/// A local coordinate that rounding left outside the boundary, put on the face; any other as it is. The face was put
+/// on the lattice by up to a tolerance of its size, and the point may miss the face by as much.
+inline double onto_boundary(const Grid& grid, double local, int a) {
+  const GridSpec& spec = grid.spec();
+  const Box boundary = grid.local_boundary();
+  const double lower = axis(boundary.lower, a);
+  const double upper = axis(boundary.upper, a);
+  const auto rounding = [&](const Vec3& face) { return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell; };
+  if (local < lower && local >= lower - rounding(spec.boundary.lower)) return lower;
+  if (local > upper && local <= upper + rounding(spec.boundary.upper)) return upper;
+  return local;
+}
+
 /// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) where none does.
 inline IndexRange inside_boundary(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();

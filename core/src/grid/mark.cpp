@@ -96,12 +96,12 @@ Status Grid::set_box(const Box& world, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!finite(world.lower) || !finite(world.upper)) return Status::kNonFiniteInput;
   if (!valid_box(world)) return Status::kInvalidArgument;
-  ++revision_;
+  ++words_[kRevision];
   const IndexRange x = voxels_met(spec_, world.lower.x, world.upper.x, 0);
   const IndexRange y = voxels_met(spec_, world.lower.y, world.upper.y, 1);
   const IndexRange z = voxels_met(spec_, world.lower.z, world.upper.z, 2);
   if (x.begin >= x.end) return Status::kOk;
-  content_ = content_with(content_, x, y, z, value);
+  words_[kContent] = content_with(words_[kContent], x, y, z, value);
   for (std::int32_t k = z.begin; k < z.end; ++k) {
     for (std::int32_t j = y.begin; j < y.end; ++j) set_row(j, k, x.begin, x.end, value);
   }
@@ -119,8 +119,8 @@ Status Grid::clear_box(const Box& world) noexcept {
 Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!inside(voxel)) return Status::kOutOfMap;
-  ++revision_;
-  content_ = content_with(content_, voxel, value);
+  ++words_[kRevision];
+  words_[kContent] = content_with(words_[kContent], voxel, value);
   set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, value);
   return Status::kOk;
 }
@@ -138,17 +138,19 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
   for (std::size_t k = 0; k < count; ++k) {
     if (!finite(world[k])) return Status::kNonFiniteInput;
   }
-  ++revision_;
+  ++words_[kRevision];
   std::size_t hits = 0;
+  std::uint64_t content = words_[kContent];
   for (std::size_t k = 0; k < count; ++k) {
     const Voxel voxel = voxel_holding(spec_, world[k]);
     if (!inside(voxel)) continue;
     ++hits;
     // Most of a frame was seen before.
     if (bit(obstacles_, voxel)) continue;
-    content_ = content_with(content_, voxel, true);
+    content = content_with(content, voxel, true);
     set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
   }
+  words_[kContent] = content;
   if (inside_count != nullptr) *inside_count = hits;
   return Status::kOk;
 }

@@ -32,8 +32,9 @@ struct Regions {
 /// The number of a content that came from another by a change: a hash of all changes since the grid was bound. Equal
 /// numbers mean equal histories, and so equal contents, but for a chance of 2^-64.
 constexpr std::uint64_t content_after(std::uint64_t content, std::uint64_t change) noexcept {
-  content = (content ^ change) * 0x9E3779B97F4A7C15u;
-  content = (content ^ content >> 32) * 0xD6E8FEB86659FD93u;
+  content ^= change;
+  content = (content ^ content >> 32) * 0x9E3779B97F4A7C15u;
+  content = (content ^ content >> 29) * 0xD6E8FEB86659FD93u;
   return content ^ content >> 32;
 }
 

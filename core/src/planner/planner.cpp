@@ -119,7 +119,7 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   set_ends();
   const Status fences = accept_fences(request);
   if (fences != Status::kRunning) return fences;
-  revision_ = grid.revision();
+  version_ = grid.version();
   status_ = Status::kRunning;
   enter(has_fences_ ? Phase::kFences : Phase::kPath);
   return status_;
@@ -130,7 +130,7 @@ Status Planner::step(std::uint32_t work) noexcept {
   Work slice{work};
   // Phases follow one another, and once again after a detour; each ends the plan, ends the slice or enters the next.
   while (phase_ != Phase::kDone) {
-    if (grid_->revision() != revision_) return end(stage_of_phase(), Status::kMapChanged);
+    if (!grid_->version().equals(version_)) return end(stage_of_phase(), Status::kMapChanged);
     if (run_phase(slice) == Status::kRunning && slice.left == 0) return Status::kRunning;
   }
   return status_;

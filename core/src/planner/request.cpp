@@ -3,6 +3,7 @@
 #include "planner/request.hpp"
 
 #include "base/bounds.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
@@ -94,25 +95,20 @@ bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain || mode == ShortcutMode::kGreedyBresenham;
 }
 
-bool in_map(const Grid& grid, const Vec3& world) {
-  const Vec3 local = grid.to_local(world);
-  const Box boundary = grid.local_boundary();
-  const double slack = kLatticeTolerance * grid.spec().cell;
-  for (int a = 0; a < 3; ++a) {
-    if (axis(local, a) < axis(boundary.lower, a) - slack || axis(local, a) > axis(boundary.upper, a) + slack)
-      return false;
-  }
-  return true;
+/// In the local frame, on the boundary's face where only rounding put it beyond.
+Vec3 position_to_local(const Grid& grid, const Vec3& world) {
+  Vec3 local = grid.to_local(world);
+  for (int a = 0; a < 3; ++a) axis(local, a) = onto_boundary(grid, axis(local, a), a);
+  return local;
 }
 
-State state_to_local(const Grid& grid, const State& state) {
-  State local = state;
-  local.position = grid.to_local(state.position);
+bool in_map(const Grid& grid, const Vec3& world) {
+  const Vec3 local = position_to_local(grid, world);
   const Box boundary = grid.local_boundary();
   for (int a = 0; a < 3; ++a) {
-    axis(local.position, a) = clamp(axis(local.position, a), axis(boundary.lower, a), axis(boundary.upper, a));
+    if (axis(local, a) < axis(boundary.lower, a) || axis(local, a) > axis(boundary.upper, a)) return false;
   }
-  return local;
+  return true;
 }
 
 }  // namespace
@@ -133,8 +129,8 @@ Verdict validate(const Grid& grid, const Request& request) noexcept {
 
 Request to_local(const Grid& grid, const Request& request) noexcept {
   Request local = request;
-  local.start = state_to_local(grid, request.start);
-  local.goal = state_to_local(grid, request.goal);
+  local.start.position = position_to_local(grid, request.start.position);
+  local.goal.position = position_to_local(grid, request.goal.position);
   return local;
 }
 

@@ -12,7 +12,11 @@ using tern::Grid;
 using tern::Planner;
 using tern::Status;
 
-static_assert(sizeof(Grid) <= sizeof(tern_grid) && alignof(Grid) <= alignof(tern_grid), "raise TERN_GRID_WORDS");
+/// A tern_grid's first word once a grid was bound there; the grid follows it.
+constexpr std::uint64_t kGridTag = 0x7465726E2D677269u;
+
+static_assert(sizeof(std::uint64_t) + sizeof(Grid) <= sizeof(tern_grid) && alignof(Grid) <= alignof(tern_grid),
+              "raise TERN_GRID_WORDS");
 static_assert(sizeof(Planner) <= sizeof(tern_planner) && alignof(Planner) <= alignof(tern_planner),
               "raise TERN_PLANNER_WORDS");
 
@@ -31,11 +35,20 @@ constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgu
 std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
-Grid& object(tern_grid* grid) {
-  return *std::launder(reinterpret_cast<Grid*>(grid->opaque));
+/// What stands in for a grid that was never bound.
+constexpr Grid kNoGrid{};
+
+/// Whether there is a grid. The memory may never have been written: read as volatile, the word has one value.
+bool holds_grid(const tern_grid* grid) {
+  return *static_cast<const volatile std::uint64_t*>(grid->opaque) == kGridTag;
+}
+/// Null where there is none.
+Grid* object(tern_grid* grid) {
+  if (grid == nullptr || !holds_grid(grid)) return nullptr;
+  return std::launder(reinterpret_cast<Grid*>(grid->opaque + 1));
 }
 const Grid& object(const tern_grid* grid) {
-  return *std::launder(reinterpret_cast<const Grid*>(grid->opaque));
+  return holds_grid(grid) ? *std::launder(reinterpret_cast<const Grid*>(grid->opaque + 1)) : kNoGrid;
 }
 Planner& object(tern_planner* planner) {
   return *std::launder(reinterpret_cast<Planner*>(planner->opaque));
@@ -97,27 +110,36 @@ std::size_t tern_grid_words(tern_voxel dims) {
 
 std::uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, std::uint64_t* words, std::size_t word_count) {
   if (grid == nullptr || spec == nullptr) return kInvalid;
-  return code((new (grid->opaque) Grid)->bind(*spec, words, word_count));
+  const Grid* before = object(grid);
+  Grid bound = before != nullptr ? *before : kNoGrid;
+  const Status status = bound.bind(*spec, words, word_count);
+  if (status != Status::kOk) return code(status);
+  new (grid->opaque + 1) Grid(bound);
+  grid->opaque[0] = kGridTag;
+  return code(status);
 }
 
 std::uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world) {
-  if (grid == nullptr || world == nullptr) return kInvalid;
-  return code(object(grid).mark_box(*world));
+  Grid* marked = object(grid);
+  if (marked == nullptr || world == nullptr) return kInvalid;
+  return code(marked->mark_box(*world));
 }
 
 std::uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world) {
-  if (grid == nullptr || world == nullptr) return kInvalid;
-  return code(object(grid).clear_box(*world));
+  Grid* cleared = object(grid);
+  if (cleared == nullptr || world == nullptr) return kInvalid;
+  return code(cleared->clear_box(*world));
 }
 
 std::uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, std::size_t count, std::size_t* inside) {
-  if (grid == nullptr || (world == nullptr && count > 0)) return kInvalid;
-  return code(object(grid).mark_points(world, count, inside));
+  Grid* marked = object(grid);
+  return marked == nullptr ? kInvalid : code(marked->mark_points(world, count, inside));
 }
 
 std::uint8_t tern_grid_inflate(tern_grid* grid) {
-  if (grid == nullptr || !object(grid).bound()) return kInvalid;
-  object(grid).inflate();
+  Grid* inflated = object(grid);
+  if (inflated == nullptr || !inflated->bound()) return kInvalid;
+  inflated->inflate();
   return code(Status::kOk);
 }
 
