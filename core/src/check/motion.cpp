@@ -141,9 +141,9 @@ bool within(const Vec3& point, const Box& box, double tolerance) {
 
 /// Bezier curves lie in the hull of their control points: all inside means the curve is (the paper's Section 3.4.2).
 bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid) {
-  const double tolerance = kCheckDistance + frame.rounding;
+  const double tolerance = kCheckDistance + frame.rounding + lattice_rounding(grid);
   for (const Vec3& point : segment.points) {
-    if (!within(point, frame.boundary, tolerance + lattice_rounding(grid))) return false;
+    if (!within(point, frame.boundary, tolerance)) return false;
   }
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Vec3& normal = polyhedron.planes[p].normal;

@@ -41,7 +41,7 @@ double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept {
 }
 
 double lattice_rounding(const Grid& grid) noexcept {
-  return kLatticeTolerance * grid.spec().cell;
+  return 2.0 * kLatticeTolerance * grid.spec().cell;
 }
 
 double derivative_rounding(const Segment& segment, int order) noexcept {

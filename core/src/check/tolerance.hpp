@@ -31,7 +31,8 @@ constexpr double kGridUlps = 8.0;
 double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept;
 constexpr double kWorldUlps = 2.0;
 
-/// What a face of the boundary may move by when it is put on the lattice (kLatticeTolerance of a voxel).
+/// Metres by which a face of the boundary moves when it is put on the lattice (kLatticeTolerance of a voxel), and a
+/// start or goal on it with it.
 double lattice_rounding(const Grid& grid) noexcept;
 
 /// Error of the derivative of that order (0 to 3) at an end of a segment whose control points are rounded: a control
