@@ -55,6 +55,10 @@ inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexce
   return mask;
 }
 
+/// Metres by which a state of a plan may lie beyond the boundary (the trajectory stage's tolerance), and the next plan
+/// begin there.
+constexpr double kFaceTolerance = 1e-9;
+
 /// A local coordinate that rounding left outside the boundary, put on the face; any other as it is. The face was put
 /// on the lattice by up to a tolerance of its size, and the point may miss the face by as much.
 inline double onto_boundary(const Grid& grid, double local, int a) {
@@ -62,7 +66,7 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
   const Box boundary = grid.local_boundary();
   const double lower = axis(boundary.lower, a);
   const double upper = axis(boundary.upper, a);
-  const auto rounding = [&](const Vec3& face) { return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + 1e-9; };
+  const auto rounding = [&](const Vec3& face) { return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance; };
   if (local < lower && local >= lower - rounding(spec.boundary.lower)) return lower;
   if (local > upper && local <= upper + rounding(spec.boundary.upper)) return upper;
   return local;
