@@ -16,6 +16,10 @@ bool in_boundary(const World& world, const tern::Vec3& p) {
   return true;
 }
 
+/// Room ahead of a start that its first polyhedron has at least in an empty world, metres: a leg longer than 8 m is cut
+/// (docs/corridor.md).
+constexpr Real kFirstPolyhedron = 2.0L;
+
 /// How far a voxel's cube reaches to both sides of its centre along a unit normal.
 Real half_width(const World& world, const Point& n) {
   return 0.5L * world.spec.cell * (std::fabs(n[0]) + std::fabs(n[1]) + std::fabs(n[2]));
@@ -52,13 +56,14 @@ std::vector<int> fenced_components(const World& world, const Map& map, const Ask
 }
 
 /// With fences only points in free voxels count: how others are served depends on more than faces.
-std::vector<int> own_components(const World& world, const std::vector<int>& component, const Point& p) {
-  std::vector<int> numbers;
+int own_component(const World& world, const std::vector<int>& component, const Point& p) {
+  int common = -2;
   for (const tern::Voxel& v : homes(world, p)) {
     const int number = component[static_cast<std::size_t>(world.index(v.x, v.y, v.z))];
-    if (number >= 0) numbers.push_back(number);
+    if (common != -2 && number != common) return -1;
+    common = number;
   }
-  return numbers;
+  return common;
 }
 
 }  // namespace
@@ -85,7 +90,8 @@ bool must_connect(const World& world, const Map& map, const Ask& ask) {
     return share_one(reachable(world, map.component, start), reachable(world, map.component, goal));
   }
   const std::vector<int> component = fenced_components(world, map, ask);
-  return share_one(own_components(world, component, start), own_components(world, component, goal));
+  const int number = own_component(world, component, start);
+  return number >= 0 && number == own_component(world, component, goal);
 }
 
 bool has_room_to_stop(const World& world, const Ask& ask) {
@@ -106,6 +112,7 @@ bool has_room_to_stop(const World& world, const Ask& ask) {
   const Real flat = std::sqrt(v[0] * v[0] + v[1] * v[1]) / speed;
   if (l.a_horizontal > 0.0 && flat > 0) most = std::min(most, l.a_horizontal / flat);
   const Real way = 2 * (speed * speed / (2 * most) + 0.05L * speed);
+  if (way > kFirstPolyhedron) return false;
   const tern::Vec3 end = world.world(world.local(start.position) + (way / speed) * v);
   return in_boundary(world, start.position) && in_boundary(world, end);
 }

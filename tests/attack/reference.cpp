@@ -98,12 +98,16 @@ std::vector<int> components(const World& world, const std::vector<std::uint8_t>&
 std::vector<tern::Voxel> homes(const World& world, const Point& p) {
   std::vector<tern::Voxel> found{{0, 0, 0}};
   for (int a = 0; a < 3; ++a) {
-    const Real cells = p[a] / static_cast<Real>(world.spec.cell);
-    const Real slack = 4 * kUlp * (1 + std::fabs(cells));
-    const int low = static_cast<int>(std::ceil(cells - 1 - slack));
-    const int high = static_cast<int>(std::floor(cells + slack));
+    const Real cell = world.spec.cell;
+    const Real origin = axis(world.spec.origin, a);
+    const Real cells = p[a] / cell;
+    const Real slack = 2e-9L + 4 * kUlp * (std::fabs(origin) / cell + std::fabs(cells));
+    const Real upper = (axis(world.spec.boundary.upper, a) - origin) / cell;
+    const int last = std::max(0, static_cast<int>(std::ceil(upper - slack)) - 1);
+    const int low = std::max(0, std::min(last, static_cast<int>(std::floor(cells))));
+    const int high = std::max(0, std::min(last, static_cast<int>(std::floor(cells + slack))));
     std::vector<tern::Voxel> grown;
-    for (int i = std::max(0, low); i <= std::min(axis(world.spec.dims, a) - 1, high); ++i) {
+    for (int i = low; i <= high; ++i) {
       for (tern::Voxel v : found) {
         axis(v, a) = i;
         grown.push_back(v);
@@ -116,8 +120,8 @@ std::vector<tern::Voxel> homes(const World& world, const Point& p) {
 
 namespace {
 
-void add_number(std::vector<int>& numbers, int number) {
-  if (std::find(numbers.begin(), numbers.end(), number) == numbers.end()) numbers.push_back(number);
+bool holds(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
 Point center(const World& world, const tern::Voxel& v) {
@@ -125,35 +129,41 @@ Point center(const World& world, const tern::Voxel& v) {
   return {{(v.x + 0.5L) * cell, (v.y + 0.5L) * cell, (v.z + 0.5L) * cell}};
 }
 
-/// True where a voxel is at most two away from all voxels that may count as the point's own.
-bool near_all(const std::vector<tern::Voxel>& own, const tern::Voxel& v) {
-  for (const tern::Voxel& h : own) {
-    if (std::abs(h.x - v.x) > 2 || std::abs(h.y - v.y) > 2 || std::abs(h.z - v.z) > 2) return false;
+int number_of(const World& world, const std::vector<int>& component, const tern::Voxel& v) {
+  return world.inside(v.x, v.y, v.z) ? component[static_cast<std::size_t>(world.index(v.x, v.y, v.z))] : -1;
+}
+
+std::vector<int> reachable_from(const World& world, const std::vector<int>& component, const Point& p,
+                                const tern::Voxel& home) {
+  const int own = number_of(world, component, home);
+  if (own >= 0) return {own};
+  std::vector<int> numbers;
+  // The grid calls a line clear to 1e-9 m; a tenth of that is beyond doubt.
+  const Real least = world.radius() - 1e-10L + 16 * kUlp * largest(p);
+  for (int k = 0; k < 125; ++k) {
+    const tern::Voxel v{home.x + k % 5 - 2, home.y + k / 5 % 5 - 2, home.z + k / 25 - 2};
+    const int number = number_of(world, component, v);
+    if (number < 0 || holds(numbers, number)) continue;
+    if (clearance(world, line(p, center(world, v)), least).proof == Proof::kProven) numbers.push_back(number);
   }
-  return true;
+  return numbers;
 }
 
 }  // namespace
 
 std::vector<int> reachable(const World& world, const std::vector<int>& component, const Point& p) {
-  const std::vector<tern::Voxel> own = homes(world, p);
-  std::vector<int> numbers;
-  for (const tern::Voxel& v : own) {
-    const int number = component[static_cast<std::size_t>(world.index(v.x, v.y, v.z))];
-    if (number >= 0) add_number(numbers, number);
+  std::vector<int> common;
+  bool first = true;
+  for (const tern::Voxel& home : homes(world, p)) {
+    const std::vector<int> numbers = reachable_from(world, component, p, home);
+    std::vector<int> both;
+    for (const int number : numbers) {
+      if (first || holds(common, number)) both.push_back(number);
+    }
+    common = both;
+    first = false;
   }
-  if (!numbers.empty() || own.empty()) return numbers;
-  const Real rounding = 16 * kUlp * largest(p);
-  // The grid calls a line clear to 1e-9 m; a tenth of that is beyond doubt.
-  const Real least = world.radius() - 1e-10L + rounding;
-  for (int k = 0; k < 125; ++k) {
-    const tern::Voxel v{own[0].x + k % 5 - 2, own[0].y + k / 5 % 5 - 2, own[0].z + k / 25 - 2};
-    if (!world.inside(v.x, v.y, v.z) || !near_all(own, v)) continue;
-    const int number = component[static_cast<std::size_t>(world.index(v.x, v.y, v.z))];
-    if (number < 0 || std::find(numbers.begin(), numbers.end(), number) != numbers.end()) continue;
-    if (clearance(world, line(p, center(world, v)), least).proof == Proof::kProven) add_number(numbers, number);
-  }
-  return numbers;
+  return common;
 }
 
 bool share_one(const std::vector<int>& a, const std::vector<int>& b) {

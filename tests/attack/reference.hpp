@@ -23,11 +23,13 @@ std::vector<Space> blocked_layer(const World& world);
 /// axes, so that moves along the axes connect the same.
 std::vector<int> components(const World& world, const std::vector<std::uint8_t>& free);
 
-/// Voxels whose closed cube holds a point (local frame), one to eight of them inside the grid.
+/// The voxels that may count as the one that holds a point (local frame): docs/grid.md gives a point on a lattice plane
+/// to the voxel above, on the boundary's upper face to the last one; several where the plane is met but for rounding.
 std::vector<tern::Voxel> homes(const World& world, const Point& p);
 
-/// Numbers of the components that the exact point `p` (local frame) can reach: its own voxels' where one of them is
-/// free; else those of the free voxels up to two away whose straight line from the point keeps the radius.
+/// Numbers of the components that a search from the exact point `p` (local frame) is bound to reach (docs/search.md):
+/// its own voxel's where that is free; else those of the free voxels up to two away whose straight line from the point
+/// keeps the radius. What holds for all homes.
 std::vector<int> reachable(const World& world, const std::vector<int>& component, const Point& p);
 
 bool share_one(const std::vector<int>& a, const std::vector<int>& b);
