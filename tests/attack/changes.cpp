@@ -19,20 +19,31 @@ struct VoxelBox {
 };
 using VoxelBoxes = std::vector<VoxelBox>;
 
+/// Through which view of a storage changes come.
+enum class Through : int {
+  kAny,       ///< the grid, an old copy of it, or a new one
+  kNewCopy,   ///< always a copy made for the purpose, as where a grid is handed over by value
+  kTwoViews,  ///< the grid or an old copy
+};
+
 struct Changing {
   World world;
   tern::Grid copy;     ///< an older view of the same storage
   VoxelBoxes sets[3];  ///< what comes and goes
   bool standing[3] = {};
+  Through through = Through::kAny;
+  bool wide = false;
+  int last_set = -1;  ///< the set of the last frame
 };
 
-VoxelBoxes make_set(Rng& rng, const World& world) {
-  VoxelBoxes set(static_cast<std::size_t>(rng.integer(1, 8)));
+VoxelBoxes make_set(Rng& rng, const World& world, bool wide) {
+  VoxelBoxes set(static_cast<std::size_t>(wide ? 12 : rng.integer(1, 8)));
   for (VoxelBox& box : set) {
     for (int a = 0; a < 3; ++a) {
       const int count = axis(world.spec.dims, a);
       box.low[a] = a == 2 ? 0 : rng.integer(0, count - 1);
-      box.high[a] = a == 2 && rng.chance(0.7) ? count : std::min(count, box.low[a] + rng.integer(1, 1 + count / 4));
+      box.high[a] = std::min(count, box.low[a] + rng.integer(1, wide ? 20 : 1 + count / 4));
+      if (a == 2 && (wide || rng.chance(0.7))) box.high[a] = count;
     }
   }
   return set;
@@ -56,28 +67,42 @@ void apply(World& world, tern::Grid& view, const VoxelBoxes& set, bool value) {
 
 bool begin_world(Context& context, Changing& c) {
   make_world(context.rng, Family::kChanges, c.world);
-  if (context.rng.chance(0.5)) std::fill(c.world.solid.begin(), c.world.solid.end(), 0);
+  if (c.world.spec.dims.x >= 100 || context.rng.chance(0.5)) std::fill(c.world.solid.begin(), c.world.solid.end(), 0);
   const Status bound = bind_and_mark(context.rng, c.world);
   if (bound != Status::kOk) report(context.findings, "bind", "%s", tern::status_name(bound));
-  for (VoxelBoxes& set : c.sets) set = make_set(context.rng, c.world);
+  c.wide = c.world.spec.dims.x >= 100;
+  constexpr Through kThrough[] = {Through::kAny, Through::kNewCopy, Through::kTwoViews};
+  c.through = context.rng.pick(kThrough);
+  for (VoxelBoxes& set : c.sets) set = make_set(context.rng, c.world, c.wide);
   c.copy = c.world.grid;
   return bound == Status::kOk;
 }
 
-/// One set comes, or goes if it stands, through the grid, an old copy of it, or a copy made for the purpose.
-void come_and_go(Rng& rng, Changing& c) {
+/// One frame: sets `first` and, where `count` is 2, the one after it come, or go if they stand.
+void frame(Rng& rng, Changing& c, int first, int count) {
   tern::Grid by_value = c.world.grid;
   tern::Grid* const views[] = {&c.world.grid, &c.copy, &by_value};
-  tern::Grid& view = *rng.pick(views);
-  const int changes = rng.integer(1, 3);
-  for (int k = 0; k < changes; ++k) {
-    const int s = rng.integer(0, 2);
+  const int from = c.through == Through::kNewCopy ? 2 : 0;
+  const int to = c.through == Through::kTwoViews ? 1 : 2;
+  tern::Grid& view = *views[rng.integer(from, to)];
+  for (int k = 0; k < count; ++k) {
+    const int s = (first + k) % 3;
     apply(c.world, view, c.sets[s], !c.standing[s]);
     c.standing[s] = !c.standing[s];
   }
   view.inflate();
   // Whoever holds another view inflates it before planning on it, as the grid asks for.
   c.world.grid.inflate();
+}
+
+/// One frame; or two that the planner sees as one, the second of them with the change that it saw last, so that whoever
+/// tells contents apart by the last change takes another world for the one that was seen.
+void come_and_go(Rng& rng, Changing& c) {
+  const int set = c.last_set >= 0 && rng.chance(0.5) ? c.last_set : rng.integer(0, 2);
+  const bool unseen = set == c.last_set;
+  if (unseen) frame(rng, c, set, 2);
+  frame(rng, c, set, unseen || rng.chance(0.5) ? 1 : 2);
+  c.last_set = set;
 }
 
 /// The same storage bound anew, by the same object or as a new one, as it was or with another radius.
@@ -100,11 +125,11 @@ void bind_again(Context& context, Changing& c) {
 void ask_both(Context& context, tern::Planner& kept, Changing& c) {
   const Map map = map_of(c.world);
   check_layers(c.world, map, context.findings);
-  const int count = context.rng.integer(1, 3);
+  const int count = c.wide ? 6 : context.rng.integer(1, 3);
   for (int k = 0; k < count && context.findings.empty(); ++k) {
     Ask ask;
     make_request(context.rng, Family::kChanges, c.world, map, ask);
-    if (context.rng.chance(0.7)) ask.request.budget.iterations = 0;
+    if (c.wide || context.rng.chance(0.7)) ask.request.budget.iterations = 0;
     const Status status = ask_once(context, kept, c.world, map, ask, "plan on a changed world");
     compare_fresh(context, c.world, ask, status);
   }
@@ -165,11 +190,11 @@ void run_changes(Context& context) {
   Changing worlds[2];
   if (!begin_world(context, worlds[0]) || !begin_world(context, worlds[1])) return;
   tern::Planner kept(&context.bench.kept_memory, sizeof(tern::Workspace));
-  const int changes = context.rng.integer(1, 4);
   Rng& rng = context.rng;
+  const int changes = worlds[0].wide ? 5 : rng.integer(1, 4);
   for (int k = 0; k < changes && context.findings.empty(); ++k) {
-    Changing& c = worlds[rng.chance(0.75) ? 0 : 1];
-    if (rng.chance(0.2)) {
+    Changing& c = worlds[rng.chance(0.85) ? 0 : 1];
+    if (rng.chance(0.12)) {
       bind_again(context, c);
     } else {
       come_and_go(rng, c);

@@ -91,12 +91,16 @@ void make_world(Rng& rng, Family family, World& world) {
   for (int a = 0; a < 3; ++a) axis(spec.dims, a) = choose_dimension(rng);
   if (family == Family::kFar) choose_far(rng, spec);
   if (family == Family::kFences) spec.cell = rng.real(0.1, 2.0);
-  if (family == Family::kChanges && rng.chance(0.3)) spec.dims = {rng.integer(64, 140), rng.integer(40, 70), 8};
   // Needles of fences far from the world's origin are the rounding of their own coordinates.
   for (int a = 0; a < 3; ++a) {
     axis(spec.origin, a) = family == Family::kFences ? (rng.chance(0.5) ? 0.0 : rng.real(-50, 50)) : choose_offset(rng);
   }
   const int half = choose_radius(rng, family, spec);
+  if (family == Family::kChanges && rng.chance(0.06)) {
+    // Wide enough for searches that keep what they found out about the map.
+    spec.dims = {rng.integer(100, 140), rng.integer(80, 120), rng.integer(4, 8)};
+    spec.radius = 0.0;
+  }
   choose_boundary(rng, spec);
   world.solid.assign(static_cast<std::size_t>(world.count()), 0);
   fill(rng, family, half, world);

@@ -30,8 +30,10 @@ int main(int argc, char** argv) {
   std::string family;
   std::uint64_t number = 0;
   bool verbose = false;
+  double share = 1.0;
   app.add_option("--seed", options.seed, "Seed of all cases")->capture_default_str();
   app.add_option("--cases", options.cases, "How many cases to run")->capture_default_str();
+  app.add_option("--share", share, "Part of the cases to run, 0 < share <= 1");
   app.add_option("--family", family, "Only cases of this family");
   app.add_option("--jobs", options.jobs, "Processes at a time; 0: one a core")->capture_default_str();
   app.add_option("--folder", options.folder, "Where state and tables go; without it a run cannot be resumed");
@@ -51,6 +53,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "tern_attack: %s is no family\n", family.c_str());
     return 2;
   }
+  options.cases = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(options.cases) * share));
+  // State is kept by whole blocks.
+  constexpr std::uint64_t kBlock = tern_attack::kBlock;
+  if (!options.folder.empty()) options.cases = (options.cases + kBlock - 1) / kBlock * kBlock;
   tern_attack::Progress progress;
   load_state(options, progress);
   for (const tern_attack::Violation& v : progress.violations) std::printf("%s\n", violation_line(options, v).c_str());

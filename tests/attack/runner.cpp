@@ -33,6 +33,7 @@ struct Worker {
   std::uint64_t block = 0;
   std::uint64_t last = 0;  ///< index of the case seen last, and since when
   double since = 0.0;
+  bool ended = false;  ///< by the parent, because its case took too long
   std::vector<Violation> violations;
 };
 
@@ -51,6 +52,7 @@ std::uint64_t block_end(const Options& o, std::uint64_t block) {
     slot.next = i;
     Findings findings;
     const std::uint64_t number = case_at(options, i);
+    if (options.before_case != nullptr) options.before_case(number);
     run_case(bench(), options.seed, number, false, slot.tallies, findings);
     for (const Finding& f : findings) {
       const std::string line = std::to_string(number) + " " + f.kind + " " + f.detail + "\n";
@@ -68,6 +70,7 @@ void start(const Options& options, Worker& w, std::uint64_t from) {
   w.slot->next = from;
   w.last = from;
   w.since = now();
+  w.ended = false;
   w.pid = fork();
   if (w.pid == 0) {
     close(ends[0]);
@@ -157,7 +160,7 @@ class Run {
     if (WIFEXITED(how) && WEXITSTATUS(how) == 0) return finish_block(w);
     const std::uint64_t at = w.slot->next;
     const std::string what = WIFSIGNALED(how) ? strsignal(WTERMSIG(how)) : "exit " + std::to_string(WEXITSTATUS(how));
-    note(w, {case_at(options_, at), "crash", what});
+    note(w, {case_at(options_, at), w.ended ? "too_long" : "crash", what});
     if (at + 1 < block_end(options_, w.block)) return start(options_, w, at + 1);
     finish_block(w);
   }
@@ -180,7 +183,7 @@ class Run {
       w.last = at;
       w.since = now();
     } else if (now() - w.since > options_.seconds_a_case) {
-      kill(w.pid, SIGKILL);
+      w.ended = kill(w.pid, SIGKILL) == 0;
       w.since = now();
     }
   }

@@ -21,8 +21,9 @@ struct Options {
   int family = -1;  ///< -1: all in turn
   int jobs = 0;     ///< 0: one a core
   double seconds_a_case = 60.0;
-  bool quiet = false;  ///< no progress line
-  std::string folder;  ///< for state and tables; empty: none are kept
+  bool quiet = false;                                   ///< no progress line
+  std::string folder;                                   ///< for state and tables; empty: none are kept
+  void (*before_case)(std::uint64_t number) = nullptr;  ///< called in the case's process; for tests of this runner
 };
 
 using Tallies = std::array<Tally, kFamilies>;
@@ -52,7 +53,8 @@ std::string violation_line(const Options& options, const Violation& violation);
 /// Runs what `progress` lacks; prints a line a violation. The state file is written as blocks finish.
 void run_all(const Options& options, Progress& progress);
 
-/// State of a run under options.folder; empty where there is none, or where another program wrote it.
+/// State of a run under options.folder, without its ending. Loading leaves `progress` empty where there is none, or
+/// where another build of the program wrote it. A run that keeps state has whole blocks only.
 std::string state_path(const Options& options);
 void load_state(const Options& options, Progress& progress);
 void save_state(const Options& options, const Progress& progress);

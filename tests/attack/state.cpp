@@ -71,13 +71,12 @@ std::string state_path(const Options& o) {
   return o.folder + "/seed" + std::to_string(o.seed) + family;
 }
 
-/// A block that the end of an earlier, shorter run cut is run again in full: only whole blocks are kept.
 void save_state(const Options& options, const Progress& progress) {
   if (options.folder.empty()) return;
   const std::string path = state_path(options) + ".state";
   {
     std::ofstream out(path + ".new");
-    out << "program " << own_hash() << " cases " << options.cases << "\nseconds " << progress.seconds << '\n';
+    out << "program " << own_hash() << "\nseconds " << progress.seconds << '\n';
     for (const Tally& t : progress.tallies) save_tally(out, t);
     for (const std::uint64_t block : progress.blocks) out << "block " << block << '\n';
     for (const Violation& v : progress.violations)
@@ -94,10 +93,8 @@ void load_state(const Options& options, Progress& progress) {
   std::istringstream head(line);
   std::string word;
   std::uint64_t hash = 0;
-  std::uint64_t cases = 0;
-  head >> word >> hash >> word >> cases;
-  const bool whole = cases == options.cases || (cases < options.cases && cases % kBlock == 0);
-  if (hash != own_hash() || !whole) return;
+  head >> word >> hash;
+  if (hash != own_hash()) return;
   std::size_t family = 0;
   while (std::getline(in, line)) load_line(line, family, progress);
 }
