@@ -76,13 +76,22 @@ void make_moving(Rng& rng, const tern::Limits& l, tern::State& state) {
   if (rng.chance(0.5)) state.acceleration = within(rng, l.a_max, l.a_min, l.a_horizontal);
 }
 
-void make_budget(Rng& rng, tern::Budget& budget) {
+void make_budget(Rng& rng, double none, tern::Budget& budget) {
   const double u = rng.unit();
-  if (u < 0.25) budget.iterations = 0;
-  if (u >= 0.25 && u < 0.4) budget.iterations = static_cast<std::uint32_t>(rng.integer(1, 60));
+  if (u < none) budget.iterations = 0;
+  if (u >= none && u < none + 0.15) budget.iterations = static_cast<std::uint32_t>(rng.integer(1, 60));
   if (!rng.chance(0.04)) return;
   std::uint32_t* const budgets[] = {&budget.expansions, &budget.sight_lines, &budget.planes};
   *rng.pick(budgets) = static_cast<std::uint32_t>(rng.integer(0, 40));
+}
+
+/// From a picometre to some voxels beside the start: what is far from the grid's origin need not be long.
+tern::Vec3 goal_nearby(Rng& rng, const World& world, const tern::Vec3& start) {
+  const double reach = rng.chance(0.25) ? rng.spread(1e-12, 1.0) : 6.0 * world.spec.cell;
+  tern::Vec3 goal = start;
+  for (int a = 0; a < 3; ++a) axis(goal, a) += reach * rng.real(-1.0, 1.0);
+  clamp_to_boundary(world, goal);
+  return goal;
 }
 
 /// The goal: anywhere, the start itself, or a little beside it, from a picometre up.
@@ -146,9 +155,11 @@ void make_request(Rng& rng, Family family, const World& world, const Map& map, A
   make_limits(rng, r.limits);
   r.start.position = make_point(rng, world, map);
   r.goal.position = make_goal(rng, world, map, r.start.position);
-  if (rng.chance(family == Family::kFar ? 0.5 : 0.25)) make_moving(rng, r.limits, r.start);
+  const bool far = family == Family::kFar;
+  if (far && rng.chance(0.7)) r.goal.position = goal_nearby(rng, world, r.start.position);
+  if (rng.chance(far ? 0.5 : 0.25)) make_moving(rng, r.limits, r.start);
   if (rng.chance(0.08)) make_moving(rng, r.limits, r.goal);
-  make_budget(rng, r.budget);
+  make_budget(rng, far ? 0.5 : 0.25, r.budget);
   if (rng.chance(0.3)) r.time_weight = rng.spread(1e-3, 1e6);
   if (family == Family::kFences) make_fences(rng, world, ask);
 }
