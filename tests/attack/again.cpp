@@ -1,0 +1,114 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The same request again: in slices, on a fresh planner, and from states along its plan.
+#include <cstdio>
+
+#include "attack/attack_case.hpp"
+
+namespace tern_attack {
+
+using tern::Status;
+
+namespace {
+
+void expect_same(Context& context, const char* kind, Status one, Status other) {
+  ++context.tally.compared;
+  if (one != other) {
+    return report(context.findings, kind, "%s, then %s", tern::status_name(one), tern::status_name(other));
+  }
+  const Bench& b = context.bench;
+  if (one == Status::kOk && !same_bits(b.trajectory, b.second)) {
+    return report(context.findings, kind, "both ok, with other bits");
+  }
+  if (one != Status::kOk && !spoiled(b.second)) report(context.findings, "touched", "%s", kind);
+}
+
+std::uint32_t slice_of(Rng& rng) {
+  constexpr std::uint32_t kSizes[] = {1, 1, 2, 7, 150, 0};
+  const std::uint32_t size = rng.pick(kSizes);
+  return size;
+}
+
+}  // namespace
+
+void compare_slices(Context& context, const World& world, const Ask& ask, Status status) {
+  tern::Planner planner(&context.bench.fresh_memory, sizeof(tern::Workspace));
+  tern::Report answer;
+  spoil(context.bench.second);
+  const std::uint32_t size = slice_of(context.rng);
+  Status sliced = planner.begin(world.grid, ask.request);
+  for (int k = 0; k < 10000000 && sliced == Status::kRunning; ++k) {
+    sliced = planner.step(size != 0 ? size : static_cast<std::uint32_t>(context.rng.integer(1, 300)));
+  }
+  const Status finished = planner.finish(context.bench.second, answer);
+  if (finished != sliced) report(context.findings, "slices", "finish says %s", tern::status_name(finished));
+  expect_same(context, "slices", status, finished);
+}
+
+void compare_fresh(Context& context, const World& world, const Ask& ask, Status status) {
+  tern::Planner planner(&context.bench.fresh_memory, sizeof(tern::Workspace));
+  tern::Report answer;
+  spoil(context.bench.second);
+  expect_same(context, "fresh", status, planner.plan(world.grid, ask.request, context.bench.second, answer));
+}
+
+void compare_kept(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
+                  Status status) {
+  tern::Request other = ask.request;
+  other.goal = {make_point(context.rng, world, map), {0, 0, 0}, {0, 0, 0}};
+  other.budget = tern::Budget{};
+  tern::Report answer;
+  (void)planner.plan(world.grid, other, context.bench.second, answer);
+  spoil(context.bench.second);
+  expect_same(context, "kept", status, planner.plan(world.grid, ask.request, context.bench.second, answer));
+}
+
+namespace {
+
+double moment(Rng& rng, const tern::Trajectory& trajectory) {
+  const double end = tern::duration(trajectory);
+  const double u = rng.unit();
+  if (u < 0.05) return 0.0;
+  if (u < 0.1) return trajectory.segments[0].duration;
+  if (u < 0.2) return end * (1.0 - std::pow(10.0, -rng.real(1.0, 9.0)));
+  return end * rng.unit();
+}
+
+void replan_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
+                 const tern::Trajectory& plan, double t) {
+  const tern::Sample s = tern::evaluate(plan, t);
+  Ask next;
+  next.fences = ask.fences;
+  next.request = ask.request;
+  next.request.fences = next.fences.empty() ? nullptr : next.fences.data();
+  next.request.start = {s.position, s.velocity, s.acceleration};
+  next.request.budget = tern::Budget{};
+  const bool new_goal = context.rng.chance(0.25);
+  if (new_goal) next.request.goal = {make_point(context.rng, world, map), {0, 0, 0}, {0, 0, 0}};
+  ++context.tally.replans;
+  const std::size_t before = context.findings.size();
+  const Status status = ask_once(context, planner, world, map, next, new_goal ? "replan to a new goal" : "replan");
+  if (context.verbose) std::printf("  at t %.17g of %.17g\n", t, tern::duration(plan));
+  if (status == Status::kOk || is_capacity(status) || context.findings.size() != before) return;
+  if (new_goal && !share_one(reachable(world, map.component, world.local(ask.request.goal.position)),
+                             reachable(world, map.component, world.local(next.request.goal.position)))) {
+    return;
+  }
+  if (new_goal && !ask.fences.empty()) return;
+  const std::string kind = std::string(new_goal ? "replan_new_goal_" : "replan_") + tern::status_name(status);
+  report(context.findings, kind.c_str(), "from t %.17g of %.17g", t, tern::duration(plan));
+}
+
+}  // namespace
+
+void replan(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask) {
+  context.bench.untouched = context.bench.trajectory;
+  const int count = context.rng.integer(1, 2);
+  for (int k = 0; k < count; ++k) {
+    const tern::Trajectory& plan = context.bench.untouched;
+    replan_once(context, planner, world, map, ask, plan, moment(context.rng, plan));
+  }
+}
+
+}  // namespace tern_attack

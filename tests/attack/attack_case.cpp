@@ -1,0 +1,139 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "attack/attack_case.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+namespace tern_attack {
+
+using tern::Status;
+
+void spoil(tern::Trajectory& trajectory) {
+  std::memset(static_cast<void*>(&trajectory), 0x5A, sizeof trajectory);
+}
+
+bool spoiled(const tern::Trajectory& trajectory) {
+  static const tern::Trajectory kPattern = [] {
+    tern::Trajectory pattern;
+    spoil(pattern);
+    return pattern;
+  }();
+  return std::memcmp(&trajectory, &kPattern, sizeof kPattern) == 0;
+}
+
+bool same_bits(const tern::Trajectory& a, const tern::Trajectory& b) {
+  if (a.count != b.count || std::memcmp(&a.origin, &b.origin, sizeof a.origin) != 0) return false;
+  for (int s = 0; s < a.count; ++s) {
+    const tern::Segment& p = a.segments[s];
+    const tern::Segment& q = b.segments[s];
+    if (p.polyhedron != q.polyhedron || std::memcmp(p.points, q.points, sizeof p.points) != 0) return false;
+    if (std::memcmp(&p.duration, &q.duration, sizeof p.duration) != 0) return false;
+  }
+  return true;
+}
+
+void print_ask(const World& world, const Ask& ask) {
+  const tern::GridSpec& s = world.spec;
+  const tern::Request& r = ask.request;
+  const auto line = [](const char* name, const tern::Vec3& v) {
+    std::printf("  %s %.17g %.17g %.17g\n", name, v.x, v.y, v.z);
+  };
+  std::printf("  cell %.17g dims %d %d %d radius %.17g solid %d\n", s.cell, s.dims.x, s.dims.y, s.dims.z, s.radius,
+              static_cast<int>(std::count(world.solid.begin(), world.solid.end(), 1)));
+  line("origin", s.origin);
+  line("boundary lower", s.boundary.lower);
+  line("boundary upper", s.boundary.upper);
+  line("start", r.start.position);
+  line("start velocity", r.start.velocity);
+  line("start acceleration", r.start.acceleration);
+  line("goal", r.goal.position);
+  line("goal velocity", r.goal.velocity);
+  line("goal acceleration", r.goal.acceleration);
+  line("v_max", r.limits.v_max);
+  line("a_max", r.limits.a_max);
+  line("v_min", r.limits.v_min);
+  line("a_min", r.limits.a_min);
+  std::printf("  v_horizontal %.17g a_horizontal %.17g weight %.17g budget %u %u %u %u\n", r.limits.v_horizontal,
+              r.limits.a_horizontal, r.time_weight, r.budget.expansions, r.budget.sight_lines, r.budget.planes,
+              r.budget.iterations);
+  for (const tern::Fence& fence : ask.fences) {
+    std::printf("  %s\n", fence.kind == tern::FenceKind::kKeepIn ? "keep-in" : "keep-out");
+    for (int k = 0; k < fence.count; ++k) {
+      const tern::Halfspace& h = fence.planes[k];
+      std::printf("    %.17g %.17g %.17g %.17g\n", h.normal.x, h.normal.y, h.normal.z, h.offset);
+    }
+  }
+}
+
+Status ask_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
+                const char* what) {
+  tern::Report answer;
+  tern::Trajectory& out = context.bench.trajectory;
+  spoil(out);
+  const Status status = planner.plan(world.grid, ask.request, out, answer);
+  if (context.verbose) {
+    std::printf("%s: %s (stage %s, quality %d)\n", what, tern::status_name(status), tern::stage_name(answer.stage),
+                static_cast<int>(answer.quality));
+    print_ask(world, ask);
+  }
+  if (status == Status::kOk) {
+    check_plan(context.rng, world, ask.request, out, context.findings);
+  } else if (!spoiled(out)) {
+    report(context.findings, "touched", "%s: the output changed with %s", what, tern::status_name(status));
+  }
+  judge(context, world, map, ask, answer, status, what);
+  return status;
+}
+
+void check_layers(const World& world, const Map& map, Findings& findings) {
+  for (int i = 0; i < world.count(); ++i) {
+    const tern::Voxel v = world.voxel(i);
+    const auto at = static_cast<std::size_t>(i);
+    if (world.grid.obstacle(v) != (world.solid[at] != 0)) {
+      return report(findings, "obstacle_layer", "voxel (%d, %d, %d) is %d", v.x, v.y, v.z, world.solid[at]);
+    }
+    if (map.layer[at] != Space::kEither && world.grid.free(v) != (map.layer[at] == Space::kFree)) {
+      return report(findings, "c5", "voxel (%d, %d, %d) should be %s", v.x, v.y, v.z,
+                    map.layer[at] == Space::kFree ? "free" : "blocked");
+    }
+  }
+}
+
+namespace {
+
+void run_plans(Context& context) {
+  World world;
+  make_world(context.rng, context.family, world);
+  const Status bound = bind_and_mark(context.rng, world);
+  if (bound != Status::kOk) return report(context.findings, "bind", "%s", tern::status_name(bound));
+  const Map map = map_of(world);
+  check_layers(world, map, context.findings);
+  Ask ask;
+  make_request(context.rng, context.family, world, map, ask);
+  tern::Planner planner(&context.bench.kept_memory, sizeof(tern::Workspace));
+  const Status status = ask_once(context, planner, world, map, ask, "plan");
+  const bool slices = context.rng.chance(0.12);
+  const bool kept = context.rng.chance(0.08);
+  const bool again = context.rng.chance(0.4);
+  if (slices) compare_slices(context, world, ask, status);
+  if (kept) compare_kept(context, planner, world, map, ask, status);
+  if (again && status == Status::kOk) replan(context, planner, world, map, ask);
+}
+
+}  // namespace
+
+void run_case(Bench& bench, std::uint64_t seed, std::uint64_t number, bool verbose, Tally* tallies,
+              Findings& findings) {
+  Rng rng = rng_of(seed, number);
+  const Family family = family_of(number);
+  Context context{bench, rng, family, tallies[static_cast<int>(family)], findings, verbose};
+  ++context.tally.cases;
+  if (family == Family::kChanges) {
+    run_changes(context);
+  } else {
+    run_plans(context);
+  }
+}
+
+}  // namespace tern_attack

@@ -1,0 +1,67 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "attack/runner.hpp"
+
+namespace {
+
+/// One case in this process, so that a debugger sees it.
+int run_one(const tern_attack::Options& options, std::uint64_t number, bool verbose) {
+  const auto bench = std::make_unique<tern_attack::Bench>();
+  tern_attack::Tallies tallies{};
+  tern_attack::Findings findings;
+  tern_attack::run_case(*bench, options.seed, number, verbose, tallies.data(), findings);
+  for (const tern_attack::Finding& f : findings) {
+    std::printf("%s\n", violation_line(options, {number, f.kind, f.detail}).c_str());
+  }
+  if (findings.empty()) std::printf("case %llu: no violation\n", static_cast<unsigned long long>(number));
+  return findings.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Attacks the planner with random worlds and requests and checks every answer.", "tern_attack");
+  app.footer("Exit status: 0 without a violation, 1 with one, 2 for wrong usage. docs/attack.md has the rules.");
+  tern_attack::Options options;
+  std::string family;
+  std::uint64_t number = 0;
+  bool verbose = false;
+  double share = 1.0;
+  app.add_option("--seed", options.seed, "Seed of all cases")->capture_default_str();
+  app.add_option("--cases", options.cases, "How many cases to run")->capture_default_str();
+  app.add_option("--share", share, "Part of the cases to run, 0 < share <= 1");
+  app.add_option("--family", family, "Only cases of this family");
+  app.add_option("--jobs", options.jobs, "Processes at a time; 0: one a core")->capture_default_str();
+  app.add_option("--folder", options.folder, "Where state and tables go; without it a run cannot be resumed");
+  app.add_option("--seconds-a-case", options.seconds_a_case, "A case that takes longer is a violation")
+      ->capture_default_str();
+  app.add_flag("--quiet", options.quiet, "No progress line");
+  auto* one = app.add_option("--case", number, "Run this case alone");
+  app.add_flag("--verbose", verbose, "With --case: print the world, every request and every answer");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (one->count() > 0) return run_one(options, number, verbose);
+  if (!family.empty()) options.family = tern_attack::family_by_name(family.c_str());
+  if (!family.empty() && options.family < 0) {
+    std::fprintf(stderr, "tern_attack: %s is no family\n", family.c_str());
+    return 2;
+  }
+  options.cases = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(options.cases) * share));
+  // State is kept by whole blocks.
+  constexpr std::uint64_t kBlock = tern_attack::kBlock;
+  if (!options.folder.empty()) options.cases = (options.cases + kBlock - 1) / kBlock * kBlock;
+  tern_attack::Progress progress;
+  load_state(options, progress);
+  for (const tern_attack::Violation& v : progress.violations) std::printf("%s\n", violation_line(options, v).c_str());
+  run_all(options, progress);
+  print_table(options, progress);
+  write_tables(options, progress);
+  return progress.violations.empty() ? 0 : 1;
+}
