@@ -6,6 +6,8 @@
 #define TERN_TESTS_ATTACK_RUNNER_HPP
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
