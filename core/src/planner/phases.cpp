@@ -245,7 +245,7 @@ Status Planner::run_detour(Work& work) noexcept {
 Status Planner::run_check(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{local_.start, local_.goal, local_.limits, has_fences_ ? &memory.fences : nullptr};
+  const CheckQuery query{local_.start, local_.goal, local_.limits, has_fences_ ? &memory.asked_fences : nullptr};
   const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(report_, Stage::kCheck, stage.units, kCheckBound);
   if (status == Status::kRunning) return status;
