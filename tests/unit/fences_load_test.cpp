@@ -151,6 +151,17 @@ TEST_F(FencesTest, ANeedleKeepsItsTip) {
   EXPECT_LE(top, 1.0 + 1e-5);  // moved out by 1e-12 m, three planes a millionth of a radian apart
 }
 
+TEST_F(FencesTest, TouchingIsAllowedWithoutARadiusToo) {
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
+  ASSERT_EQ(load({{planes, 6, FenceKind::kKeepOut}}), Status::kOk);
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.2, 0.7}, {1.0, 1.2, 0.7}, 0.0)) << "on a face";
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 0.5}, {1.0, 1.0, 0.5}, 0.0)) << "on a corner";
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 0.5, 0.7}, {1.0, 3.0, 0.7}, 0.0)) << "along a face";
+  EXPECT_FALSE(fences_clear(*fences_, {1.00001, 1.2, 0.7}, {1.00001, 1.2, 0.7}, 0.0));
+  EXPECT_FALSE(fences_clear(*fences_, {0.5, 1.2, 0.7}, {2.5, 1.2, 0.7}, 0.0));
+}
+
 TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
   // As many planes as there may be, all but equal in pairs: each corner has copies further apart than rounding.
   Random random(7);

@@ -195,9 +195,10 @@ std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to
     if (far > plane.offset + kClearTolerance) return fences.keep_in_index[p];
   }
   for (int k = 0; k < fences.keep_out_count; ++k) {
-    const HullGap gap = segment_hull_gap(from, to, hull_of(fences, fences.keep_out[k]));
-    const bool apart = dot(gap.normal, gap.normal) > 0.5;
-    if (!apart || gap.distance < radius - kClearTolerance) return fences.keep_out[k].index;
+    const KeepOut& fence = fences.keep_out[k];
+    const Halfspace* faces = fences.planes + fence.first_plane;
+    const HullGap gap = widest_gap(from, to, hull_of(fences, fence), faces, fence.planes, radius);
+    if (gap.distance < radius - kClearTolerance) return fence.index;
   }
   return kNoFence;
 }
