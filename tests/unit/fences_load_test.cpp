@@ -126,6 +126,66 @@ Vec3 random_unit(Random& random) {
   return {n.x / norm, n.y / norm, n.z / norm};
 }
 
+TEST_F(FencesTest, EqualPlanesMakeNoMoreCornersAndLoseNone) {
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
+  std::vector<Halfspace> twice(planes, planes + tern::kBoxPlanes);
+  for (const Halfspace& h : planes) {
+    twice.push_back({{3.0 * h.normal.x, 3.0 * h.normal.y, 3.0 * h.normal.z}, 3.0 * h.offset});
+  }
+  ASSERT_EQ(load_one(FenceKind::kKeepOut, twice), Status::kOk);
+  ASSERT_EQ(fences_->keep_out_count, 1);
+  EXPECT_EQ(fences_->keep_out[0].corners, 8);
+  EXPECT_TRUE(fences_clear(*fences_, {0.8, 1.2, 0.7}, {0.8, 1.2, 0.7}, 0.2));
+  EXPECT_FALSE(fences_clear(*fences_, {0.81, 1.2, 0.7}, {0.81, 1.2, 0.7}, 0.2));
+}
+
+TEST_F(FencesTest, ANeedleKeepsItsTip) {
+  // Three planes that meet at (2, 2, 1), each a millionth of a radian off upright.
+  ASSERT_EQ(load_one(FenceKind::kKeepOut,
+                     {{{1.0, 0.0, 1e-6}, 2.0 + 1e-6}, {{-1.0, 1.0, 1e-6}, 1e-6}, {{-1.0, -1.0, 1e-6}, -4.0 + 1e-6}}),
+            Status::kOk);
+  ASSERT_EQ(fences_->keep_out_count, 1);
+  const double top = -hull_support({0.0, 0.0, -1.0}, hull_of(*fences_, fences_->keep_out[0]));
+  EXPECT_GE(top, 1.0);
+  EXPECT_LE(top, 1.0 + 1e-5);  // moved out by 1e-12 m, three planes a millionth of a radian apart
+}
+
+TEST_F(FencesTest, TouchingIsAllowedWithoutARadiusToo) {
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
+  ASSERT_EQ(load({{planes, 6, FenceKind::kKeepOut}}), Status::kOk);
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.2, 0.7}, {1.0, 1.2, 0.7}, 0.0)) << "on a face";
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 0.5}, {1.0, 1.0, 0.5}, 0.0)) << "on a corner";
+  EXPECT_TRUE(fences_clear(*fences_, {1.0, 0.5, 0.7}, {1.0, 3.0, 0.7}, 0.0)) << "along a face";
+  EXPECT_FALSE(fences_clear(*fences_, {1.00001, 1.2, 0.7}, {1.00001, 1.2, 0.7}, 0.0));
+  EXPECT_FALSE(fences_clear(*fences_, {0.5, 1.2, 0.7}, {2.5, 1.2, 0.7}, 0.0));
+}
+
+TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
+  // As many planes as there may be, all but equal in pairs: each corner has copies further apart than rounding.
+  Random random(7);
+  for (int i = 0; i < scaled(40); ++i) {
+    std::vector<Halfspace> planes;
+    while (static_cast<int>(planes.size()) + 2 <= tern::kMaxFencePlanes) {
+      const Vec3 n = random_unit(random);
+      for (int k = 0; k < 2; ++k) {
+        const double by = 1e-7 * random.real(-1.0, 1.0);
+        const Vec3 m{n.x + by, n.y - by, n.z + by};
+        planes.push_back({m, dot3(m, {2.0, 2.0, 1.0}) + 0.5 * norm3(m)});
+      }
+    }
+    ASSERT_EQ(load_one(FenceKind::kKeepOut, planes), Status::kOk);
+    ASSERT_EQ(fences_->keep_out_count, 1);
+    const tern::Hull hull = hull_of(*fences_, fences_->keep_out[0]);
+    for (const Halfspace& h : planes) {  // each plane touches a ball of 0.5 m
+      const double out = -hull_support({-h.normal.x, -h.normal.y, -h.normal.z}, hull);
+      ASSERT_GE(out, dot3(h.normal, {2.0, 2.0, 1.0}) + 0.5 - 1e-6);
+      ASSERT_LE(out, dot3(h.normal, {2.0, 2.0, 1.0}) + 0.5 + 1e-4);
+    }
+  }
+}
+
 TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {
   Random random(3);
   const auto layer = std::make_unique<tern::FenceLayer>();

@@ -31,10 +31,11 @@ constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells 
 /// A bit a voxel for the stops of scans in six directions, three bytes for each 64 voxels for how far scans have
 /// walked, and what the map was; from plan to plan.
 constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
-/// Fences, the blocked layer of a grid with fences, the normals tried for one of them.
+/// Fences as they are and as the stages use them, the blocked layer of a grid with fences, the normals tried for one of
+/// them.
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
-    kFencePlanes * (120 + 16 * kFencePlanes) + kMaxFences * 216 + static_cast<size_t>(kMaxFenceWords) * 8 + 1024;
+    kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxFenceWords) * 8 + 1024;
 /// Solid boxes with what merging and measuring them takes.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The quadratic programme's points and planes, and the dense factor of its working set.

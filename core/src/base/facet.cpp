@@ -14,6 +14,55 @@ struct Excess {
   double at(const Facet& facet, int k) const { return (constant + along_u * facet.at_u[k]) + along_v * facet.at_v[k]; }
 };
 
+/// Corners [first, last] in the order around the facet, which may pass its end.
+struct Run {
+  int first;
+  int last;
+};
+
+int after(int k, int count) {
+  return k + 1 == count ? 0 : k + 1;
+}
+
+int before(int k, int count) {
+  return k == 0 ? count - 1 : k - 1;
+}
+
+/// The corners beyond around the furthest one. Another run of them is one but for rounding, on a polygon of a hair's
+/// breadth: it stays, so that a cut takes nothing that it should not.
+Run run_about(int furthest, const double* beyond, int count) {
+  Run run{furthest, furthest};
+  for (int k = 1; k < count && beyond[before(run.first, count)] > 0.0; ++k) run.first = before(run.first, count);
+  for (int k = 1; k < count && beyond[after(run.last, count)] > 0.0; ++k) run.last = after(run.last, count);
+  return run;
+}
+
+bool in_run(const Run& run, int k) {
+  return run.first <= run.last ? k >= run.first && k <= run.last : k >= run.first || k <= run.last;
+}
+
+/// Takes the run away; where the facet's edge leaves and enters it, a corner joins.
+void keep_within(const double* beyond, const Run& run, Facet& facet) {
+  Facet left;
+  left.count = 0;
+  for (int k = 0; k < facet.count; ++k) {
+    const int next = after(k, facet.count);
+    if (!in_run(run, k)) {
+      left.at_u[left.count] = facet.at_u[k];
+      left.at_v[left.count++] = facet.at_v[k];
+    }
+    if (in_run(run, k) == in_run(run, next)) continue;
+    const double share = beyond[k] / (beyond[k] - beyond[next]);
+    left.at_u[left.count] = facet.at_u[k] + share * (facet.at_u[next] - facet.at_u[k]);
+    left.at_v[left.count++] = facet.at_v[k] + share * (facet.at_v[next] - facet.at_v[k]);
+  }
+  facet.count = left.count;
+  for (int k = 0; k < left.count; ++k) {
+    facet.at_u[k] = left.at_u[k];
+    facet.at_v[k] = left.at_v[k];
+  }
+}
+
 }  // namespace
 
 Facet square_on(const Halfspace& plane, double reach) noexcept {
@@ -29,35 +78,20 @@ Facet square_on(const Halfspace& plane, double reach) noexcept {
   return facet;
 }
 
-bool cut(const Halfspace& by, Facet& facet) noexcept {
+bool cut(const Halfspace& by, Facet& facet, double slack) noexcept {
   const Excess excess{dot(by.normal, facet.foot) - by.offset, dot(by.normal, facet.u), dot(by.normal, facet.v)};
   double beyond[kMaxCuts + 4];
-  int outside = 0;
-  for (int k = 0; k < facet.count; ++k) {
+  beyond[0] = excess.at(facet, 0);
+  int furthest = 0;
+  int nearest = 0;
+  for (int k = 1; k < facet.count; ++k) {
     beyond[k] = excess.at(facet, k);
-    if (beyond[k] > 0.0) ++outside;
+    if (beyond[k] > beyond[furthest]) furthest = k;
+    if (beyond[k] < beyond[nearest]) nearest = k;
   }
-  if (outside == 0) return true;
-  if (outside == facet.count) return false;
-  Facet left;
-  left.count = 0;
-  int crossings = 0;  // rounding may make a hair's breadth of a polygon cross more often: two are enough
-  for (int k = 0; k < facet.count; ++k) {
-    const int next = k + 1 == facet.count ? 0 : k + 1;
-    if (beyond[k] <= 0.0) {
-      left.at_u[left.count] = facet.at_u[k];
-      left.at_v[left.count++] = facet.at_v[k];
-    }
-    if ((beyond[k] > 0.0) == (beyond[next] > 0.0) || ++crossings > 2) continue;
-    const double share = beyond[k] / (beyond[k] - beyond[next]);
-    left.at_u[left.count] = facet.at_u[k] + share * (facet.at_u[next] - facet.at_u[k]);
-    left.at_v[left.count++] = facet.at_v[k] + share * (facet.at_v[next] - facet.at_v[k]);
-  }
-  facet.count = left.count;
-  for (int k = 0; k < left.count; ++k) {
-    facet.at_u[k] = left.at_u[k];
-    facet.at_v[k] = left.at_v[k];
-  }
+  if (!(beyond[furthest] > slack)) return true;
+  if (beyond[nearest] > 0.0) return false;
+  keep_within(beyond, run_about(furthest, beyond, facet.count), facet);
   return true;
 }
 

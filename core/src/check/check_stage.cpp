@@ -36,7 +36,8 @@ Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corrid
       if (!polyhedron_clear(grid, corridor.polyhedra[stage.next])) {
         return refuse(stage, Finding::kObstacle, stage.next);
       }
-      if (query.fences != nullptr && !keep_outs_clear(grid, corridor.polyhedra[stage.next], *query.fences)) {
+      if (query.fences != nullptr &&
+          !keep_outs_clear(grid, corridor.polyhedra[stage.next], *query.fences, stage.scratch)) {
         return refuse(stage, Finding::kFence, stage.next);
       }
       continue;
@@ -44,7 +45,7 @@ Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corrid
     const int index = stage.next - polyhedra;
     const Finding finding = check_segment(grid, corridor, trajectory, index, query);
     if (finding != Finding::kNone) return refuse(stage, finding, index);
-    if (query.fences != nullptr && !keep_ins_hold(trajectory.segments[index], *query.fences)) {
+    if (query.fences != nullptr && !keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin)) {
       return refuse(stage, Finding::kFence, index);
     }
   }

@@ -9,8 +9,9 @@
 #include <cstdint>
 
 #include "base/work.hpp"
+#include "check/asked_fences.hpp"
+#include "check/solid.hpp"
 #include "check/tolerance.hpp"
-#include "grid/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
@@ -40,7 +41,13 @@ struct CheckQuery {
   State start;
   State goal;
   Limits limits;
-  const Fences* fences = nullptr;  ///< only the half-spaces are read, not the corners
+  const AskedFences* fences = nullptr;  ///< null: none
+};
+
+/// One keep-out at a time, about the middle of what surrounds it.
+struct FenceScratch {
+  Solid<DoubleDouble> exact;
+  Solid<double> quick;  ///< the same, rounded
 };
 
 /// One unit of work is one polyhedron or one segment. Plain data, no initialisation needed before check_begin.
@@ -49,6 +56,7 @@ struct CheckStage {
   std::uint32_t units;  ///< the same, for the report
   Finding finding;
   std::int32_t where;  ///< index of the polyhedron or segment that the finding is about
+  FenceScratch scratch;
 };
 
 void check_begin(CheckStage& stage) noexcept;
@@ -61,12 +69,14 @@ Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corrid
 /// the grid's radius to spare. Sufficient for a distance >= radius, and what the corridor stage promises.
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept;
 
-/// True where every keep-out is cut off from the polyhedron by one of its half-spaces with the radius to spare; as far
-/// as it comes within the radius of the boundary.
-bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Fences& fences) noexcept;
+/// True where every keep-out is cut off from the polyhedron (local frame) by one of its half-spaces with the radius to
+/// spare, but for kCheckDistance; as far as it comes within the radius of the boundary.
+bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences,
+                     FenceScratch& scratch) noexcept;
 
-/// True where all control points are in each keep-in.
-bool keep_ins_hold(const Segment& segment, const Fences& fences) noexcept;
+/// True where all control points, which are relative to `origin` in the world, are in each keep-in, but for
+/// kCheckDistance.
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin) noexcept;
 
 /// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
 Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,

@@ -1,136 +1,138 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fences once more, from their half-spaces alone: a linear programme by the dual simplex method, whose every step holds
-// a proven bound. The corridor works with corners instead.
+// Fences once more, from the caller's half-spaces alone: moved into the frame at hand without rounding, so that what is
+// proven depends neither on where the map is nor on how the stages before read the fences.
 #include "base/math.hpp"
 #include "check/check_stage.hpp"
 
 namespace tern {
 namespace {
 
-/// Steps of one linear programme; each raises the bound. One that needs more is not proven, and so refused.
-constexpr int kMaxPivots = 4 * kMaxFencePlanes;
-/// Metres by which a point may be outside a half-space and count as in it, and the least pivot.
-constexpr double kFeasible = 1e-10;
-constexpr double kLeastPivot = 1e-12;
+/// An offset so great is beyond any map, whose coordinates are below 1e19; its products would overflow.
+constexpr double kBeyondAnyMap = 1e100;
+/// Parts by which the box around a keep-out is taken larger: more than the rounding of its own size.
+constexpr double kHair = 1e-14;
 
-/// A keep-out's half-spaces, then the faces of the boundary grown by the radius.
-struct Solid {
-  const Halfspace* planes;
-  int count;
-  Halfspace faces[6];
+/// The boundary grown by the radius, local frame. Nothing beyond it can be too near.
+struct Surroundings {
+  Vec3 center;
+  Vec3 half;
 };
 
-const Halfspace& plane_of(const Solid& solid, int index) {
-  return index < solid.count ? solid.planes[index] : solid.faces[index - solid.count];
-}
-
-/// Three half-spaces; where their planes meet is the vertex.
-struct Basis {
-  int index[3];
-  Vec3 across[3];  ///< rows of the inverse of the normals, transposed: vertex = sum of offset * across
-};
-
-bool invert(const Solid& solid, Basis& basis) {
-  const Vec3& a = plane_of(solid, basis.index[0]).normal;
-  const Vec3& b = plane_of(solid, basis.index[1]).normal;
-  const Vec3& c = plane_of(solid, basis.index[2]).normal;
-  const double determinant = dot(a, cross(b, c));
-  if (absolute(determinant) < kLeastPivot) return false;
-  basis.across[0] = (1.0 / determinant) * cross(b, c);
-  basis.across[1] = (1.0 / determinant) * cross(c, a);
-  basis.across[2] = (1.0 / determinant) * cross(a, b);
-  return true;
-}
-
-Vec3 vertex_of(const Solid& solid, const Basis& basis) {
-  Vec3 vertex{0.0, 0.0, 0.0};
-  for (int k = 0; k < 3; ++k) vertex = vertex + plane_of(solid, basis.index[k]).offset * basis.across[k];
-  return vertex;
-}
-
-/// The half-space that the vertex breaks most; -1 where it is in all.
-int most_broken(const Solid& solid, const Vec3& vertex) {
-  int worst = -1;
-  double excess = kFeasible;
-  for (int p = 0; p < solid.count + 6; ++p) {
-    const double beyond = dot(plane_of(solid, p).normal, vertex) - plane_of(solid, p).offset;
-    if (beyond <= excess) continue;
-    excess = beyond;
-    worst = p;
-  }
-  return worst;
-}
-
-/// The member of the basis that has to leave for half-space `entering`, so that all multipliers of `normal` stay >= 0:
-/// normal + sum of multiplier * basis normal = 0. -1 where none can: the half-spaces have no point in common.
-int leaving(const Solid& solid, const Basis& basis, const Vec3& normal, int entering) {
-  int best = -1;
-  double least = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double share = dot(plane_of(solid, entering).normal, basis.across[k]);
-    if (share <= kLeastPivot) continue;
-    const double ratio = larger(-dot(normal, basis.across[k]), 0.0) / share;
-    if (best >= 0 && ratio >= least) continue;
-    least = ratio;
-    best = k;
-  }
-  return best;
-}
-
-/// True where normal . p >= wanted is proven for all of the solid.
-bool lies_beyond(const Solid& solid, const Vec3& normal, double wanted) {
-  Basis basis;
-  for (int a = 0; a < 3; ++a) basis.index[a] = solid.count + 2 * a + (axis(normal, a) < 0.0 ? 0 : 1);
-  for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
-    if (!invert(solid, basis)) return false;
-    const Vec3 vertex = vertex_of(solid, basis);
-    if (dot(normal, vertex) >= wanted) return true;
-    const int entering = most_broken(solid, vertex);
-    if (entering < 0) return false;
-    const int out = leaving(solid, basis, normal, entering);
-    if (out < 0) return true;
-    basis.index[out] = entering;
-  }
-  return false;
-}
-
-Solid solid_of(const Grid& grid, const Fences& fences, const KeepOut& fence) {
+Surroundings surroundings_of(const Grid& grid) {
   const Box boundary = grid.local_boundary();
-  const double radius = grid.spec().radius;
-  Solid solid{fences.planes + fence.first_plane, fence.planes, {}};
+  Surroundings around{0.5 * (boundary.lower + boundary.upper), {0.0, 0.0, 0.0}};
   for (int a = 0; a < 3; ++a) {
-    solid.faces[2 * a] = {{0.0, 0.0, 0.0}, axis(boundary.upper, a) + radius};
-    solid.faces[2 * a + 1] = {{0.0, 0.0, 0.0}, radius - axis(boundary.lower, a)};
-    axis(solid.faces[2 * a].normal, a) = 1.0;
-    axis(solid.faces[2 * a + 1].normal, a) = -1.0;
+    const double across =
+        larger(axis(boundary.upper, a) - axis(around.center, a), axis(around.center, a) - axis(boundary.lower, a));
+    axis(around.half, a) = (1.0 + kHair) * (across + grid.spec().radius);
   }
-  return solid;
+  return around;
 }
 
-bool some_plane_cuts_off(const Polyhedron& polyhedron, const Solid& solid, double radius) {
+void begin_solid(const Surroundings& around, Solid<DoubleDouble>& solid) {
+  solid.count = 0;
+  solid.empty = false;
+  solid.reach = (1.0 + kHair) * length(around.half);
+  for (int a = 0; a < 3; ++a) solid.half[a] = axis(around.half, a);
+}
+
+void add_faces(Solid<DoubleDouble>& solid) {
+  const DoubleDouble none(0.0);
+  for (int k = 0; k < kSolidFaces; ++k) {
+    const DoubleDouble sign(k % 2 == 0 ? 1.0 : -1.0);
+    const int a = k / 2;
+    solid.planes[solid.count + k] = {{a == 0 ? sign : none, a == 1 ? sign : none, a == 2 ? sign : none},
+                                     DoubleDouble(solid.half[a])};
+  }
+}
+
+/// The half-space with a normal of unit length but for rounding, about `frame` + `center` in the world.
+Plane<DoubleDouble> plane_about(const Halfspace& world, const Vec3& frame, const Vec3& center) {
+  const double scale = 1.0 / length(world.normal);
+  const DoubleDouble offset = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, center);
+  return {{exact_product(scale, world.normal.x), exact_product(scale, world.normal.y),
+           exact_product(scale, world.normal.z)},
+          DoubleDouble(scale) * offset};
+}
+
+/// Adds the half-space; one that holds all of the box says nothing, one that holds none of it leaves nothing.
+void add_plane(const Halfspace& world, const Vec3& frame, const Vec3& center, Solid<DoubleDouble>& solid) {
+  if (absolute(world.offset) > kBeyondAnyMap) {
+    solid.empty = solid.empty || world.offset < 0.0;
+    return;
+  }
+  const Plane<DoubleDouble> plane = plane_about(world, frame, center);
+  if (plane.offset.high < -solid.reach) solid.empty = true;
+  if (absolute(plane.offset.high) <= solid.reach) solid.planes[solid.count++] = plane;
+}
+
+Plane<double> rounded(const Plane<DoubleDouble>& plane) {
+  return {{plane.normal.x.high, plane.normal.y.high, plane.normal.z.high}, plane.offset.high};
+}
+
+void round_solid(const Solid<DoubleDouble>& from, Solid<double>& to) {
+  to.count = from.count;
+  to.empty = from.empty;
+  to.reach = from.reach;
+  for (int a = 0; a < 3; ++a) to.half[a] = from.half[a];
+  for (int p = 0; p < from.count + kSolidFaces; ++p) to.planes[p] = rounded(from.planes[p]);
+}
+
+/// What a half-space of the polyhedron asks of the solid: to lie beyond it by the radius, but for the tolerance.
+Plane<DoubleDouble> asked_by(const Halfspace& plane, const Vec3& center, double radius) {
+  const DoubleDouble wanted =
+      depth_of(DoubleDouble(plane.offset), plane.normal, center) + exact_sum(radius, -kCheckDistance);
+  return {{plane.normal.x, plane.normal.y, plane.normal.z}, wanted};
+}
+
+/// In doubles first, which is all that a fence without nearly parallel planes needs.
+bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, double radius, FenceScratch& scratch) {
+  if (scratch.exact.empty) return true;
+  round_solid(scratch.exact, scratch.quick);
   for (int p = 0; p < all_planes(polyhedron); ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    if (lies_beyond(solid, plane.normal, plane.offset + radius - kCheckDistance)) return true;
+    if (lies_beyond(scratch.quick, rounded(asked_by(polyhedron.planes[p], center, radius)))) return true;
+  }
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
+    if (lies_beyond(scratch.exact, asked_by(polyhedron.planes[p], center, radius))) return true;
   }
   return false;
+}
+
+/// normal . (frame + point) <= offset, but for the tolerance.
+bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point) {
+  if (absolute(world.offset) > kBeyondAnyMap) return world.offset > 0.0;
+  const DoubleDouble depth = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, point);
+  return depth.high >= -kCheckDistance * length(world.normal);
 }
 
 }  // namespace
 
-bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Fences& fences) noexcept {
-  for (int k = 0; k < fences.keep_out_count; ++k) {
-    const Solid solid = solid_of(grid, fences, fences.keep_out[k]);
-    if (!some_plane_cuts_off(polyhedron, solid, grid.spec().radius)) return false;
+bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences,
+                     FenceScratch& scratch) noexcept {
+  const Surroundings around = surroundings_of(grid);
+  for (int k = 0; k < fences.count; ++k) {
+    const AskedFence& fence = fences.fence[k];
+    if (fence.kind != FenceKind::kKeepOut) continue;
+    begin_solid(around, scratch.exact);
+    for (int p = 0; p < fence.count; ++p) {
+      add_plane(fences.planes[fence.first + p], grid.spec().origin, around.center, scratch.exact);
+    }
+    add_faces(scratch.exact);
+    if (!some_plane_cuts_off(polyhedron, around.center, grid.spec().radius, scratch)) return false;
   }
   return true;
 }
 
-bool keep_ins_hold(const Segment& segment, const Fences& fences) noexcept {
-  for (const Vec3& point : segment.points) {
-    for (int p = 0; p < fences.keep_in_count; ++p) {
-      if (dot(fences.keep_in[p].normal, point) > fences.keep_in[p].offset + kCheckDistance) return false;
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin) noexcept {
+  for (int k = 0; k < fences.count; ++k) {
+    const AskedFence& fence = fences.fence[k];
+    if (fence.kind != FenceKind::kKeepIn) continue;
+    for (int p = 0; p < fence.count; ++p) {
+      for (const Vec3& point : segment.points) {
+        if (!holds(fences.planes[fence.first + p], origin, point)) return false;
+      }
     }
   }
   return true;

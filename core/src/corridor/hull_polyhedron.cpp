@@ -39,9 +39,15 @@ struct Widest {
   }
 };
 
+/// Faces of a solid that is not a box.
+struct Faces {
+  const Halfspace* at;
+  int count;
+};
+
 /// Below kTooClose the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
-/// direction, which separate an edge that the curve grazes.
-Vec3 widest_normal(const Hull& hull, const Hull& solid) {
+/// direction, which separate an edge that the curve grazes; and the solid's faces.
+Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces) {
   const HullGap gap = hull_gap(hull, solid);
   if (gap.distance >= kTooClose) return gap.normal;
   Widest widest{hull, solid, {1.0, 0.0, 0.0}, -1e300};
@@ -53,11 +59,13 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid) {
     widest.offer(normal);
     widest.offer(cross(normal, along));
   }
+  for (int f = 0; f < faces.count; ++f) widest.offer(-1.0 * faces.at[f].normal);
   return widest.normal;
 }
 
-Status append_between(const Hull& hull, const Hull& solid, double radius, GrowScratch& scratch, Polyhedron& out) {
-  const Vec3 normal = widest_normal(hull, solid);
+Status append_between(const Hull& hull, const Hull& solid, const Faces& faces, double radius, GrowScratch& scratch,
+                      Polyhedron& out) {
+  const Vec3 normal = widest_normal(hull, solid, faces);
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
   if (far > offset + kTouching) return Status::kCorridorBlocked;
@@ -94,7 +102,7 @@ Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, Grow
                     (k & 4) != 0 ? solid.upper[2] : solid.lower[2]};
     }
     const Hull corner_hull{corners, kCorners};
-    if (!cut_off(corner_hull, radius, out)) status = append_between(hull, corner_hull, radius, scratch, out);
+    if (!cut_off(corner_hull, radius, out)) status = append_between(hull, corner_hull, {nullptr, 0}, radius, scratch, out);
   }
   return status;
 }
@@ -110,8 +118,10 @@ Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, P
   }
   Status status = Status::kOk;
   for (int k = 0; k < fences.keep_out_count && status == Status::kOk; ++k) {
-    const Hull solid = hull_of(fences, fences.keep_out[k]);
-    if (!cut_off(solid, radius, out)) status = append_between(hull, solid, radius, scratch, out);
+    const KeepOut& fence = fences.keep_out[k];
+    const Hull solid = hull_of(fences, fence);
+    const Faces faces{fences.planes + fence.first_plane, fence.planes};
+    if (!cut_off(solid, radius, out)) status = append_between(hull, solid, faces, radius, scratch, out);
   }
   return status;
 }

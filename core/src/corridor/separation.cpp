@@ -30,21 +30,6 @@ Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3&
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
 }
 
-/// The face of the hull that leaves the segment the most room, seen from outside.
-Vec3 widest_face(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count) {
-  Vec3 best = -1.0 * faces[0].normal;
-  double room = 0.0;
-  for (int f = 0; f < face_count; ++f) {
-    const Vec3 unit = -1.0 * faces[f].normal;
-    const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
-    const double offered = hull_support(unit, hull) - far;
-    if (f > 0 && offered <= room) continue;
-    room = offered;
-    best = unit;
-  }
-  return best;
-}
-
 Vec3 unit_axis(int a, double sign) {
   Vec3 v{0.0, 0.0, 0.0};
   axis(v, a) = sign;
@@ -123,8 +108,8 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
 
 Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
                 Halfspace& out) noexcept {
-  const HullGap gap = segment_hull_gap(segment.from, segment.to, hull);
-  const Vec3 unit = gap.distance < kTooCloseForDirection ? widest_face(segment, hull, faces, face_count) : gap.normal;
+  const double enough = radius + kTooCloseForDirection;
+  const Vec3 unit = widest_gap(segment.from, segment.to, hull, faces, face_count, enough).normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
   if (hull_support(unit, hull) - far < radius - kTouching) return Status::kCorridorBlocked;
   out = plane_before(hull, radius, kHairline * segment.least, unit, far);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid/fences.hpp"
 
+#include "base/double_double.hpp"
 #include "base/facet.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
@@ -9,14 +10,30 @@
 namespace tern {
 namespace {
 
-/// Parts of the boundary's size by which a keep-out is taken larger, so that rounding loses no corner of a flat one,
-/// and within which corners are one.
-constexpr double kHair = 1e-12;
+/// Lengths in parts of the surroundings' scale. Each plane of a keep-out is moved out by kHair, so that the hull of the
+/// corners found holds all of the keep-out whatever rounding does to needles and to planes that are nearly equal:
+/// - the others cut a facet kSpare further out than they are. That is more than a cut rounds (20 roundings, 2.2e-15),
+///   so nothing of the facet is lost but by the rounding of its corners (4e-16 a cut, 3e-14 in all);
+/// - a plane that the facet is beyond by kSpare at most does not cut it: equal planes add no corners to edges;
+/// - corners closer than kSame are one: ten times kSpare, so that facets at ordinary angles share theirs.
+/// hull + ball(kSame + 3e-14) then holds keep-out + ball(kHair), and so the hull the keep-out, with 3e-14 to spare.
+constexpr double kHair = 1e-13;
+constexpr double kSpare = 4e-15;
+constexpr double kSame = 4e-14;
+
+/// Copies of a corner that nearly equal planes make lie further apart than kSame. Where they do not fit, kHair and
+/// kSame are taken kCoarser times as long, at most kTrials - 1 times over.
+constexpr double kCoarser = 16.0;
+constexpr int kTrials = 7;
+
+/// An offset so great is beyond any map, whose coordinates are below 1e19.
+constexpr double kBeyondAnyMap = 1e100;
 
 /// Where the robot's centre may be, grown by the radius: what lies beyond does not matter.
 struct Surroundings {
   Vec3 center;
   double reach;  ///< of a ball about the centre that holds the box
+  double scale;  ///< the greatest coordinate that takes part: what rounding goes by
   Halfspace faces[kBoxPlanes];
 };
 
@@ -27,17 +44,22 @@ Surroundings surroundings_of(const Grid& grid) {
     axis(box.lower, a) = axis(box.lower, a) - radius;
     axis(box.upper, a) = axis(box.upper, a) + radius;
   }
-  Surroundings around{0.5 * (box.lower + box.upper), distance(box.lower, box.upper), {}};
+  const Vec3 center = 0.5 * (box.lower + box.upper);
+  const double reach = distance(box.lower, box.upper);
+  Surroundings around{center, reach, larger(reach, length(center)), {}};
   box_planes({box.lower - around.center, box.upper - around.center}, around.faces);
   return around;
 }
 
-/// To the local frame, with a unit normal. The offset is shifted before it is scaled: both are the caller's numbers.
+/// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin it and
+/// the shift are both large, and two planes that are nearly parallel make much of a small error.
 Status to_local_plane(const Grid& grid, const Halfspace& world, Halfspace& local) {
   if (!finite(world.normal) || !finite(world.offset)) return Status::kNonFiniteInput;
   const double norm = length(world.normal);
   if (!(norm >= kMinFenceNormal) || norm > kMaxFenceNormal) return Status::kInvalidArgument;
-  local = {(1.0 / norm) * world.normal, (world.offset - dot(world.normal, grid.spec().origin)) / norm};
+  const bool far = absolute(world.offset) > kBeyondAnyMap;  // where products would overflow, a shift is nothing
+  const double shifted = far ? world.offset : depth_of(world.offset, world.normal, grid.spec().origin).high;
+  local = {(1.0 / norm) * world.normal, shifted / norm};
   return finite(local.offset) ? Status::kOk : Status::kNonFiniteInput;
 }
 
@@ -48,10 +70,17 @@ bool known_corner(const Fences& fences, const KeepOut& fence, const Vec3& corner
   return false;
 }
 
-Status add_corners(const Facet& facet, const Surroundings& around, Fences& fences, KeepOut& fence) {
+/// How coarsely a keep-out's corners are found, metres.
+struct Fineness {
+  double hair;
+  double same;
+  double spare;
+};
+
+Status add_corners(const Facet& facet, const Surroundings& around, double same, Fences& fences, KeepOut& fence) {
   for (int k = 0; k < facet.count; ++k) {
     const Vec3 corner = ((facet.foot + facet.at_u[k] * facet.u) + facet.at_v[k] * facet.v) + around.center;
-    if (known_corner(fences, fence, corner, kHair * around.reach)) continue;
+    if (known_corner(fences, fence, corner, same)) continue;
     if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
     fences.corners[fences.corner_count++] = corner;
     ++fence.corners;
@@ -59,28 +88,43 @@ Status add_corners(const Facet& facet, const Surroundings& around, Fences& fence
   return Status::kOk;
 }
 
-/// The keep-out's half-spaces and the surroundings' faces, about the surroundings' centre.
-Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index) {
-  if (index >= fence.planes) return around.faces[index - fence.planes];
-  const Halfspace& plane = fences.planes[fence.first_plane + index];
-  return {plane.normal, plane.offset - dot(plane.normal, around.center) + kHair * around.reach};
+/// The keep-out's half-spaces and the surroundings' faces, about the surroundings' centre, moved out by `out`.
+Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index, double out) {
+  const bool own = index < fence.planes;
+  const Halfspace& plane = own ? fences.planes[fence.first_plane + index] : around.faces[index - fence.planes];
+  const double offset = own ? plane.offset - dot(plane.normal, around.center) : plane.offset;
+  return {plane.normal, offset + out};
 }
 
 /// The corners of all facets.
-Status find_corners(const Surroundings& around, Fences& fences, KeepOut& fence) {
+Status find_corners(const Surroundings& around, const Fineness& fine, Fences& fences, KeepOut& fence) {
   const int count = fence.planes + kBoxPlanes;
   for (int i = 0; i < count; ++i) {
-    const Halfspace plane = plane_about(fences, fence, around, i);
+    const Halfspace plane = plane_about(fences, fence, around, i, fine.hair);
     if (absolute(plane.offset) > around.reach) continue;  // passes the surroundings by
     Facet facet = square_on(plane, around.reach);
     bool left = true;
     for (int j = 0; j < count && left; ++j) {
-      if (j != i) left = cut(plane_about(fences, fence, around, j), facet);
+      if (j != i) left = cut(plane_about(fences, fence, around, j, fine.hair + fine.spare), facet, fine.spare);
     }
-    const Status status = left ? add_corners(facet, around, fences, fence) : Status::kOk;
+    const Status status = left ? add_corners(facet, around, fine.same, fences, fence) : Status::kOk;
     if (status != Status::kOk) return status;
   }
   return Status::kOk;
+}
+
+/// As finely as the room for corners allows.
+Status find_corners_that_fit(const Surroundings& around, Fences& fences, KeepOut& fence) {
+  Fineness fine{kHair * around.scale, kSame * around.scale, kSpare * around.scale};
+  Status status = Status::kFencePlanesFull;
+  for (int trial = 0; trial < kTrials && status == Status::kFencePlanesFull; ++trial) {
+    fences.corner_count = fence.first_corner;
+    fence.corners = 0;
+    status = find_corners(around, fine, fences, fence);
+    fine.hair *= kCoarser;
+    fine.same *= kCoarser;
+  }
+  return status;
 }
 
 Status load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Fences& fences) {
@@ -100,7 +144,7 @@ Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& 
         to_local_plane(grid, from.planes[fence.planes], fences.planes[fence.first_plane + fence.planes]);
     if (status != Status::kOk) return status;
   }
-  const Status status = find_corners(around, fences, fence);
+  const Status status = find_corners_that_fit(around, fences, fence);
   if (status != Status::kOk || fence.corners == 0) return status;
   fences.plane_count += fence.planes;
   fences.keep_out[fences.keep_out_count++] = fence;
@@ -151,9 +195,10 @@ std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to
     if (far > plane.offset + kClearTolerance) return fences.keep_in_index[p];
   }
   for (int k = 0; k < fences.keep_out_count; ++k) {
-    const HullGap gap = segment_hull_gap(from, to, hull_of(fences, fences.keep_out[k]));
-    const bool apart = dot(gap.normal, gap.normal) > 0.5;
-    if (!apart || gap.distance < radius - kClearTolerance) return fences.keep_out[k].index;
+    const KeepOut& fence = fences.keep_out[k];
+    const Halfspace* faces = fences.planes + fence.first_plane;
+    const HullGap gap = widest_gap(from, to, hull_of(fences, fence), faces, fence.planes, radius);
+    if (gap.distance < radius - kClearTolerance) return fence.index;
   }
   return kNoFence;
 }

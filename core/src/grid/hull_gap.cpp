@@ -94,6 +94,10 @@ const Vec3& highest(const Vec3& normal, const Hull& hull) {
 
 }  // namespace
 
+bool has_normal(const HullGap& gap) noexcept {
+  return dot(gap.normal, gap.normal) > 0.5;
+}
+
 double hull_support(const Vec3& normal, const Hull& hull) noexcept {
   return dot(normal, lowest(normal, hull));
 }
@@ -128,6 +132,21 @@ HullGap hull_gap(const Hull& first, const Hull& second) noexcept {
     simplex = nearest.face;
   }
   return gap;
+}
+
+HullGap widest_gap(const Vec3& from, const Vec3& to, const Hull& hull, const Halfspace* faces, int face_count,
+                   double enough) noexcept {
+  HullGap best = segment_hull_gap(from, to, hull);
+  if (has_normal(best) && best.distance >= enough) return best;
+  const HullGap backwards = segment_hull_gap(to, from, hull);
+  if (backwards.distance > best.distance) best = backwards;
+  for (int f = 0; f < face_count; ++f) {
+    const Vec3 unit = -1.0 * faces[f].normal;
+    const double room = hull_support(unit, hull) - larger(dot(unit, from), dot(unit, to));
+    if (has_normal(best) && room <= best.distance) continue;
+    best = {unit, room};
+  }
+  return best;
 }
 
 }  // namespace tern

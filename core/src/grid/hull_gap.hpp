@@ -6,6 +6,7 @@
 #ifndef TERN_GRID_HULL_GAP_HPP
 #define TERN_GRID_HULL_GAP_HPP
 
+#include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -23,6 +24,9 @@ struct HullGap {
   double distance;  ///< metres, >= 0; 0 where they meet or nearly so
 };
 
+/// False where no plane was found.
+bool has_normal(const HullGap& gap) noexcept;
+
 /// min of normal . p over the hull, and max.
 double hull_support(const Vec3& normal, const Hull& hull) noexcept;
 double hull_reach(const Vec3& normal, const Hull& hull) noexcept;
@@ -33,6 +37,13 @@ constexpr int kGapSteps = 48;
 
 /// The same from a segment; equal ends are a point.
 HullGap segment_hull_gap(const Vec3& from, const Vec3& to, const Hull& hull) noexcept;
+
+/// The widest gap between the segment and the hull of a polyhedron's corners. Where the one above is less than `enough`
+/// it is sought from the other end as well, and among the polyhedron's faces: nearly equal corners can tilt a normal by
+/// 1e-8, which costs a face that much of its extent. `distance` is < 0 where even the best face, whose normal it then
+/// has, leaves no room.
+HullGap widest_gap(const Vec3& from, const Vec3& to, const Hull& hull, const Halfspace* faces, int face_count,
+                   double enough) noexcept;
 
 }  // namespace tern
 

@@ -39,7 +39,8 @@ struct Layout {
   FlightEnds ends;
   Escape escapes[2];  ///< the start's and the goal's
   Fences fences;
-  Grid fenced;  ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
+  AskedFences asked_fences;  ///< the same as the caller gave them, for the check
+  Grid fenced;               ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;
   ScanMap scans;  ///< what a search found out about the map serves the next one
   union {

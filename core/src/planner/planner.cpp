@@ -78,6 +78,9 @@ Status Planner::accept_fences(const Request& request) noexcept {
   Layout& memory = *static_cast<Layout*>(workspace_);
   const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
   if (loaded != Status::kOk) return refuse(loaded, Field::kFences);
+  if (!copy_fences(request.fences, request.fence_count, memory.asked_fences)) {
+    return refuse(Status::kFencePlanesFull, Field::kFences);
+  }
   const double radius = grid_->spec().radius;
   const Vec3& start = memory.ends.start_in_grid;
   const Vec3& goal = memory.ends.goal_in_grid;

@@ -156,7 +156,7 @@ Status Planner::fall_back(Status why) noexcept {
 Status Planner::run_check(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.fences : nullptr};
+  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
   const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, 2 * kCheckBound);
   if (status == Status::kRunning) return status;

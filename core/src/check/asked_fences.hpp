@@ -1,0 +1,32 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_CHECK_ASKED_FENCES_HPP
+#define TERN_CHECK_ASKED_FENCES_HPP
+
+#include <cstdint>
+
+#include "tern/config.hpp"
+#include "tern/fence.hpp"
+
+namespace tern {
+
+/// One fence of the request: planes[first] .. planes[first + count - 1].
+struct AskedFence {
+  std::int32_t first;
+  std::int32_t count;
+  FenceKind kind;
+};
+
+/// A request's fences as the caller gave them, for the check: world frame, normals of any length. Plain data.
+struct AskedFences {
+  std::int32_t count;
+  AskedFence fence[kMaxFences];
+  Halfspace planes[kMaxFencePlanes];
+};
+
+/// Copies the caller's fences, which load_fences has accepted. False where they are more than fit.
+bool copy_fences(const Fence* list, std::int32_t count, AskedFences& asked) noexcept;
+
+}  // namespace tern
+
+#endif
