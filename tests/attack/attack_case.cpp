@@ -73,8 +73,10 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
   spoil(out);
   const Status status = planner.plan(world.grid, ask.request, out, answer);
   if (context.verbose) {
-    std::printf("%s: %s (stage %s, quality %d)\n", what, tern::status_name(status), tern::stage_name(answer.stage),
-                static_cast<int>(answer.quality));
+    std::printf("%s: %s (stage %s, quality %d, optimiser %s, detours %d, polyhedra %d)\n", what,
+                tern::status_name(status), tern::stage_name(answer.stage), static_cast<int>(answer.quality),
+                tern::status_name(answer.optimiser), answer.detours,
+                planner.corridor() != nullptr ? planner.corridor()->count : 0);
     print_ask(world, ask);
   }
   if (status == Status::kOk) {
