@@ -96,7 +96,7 @@ class Planner {
   GridVersion version_{};  // of the map that is planned on
   Phase phase_ = Phase::kIdle;
   bool has_fences_ = false;
-  int32_t fences_blocked_ = 0;  // units of the fences' phase that are done
+  int32_t fences_blocked_ = 0;         // units of the fences' phase that are done
   uint32_t before_[kStageCount] = {};  // work of each stage when the phase began
   uint32_t escapes_ = 0;               // tried
   bool stop_and_go_ = false;           // the optimiser's plan was refused,

@@ -45,7 +45,9 @@ Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corrid
     const int index = stage.next - polyhedra;
     const Finding finding = check_segment(grid, corridor, trajectory, index, query);
     if (finding != Finding::kNone) return refuse(stage, finding, index);
-    if (query.fences != nullptr && !keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin)) {
+    const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
+    if (query.fences != nullptr &&
+        !keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin, tolerance)) {
       return refuse(stage, Finding::kFence, index);
     }
   }

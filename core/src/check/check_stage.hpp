@@ -76,7 +76,8 @@ bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Asked
 
 /// True where all control points, which are relative to `origin` in the world, are in each keep-in, but for
 /// kCheckDistance.
-bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin) noexcept;
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin,
+                   double tolerance = kCheckDistance) noexcept;
 
 /// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
 Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,

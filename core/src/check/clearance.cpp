@@ -157,7 +157,7 @@ bool well_formed(const Polyhedron& polyhedron) {
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept {
   if (!well_formed(polyhedron)) return false;
   const Range range = voxels_near(grid, polyhedron);
-  const Cuts cuts = cuts_of(grid, polyhedron, kCheckDistance + grid_rounding(grid));
+  const Cuts cuts = cuts_of(grid, polyhedron, check_distance(grid) + grid_rounding(grid));
   for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
     for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
       const Range block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), block_end(z, range.hi.z)}};

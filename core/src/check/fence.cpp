@@ -80,31 +80,37 @@ void round_solid(const Solid<DoubleDouble>& from, Solid<double>& to) {
   for (int p = 0; p < from.count + kSolidFaces; ++p) to.planes[p] = rounded(from.planes[p]);
 }
 
+/// How far the solid has to be away, and by how much it may fail to.
+struct Asked {
+  double radius;
+  double tolerance;
+};
+
 /// What a half-space of the polyhedron asks of the solid: to lie beyond it by the radius, but for the tolerance.
-Plane<DoubleDouble> asked_by(const Halfspace& plane, const Vec3& center, double radius) {
+Plane<DoubleDouble> asked_by(const Halfspace& plane, const Vec3& center, const Asked& asked) {
   const DoubleDouble wanted =
-      depth_of(DoubleDouble(plane.offset), plane.normal, center) + exact_sum(radius, -kCheckDistance);
+      depth_of(DoubleDouble(plane.offset), plane.normal, center) + exact_sum(asked.radius, -asked.tolerance);
   return {{plane.normal.x, plane.normal.y, plane.normal.z}, wanted};
 }
 
 /// In doubles first, which is all that a fence without nearly parallel planes needs.
-bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, double radius, FenceScratch& scratch) {
+bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, const Asked& asked, FenceScratch& scratch) {
   if (scratch.exact.empty) return true;
   round_solid(scratch.exact, scratch.quick);
   for (int p = 0; p < all_planes(polyhedron); ++p) {
-    if (lies_beyond(scratch.quick, rounded(asked_by(polyhedron.planes[p], center, radius)))) return true;
+    if (lies_beyond(scratch.quick, rounded(asked_by(polyhedron.planes[p], center, asked)))) return true;
   }
   for (int p = 0; p < all_planes(polyhedron); ++p) {
-    if (lies_beyond(scratch.exact, asked_by(polyhedron.planes[p], center, radius))) return true;
+    if (lies_beyond(scratch.exact, asked_by(polyhedron.planes[p], center, asked))) return true;
   }
   return false;
 }
 
 /// normal . (frame + point) <= offset, but for the tolerance.
-bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point) {
+bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point, double tolerance) {
   if (absolute(world.offset) > kBeyondAnyMap) return world.offset > 0.0;
   const DoubleDouble depth = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, point);
-  return depth.high >= -kCheckDistance * length(world.normal);
+  return depth.high >= -tolerance * length(world.normal);
 }
 
 }  // namespace
@@ -112,6 +118,7 @@ bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point) {
 bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences,
                      FenceScratch& scratch) noexcept {
   const Surroundings around = surroundings_of(grid);
+  const Asked asked{grid.spec().radius, fence_tolerance(grid)};
   for (int k = 0; k < fences.count; ++k) {
     const AskedFence& fence = fences.fence[k];
     if (fence.kind != FenceKind::kKeepOut) continue;
@@ -120,18 +127,18 @@ bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Asked
       add_plane(fences.planes[fence.first + p], grid.spec().origin, around.center, scratch.exact);
     }
     add_faces(scratch.exact);
-    if (!some_plane_cuts_off(polyhedron, around.center, grid.spec().radius, scratch)) return false;
+    if (!some_plane_cuts_off(polyhedron, around.center, asked, scratch)) return false;
   }
   return true;
 }
 
-bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin) noexcept {
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin, double tolerance) noexcept {
   for (int k = 0; k < fences.count; ++k) {
     const AskedFence& fence = fences.fence[k];
     if (fence.kind != FenceKind::kKeepIn) continue;
     for (int p = 0; p < fence.count; ++p) {
       for (const Vec3& point : segment.points) {
-        if (!holds(fences.planes[fence.first + p], origin, point)) return false;
+        if (!holds(fences.planes[fence.first + p], origin, point, tolerance)) return false;
       }
     }
   }

@@ -141,7 +141,7 @@ bool within(const Vec3& point, const Box& box, double tolerance) {
 
 /// Bezier curves lie in the hull of their control points: all inside means the curve is (the paper's Section 3.4.2).
 bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid) {
-  const double tolerance = kCheckDistance + frame.rounding + lattice_rounding(grid);
+  const double tolerance = check_distance(grid) + frame.rounding + lattice_rounding(grid);
   for (const Vec3& point : segment.points) {
     if (!within(point, frame.boundary, tolerance)) return false;
   }

@@ -29,15 +29,25 @@ double amplification(double duration, int order) {
 
 }  // namespace
 
+double check_distance(const Grid& grid) noexcept {
+  return kCheckDistance * larger(1.0, grid.spec().cell);
+}
+
 double grid_rounding(const Grid& grid) noexcept {
   const GridSpec& spec = grid.spec();
   const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
-  return kGridUlps * kUlp * size_of(extent);
+  return kUlp * (kGridUlps * size_of(extent) + kOriginUlps * size_of(spec.origin));
+}
+
+double fence_tolerance(const Grid& grid) noexcept {
+  const GridSpec& spec = grid.spec();
+  const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
+  return check_distance(grid) + grid_rounding(grid) + kCornerUlps * kUlp * size_of(extent);
 }
 
 double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept {
   const double world = size_of(trajectory.origin) + size_of(grid.spec().origin);
-  return grid_rounding(grid) + kWorldUlps * kUlp * world;
+  return grid_rounding(grid) + kOriginUlps * kUlp * world;
 }
 
 double lattice_rounding(const Grid& grid) noexcept {

@@ -11,9 +11,13 @@
 
 namespace tern {
 
-/// Metres by which a control point may lie outside a half-space or the boundary, and a polyhedron within the radius of
-/// an obstacle: a start or a goal may be that much nearer than the radius, and a plan from there begins there.
+/// Metres, or parts of a voxel where voxels are larger than a metre, by which a control point may lie outside a
+/// half-space or the boundary, and a polyhedron within the radius of an obstacle: a start or a goal may be that much
+/// nearer than the radius, and a plan from there begins there.
 constexpr double kCheckDistance = 1e-9;
+
+/// kCheckDistance in metres, of this grid.
+double check_distance(const Grid& grid) noexcept;
 
 /// Relative excess over a limit: a stop may exceed a speed limit by kStopTolerance.
 constexpr double kCheckRelative = 3e-8;
@@ -22,14 +26,19 @@ constexpr double kCheckRelative = 3e-8;
 constexpr double kUlp = 1.0 / 4503599627370496.0;
 
 /// Metres that a half-space of the corridor may miss a voxel's corner by: its offset is a sum of three products of
-/// local coordinates, taken once by the corridor and once by the check, each rounded to half a unit in the last place.
+/// local coordinates, taken once by the corridor and once by the check, each rounded to half a unit in the last place;
+/// and a start that it touches was subtracted from the grid's origin.
 double grid_rounding(const Grid& grid) noexcept;
-constexpr double kGridUlps = 8.0;
+constexpr double kGridUlps = 10.0;
+constexpr double kOriginUlps = 2.0;
+
+/// Metres by which a fence may be nearer: the corners of a keep-out are found to 1e-13 of the map's extent.
+double fence_tolerance(const Grid& grid) noexcept;
+constexpr double kCornerUlps = 512.0;
 
 /// Metres between where the corridor has a point and where the trajectory has it: grid_rounding, and the subtraction of
 /// a world position from the grid's origin and from the plan's.
 double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept;
-constexpr double kWorldUlps = 2.0;
 
 /// Metres by which a face of the boundary moves when it is put on the lattice (kLatticeTolerance of a voxel), and a
 /// start or goal on it with it.

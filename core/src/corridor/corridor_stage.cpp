@@ -30,7 +30,7 @@ std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
 /// Equal pieces of at most kLongLeg, as far as there is room beside one segment for each later leg.
 std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
-  const std::int32_t room = kMaxSegments - stage.built - (legs_of(path) - stage.leg - 1);
+  const std::int32_t room = kMaxSegments - kKeptForEnds - stage.built - (legs_of(path) - stage.leg - 1);
   std::int32_t pieces = 1;
   while (pieces < room && length > kLongLeg * static_cast<double>(pieces)) ++pieces;
   return pieces;

@@ -21,6 +21,9 @@ namespace tern {
 /// a long oblique leg would hold obstacles that are nowhere near it.
 constexpr double kLongLeg = 8.0;
 
+/// Segments that cutting legs leaves over, where there are many: coming to rest takes some of its own.
+constexpr std::int32_t kKeptForEnds = kMaxSegments < 16 ? 0 : 8;
+
 /// A piece whose polyhedron does not fit is halved, so often at most.
 constexpr int kMaxHalvings = 6;
 

@@ -18,7 +18,7 @@ double reach_of(const Box& box, const Vec3& normal) {
 /// The keep-in's own half-space. A segment that touches it stays inside by rounding.
 Status append_keep_in(const Halfspace& fence, const SegmentMargin& segment, GrowScratch& scratch, Polyhedron& out) {
   const double far = larger(dot(fence.normal, segment.from), dot(fence.normal, segment.to));
-  if (far > fence.offset + kTouching) return Status::kCorridorBlocked;
+  if (far > fence.offset + segment.touching) return Status::kCorridorBlocked;
   return append({fence.normal, larger(fence.offset, far)}, scratch, out);
 }
 

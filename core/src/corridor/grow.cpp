@@ -10,6 +10,7 @@
 #include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
 #include "corridor/tangent_planes.hpp"
+#include "grid/distance.hpp"
 
 namespace tern {
 namespace {
@@ -110,10 +111,10 @@ Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach,
   return enclose({scratch.boxes, count, spec.radius}, segment, spec.cell, scratch, out);
 }
 
-bool within(const Box& boundary, const Vec3& p) {
+bool within(const Box& boundary, const Vec3& p, double tolerance) {
   for (int a = 0; a < 3; ++a) {
-    if (axis(p, a) < axis(boundary.lower, a) - kTouching) return false;
-    if (axis(p, a) > axis(boundary.upper, a) + kTouching) return false;
+    if (axis(p, a) < axis(boundary.lower, a) - tolerance) return false;
+    if (axis(p, a) > axis(boundary.upper, a) + tolerance) return false;
   }
   return true;
 }
@@ -123,9 +124,10 @@ bool within(const Box& boundary, const Vec3& p) {
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept {
   const Box boundary = grid.local_boundary();
-  if (!within(boundary, from) || !within(boundary, to)) return Status::kOutOfMap;
+  const double touching = scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec());
+  if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
-  const SegmentMargin segment{from, to, kSightMargin * cell};
+  const SegmentMargin segment{from, to, kSightMargin * cell, touching};
   double reach = larger(scratch.margin, kLocalMarginCells * cell);
   Status status = Status::kPlanesFull;
   for (int level = 0; level < kBoxLevels; ++level) {

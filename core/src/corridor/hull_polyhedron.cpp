@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "corridor/separation.hpp"
+#include "grid/distance.hpp"
 
 namespace tern {
 namespace {
@@ -63,26 +64,29 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces) {
   return widest.normal;
 }
 
-Status append_between(const Hull& hull, const Hull& solid, const Faces& faces, double radius, GrowScratch& scratch,
+Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, GrowScratch& scratch,
                       Polyhedron& out) {
+  const double radius = grid.spec().radius;
   const Vec3 normal = widest_normal(hull, solid, faces);
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
-  if (far > offset + kTouching) return Status::kCorridorBlocked;
+  if (far > offset + (scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec())))
+    return Status::kCorridorBlocked;
   return append({normal, larger(far, offset)}, scratch, out);
 }
 
 /// The box around the hull, as half-spaces.
 Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scratch, Polyhedron& out) {
   const Box boundary = grid.local_boundary();
+  const double touching = contact_tolerance(grid.spec());
   Status status = Status::kOk;
   for (int a = 0; a < 3 && status == Status::kOk; ++a) {
     Vec3 normal{0.0, 0.0, 0.0};
     axis(normal, a) = 1.0;
     axis(box.upper, a) = hull_reach(normal, hull);
     axis(box.lower, a) = hull_support(normal, hull);
-    if (axis(box.upper, a) > axis(boundary.upper, a) + kTouching) return Status::kOutOfMap;
-    if (axis(box.lower, a) < axis(boundary.lower, a) - kTouching) return Status::kOutOfMap;
+    if (axis(box.upper, a) > axis(boundary.upper, a) + touching) return Status::kOutOfMap;
+    if (axis(box.lower, a) < axis(boundary.lower, a) - touching) return Status::kOutOfMap;
     status = append({normal, axis(box.upper, a)}, scratch, out);
     if (status == Status::kOk) status = append({-1.0 * normal, -axis(box.lower, a)}, scratch, out);
   }
@@ -102,7 +106,8 @@ Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, Grow
                     (k & 4) != 0 ? solid.upper[2] : solid.lower[2]};
     }
     const Hull corner_hull{corners, kCorners};
-    if (!cut_off(corner_hull, radius, out)) status = append_between(hull, corner_hull, {nullptr, 0}, radius, scratch, out);
+    if (!cut_off(corner_hull, radius, out))
+      status = append_between(grid, hull, corner_hull, {nullptr, 0}, scratch, out);
   }
   return status;
 }
@@ -112,7 +117,7 @@ Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, P
   const Fences& fences = *scratch.fences;
   const double radius = grid.spec().radius;
   for (int k = 0; k < fences.keep_in_count; ++k) {
-    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + kTouching) {
+    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + fences.touching) {
       return Status::kCorridorBlocked;
     }
   }
@@ -121,7 +126,7 @@ Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, P
     const KeepOut& fence = fences.keep_out[k];
     const Hull solid = hull_of(fences, fence);
     const Faces faces{fences.planes + fence.first_plane, fence.planes};
-    if (!cut_off(solid, radius, out)) status = append_between(hull, solid, faces, radius, scratch, out);
+    if (!cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, scratch, out);
   }
   return status;
 }
@@ -137,8 +142,8 @@ Status enclose_hull(const Grid& grid, const Hull& hull, GrowScratch& scratch, Po
   if (status == Status::kOk) status = append_fences(grid, hull, scratch, out);
   out.from = hull.points[0];
   out.to = hull.points[hull.count - 1];
-  out.ellipsoid = Ellipsoid{{{kTooClose, 0.0, 0.0}, {0.0, kTooClose, 0.0}, {0.0, 0.0, kTooClose}},
-                            0.5 * (out.from + out.to)};
+  out.ellipsoid =
+      Ellipsoid{{{kTooClose, 0.0, 0.0}, {0.0, kTooClose, 0.0}, {0.0, 0.0, kTooClose}}, 0.5 * (out.from + out.to)};
   return status;
 }
 

@@ -92,7 +92,7 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
   }
   const Vec3 widest = widest_normal(segment, box);
   const double room = room_along(segment, box, radius, widest);
-  if (room < -kTouching) return Status::kCorridorBlocked;
+  if (room < -segment.touching) return Status::kCorridorBlocked;
   const double margin = larger(segment.least, smaller(kMarginShare * room, kMostMargin));
   if (!has_tangent || room <= margin) {
     out = plane_along(segment, box, radius, widest);
@@ -111,7 +111,7 @@ Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace*
   const double enough = radius + kTooCloseForDirection;
   const Vec3 unit = widest_gap(segment.from, segment.to, hull, faces, face_count, enough).normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
-  if (hull_support(unit, hull) - far < radius - kTouching) return Status::kCorridorBlocked;
+  if (hull_support(unit, hull) - far < radius - segment.touching) return Status::kCorridorBlocked;
   out = plane_before(hull, radius, kHairline * segment.least, unit, far);
   return Status::kOk;
 }

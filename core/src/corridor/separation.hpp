@@ -14,15 +14,13 @@
 
 namespace tern {
 
-/// Metres by which an obstacle may come nearer than the radius and still count as touching: the rounding of a start or
-/// goal that lies exactly at the radius.
-constexpr double kTouching = 1e-9;
-
 /// A segment, and how far each half-space should keep from it.
 struct SegmentMargin {
   Vec3 from;
   Vec3 to;
-  double least;  ///< metres, > 0: kept wherever there is that much room
+  double least;     ///< metres, > 0: kept wherever there is that much room
+  double touching;  ///< metres by which an obstacle may be nearer than the radius and still count as touching: what is
+                    ///< forgiven a start or goal (contact_tolerance)
 };
 
 /// Half-spaces keep this part of `least` more from an obstacle than the radius where there is room: what outweighs the
@@ -37,7 +35,7 @@ constexpr double kMostMargin = 0.25;
 /// The half-space that keeps `radius` from the box and holds the segment; `tangent` is the wanted unit normal, zero
 /// where there is none. The room is the distance between segment and box, less the radius; the half-space's distance
 /// from the segment is min(room, max(least, min(kMarginShare * room, kMostMargin))) at least, to rounding.
-/// kOk, or kCorridorBlocked where the room is negative by more than kTouching.
+/// kOk, or kCorridorBlocked where the room is negative by more than segment.touching.
 Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
                 Halfspace& out) noexcept;
 

@@ -20,9 +20,9 @@ struct Probe {
 
 /// With a radius, boxes as they are. Without, a surface may be touched: boxes lose the tolerance, and what is left must
 /// not be met.
-Probe make_probe(const Vec3& a, const Vec3& b, double radius) {
-  if (radius > kClearTolerance) return {a, b, 0.0, (radius - kClearTolerance) * (radius - kClearTolerance)};
-  return {a, b, kClearTolerance, 0.25 * kClearTolerance * kClearTolerance};
+Probe make_probe(const Vec3& a, const Vec3& b, double radius, double tolerance) {
+  if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance)};
+  return {a, b, tolerance, 0.25 * tolerance * tolerance};
 }
 
 bool keeps_clear(const Probe& probe, const Box& box) {
@@ -32,12 +32,12 @@ bool keeps_clear(const Probe& probe, const Box& box) {
   return segment_box_distance_squared(probe.a, probe.b, shrunk) >= probe.needed_squared;
 }
 
-bool in_boundary(const Grid& grid, const Vec3& local) {
+bool in_boundary(const Grid& grid, const Vec3& local, double tolerance) {
   const Box boundary = grid.local_boundary();
   for (int a = 0; a < 3; ++a) {
     // Written so that NaN is outside.
-    if (!(axis(local, a) >= axis(boundary.lower, a) - kClearTolerance)) return false;
-    if (!(axis(local, a) <= axis(boundary.upper, a) + kClearTolerance)) return false;
+    if (!(axis(local, a) >= axis(boundary.lower, a) - tolerance)) return false;
+    if (!(axis(local, a) <= axis(boundary.upper, a) + tolerance)) return false;
   }
   return true;
 }
@@ -115,10 +115,11 @@ bool blocks_clear(const Grid& grid, const Probe& probe, const Block& block, doub
 }  // namespace
 
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept {
-  if (!(radius >= 0.0) || !in_boundary(grid, a) || !in_boundary(grid, b)) return false;
-  const Probe probe = make_probe(a, b, radius);
+  const double tolerance = contact_tolerance(grid.spec());
+  if (!(radius >= 0.0) || !in_boundary(grid, a, tolerance) || !in_boundary(grid, b, tolerance)) return false;
+  const Probe probe = make_probe(a, b, radius, tolerance);
   if (!blocks_clear(grid, probe, {1, 1}, radius)) return false;
-  if (radius > kClearTolerance) return true;
+  if (radius > tolerance) return true;
   return blocks_clear(grid, probe, {2, 1}, radius) && blocks_clear(grid, probe, {1, 2}, radius) &&
          blocks_clear(grid, probe, {2, 2}, radius);
 }

@@ -5,6 +5,7 @@
 #include "grid/distance.hpp"
 
 #include "base/math.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
@@ -77,7 +78,17 @@ double closest_t(const Vec3& a, const Vec3& along, const Box& box) {
   return 1.0;
 }
 
+double size_of(const Vec3& v) {
+  return (absolute(v.x) + absolute(v.y)) + absolute(v.z);
+}
+
 }  // namespace
+
+double contact_tolerance(const GridSpec& spec) noexcept {
+  const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
+  const double rounding = kWorldUlps * size_of(spec.origin) + (kWorldUlps + kLocalUlps) * size_of(extent);
+  return kClearTolerance * larger(1.0, spec.cell) + kWorldRounding * rounding;
+}
 
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),

@@ -11,8 +11,16 @@
 
 namespace tern {
 
-/// Metres by which a distance may fall short of a radius and still count as equal to it.
+/// A distance may fall short of a radius by so many metres, or parts of a voxel where voxels are larger than a metre,
+/// and still count as equal to it.
 constexpr double kClearTolerance = 1e-9;
+
+/// Metres by which a point of this grid may be nearer than the radius, or beyond the boundary: kClearTolerance, and
+/// what rounding does to coordinates: kWorldUlps units in the last place of a world coordinate, which was subtracted
+/// from the origin, and kLocalUlps of a local one, for the products and sums of a distance.
+double contact_tolerance(const GridSpec& spec) noexcept;
+constexpr double kWorldUlps = 2.0;
+constexpr double kLocalUlps = 4.0;
 
 /// The point of a closed box nearest to p; p itself where it is inside.
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept;

@@ -175,6 +175,7 @@ Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fenc
   if (count < 0 || (count > 0 && list == nullptr)) return Status::kInvalidArgument;
   if (count > kMaxFences) return Status::kFencesFull;
   const Surroundings around = surroundings_of(grid);
+  fences.touching = contact_tolerance(grid.spec()) + kHair * around.scale;
   std::int32_t planes = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     if (!well_formed(list[i])) return Status::kInvalidArgument;
@@ -192,13 +193,13 @@ std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to
   for (int p = 0; p < fences.keep_in_count; ++p) {
     const Halfspace& plane = fences.keep_in[p];
     const double far = larger(dot(plane.normal, from), dot(plane.normal, to));
-    if (far > plane.offset + kClearTolerance) return fences.keep_in_index[p];
+    if (far > plane.offset + fences.touching) return fences.keep_in_index[p];
   }
   for (int k = 0; k < fences.keep_out_count; ++k) {
     const KeepOut& fence = fences.keep_out[k];
     const Halfspace* faces = fences.planes + fence.first_plane;
     const HullGap gap = widest_gap(from, to, hull_of(fences, fence), faces, fence.planes, radius);
-    if (gap.distance < radius - kClearTolerance) return fence.index;
+    if (gap.distance < radius - fences.touching) return fence.index;
   }
   return kNoFence;
 }

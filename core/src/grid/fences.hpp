@@ -33,6 +33,7 @@ struct Fences {
   std::int32_t keep_out_count;
   std::int32_t plane_count;
   std::int32_t corner_count;
+  double touching;  ///< metres by which a point may be nearer than the radius: contact_tolerance, and the corners' own
   Halfspace keep_in[kMaxFencePlanes];
   std::int32_t keep_in_index[kMaxFencePlanes];  ///< the fence of each in the request's list
   KeepOut keep_out[kMaxFences];
@@ -50,7 +51,7 @@ inline Hull hull_of(const Fences& fences, const KeepOut& fence) noexcept {
 Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
 
 /// True where the segment (local frame; equal ends are a point) lies in each keep-in and keeps `radius` from each
-/// keep-out, but for kClearTolerance.
+/// keep-out, but for `touching`.
 bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
 /// The first fence for which that does not hold, as its index in the request's list, keep-ins first; kNoFence for none.

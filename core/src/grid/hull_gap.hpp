@@ -17,8 +17,8 @@ struct Hull {
   int count;  ///< >= 1
 };
 
-/// A plane between the two: every point of the second lies `distance` or more further along `normal` than every point of
-/// the first. True of any outcome, however early the iteration ended.
+/// A plane between the two: every point of the second lies `distance` or more further along `normal` than every point
+/// of the first. True of any outcome, however early the iteration ended.
 struct HullGap {
   Vec3 normal;      ///< unit; zero where no plane was found between the two
   double distance;  ///< metres, >= 0; 0 where they meet or nearly so

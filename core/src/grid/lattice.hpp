@@ -66,7 +66,9 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
   const Box boundary = grid.local_boundary();
   const double lower = axis(boundary.lower, a);
   const double upper = axis(boundary.upper, a);
-  const auto rounding = [&](const Vec3& face) { return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance; };
+  const auto rounding = [&](const Vec3& face) {
+    return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance;
+  };
   if (local < lower && local >= lower - rounding(spec.boundary.lower)) return lower;
   if (local > upper && local <= upper + rounding(spec.boundary.upper)) return upper;
   return local;

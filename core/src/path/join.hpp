@@ -28,7 +28,8 @@ enum class JoinState : std::uint8_t {
 struct Join {
   JoinState state;
   Voxel voxel;
-  Voxel home;  ///< the point's own
+  Voxel home;    ///< the point's own
+  bool on_face;  ///< the point belongs to the closed cubes of neighbours as well
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels, nearest centre first, then least z, y, x
@@ -40,8 +41,8 @@ struct Join {
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// The search from `voxel` found no way: it may lie in a pocket that is cut off. What the voxel is joined to by faces
-/// within the candidates' reach is not tried again. False where no candidate is left. Where the point's own voxel is free
-/// its neighbours become candidates now.
+/// within the candidates' reach is not tried again. False where no candidate is left. Where the point's own voxel is
+/// free its neighbours become candidates now.
 bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// Checks the line to the next candidate, which has to be clear of `fences`, too (null: none); only while kTrying.

@@ -48,7 +48,7 @@ Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, 
 
 /// True where an end may join the grid elsewhere after a search that found no way.
 bool may_join_elsewhere(const Join& join, bool moves) {
-  return moves || join.state == JoinState::kTrying;
+  return moves || join.on_face || join.state == JoinState::kTrying;
 }
 
 void join_start(PathStage& stage, const Grid& grid) {

@@ -72,7 +72,8 @@ Status Planner::run_detour(Work& work) noexcept {
   return Status::kOk;
 }
 
-/// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path begins.
+/// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path
+/// begins.
 bool Planner::escape_may_help(Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
   const FlightEnds& ends = static_cast<const Layout*>(workspace_)->ends;

@@ -63,6 +63,9 @@ Status Planner::end(Stage stage, Status status) noexcept {
   phase_ = Phase::kDone;
   status_ = status;
   report_.stage = stage;
+  const bool occupied = status == Status::kStartOccupied || status == Status::kGoalOccupied;
+  if (!occupied) report_.raw_occupied = report_.has_nearest_free = false;
+  if (status != Status::kOk) report_.quality = Quality::kNone;
   return status;
 }
 
