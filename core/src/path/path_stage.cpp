@@ -59,7 +59,7 @@ void join_start(PathStage& stage, const Grid& grid) {
 /// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
 /// start's, at the goal's. kNoPath where none is left.
 Status join_elsewhere(PathStage& stage, const Grid& grid) {
-  if (++stage.failed == stage.searches) return Status::kNoPath;
+  if (++stage.failed == stage.searches || stage.expansions >= kExpansionBound) return Status::kNoPath;
   if (join_others(stage.start, grid, stage.query.start)) {
     stage.phase = PathPhase::kJoinStart;
     return Status::kOk;

@@ -19,13 +19,14 @@
 
 namespace tern {
 
-/// Searches of a query at most: one, and others from where an end can join the grid besides.
-constexpr std::uint32_t kJoinSearches = 4;
+/// Searches of a query at most: one, and others from where an end can join the grid besides. Eight voxels meet in a
+/// corner, each perhaps a pocket of its own. They are small, mostly: no search begins after kExpansionBound expansions.
+constexpr std::uint32_t kJoinSearches = 64;
 
 /// Bound on PathStage::expansions where so many searches may be made: theirs, and the lines that join both ends to the
 /// grid before each.
 constexpr std::uint32_t search_bound(std::uint32_t searches) {
-  return searches * (kExpansionBound + 2u * static_cast<std::uint32_t>(kMaxJoins));
+  return (searches > 1 ? 2 : 1) * kExpansionBound + searches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 }
 
 /// Bound on PathStage::sight_lines.
