@@ -66,6 +66,12 @@ void compare_kept(Context& context, tern::Planner& planner, const World& world, 
 
 namespace {
 
+constexpr double kShortestPlan = 0.05;  // seconds, docs/times.md
+
+bool is_zero(const tern::Vec3& v) {
+  return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
+}
+
 double moment(Rng& rng, const tern::Trajectory& trajectory) {
   const double end = tern::duration(trajectory);
   const double u = rng.unit();
@@ -77,6 +83,9 @@ double moment(Rng& rng, const tern::Trajectory& trajectory) {
 
 void replan_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
                  const tern::Trajectory& plan, double t) {
+  // No plan lasts less than a segment does: a goal in motion that is nearer than that cannot be met again.
+  const bool goal_moves = !is_zero(ask.request.goal.velocity) || !is_zero(ask.request.goal.acceleration);
+  if (goal_moves) t = std::max(0.0, std::min(t, tern::duration(plan) - kShortestPlan));
   const tern::Sample s = tern::evaluate(plan, t);
   Ask next;
   next.fences = ask.fences;

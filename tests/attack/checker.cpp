@@ -27,6 +27,15 @@ Real rounding(const tern::Segment& segment, int order) {
   return factor * kUlp * most;
 }
 
+Real contact_slack(const World& world) {
+  const tern::GridSpec& spec = world.spec;
+  const Real cell = spec.cell;
+  Real size = 0;
+  for (int a = 0; a < 3; ++a)
+    size += 4 * std::fabs(static_cast<Real>(axis(spec.origin, a))) + 16 * cell * axis(spec.dims, a);
+  return kContactSlack * std::max(1.0L, cell) + kUlp * size;
+}
+
 Point shift_of(const World& world, const tern::Trajectory& trajectory) {
   return point(trajectory.origin) - point(world.spec.origin);
 }
@@ -35,7 +44,7 @@ void check_obstacles(const World& world, const tern::Trajectory& trajectory, Fin
   const Point shift = shift_of(world, trajectory);
   for (int s = 0; s < trajectory.count; ++s) {
     const Curve curve = curve_of(trajectory.segments[s], shift);
-    const Real least = world.radius() - kClearanceSlack - 16 * kUlp * magnitude(curve);
+    const Real least = world.radius() - 2 * contact_slack(world);
     const Clearance found = clearance(world, curve, least);
     if (found.proof == Proof::kProven) continue;
     report(findings, found.proof == Proof::kBroken ? "clearance" : "clearance_unproven",
@@ -49,7 +58,7 @@ void check_boundary(const World& world, const tern::Trajectory& trajectory, Find
   const Point shift = shift_of(world, trajectory);
   for (int s = 0; s < trajectory.count; ++s) {
     const Curve curve = curve_of(trajectory.segments[s], shift);
-    const Real slack = kBoundarySlack + 16 * kUlp * magnitude(curve);
+    const Real slack = contact_slack(world);
     const auto inside = [&](const Point& p) {
       for (int a = 0; a < 3; ++a) {
         const Real origin = axis(world.spec.origin, a);
@@ -81,12 +90,12 @@ void check_fence(const World& world, const tern::Fence& fence, int number, const
     const Real spacing = 16 * kUlp * (magnitude(curve) + largest(point(world.spec.origin)));
     const auto inside = [&](const Point& p) {
       for (const Plane& plane : planes) {
-        if (dot(plane.normal, p) > plane.offset + kBoundarySlack + spacing) return false;
+        if (dot(plane.normal, p) > plane.offset + contact_slack(world) + spacing) return false;
       }
       return true;
     };
     const Verdict verdict =
-        keep_in ? prove(curve, inside) : solid.keeps(curve, world.radius() - kClearanceSlack - spacing);
+        keep_in ? prove(curve, inside) : solid.keeps(curve, world.radius() - 2 * contact_slack(world) - spacing);
     if (verdict.proof == Proof::kProven) continue;
     const Real far = keep_in ? 0 : solid.distance(value(curve, verdict.where));
     report(findings, verdict.proof == Proof::kBroken ? (keep_in ? "keep_in" : "keep_out") : "fence_unproven",

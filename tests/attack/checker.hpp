@@ -25,12 +25,12 @@ __attribute__((format(printf, 3, 4))) void report(Findings& findings, const char
 
 // Tolerances; docs/attack.md says where each comes from. What a double that is stored in the trajectory can hold comes
 // on top: `rounding` below.
-constexpr Real kClearanceSlack = 2e-7L;  ///< metres: a polyhedron's 1e-7 and a control point's 1e-7 (docs/check.md)
-constexpr Real kBoundarySlack = 1e-7L;   ///< metres, boundary and keep-ins
-constexpr Real kLimitSlack = 1e-7L;      ///< of the limit
-constexpr Real kJointSlack = 1e-7L;      ///< of 1 + value, derivatives at joints and ends
-constexpr Real kPositionSlack = 1e-9L;   ///< metres, start, goal and joints
-constexpr Real kEndJerkSlack = 1e-5L;    ///< m/s^3, jerk at both ends
+constexpr Real kContactSlack = 1e-9L;  ///< metres, or voxels where those are larger: a half-space, a control point
+constexpr Real kLimitSlack = 3e-8L;    ///< of the limit
+constexpr Real kPointUlps = 32;  ///< units in the last place of a control point, for derivatives at joints and ends
+
+/// kContactSlack in this world, and what its coordinates cannot tell apart, world and local ones.
+Real contact_slack(const World& world);
 
 /// What rounding the control points to doubles does to the derivative of this order: the spacing of the largest
 /// coordinate, as often as control points enter, over the duration's power.

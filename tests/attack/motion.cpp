@@ -59,8 +59,9 @@ Jet jet(const tern::Segment& segment, Real u) {
 
 constexpr const char* kOrders[] = {"position", "velocity", "acceleration", "jerk", "snap"};
 
-Real slack_of(Real size, int order) {
-  return order == 0 ? kPositionSlack : kJointSlack * (1 + size);
+/// Positions are the same bits; a derivative is as good as its control points.
+Real slack_of(const tern::Segment& segment, int order) {
+  return order == 0 ? 0 : kPointUlps * rounding(segment, order);
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ void check_joints(const tern::Trajectory& trajectory, Findings& findings) {
     const Jet right = jet(after, 0);
     for (int k = 0; k < 4; ++k) {
       const Real gap = largest(left.d[k] - right.d[k]);
-      const Real slack = slack_of(largest(right.d[k]), k) + rounding(before, k) + rounding(after, k);
+      const Real slack = slack_of(before, k) + slack_of(after, k);
       if (gap <= slack) continue;
       return report(findings, "joint", "%s between segments %d and %d by %.6Lg, allowed %.6Lg", kOrders[k], s - 1, s,
                     gap, slack);
@@ -107,11 +108,11 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
   const Real face = 1e-9L * world.spec.cell;
   for (int k = 0; k < 3; ++k) {
     const Real gap = largest(end.d[k] - asked[k]);
-    const Real slack = slack_of(largest(asked[k]), k) + rounding(segment, k) + (k == 0 ? own + face : 0);
+    const Real slack = slack_of(segment, k) + (k == 0 ? own + face : 0);
     if (gap > slack) return report(findings, kind, "%s by %.6Lg, allowed %.6Lg", kOrders[k], gap, slack);
   }
   const Real jerk = largest(end.d[3]);
-  if (jerk > kEndJerkSlack + rounding(segment, 3)) report(findings, kind, "jerk %.6Lg", jerk);
+  if (jerk > slack_of(segment, 3)) report(findings, kind, "jerk %.6Lg", jerk);
 }
 
 }  // namespace
