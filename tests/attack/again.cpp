@@ -93,7 +93,8 @@ void replan_once(Context& context, tern::Planner& planner, const World& world, c
   next.request.fences = next.fences.empty() ? nullptr : next.fences.data();
   next.request.start = {s.position, s.velocity, s.acceleration};
   next.request.budget = tern::Budget{};
-  const bool new_goal = context.rng.chance(0.25);
+  // Behind a goal in motion nothing is promised: from there no other goal may be in reach.
+  const bool new_goal = context.rng.chance(0.25) && !goal_moves;
   if (new_goal) next.request.goal = {make_point(context.rng, world, map), {0, 0, 0}, {0, 0, 0}};
   ++context.tally.replans;
   const std::size_t before = context.findings.size();

@@ -79,6 +79,7 @@ class Planner {
   void report_trajectory() noexcept;
   bool escape_may_help(Status status) const noexcept;
   void begin_escape() noexcept;
+  bool arrives(Work& work) noexcept;
   void rest_at_escapes() noexcept;
   State asked_end(int end) const noexcept;
   bool rests() const noexcept;
@@ -99,6 +100,7 @@ class Planner {
   int32_t fences_blocked_ = 0;         // units of the fences' phase that are done
   uint32_t before_[kStageCount] = {};  // work of each stage when the phase began
   uint32_t escapes_ = 0;               // tried
+  int32_t arrivals_ = 0;               // tried
   bool stop_and_go_ = false;           // the optimiser's plan was refused,
   Status refused_ = Status::kOk;       // for this
   Stage failed_stage_ = Stage::kRequest;

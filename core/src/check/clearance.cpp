@@ -61,20 +61,22 @@ struct Cuts {
 /// Units in the last place by which the square of a unit normal may miss 1.
 constexpr double kUnitUlps = 16.0;
 
-/// Below this a normal's x counts for the whole row at once, with whichever end of the row is nearer.
-constexpr double kLeastSlope = 1e-9;
+/// A normal's x counts for a whole row at once, with whichever end of the row is nearer, where that costs this part of
+/// the tolerance at most.
+constexpr double kSlopeShare = 0.01;
 
 Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
   const GridSpec& spec = grid.spec();
+  const double row = spec.dims.x * spec.cell;
   Cuts cuts{};
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     Cut& cut = cuts.cut[cuts.count++];
     cut = {plane.normal, plane.offset + spec.radius - tolerance, 0.0};
-    if (absolute(plane.normal.x) >= kLeastSlope) {
+    if (absolute(plane.normal.x) * row > kSlopeShare * tolerance) {
       cut.per_x = 1.0 / (plane.normal.x * spec.cell);
     } else {
-      cut.reach -= smaller(0.0, plane.normal.x * (spec.dims.x * spec.cell));
+      cut.reach -= smaller(0.0, plane.normal.x * row);
     }
   }
   return cuts;

@@ -36,16 +36,6 @@ void collect(Join& join, const Grid& grid, const Vec3& point) {
   }
 }
 
-/// On a face between voxels, but for the lattice's tolerance.
-bool is_on_face(const Grid& grid, const Vec3& point) {
-  for (int a = 0; a < 3; ++a) {
-    const double cells = axis(point, a) / grid.spec().cell;
-    const double nearest = floor_index(cells + 0.5, 0, axis(grid.spec().dims, a));
-    if (absolute(cells - nearest) <= kLatticeTolerance) return true;
-  }
-  return false;
-}
-
 /// Where a voxel is in `searched`; -1 out of reach.
 int cell_of(const Join& join, const Voxel& voxel) {
   const Voxel d{voxel.x - join.home.x + kJoinReach, voxel.y - join.home.y + kJoinReach,
@@ -78,7 +68,6 @@ void mark_searched(Join& join, const Grid& grid, const Voxel& first) {
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.voxel = grid.voxel_of(point);
   join.home = join.voxel;
-  join.on_face = is_on_face(grid, point);
   for (bool& searched : join.searched) searched = false;
   join.count = 0;
   join.next = 0;

@@ -29,7 +29,6 @@ struct Join {
   JoinState state;
   Voxel voxel;
   Voxel home;    ///< the point's own
-  bool on_face;  ///< the point belongs to the closed cubes of neighbours as well
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels, nearest centre first, then least z, y, x

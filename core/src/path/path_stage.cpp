@@ -46,11 +46,6 @@ Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, 
   return occupied(stage, grid, point, at_start ? Status::kStartOccupied : Status::kGoalOccupied);
 }
 
-/// True where an end may join the grid elsewhere after a search that found no way.
-bool may_join_elsewhere(const Join& join, bool moves) {
-  return moves || join.on_face || join.state == JoinState::kTrying;
-}
-
 void join_start(PathStage& stage, const Grid& grid) {
   join_begin(stage.start, grid, stage.query.start);
   stage.phase = PathPhase::kJoinStart;
@@ -59,7 +54,7 @@ void join_start(PathStage& stage, const Grid& grid) {
 /// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
 /// start's, at the goal's. kNoPath where none is left.
 Status join_elsewhere(PathStage& stage, const Grid& grid) {
-  if (++stage.failed == stage.searches || stage.expansions >= kExpansionBound) return Status::kNoPath;
+  if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return Status::kNoPath;
   if (join_others(stage.start, grid, stage.query.start)) {
     stage.phase = PathPhase::kJoinStart;
     return Status::kOk;
@@ -190,9 +185,6 @@ void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuer
   stage.query = query;
   join_start(stage, grid);
   join_begin(stage.goal, grid, query.goal);
-  const bool elsewhere =
-      may_join_elsewhere(stage.start, query.start_moves) || may_join_elsewhere(stage.goal, query.goal_moves);
-  stage.searches = elsewhere ? kJoinSearches : 1;
 }
 
 Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) noexcept {

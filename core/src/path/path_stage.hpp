@@ -23,11 +23,8 @@ namespace tern {
 /// corner, each perhaps a pocket of its own. They are small, mostly: no search begins after kExpansionBound expansions.
 constexpr std::uint32_t kJoinSearches = 64;
 
-/// Bound on PathStage::expansions where so many searches may be made: theirs, and the lines that join both ends to the
-/// grid before each.
-constexpr std::uint32_t search_bound(std::uint32_t searches) {
-  return (searches > 1 ? 2 : 1) * kExpansionBound + searches * 2u * static_cast<std::uint32_t>(kMaxJoins);
-}
+/// Bound on PathStage::expansions: those of all searches, and the lines that join both ends to the grid before each.
+constexpr std::uint32_t kSearchBound = 2 * kExpansionBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
 /// Bound on PathStage::sight_lines.
 constexpr std::uint32_t shortcut_bound(ShortcutMode mode) {
@@ -42,16 +39,13 @@ struct PathQuery {
   std::uint32_t max_expansions;    ///< Budget::expansions
   std::uint32_t max_sight_lines;   ///< Budget::sight_lines
   const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
-  bool start_moves = false;        ///< a state in flight may be in a pocket of free voxels that is cut off, and see
-  bool goal_moves = false;         ///< the way on all the same
 };
 
 enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut, kTighten };
 
 /// Plain data; needs no initialisation before path_begin.
 struct PathStage {
-  std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= search_bound(searches) and the budget
-  std::uint32_t searches;      ///< that may be made: 1 where both ends are joined at once and at rest
+  std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
   std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= shortcut_bound() and the budget
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t heap_high;      ///< most open at once

@@ -5,6 +5,7 @@
 #include "base/bounds.hpp"
 #include "corridor/hull_polyhedron.hpp"
 #include "trajectory/bezier.hpp"
+#include "trajectory/motion_limits.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern {
@@ -85,7 +86,7 @@ void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corr
 bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits, GrowScratch& scratch,
                 Escape& escape) noexcept {
   const int choice = escape.next++;
-  Stopping stopping;
+  Stopping& stopping = escape.stopping;
   const bool kept = room.to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
                                  : make_stopping(state, limits, choice, stopping);
   if (!kept) return false;
@@ -98,6 +99,25 @@ bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits
     return false;
   }
   return true;
+}
+
+bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
+                GrowScratch& scratch, Escape& escape) noexcept {
+  // Parts of what the way takes at the mean of both velocities.
+  constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};
+  const double speed = 0.5 * length(start.velocity + goal.velocity);
+  const double way = distance(start.position, goal.position);
+  escape.count = 0;
+  if (!(speed > 0.0) || !(way > 0.0)) return false;
+  constexpr Vec3 kZero{0.0, 0.0, 0.0};
+  Segment segment{};
+  segment.duration = kParts[choice] * (way / speed);
+  control_points({{start.position, start.velocity, start.acceleration, kZero}},
+                 {{goal.position, goal.velocity, goal.acceleration, kZero}}, segment.duration, segment.points);
+  if (!within_limits(segment, limits, kStopTolerance)) return false;
+  if (append_in_parts(room, segment, scratch, escape)) return true;
+  escape.count = 0;
+  return false;
 }
 
 bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept {

@@ -32,6 +32,7 @@ constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::
 struct Escape {
   int next;   ///< choice to be tried next, 0 .. kStoppingChoices
   int count;  ///< segments; 0 while there is no way
+  Stopping stopping;  ///< the choice at hand
   Vec3 rest;  ///< where the motion ends (a goal's: begins), relative to the plan's origin
   Segment segments[kEscapeSegments];
   Polyhedron polyhedra[kEscapeSegments];
@@ -47,6 +48,14 @@ struct EscapeRoom {
 /// Tries the next choice for `state` (relative to the plan's origin). True where it has room: fills the escape.
 bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits, GrowScratch& scratch,
                 Escape& escape) noexcept;
+
+/// Choices of the duration of an arrival.
+constexpr int kArrivals = 12;
+
+/// Tries to fly from the start straight into the motion of the goal with one curve, `choice` of 0 .. kArrivals - 1: what
+/// is left of a plan that is nearly flown, where there is no room to stop before the goal any more. Fills the escape.
+bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
+                GrowScratch& scratch, Escape& escape) noexcept;
 
 /// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed,
 /// where there is no capacity for all segments or polyhedra.

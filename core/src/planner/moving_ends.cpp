@@ -88,6 +88,7 @@ bool Planner::escape_may_help(Status status) const noexcept {
       return !at_rest(asked_.goal) && point_clear(world(), ends.goal_in_grid, radius);
     case Status::kNoPath:
     case Status::kSegmentsFull:
+    case Status::kCheckFailed:
       return escapes_ > 0;  // from another stop there may be a path, or a shorter one
     default:
       return false;
@@ -116,10 +117,36 @@ void Planner::begin_escape() noexcept {
   ++escapes_;
 }
 
+/// One unit is one duration. True where the goal's motion is met: the plan is whole.
+bool Planner::arrives(Work& work) noexcept {
+  Layout& memory = layout(workspace_);
+  const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
+  if (at_rest(asked_.goal) || escapes_ > 1) return false;
+  while (arrivals_ < kArrivals && work.take()) {
+    if (!arrive_try(room, asked_end(0), asked_end(1), asked_.limits, arrivals_++, memory.stage.corridor.grow,
+                    memory.escapes[0])) {
+      continue;
+    }
+    memory.corridor.count = memory.trajectory.count = 0;
+    memory.trajectory.origin = asked_.start.position;
+    add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory);
+    memory.escapes[0].count = 0;
+    return true;
+  }
+  return false;
+}
+
 /// One unit is one choice of one end. With a way to rest for each end that moves the plan begins again between them.
 Status Planner::run_escape(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   GrowScratch& scratch = memory.stage.corridor.grow;
+  if (arrives(work)) {
+    report_.quality = Quality::kStopAndGo;
+    report_.detours = kEscaped;
+    has_corridor_ = true;
+    enter(Phase::kCheck);
+    return Status::kOk;
+  }
   for (int e = 0; e < 2; ++e) {
     const State state = asked_end(e);
     Escape& escape = memory.escapes[e];

@@ -115,6 +115,7 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   has_path_ = false;
   has_corridor_ = false;
   escapes_ = 0;
+  arrivals_ = 0;
   stop_and_go_ = false;
   grid_ = &grid;
   if (workspace_ == nullptr) return refuse(Status::kInvalidArgument, Field::kWorkspace);

@@ -55,7 +55,7 @@ Status Planner::run_path(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
-  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * search_bound(stage.searches));
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
   count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
         searches() * (shortcut_bound(stage.query.mode) + kDetourLines));
   raise(report_.high_water.nodes, stage.nodes_high);
@@ -160,9 +160,10 @@ Status Planner::run_check(Work& work) noexcept {
   const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, 2 * kCheckBound);
   if (status == Status::kRunning) return status;
-  const bool has_escape = memory.escapes[0].count + memory.escapes[1].count > 0;
-  if (status != Status::kOk && report_.quality == Quality::kOptimised && !has_escape) return fall_back(status);
-  return end(Stage::kCheck, status);
+  if (status == Status::kOk || report_.quality != Quality::kOptimised || report_.detours == kEscaped) {
+    return status == Status::kOk ? end(Stage::kCheck, status) : fail(Stage::kCheck, status);
+  }
+  return fall_back(status);
 }
 
 }  // namespace tern

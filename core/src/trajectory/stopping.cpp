@@ -172,12 +172,23 @@ constexpr Swerve straight(int shape) {
   return {0, 0.0, 1.0, shape};
 }
 
+void add_axis_brake(const State& state, const Limits& limits, double ramp, Stopping& out) {
+  const AxisBrake brake = make_axis_brake(state, limits, ramp);
+  for (int i = 0; i < brake.segments; ++i) {
+    out.segments[out.count++] = segment_between(brake.joint[i], brake.joint[i + 1], brake.duration[i]);
+  }
+}
+
 /// Way 0 .. kStoppingWays - 1, with ramps of `least` seconds at least.
 void add_way(const State& state, const Limits& limits, int way, double least, Stopping& out) {
   if (way < kBrakeShapes) return add_brake(state, limits, straight(way), least, out);
   way -= kBrakeShapes;
-  if (way >= kTurns) return add_brake(state, limits, swerve_of(way - kTurns), least, out);
-  add_brake(add_turn(state, limits, way, least, out), limits, straight(kBrakeShapes - 1), least, out);
+  if (way < kAxisBrakes) return add_axis_brake(state, limits, way == 0 ? least : 4.0 * least, out);
+  way -= kAxisBrakes;
+  if (way >= 2 * kTurns) return add_brake(state, limits, swerve_of(way - 2 * kTurns), least, out);
+  const State turned = add_turn(state, limits, way / 2, least, out);
+  if (way % 2 == 0) return add_brake(turned, limits, straight(kBrakeShapes - 1), least, out);
+  add_axis_brake(turned, limits, least, out);
 }
 
 /// A ramp that takes the acceleration back to none. The speed changes by half of acceleration times duration, and so

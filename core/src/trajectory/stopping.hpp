@@ -1,13 +1,14 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ways to come to rest from a moving state, in closed form: straight ahead (brake.hpp), or with a swerve to a side on
-// the way. Whether there is room for one is the caller's question.
+// Ways to come to rest from a moving state, in closed form: straight ahead (brake.hpp), each axis on its own
+// (axis_brake.hpp), after a turn, or with a swerve to a side. Whether there is room for one is the caller's question.
 #ifndef TERN_TRAJECTORY_STOPPING_HPP
 #define TERN_TRAJECTORY_STOPPING_HPP
 
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
+#include "trajectory/axis_brake.hpp"
 #include "trajectory/brake.hpp"
 
 namespace tern {
@@ -34,11 +35,14 @@ constexpr int kSwerveStrengths = 2;
 constexpr int kSwerveShapes = 2;
 constexpr int kSwerves = kSwerveSides * kSwerveSizes * kSwerveStrengths * kSwerveShapes;
 
-/// Straight ways first, the sharpest last; then turns; then swerves. All of them with the usual ramps, then all again
-/// with ramps that may be as short as kSharpRamp.
-constexpr int kStoppingWays = kBrakeShapes + kTurns + kSwerves;
+/// Axes on their own: with ramps as short as may be, and four times that.
+constexpr int kAxisBrakes = 2;
+
+/// Straight ways first, the sharpest last; each axis on its own; turns, with either braking behind them; swerves. All of
+/// them with the usual ramps, then all again with ramps that may be as short as kSharpRamp.
+constexpr int kStoppingWays = kBrakeShapes + kAxisBrakes + 2 * kTurns + kSwerves;
 constexpr int kStoppingChoices = 2 * kStoppingWays;
-constexpr int kStoppingSegments = 2 + kBrakeSegments;
+constexpr int kStoppingSegments = 2 + kAxisBrakeSegments;
 constexpr double kSharpRamp = 0.01;  ///< seconds
 
 /// Segments that lead from the state to rest, continuous to jerk, which is zero at either end. Same frame as the state.
