@@ -8,6 +8,7 @@
 
 #include "corridor/ellipsoid_metric.hpp"
 #include "corridor/local_boxes.hpp"
+#include "grid/distance.hpp"
 #include "grid/hull_gap.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
@@ -19,8 +20,8 @@ struct SegmentMargin {
   Vec3 from;
   Vec3 to;
   double least;     ///< metres, > 0: kept wherever there is that much room
-  double touching;  ///< metres by which an obstacle may be nearer than the radius and still count as touching: what is
-                    ///< forgiven a start or goal (contact_tolerance)
+  /// Metres by which an obstacle may be nearer than the radius and still count as touching (contact_tolerance).
+  double touching = kClearTolerance;
 };
 
 /// Half-spaces keep this part of `least` more from an obstacle than the radius where there is room: what outweighs the
