@@ -57,9 +57,9 @@ TEST(MapFaces, AreInsideWhereverTheMapLies) {
 }
 
 /// Metres beyond a face at which no rounding of coordinates there explains the distance: five units in the last place
-/// and a hundred millionth of a cell.
+/// a hundred millionth of a cell, and two nanometres.
 double beyond(double face, double cell) {
-  return 5.0 * std::abs(face) * kUlp + 1e-8 * cell;
+  return 5.0 * std::abs(face) * kUlp + 1e-8 * cell + 2e-9;
 }
 
 TEST(MapFaces, WhatIsBeyondByMoreThanRoundingIsOutside) {

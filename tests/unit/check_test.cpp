@@ -164,8 +164,9 @@ TEST_F(CheckTest, DegenerateKeepOutsCountAsTheirShape) {
       return keep_outs_clear(grid_, box_polyhedron({0.0, 0.0, z}, {4.0, 2.0, 2.0}), *fences, stage_.scratch);
     };
     EXPECT_TRUE(clear_above(0.9)) << "shape " << i;
-    EXPECT_TRUE(clear_above(0.9 - 0.99e-7)) << "shape " << i;
-    EXPECT_FALSE(clear_above(0.9 - 1.01e-7)) << "shape " << i;
+    EXPECT_TRUE(clear_above(0.9 - 0.99 * tern::fence_tolerance(grid_))) << "shape " << i;
+    // Rounding their offsets moves the edges of a blade and a needle by 1e-10 m.
+    EXPECT_FALSE(clear_above(0.9 - 1.2 * tern::fence_tolerance(grid_))) << "shape " << i;
   }
 }
 
@@ -191,9 +192,9 @@ TEST_F(CheckTest, KeepInsHoldToTheToleranceHoweverFarAway) {
     const Halfspace plane{{3.0, 4.0, 0.0}, 15.0 + 3.0 * away};
     const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
     ASSERT_TRUE(copy_fences(&fence, 1, *fences));
-    Segment segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.5e-7, 1.5, 1.0}, 4.0, 0);  // 0.9e-7 m beyond
+    Segment segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.5e-9, 1.5, 1.0}, 4.0, 0);  // 0.9e-9 m beyond
     EXPECT_TRUE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0})) << away;
-    segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.8e-7, 1.5, 1.0}, 4.0, 0);  // 1.08e-7 m beyond
+    segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.8e-9, 1.5, 1.0}, 4.0, 0);  // 1.08e-9 m beyond
     EXPECT_FALSE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0})) << away;
   }
 }

@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
+#include "path/direction.hpp"
 
 namespace tern {
 namespace {
@@ -24,13 +25,24 @@ void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point)
   join.candidates[at] = voxel;
 }
 
-void collect(Join& join, const Grid& grid, const Vec3& point) {
+/// True of a neighbour whose closed cube holds the point as well, but for the lattice's tolerance.
+bool lies_beside(const Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point) {
+  if (same(voxel, join.home)) return false;
+  for (int a = 0; a < 3; ++a) {
+    const double beyond = axis(point, a) / grid.spec().cell - axis(voxel, a);
+    if (beyond < -kLatticeTolerance || beyond > 1.0 + kLatticeTolerance) return false;
+  }
+  return true;
+}
+
+/// `beside`: only voxels whose closed cubes hold the point, too.
+void collect(Join& join, const Grid& grid, const Vec3& point, bool beside) {
   const Voxel home = join.home;
   for (int dz = -kJoinReach; dz <= kJoinReach; ++dz) {
     for (int dy = -kJoinReach; dy <= kJoinReach; ++dy) {
       for (int dx = -kJoinReach; dx <= kJoinReach; ++dx) {
         const Voxel voxel{home.x + dx, home.y + dy, home.z + dz};
-        if (grid.free(voxel)) insert(join, grid, voxel, point);
+        if (grid.free(voxel) && (!beside || lies_beside(join, grid, voxel, point))) insert(join, grid, voxel, point);
       }
     }
   }
@@ -73,13 +85,13 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.next = 0;
   join.state = JoinState::kJoined;
   if (grid.free(join.voxel)) return;
-  if (point_clear(grid, point, grid.spec().radius)) collect(join, grid, point);
+  if (point_clear(grid, point, grid.spec().radius)) collect(join, grid, point, false);
   join.state = join.count > 0 ? JoinState::kTrying : JoinState::kRefused;
 }
 
 bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept {
   mark_searched(join, grid, join.voxel);
-  if (join.count == 0) collect(join, grid, point);
+  if (join.count == 0) collect(join, grid, point, true);
   join.state = join.next < join.count ? JoinState::kTrying : JoinState::kRefused;
   return join.state == JoinState::kTrying;
 }

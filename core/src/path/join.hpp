@@ -28,7 +28,7 @@ enum class JoinState : std::uint8_t {
 struct Join {
   JoinState state;
   Voxel voxel;
-  Voxel home;    ///< the point's own
+  Voxel home;  ///< the point's own
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels, nearest centre first, then least z, y, x
@@ -41,7 +41,8 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// The search from `voxel` found no way: it may lie in a pocket that is cut off. What the voxel is joined to by faces
 /// within the candidates' reach is not tried again. False where no candidate is left. Where the point's own voxel is
-/// free its neighbours become candidates now.
+/// free those beside it become candidates now whose closed cubes hold the point as well: it lies on their common face,
+/// edge or corner, and no corner is cut.
 bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// Checks the line to the next candidate, which has to be clear of `fences`, too (null: none); only while kTrying.
