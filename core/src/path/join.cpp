@@ -26,13 +26,16 @@ void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point)
 }
 
 /// True of a neighbour whose closed cube holds the point as well, but for the lattice's tolerance.
-bool lies_beside(const Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point) {
-  if (same(voxel, join.home)) return false;
+bool lies_beside(const Grid& grid, const Voxel& voxel, const Vec3& point) {
   for (int a = 0; a < 3; ++a) {
     const double beyond = axis(point, a) / grid.spec().cell - axis(voxel, a);
     if (beyond < -kLatticeTolerance || beyond > 1.0 + kLatticeTolerance) return false;
   }
   return true;
+}
+
+bool is_candidate(const Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point, bool beside) {
+  return grid.free(voxel) && !same(voxel, join.home) && (!beside || lies_beside(grid, voxel, point));
 }
 
 /// `beside`: only voxels whose closed cubes hold the point, too.
@@ -42,7 +45,7 @@ void collect(Join& join, const Grid& grid, const Vec3& point, bool beside) {
     for (int dy = -kJoinReach; dy <= kJoinReach; ++dy) {
       for (int dx = -kJoinReach; dx <= kJoinReach; ++dx) {
         const Voxel voxel{home.x + dx, home.y + dy, home.z + dz};
-        if (grid.free(voxel) && (!beside || lies_beside(join, grid, voxel, point))) insert(join, grid, voxel, point);
+        if (is_candidate(join, grid, voxel, point, beside)) insert(join, grid, voxel, point);
       }
     }
   }
@@ -89,9 +92,9 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.state = join.count > 0 ? JoinState::kTrying : JoinState::kRefused;
 }
 
-bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept {
+bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept {
   mark_searched(join, grid, join.voxel);
-  if (join.count == 0) collect(join, grid, point, true);
+  if (join.count == 0) collect(join, grid, point, !moves && !(grid.spec().radius > 0.0));
   join.state = join.next < join.count ? JoinState::kTrying : JoinState::kRefused;
   return join.state == JoinState::kTrying;
 }

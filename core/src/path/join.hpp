@@ -41,9 +41,10 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
 /// The search from `voxel` found no way: it may lie in a pocket that is cut off. What the voxel is joined to by faces
 /// within the candidates' reach is not tried again. False where no candidate is left. Where the point's own voxel is
-/// free those beside it become candidates now whose closed cubes hold the point as well: it lies on their common face,
-/// edge or corner, and no corner is cut.
-bool join_others(Join& join, const Grid& grid, const Vec3& point) noexcept;
+/// free those around it become candidates now: with a radius all, as a line that keeps it cuts no corner; without one
+/// only those whose closed cubes hold the point as well, on their common face, edge or corner. A point that `moves` may
+/// have come through a corner, and returns through it.
+bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept;
 
 /// Checks the line to the next candidate, which has to be clear of `fences`, too (null: none); only while kTrying.
 void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;

@@ -55,11 +55,11 @@ void join_start(PathStage& stage, const Grid& grid) {
 /// start's, at the goal's. kNoPath where none is left.
 Status join_elsewhere(PathStage& stage, const Grid& grid) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return Status::kNoPath;
-  if (join_others(stage.start, grid, stage.query.start)) {
+  if (join_others(stage.start, grid, stage.query.start, stage.query.start_moves)) {
     stage.phase = PathPhase::kJoinStart;
     return Status::kOk;
   }
-  if (!join_others(stage.goal, grid, stage.query.goal)) return Status::kNoPath;
+  if (!join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves)) return Status::kNoPath;
   join_start(stage, grid);
   return Status::kOk;
 }

@@ -39,6 +39,8 @@ struct PathQuery {
   std::uint32_t max_expansions;    ///< Budget::expansions
   std::uint32_t max_sight_lines;   ///< Budget::sight_lines
   const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
+  bool start_moves = false;        ///< a state in flight, see join_others
+  bool goal_moves = false;
 };
 
 enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut, kTighten };

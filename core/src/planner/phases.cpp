@@ -5,6 +5,7 @@
 #include "base/work.hpp"
 #include "planner/layout.hpp"
 #include "tern/planner.hpp"
+#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {
@@ -52,7 +53,9 @@ void Planner::enter(Phase phase) noexcept {
                             asked_.shortcut,
                             asked_.budget.expansions - before(Stage::kSearch),
                             asked_.budget.sight_lines - before(Stage::kShortcut),
-                            fences};
+                            fences,
+                            !at_rest(memory.ends.start),
+                            !at_rest(memory.ends.goal)};
       return path_begin(memory.stage.path, memory.scans, world(), query);
     }
     case Phase::kCorridor:

@@ -22,6 +22,23 @@ double ramp_time(const State& state, const Limits& limits, int shape, double lea
   return larger(least, time);
 }
 
+/// In place: a brake that is returned would stand on the stack twice.
+void fill(const State& state, const Limits& limits, int shape, double least, Brake& brake) {
+  const double ramp = ramp_time(state, limits, shape, least);
+  // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
+  // and the hold.
+  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
+  const double hold = larger(least, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
+  const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
+  brake.duration[0] = brake.duration[2] = ramp;
+  brake.duration[1] = hold;
+  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, kZero}};
+  brake.joint[1] = after_ramp(brake.joint[0], deceleration, ramp);
+  brake.joint[2] = after_ramp(brake.joint[1], deceleration, hold);
+  brake.joint[3] = after_ramp(brake.joint[2], kZero, ramp);
+  brake.joint[3].d[1] = kZero;
+}
+
 bool holds(const Brake& brake, const Polyhedron& polyhedron, const Limits& limits) {
   for (int part = 0; part < kBrakeSegments; ++part) {
     const Segment segment = brake_segment(brake, part, 0);
@@ -39,18 +56,8 @@ JointState after_ramp(const JointState& from, const Vec3& acceleration, double t
 }
 
 Brake make_brake(const State& state, const Limits& limits, int shape, double least) noexcept {
-  const double ramp = ramp_time(state, limits, shape, least);
-  // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
-  // and the hold.
-  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
-  const double hold = larger(least, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
-  const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
-  Brake brake{{ramp, hold, ramp}, {}};
-  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, kZero}};
-  brake.joint[1] = after_ramp(brake.joint[0], deceleration, ramp);
-  brake.joint[2] = after_ramp(brake.joint[1], deceleration, hold);
-  brake.joint[3] = after_ramp(brake.joint[2], kZero, ramp);
-  brake.joint[3].d[1] = kZero;
+  Brake brake;
+  fill(state, limits, shape, least, brake);
   return brake;
 }
 
@@ -64,7 +71,7 @@ Segment brake_segment(const Brake& brake, int part, int polyhedron) noexcept {
 
 bool find_brake(const State& state, const Polyhedron& polyhedron, const Limits& limits, Brake& brake) noexcept {
   for (int shape = 0; shape < kBrakeShapes; ++shape) {
-    brake = make_brake(state, limits, shape);
+    fill(state, limits, shape, kMinDuration, brake);
     if (holds(brake, polyhedron, limits)) return true;
   }
   return false;
