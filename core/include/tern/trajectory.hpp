@@ -30,7 +30,7 @@ struct Sample {
 /// A plan: segments joined with equal position, velocity, acceleration and jerk (C3).
 struct Trajectory {
   int count;    ///< segments, 1 at least in a plan
-  Vec3 origin;  ///< world position of the local frame that the control points are in
+  Vec3 origin;  ///< what the control points are relative to, world frame: a planner's plan begins here
   Segment segments[kMaxSegments];
 };
 
