@@ -177,6 +177,18 @@ TEST_F(Grazing, TouchesAFace) {
   expect_cut_off(world_, obstacle_cubes(world_.grid));
 }
 
+TEST_F(Grazing, TouchesButForRounding) {
+  const double y = 3 - 5e-10;  // a face, at the middle of a curve that comes and leaves
+  const Vec3 bow[] = {{1, 3.5, 2}, {2, y, 2.5}, {3, y, 3}, {5, 3.2, 4}};
+  ASSERT_EQ(enclose(world_, bow, 4), Status::kOk);
+  expect_holds({bow, 4});
+  expect_cut_off(world_, obstacle_cubes(world_.grid));
+  const Vec3 over_edge[] = {{1, 2 - 5e-10, 2.5}, {3, 4 - 5e-10, 4.5}};
+  ASSERT_EQ(enclose(world_, over_edge, 2), Status::kOk);
+  expect_holds({over_edge, 2});
+  expect_cut_off(world_, obstacle_cubes(world_.grid));
+}
+
 TEST_F(Grazing, TouchesAnEdge) {
   const Vec3 points[] = {{1, 2, 2.5}, {2, 3, 3.5}, {3, 4, 4.5}};  // in x - y = -1, which the edge (2, 3) lies in
   ASSERT_EQ(enclose(world_, points, 3), Status::kOk);
@@ -237,6 +249,29 @@ TEST_F(FencedHull, KeepsTheRadiusFromAKeepOut) {
   ASSERT_EQ(enclose(world_, points, 2), Status::kOk);
   expect_holds({points, 2});
   expect_cut_off(world_, {{{2, 2, 2}, {3, 3, 3}}});
+}
+
+TEST_F(HullPolyhedron, TouchesAnObliqueFaceOfAKeepOutButForRounding) {
+  World world({8, 8, 8}, 1.0, 0.0);
+  world.grid.inflate();
+  const Vec3 n{2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0};
+  // Below the plane through (4, 4, 4), within 1 m of there on x and y.
+  const tern::Halfspace planes[] = {
+      {n, 4 * 11.0 / 7.0}, {{1, 0, 0}, 5}, {{-1, 0, 0}, -3}, {{0, 1, 0}, 5}, {{0, -1, 0}, -3}};
+  const tern::Fence fence{planes, 5, tern::FenceKind::kKeepOut};
+  const auto fences = std::make_unique<tern::Fences>();
+  ASSERT_EQ(load_fences(world.grid, &fence, 1, *fences), Status::kOk);
+  scratch_->fences = fences.get();
+  for (const double depth : {0.0, 5e-10, 1e-6}) {
+    const Vec3 touch{4 - depth * n.x, 4 - depth * n.y, 4 - depth * n.z};
+    const Vec3 bow[] = {{3.1, 4.2, 5.5}, touch, {touch.x + 0.3, touch.y - 0.2, touch.z}, {4.8, 4.5, 6}};
+    const Status status = enclose(world, bow, 4);
+    ASSERT_EQ(status, depth < 1e-8 ? Status::kOk : Status::kCorridorBlocked) << depth;
+    if (status != Status::kOk) continue;
+    expect_holds({bow, 4});
+    EXPECT_EQ(out_.count, 7) << "the box around the hull and the face";
+    EXPECT_NEAR(out_.planes[6].offset, depth - 4 * 11.0 / 7.0, 1e-12);
+  }
 }
 
 }  // namespace

@@ -104,6 +104,15 @@ TEST_F(ThreePockets, CountAgainstTheBudget) {
   EXPECT_EQ(runner_.run(world_.grid, query), Status::kOk);
 }
 
+TEST_F(Pockets, AnotherGoalIsSoughtFromEveryStart) {
+  // The start's own voxel has a way out and the one tried after it has none; the goal's own voxel has none.
+  VoxelWorld world({16, 8, 8});
+  world.block({1, 1, 1}, {6, 6, 6}).clear({4, 4, 4}).clear({5, 4, 4}).clear({6, 4, 4}).clear({3, 3, 4});
+  seal(world, {12, 4, 4});
+  ASSERT_EQ(runner_.run(world.grid, kCorner, Vec3{12, 4, 4}), Status::kOk);
+  expect_clear(world, runner_.path());
+}
+
 TEST_F(Pockets, NoWayWhereTheGoalIsSealedAltogether) {
   world_.block({0, 0, 0}, {2, 2, 2}).clear({1, 1, 1});
   EXPECT_EQ(runner_.run(world_.grid, kCorner, Vec3{1.5, 1.5, 1.5}), Status::kNoPath);
