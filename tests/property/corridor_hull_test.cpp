@@ -126,9 +126,9 @@ TEST_F(HullPolyhedron, HoldsTheHullAndCutsOffEveryObstacle) {
     ASSERT_NO_FATAL_FAILURE(expect_cut_off(world, cubes)) << i;
     oblique += out_.count > 6 ? 1 : 0;
   }
-  EXPECT_GT(held, scaled(600) / 5);
-  EXPECT_GT(blocked, scaled(600) / 5);
-  EXPECT_GT(oblique, scaled(600) / 10) << "half-spaces besides the box around the hull";
+  EXPECT_GT(held, scaled(600) / 10);
+  EXPECT_GT(blocked, scaled(600) / 10);
+  EXPECT_GT(oblique, scaled(600) / 60) << "half-spaces besides the box around the hull";
 }
 
 TEST_F(HullPolyhedron, IsTheBoxAroundTheHullWhereNothingIsNear) {
