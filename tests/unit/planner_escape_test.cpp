@@ -1,0 +1,233 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "base/math.hpp"
+#include "planner/escape.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Escape;
+using tern::Status;
+using tern::Vec3;
+
+double distance_from(const tern::Box& box, const Vec3& p) {
+  const Vec3 nearest{tern::clamp(p.x, box.lower.x, box.upper.x), tern::clamp(p.y, box.lower.y, box.upper.y),
+                     tern::clamp(p.z, box.lower.z, box.upper.z)};
+  return tern::distance(p, nearest);
+}
+
+/// A wall at y >= 2.6 along the whole map, radius 0.25: y <= 2.35 is free.
+class EscapePlan : public testing::Test {
+ protected:
+  EscapePlan() : world_({80, 40, 20}, 0.1, 0.25) {
+    world_.block(wall_.lower, wall_.upper);
+    // Stop-and-go only: it needs the straight braking that there is no room for.
+    world_.request.budget.iterations = 0;
+  }
+  void expect_escaped() {
+    ASSERT_EQ(world_.plan(), Status::kOk);
+    EXPECT_EQ(world_.report.detours, tern::kEscaped);
+    for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+    const double end = tern::duration(world_.trajectory);
+    const int steps = 4000;
+    for (int k = 0; k <= steps; ++k) {
+      const tern::Sample sample = tern::evaluate(world_.trajectory, end * k / steps);
+      ASSERT_GE(distance_from(wall_, sample.position), 0.25 - 2e-9) << k;
+      for (int a = 0; a < 3; ++a) {
+        ASSERT_LE(std::fabs(tern::axis(sample.velocity, a)), 2.0 * (1.0 + 1e-7));
+        ASSERT_LE(std::fabs(tern::axis(sample.acceleration, a)), 2.0 * (1.0 + 1e-7));
+      }
+    }
+    expect_end(tern::evaluate(world_.trajectory, 0.0), world_.request.start);
+    expect_end(tern::evaluate(world_.trajectory, std::nextafter(end, 0.0)), world_.request.goal);
+  }
+  static void expect_end(const tern::Sample& sample, const tern::State& state) {
+    for (int a = 0; a < 3; ++a) {
+      EXPECT_NEAR(tern::axis(sample.position, a), tern::axis(state.position, a), 1e-9);
+      EXPECT_NEAR(tern::axis(sample.velocity, a), tern::axis(state.velocity, a), 1e-9);
+      EXPECT_NEAR(tern::axis(sample.acceleration, a), tern::axis(state.acceleration, a), 1e-7);
+    }
+  }
+
+  tern::Box wall_{{0.0, 2.6, 0.0}, {8.0, 4.0, 2.0}};
+  World world_;
+};
+
+TEST_F(EscapePlan, StartThatCannotBrakeStraightAhead) {
+  // Straight ahead takes 1.05 s, in which it comes 0.525 m nearer; each axis on its own 0.275 m; there are 0.35 m.
+  world_.from({2.0, 2.0, 1.0}).to({6.0, 1.0, 1.0});
+  world_.request.start.velocity = {2.0, 1.0, 0.0};
+  expect_escaped();
+}
+
+TEST_F(EscapePlan, GoalThatCannotBeLedUpToStraight) {
+  world_.from({1.0, 1.0, 1.0}).to({6.0, 2.0, 1.0});
+  world_.request.goal.velocity = {2.0, -1.0, 0.0};
+  expect_escaped();
+}
+
+TEST_F(EscapePlan, BothAtOnce) {
+  world_.from({2.0, 2.0, 1.0}).to({6.0, 2.0, 1.0});
+  world_.request.start.velocity = {2.0, 1.0, 0.0};
+  world_.request.goal.velocity = {2.0, -1.0, 0.0};
+  expect_escaped();
+}
+
+TEST_F(EscapePlan, NoneWhereTheMotionCannotStopAtAll) {
+  world_.from({2.0, 2.2, 1.0}).to({6.0, 1.0, 1.0});  // 0.15 m; 0.25 m at full deceleration
+  world_.request.start.velocity = {2.0, 1.0, 0.0};
+  EXPECT_EQ(world_.plan(), Status::kNoTrajectory);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(EscapePlan, ArrivesAtAGoalInMotionThatThereIsNoRoomToStopBefore) {
+  // 2 m/s towards the wall, which is 0.25 m away: the goal is 0.06 s ahead, and all that is asked for.
+  world_.request.limits = {{2, 2, 2}, {2, 2, 2}};
+  world_.from({2.0, 2.1, 1.0}).to({2.0, 2.22, 1.0});
+  world_.request.start.velocity = world_.request.goal.velocity = {0.0, 2.0, 0.0};
+  expect_escaped();
+  EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
+  EXPECT_NEAR(tern::duration(world_.trajectory), 0.06, 1e-12);
+}
+
+/// Empty space, 4 m wide, the plan's origin in its middle.
+class EscapeTry : public testing::Test {
+ protected:
+  EscapeTry() : world_({40, 40, 40}, 0.1, 0.2), room_{world_.grid, {2.0, 2.0, 2.0}, false} {
+    world_.grid.inflate();
+    tern::reset_counters(*scratch_);
+    escape_->next = 0;
+    escape_->count = -1;
+  }
+  bool arrive(const tern::State& start, const tern::State& goal, int choice = 0) {
+    return tern::arrive_try(room_, start, goal, world_.request.limits, choice, *scratch_, *escape_);
+  }
+  World world_;
+  tern::EscapeRoom room_;
+  std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();
+  std::unique_ptr<Escape> escape_ = std::make_unique<Escape>();
+};
+
+TEST_F(EscapeTry, ArrivesWhereTheMotionIsTheGoals) {
+  // 0.06 s on at 1 m/s and 1 m/s^2.
+  const tern::State start{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+  const tern::State goal{{0.0618, 0, 0}, {1.06, 0, 0}, {1, 0, 0}};
+  ASSERT_TRUE(arrive(start, goal));
+  ASSERT_EQ(escape_->count, 1);
+  const tern::Segment& segment = escape_->segments[0];
+  EXPECT_NEAR(segment.duration, 0.06, 1e-12);
+  EXPECT_EQ(segment.polyhedron, 0);
+  EXPECT_EQ(segment.points[0].x, 0.0);
+  EXPECT_EQ(segment.points[tern::kDegree].x, 0.0618);
+  // Control points of t + t^2 / 2: p_k = k/7 T + k (k - 1) / 42 T^2 / 2.
+  for (int k = 0; k <= tern::kDegree; ++k) {
+    EXPECT_NEAR(segment.points[k].x, k / 7.0 * 0.06 + k * (k - 1) / 42.0 * 0.0018, 1e-14) << k;
+    for (int p = 0; p < escape_->polyhedra[0].count; ++p) {
+      const tern::Halfspace& plane = escape_->polyhedra[0].planes[p];
+      EXPECT_LE(tern::dot(plane.normal, segment.points[k] + room_.origin), plane.offset + 1e-15);
+    }
+  }
+}
+
+TEST_F(EscapeTry, ArrivalKeepsLimitsAndClearance) {
+  const tern::State start{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+  EXPECT_FALSE(arrive(start, {{0.06, 0.02, 0}, {1, 0, 0}, {0, 0, 0}})) << "to the side in no time";
+  EXPECT_EQ(escape_->count, 0);
+  EXPECT_FALSE(arrive(start, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}})) << "no way to go";
+  EXPECT_FALSE(arrive(start, {{0.06, 0, 0}, {-1, 0, 0}, {0, 0, 0}})) << "no speed on the mean";
+  const tern::State goal{{0.5, 0, 0}, {1, 0, 0}, {0, 0, 0}};
+  ASSERT_TRUE(arrive(start, goal));
+  world_.block({2.2, 2.1, 1.9}, {2.3, 2.2, 2.0});
+  world_.grid.inflate();
+  EXPECT_FALSE(arrive(start, goal)) << "0.1 m beside an obstacle";
+  EXPECT_EQ(escape_->count, 0);
+}
+
+TEST_F(EscapeTry, GoalsAreFlownBackwards) {
+  const tern::State goal{{0.5, 0, 0}, {1, 0.5, 0}, {0, 0, 0}};
+  tern::EscapeRoom room{world_.grid, {2.0, 2.0, 2.0}, true};
+  ASSERT_TRUE(tern::escape_try(room, goal, world_.request.limits, *scratch_, *escape_));
+  EXPECT_EQ(escape_->next, 1);
+  ASSERT_GT(escape_->count, 0);
+  const tern::Segment& last = escape_->segments[escape_->count - 1];
+  EXPECT_EQ(last.points[tern::kDegree].x, 0.5);
+  EXPECT_NEAR(7.0 * (last.points[7].y - last.points[6].y) / last.duration, 0.5, 1e-12);
+  EXPECT_EQ(escape_->segments[0].points[0].x, escape_->rest.x);
+  EXPECT_LT(escape_->rest.x, 0.5) << "it begins behind the goal";
+  EXPECT_EQ(escape_->segments[0].points[3].x, escape_->rest.x) << "at rest";
+}
+
+class AddEscapes : public testing::Test {
+ protected:
+  AddEscapes() {
+    std::memset(static_cast<void*>(corridor_.get()), 0, sizeof *corridor_);
+    std::memset(static_cast<void*>(trajectory_.get()), 0, sizeof *trajectory_);
+    fill(*start_, 2, 100.0);
+    fill(*goal_, 1, 200.0);
+  }
+  /// Durations and planes tell them apart; segment i lies in polyhedron i.
+  static void fill(Escape& escape, int count, double mark) {
+    escape.count = count;
+    for (int i = 0; i < count; ++i) {
+      escape.segments[i].duration = mark + i;
+      escape.segments[i].polyhedron = i;
+      escape.polyhedra[i].from = {mark + i, 0, 0};
+    }
+  }
+  void plan(int segments, int polyhedra) {
+    trajectory_->count = segments;
+    corridor_->count = polyhedra;
+    for (int i = 0; i < segments; ++i) {
+      trajectory_->segments[i].duration = i;
+      trajectory_->segments[i].polyhedron = std::min(i, polyhedra - 1);
+    }
+    for (int i = 0; i < polyhedra; ++i) corridor_->polyhedra[i].from = {static_cast<double>(i), 0, 0};
+  }
+  bool add() { return tern::add_escapes(*start_, *goal_, *corridor_, *trajectory_); }
+  void expect_refused_unchanged() {
+    const auto corridor = std::make_unique<tern::Corridor>(*corridor_);
+    const auto trajectory = std::make_unique<tern::Trajectory>(*trajectory_);
+    EXPECT_FALSE(add());
+    EXPECT_EQ(std::memcmp(corridor.get(), corridor_.get(), sizeof *corridor), 0);
+    EXPECT_EQ(std::memcmp(trajectory.get(), trajectory_.get(), sizeof *trajectory), 0);
+  }
+
+  std::unique_ptr<tern::Corridor> corridor_ = std::make_unique<tern::Corridor>();
+  std::unique_ptr<tern::Trajectory> trajectory_ = std::make_unique<tern::Trajectory>();
+  std::unique_ptr<Escape> start_ = std::make_unique<Escape>();
+  std::unique_ptr<Escape> goal_ = std::make_unique<Escape>();
+};
+
+TEST_F(AddEscapes, OneBeforeAndOneBehind) {
+  plan(3, 2);
+  ASSERT_TRUE(add());
+  ASSERT_EQ(trajectory_->count, 6);
+  ASSERT_EQ(corridor_->count, 5);
+  const double durations[] = {100, 101, 0, 1, 2, 200};
+  const double polyhedra[] = {100, 101, 0, 1, 1, 200};
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(trajectory_->segments[i].duration, durations[i]) << i;
+    EXPECT_EQ(corridor_->polyhedra[trajectory_->segments[i].polyhedron].from.x, polyhedra[i]) << i;
+  }
+}
+
+TEST_F(AddEscapes, FillsTheCapacityAndNoMore) {
+  plan(tern::kMaxSegments - 3, tern::kMaxSegments - 3);
+  EXPECT_TRUE(add());
+  EXPECT_EQ(trajectory_->count, tern::kMaxSegments);
+  plan(tern::kMaxSegments - 2, 4);
+  expect_refused_unchanged();
+  plan(4, tern::kMaxSegments - 2);
+  expect_refused_unchanged();
+}
+
+}  // namespace
+}  // namespace tern_test

@@ -1,0 +1,110 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A plan that the check refuses falls back on stop-and-go. No request is known to bring that about: the tests spoil the
+// plan in the workspace between two slices.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "planner/layout.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Layout;
+using tern::Quality;
+using tern::Status;
+
+class Fallback : public testing::Test {
+ protected:
+  Fallback() : world_({60, 40, 20}, 0.1, 0.2) {
+    world_.block({2.9, 0.0, 0.0}, {3.1, 2.6, 2.0}).from({1.0, 1.0, 1.0}).to({5.0, 1.0, 1.0});
+    world_.grid.inflate();
+  }
+  Layout& layout() {
+    const auto address = reinterpret_cast<std::uintptr_t>(world_.memory.get());
+    const std::uintptr_t mask = tern::kWorkspaceAlignment - 1;
+    return *reinterpret_cast<Layout*>((address + mask) & ~mask);
+  }
+  /// Steps until the trajectory is written, which the check then looks at in the next slices.
+  Status step_to_trajectory() {
+    layout().trajectory.count = -1;
+    Status status = Status::kRunning;
+    while (status == Status::kRunning && layout().trajectory.count == -1) status = world_.planner.step(1);
+    return status;
+  }
+  void spoil() { layout().trajectory.segments[0].points[4].z += 100.0; }
+  Status run() {
+    Status status = Status::kRunning;
+    while (status == Status::kRunning) status = world_.planner.step(1);
+    return world_.planner.finish(world_.trajectory, world_.report);
+  }
+  void begin() {
+    std::memset(static_cast<void*>(&world_.trajectory), 0x5A, sizeof world_.trajectory);
+    ASSERT_EQ(world_.planner.begin(world_.grid, world_.request), Status::kRunning);
+    ASSERT_EQ(step_to_trajectory(), Status::kRunning);
+  }
+
+  World world_;
+};
+
+TEST_F(Fallback, UnspoiltPlansAreOptimised) {
+  begin();
+  ASSERT_EQ(run(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+  EXPECT_EQ(world_.report.optimiser, Status::kOk);
+}
+
+TEST_F(Fallback, FliesFromStopToStopWhatTheCheckRefused) {
+  world_.request.budget.iterations = 0;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  const tern::Trajectory stops = world_.trajectory;
+  world_.request.budget.iterations = 0xFFFFFFFFu;
+  begin();
+  spoil();
+  ASSERT_EQ(run(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kStopAndGo);
+  EXPECT_EQ(world_.report.optimiser, Status::kCheckFailed);
+  for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+  // The very plan that no iteration at all leads to.
+  ASSERT_EQ(world_.trajectory.count, stops.count);
+  for (int i = 0; i < stops.count; ++i) {
+    EXPECT_EQ(world_.trajectory.segments[i].duration, stops.segments[i].duration);
+    EXPECT_EQ(
+        std::memcmp(world_.trajectory.segments[i].points, stops.segments[i].points, sizeof stops.segments[i].points),
+        0);
+  }
+}
+
+TEST_F(Fallback, EndsWhereStopAndGoIsRefusedAsWell) {
+  begin();
+  spoil();
+  ASSERT_EQ(step_to_trajectory(), Status::kRunning);
+  spoil();
+  EXPECT_EQ(run(), Status::kCheckFailed);
+  EXPECT_EQ(world_.report.stage, tern::Stage::kCheck);
+  EXPECT_EQ(world_.report.quality, Quality::kNone);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(Fallback, ThereIsNoneBelowStopAndGo) {
+  world_.request.budget.iterations = 0;
+  begin();
+  spoil();
+  EXPECT_EQ(run(), Status::kCheckFailed);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(Fallback, TheNextPlanBeginsAfresh) {
+  begin();
+  spoil();
+  ASSERT_EQ(run(), Status::kOk);
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+  EXPECT_EQ(world_.report.optimiser, Status::kOk);
+}
+
+}  // namespace
+}  // namespace tern_test
