@@ -138,7 +138,7 @@ TEST_F(Pockets, JoinOthersLeavesOutWhatWasSearched) {
   join_begin(*join, world_.grid, kCorner);
   ASSERT_EQ(join->state, JoinState::kJoined);
   ASSERT_EQ(join->count, 0);
-  ASSERT_TRUE(join_others(*join, world_.grid, kCorner));
+  ASSERT_TRUE(join_others(*join, world_.grid, kCorner, false));
   EXPECT_EQ(join->state, JoinState::kTrying);
   EXPECT_GT(join->count, 1);
   while (join->state == JoinState::kTrying) join_try(*join, world_.grid, nullptr, kCorner);
@@ -147,10 +147,10 @@ TEST_F(Pockets, JoinOthersLeavesOutWhatWasSearched) {
   EXPECT_NE(first.x + first.y + first.z, 12) << "not the pocket itself";
   EXPECT_TRUE(world_.grid.free(first));
   // All the others that the corner sees are joined to it by faces: none is left.
-  EXPECT_TRUE(join_others(*join, world_.grid, kCorner));
+  EXPECT_TRUE(join_others(*join, world_.grid, kCorner, false));
   while (join->state == JoinState::kTrying) join_try(*join, world_.grid, nullptr, kCorner);
   EXPECT_EQ(join->state, JoinState::kRefused);
-  EXPECT_FALSE(join_others(*join, world_.grid, kCorner));
+  EXPECT_FALSE(join_others(*join, world_.grid, kCorner, false));
 }
 
 }  // namespace
