@@ -124,7 +124,8 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
       ASSERT_TRUE(keep_outs_clear(grid, beyond(normal, wanted), *asked, *scratch)) << "case " << i << ", " << k;
       if (inside.empty()) continue;
       const auto too_near = static_cast<double>(least_along(normal, inside) - shift) - radius;
-      ASSERT_FALSE(keep_outs_clear(grid, beyond(normal, too_near + 1.01 * tern::fence_tolerance(grid)), *asked, *scratch))
+      ASSERT_FALSE(
+          keep_outs_clear(grid, beyond(normal, too_near + 1.01 * tern::fence_tolerance(grid)), *asked, *scratch))
           << "case " << i << ", " << k;
       ++refused;
     }

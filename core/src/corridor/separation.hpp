@@ -19,7 +19,7 @@ namespace tern {
 struct SegmentMargin {
   Vec3 from;
   Vec3 to;
-  double least;     ///< metres, > 0: kept wherever there is that much room
+  double least;  ///< metres, > 0: kept wherever there is that much room
   /// Metres by which an obstacle may be nearer than the radius and still count as touching (contact_tolerance).
   double touching = kClearTolerance;
 };

@@ -30,10 +30,10 @@ constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::
 
 /// One end's way to rest, each segment in a polyhedron of its own.
 struct Escape {
-  int next;   ///< choice to be tried next, 0 .. kStoppingChoices
-  int count;  ///< segments; 0 while there is no way
+  int next;           ///< choice to be tried next, 0 .. kStoppingChoices
+  int count;          ///< segments; 0 while there is no way
   Stopping stopping;  ///< the choice at hand
-  Vec3 rest;  ///< where the motion ends (a goal's: begins), relative to the plan's origin
+  Vec3 rest;          ///< where the motion ends (a goal's: begins), relative to the plan's origin
   Segment segments[kEscapeSegments];
   Polyhedron polyhedra[kEscapeSegments];
 };
@@ -52,8 +52,9 @@ bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits
 /// Choices of the duration of an arrival.
 constexpr int kArrivals = 12;
 
-/// Tries to fly from the start straight into the motion of the goal with one curve, `choice` of 0 .. kArrivals - 1: what
-/// is left of a plan that is nearly flown, where there is no room to stop before the goal any more. Fills the escape.
+/// Tries to fly from the start straight into the motion of the goal with one curve, `choice` of 0 .. kArrivals - 1:
+/// what is left of a plan that is nearly flown, where there is no room to stop before the goal any more. Fills the
+/// escape.
 bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
                 GrowScratch& scratch, Escape& escape) noexcept;
 

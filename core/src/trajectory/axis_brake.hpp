@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Braking each axis as sharply as its own limit allows: where limits are unequal, axes that stop together (brake.hpp) go
-// on as long as the weakest one needs.
+// Braking each axis as sharply as its own limit allows: where limits are unequal, axes that stop together (brake.hpp)
+// go on as long as the weakest one needs.
 #ifndef TERN_TRAJECTORY_AXIS_BRAKE_HPP
 #define TERN_TRAJECTORY_AXIS_BRAKE_HPP
 

@@ -38,8 +38,8 @@ constexpr int kSwerves = kSwerveSides * kSwerveSizes * kSwerveStrengths * kSwerv
 /// Axes on their own: with ramps as short as may be, and four times that.
 constexpr int kAxisBrakes = 2;
 
-/// Straight ways first, the sharpest last; each axis on its own; turns, with either braking behind them; swerves. All of
-/// them with the usual ramps, then all again with ramps that may be as short as kSharpRamp.
+/// Straight ways first, the sharpest last; each axis on its own; turns, with either braking behind them; swerves. All
+/// of them with the usual ramps, then all again with ramps that may be as short as kSharpRamp.
 constexpr int kStoppingWays = kBrakeShapes + kAxisBrakes + 2 * kTurns + kSwerves;
 constexpr int kStoppingChoices = 2 * kStoppingWays;
 constexpr int kStoppingSegments = 2 + kAxisBrakeSegments;
