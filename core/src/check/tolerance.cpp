@@ -11,6 +11,11 @@ double size_of(const Vec3& v) {
   return (absolute(v.x) + absolute(v.y)) + absolute(v.z);
 }
 
+double extent_of(const Grid& grid) {
+  const GridSpec& spec = grid.spec();
+  return size_of({spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell});
+}
+
 /// The largest coordinate of the control points relative to `base`.
 double largest_coordinate(const Segment& segment, const Vec3& base) {
   double size = 0.0;
@@ -34,15 +39,11 @@ double check_distance(const Grid& grid) noexcept {
 }
 
 double grid_rounding(const Grid& grid) noexcept {
-  const GridSpec& spec = grid.spec();
-  const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
-  return kUlp * (kGridUlps * size_of(extent) + kOriginUlps * size_of(spec.origin));
+  return kUlp * (kGridUlps * extent_of(grid) + kOriginUlps * size_of(grid.spec().origin));
 }
 
 double fence_tolerance(const Grid& grid) noexcept {
-  const GridSpec& spec = grid.spec();
-  const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
-  return check_distance(grid) + grid_rounding(grid) + kCornerUlps * kUlp * size_of(extent);
+  return check_distance(grid) + grid_rounding(grid) + kCornerUlps * kUlp * extent_of(grid);
 }
 
 double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept {

@@ -22,15 +22,15 @@ Status append_keep_in(const Halfspace& fence, const SegmentMargin& segment, Grow
   return append({fence.normal, larger(fence.offset, far)}, scratch, out);
 }
 
-bool is_cut_off(const Hull& hull, double radius, const Polyhedron& polyhedron) {
+}  // namespace
+
+bool is_cut_off(const Hull& hull, double radius, const Polyhedron& polyhedron) noexcept {
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
     if (hull_support(plane.normal, hull) >= plane.offset + radius) return true;
   }
   return false;
 }
-
-}  // namespace
 
 Status append_fence_planes(const Box& box, const SegmentMargin& segment, double radius, GrowScratch& scratch,
                            Polyhedron& out) noexcept {

@@ -17,6 +17,9 @@ namespace tern {
 Status append_fence_planes(const Box& box, const SegmentMargin& segment, double radius, GrowScratch& scratch,
                            Polyhedron& out) noexcept;
 
+/// True where some half-space that bounds the polyhedron has all of the hull beyond it by the radius.
+bool is_cut_off(const Hull& hull, double radius, const Polyhedron& polyhedron) noexcept;
+
 }  // namespace tern
 
 #endif

@@ -124,7 +124,7 @@ bool within(const Box& boundary, const Vec3& p, double tolerance) {
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept {
   const Box boundary = grid.local_boundary();
-  const double touching = scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec());
+  const double touching = touching_of(grid, scratch);
   if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
   const SegmentMargin segment{from, to, kSightMargin * cell, touching};

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "corridor/local_boxes.hpp"
+#include "grid/distance.hpp"
 #include "grid/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
@@ -41,6 +42,11 @@ inline void reset_counters(GrowScratch& scratch) noexcept {
   scratch.planes_allowed = 0xFFFFFFFFu;
   scratch.planes_high = 0;
   scratch.boxes_high = 0;
+}
+
+/// Metres by which a segment may be nearer than the radius to an obstacle or, where there are fences, to one of them.
+inline double touching_of(const Grid& grid, const GrowScratch& scratch) noexcept {
+  return scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec());
 }
 
 /// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull; the polyhedron is as it was unless kOk.

@@ -3,7 +3,7 @@
 #include "corridor/hull_polyhedron.hpp"
 
 #include "base/math.hpp"
-#include "corridor/separation.hpp"
+#include "corridor/fence_planes.hpp"
 #include "grid/distance.hpp"
 
 namespace tern {
@@ -13,14 +13,6 @@ namespace {
 constexpr double kTooClose = 1e-7;
 
 constexpr int kCorners = 8;
-
-bool cut_off(const Hull& solid, double radius, const Polyhedron& polyhedron) {
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    if (hull_support(plane.normal, solid) >= plane.offset + radius) return true;
-  }
-  return false;
-}
 
 /// Offers a normal of any length; keeps the one that leaves the most room between hull and solid.
 struct Widest {
@@ -70,8 +62,7 @@ Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, con
   const Vec3 normal = widest_normal(hull, solid, faces);
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
-  if (far > offset + (scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec())))
-    return Status::kCorridorBlocked;
+  if (far > offset + touching_of(grid, scratch)) return Status::kCorridorBlocked;
   return append({normal, larger(far, offset)}, scratch, out);
 }
 
@@ -106,7 +97,7 @@ Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, Grow
                     (k & 4) != 0 ? solid.upper[2] : solid.lower[2]};
     }
     const Hull corner_hull{corners, kCorners};
-    if (!cut_off(corner_hull, radius, out))
+    if (!is_cut_off(corner_hull, radius, out))
       status = append_between(grid, hull, corner_hull, {nullptr, 0}, scratch, out);
   }
   return status;
@@ -126,7 +117,7 @@ Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, P
     const KeepOut& fence = fences.keep_out[k];
     const Hull solid = hull_of(fences, fence);
     const Faces faces{fences.planes + fence.first_plane, fence.planes};
-    if (!cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, scratch, out);
+    if (!is_cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, scratch, out);
   }
   return status;
 }

@@ -51,6 +51,10 @@ struct Layout {
   } stage;
 };
 
+inline Layout& layout(void* workspace) noexcept {
+  return *static_cast<Layout*>(workspace);
+}
+
 static_assert(alignof(Layout) <= kWorkspaceAlignment, "raise kWorkspaceAlignment");
 static_assert(sizeof(Layout) + kWorkspaceAlignment <= kWorkspaceBytes,
               "define TERN_WORKSPACE_BYTES: the estimate in workspace.hpp falls short");

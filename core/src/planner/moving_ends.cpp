@@ -21,15 +21,6 @@ constexpr std::uint32_t kEscapeTries = 3;
 
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
 
-Layout& layout(void* workspace) {
-  return *static_cast<Layout*>(workspace);
-}
-
-Vec3 into(const Box& box, const Vec3& p) {
-  return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
-          clamp(p.z, box.lower.z, box.upper.z)};
-}
-
 }  // namespace
 
 bool Planner::rests() const noexcept {
@@ -173,11 +164,11 @@ void Planner::rest_at_escapes() noexcept {
   const Box boundary = world().local_boundary();
   if (memory.escapes[0].count > 0) {
     ends.start = {memory.escapes[0].rest, kZero, kZero};
-    ends.start_in_grid = into(boundary, ends.origin_in_grid + ends.start.position);
+    ends.start_in_grid = nearest_in_box(ends.origin_in_grid + ends.start.position, boundary);
   }
   if (memory.escapes[1].count > 0) {
     ends.goal = {memory.escapes[1].rest, kZero, kZero};
-    ends.goal_in_grid = into(boundary, ends.origin_in_grid + ends.goal.position);
+    ends.goal_in_grid = nearest_in_box(ends.origin_in_grid + ends.goal.position, boundary);
   }
 }
 

@@ -8,14 +8,6 @@
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern {
-namespace {
-
-Layout& layout(void* workspace) {
-  return *static_cast<Layout*>(workspace);
-}
-
-}  // namespace
-
 Stage Planner::stage_of_phase() const noexcept {
   switch (phase_) {
     case Phase::kFences:

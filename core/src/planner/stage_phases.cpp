@@ -14,10 +14,6 @@
 namespace tern {
 namespace {
 
-Layout& layout(void* workspace) {
-  return *static_cast<Layout*>(workspace);
-}
-
 /// Of a stage that the caller cannot limit.
 constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 

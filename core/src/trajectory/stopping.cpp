@@ -78,7 +78,7 @@ Vec3 sideways(const Vec3& heading, int side) {
   return kCosines[side] * u + kCosines[(side + 6) % kSwerveSides] * cross(heading, u);
 }
 
-/// The acceleration of a turn. The last side is where the state turns already, as sharply as it does or half.
+/// The acceleration of a turn. The last side is where the state turns already, as sharply as it does or in part.
 Vec3 turning(const State& state, const Limits& limits, const Turn& turn) {
   const Vec3 heading = heading_of(state.velocity);
   const Bounds bounds = acceleration_bounds(limits);
@@ -213,10 +213,11 @@ bool make_stopping(const State& state, const Limits& limits, int choice, Stoppin
   const int way = choice % kStoppingWays;
   out.count = 0;
   add_way(state, limits, way, least, out);
-  if (!keeps_limits(out, limits) && way < kBrakeShapes) {
-    out.count = 0;
-    add_brake(level_off(state, limits, out), limits, straight(way), least, out);
-  }
+  close_joints(out);
+  if (keeps_limits(out, limits)) return true;
+  if (way >= kBrakeShapes) return false;
+  out.count = 0;
+  add_brake(level_off(state, limits, out), limits, straight(way), least, out);
   close_joints(out);
   return keeps_limits(out, limits);
 }
