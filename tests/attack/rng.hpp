@@ -6,37 +6,22 @@
 #include <cmath>
 #include <cstdint>
 
+#include "support/random.hpp"
+
 namespace tern_attack {
 
-/// SplitMix64: the same numbers on every platform. All that a case does follows from one of these.
-class Rng {
+/// All that a case does follows from one of these.
+class Rng : public tern_test::Random {
  public:
-  explicit Rng(std::uint64_t seed) : state_(seed) {}
+  using Random::Random;
 
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-  }
-  /// Uniform integer in [lo, hi].
-  int integer(int lo, int hi) {
-    return lo + static_cast<int>(next() % static_cast<std::uint64_t>(static_cast<std::int64_t>(hi) - lo + 1));
-  }
-  /// Uniform in [0, 1).
-  double unit() { return static_cast<double>(next() >> 11) * (1.0 / 9007199254740992.0); }
-  double real(double lo, double hi) { return lo + (hi - lo) * unit(); }
   /// Uniform in its logarithm.
   double spread(double lo, double hi) { return std::exp(real(std::log(lo), std::log(hi))); }
-  bool chance(double p) { return unit() < p; }
   double sign() { return chance(0.5) ? 1.0 : -1.0; }
   template <class T, int N>
   const T& pick(const T (&values)[N]) {
     return values[integer(0, N - 1)];
   }
-
- private:
-  std::uint64_t state_;
 };
 
 /// Where case `number` of `seed` begins.
