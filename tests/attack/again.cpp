@@ -81,33 +81,84 @@ double moment(Rng& rng, const tern::Trajectory& trajectory) {
   return end * rng.unit();
 }
 
-void replan_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
-                 const tern::Trajectory& plan, double t) {
-  // No plan lasts less than a segment does: a goal in motion that is nearer than that cannot be met again.
-  const bool goal_moves = !is_zero(ask.request.goal.velocity) || !is_zero(ask.request.goal.acceleration);
-  if (goal_moves) t = std::max(0.0, std::min(t, tern::duration(plan) - kShortestPlan));
+/// From the state at t to the same goal or a new one.
+void make_replan(Context& context, const World& world, const Map& map, const Ask& ask, const tern::Trajectory& plan,
+                 double t, bool new_goal, Ask& next) {
   const tern::Sample s = tern::evaluate(plan, t);
-  Ask next;
   next.fences = ask.fences;
   next.request = ask.request;
   next.request.fences = next.fences.empty() ? nullptr : next.fences.data();
   next.request.start = {s.position, s.velocity, s.acceleration};
   next.request.budget = tern::Budget{};
-  // Behind a goal in motion nothing is promised: from there no other goal may be in reach.
-  const bool new_goal = context.rng.chance(0.25) && !goal_moves;
   if (new_goal) next.request.goal = {make_point(context.rng, world, map), {0, 0, 0}, {0, 0, 0}};
+}
+
+bool goal_moves(const Ask& ask) {
+  return !is_zero(ask.request.goal.velocity) || !is_zero(ask.request.goal.acceleration);
+}
+
+/// No plan lasts less than a segment does: a goal in motion that is nearer than that cannot be met again.
+double before_goal(const Ask& ask, const tern::Trajectory& plan, double t) {
+  return goal_moves(ask) ? std::max(0.0, std::min(t, tern::duration(plan) - kShortestPlan)) : t;
+}
+
+/// True where `previous` has a millisecond left of its segment at hand, from which on the planner promises a plan.
+bool proves(const tern::Trajectory& plan, double t) {
+  constexpr double kLeastRest = 1e-3;
+  double begin = 0.0;
+  for (int s = 0; s < plan.count; ++s) {
+    const double end = begin + plan.segments[s].duration;
+    if (t < end) return plan.segments[s].duration - (t - begin) >= kLeastRest;
+    begin = end;
+  }
+  return false;
+}
+
+/// Whether the grid promises a plan to the new goal by way of the first one.
+bool is_promised(const World& world, const Map& map, const Ask& ask, const Ask& next) {
+  return ask.fences.empty() && share_one(reachable(world, map.component, world.local(ask.request.goal.position)),
+                                         reachable(world, map.component, world.local(next.request.goal.position)));
+}
+
+void ask_with_previous(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& next,
+                       const tern::Trajectory& plan, double t, const char* kind) {
+  next.request.previous = &plan;
+  next.request.previous_time = t;
+  const Status status = ask_once(context, planner, world, map, next, "replan with the previous plan");
+  if (status == Status::kOk || is_capacity(status) || !proves(plan, t)) return;
+  const std::string name = std::string(kind) + tern::status_name(status);
+  report(context.findings, name.c_str(), "from t %.17g of %.17g", t, tern::duration(plan));
+}
+
+void replan_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
+                 const tern::Trajectory& plan, double t) {
+  t = before_goal(ask, plan, t);
+  // Behind a goal in motion nothing is promised: from there no other goal may be in reach.
+  const bool new_goal = context.rng.chance(0.25) && !goal_moves(ask);
+  Ask next;
+  make_replan(context, world, map, ask, plan, t, new_goal, next);
   ++context.tally.replans;
   const std::size_t before = context.findings.size();
   const Status status = ask_once(context, planner, world, map, next, new_goal ? "replan to a new goal" : "replan");
   if (context.verbose) std::printf("  at t %.17g of %.17g\n", t, tern::duration(plan));
   if (status == Status::kOk || is_capacity(status) || context.findings.size() != before) return;
-  if (new_goal && !share_one(reachable(world, map.component, world.local(ask.request.goal.position)),
-                             reachable(world, map.component, world.local(next.request.goal.position)))) {
-    return;
+  if (new_goal && !is_promised(world, map, ask, next)) return;
+  ++context.tally.needed;
+  ask_with_previous(context, planner, world, map, next, plan, t, new_goal ? "replan_new_goal_" : "replan_");
+}
+
+/// With the previous plan from the beginning, in slices, too.
+void replan_along(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
+                  const tern::Trajectory& plan) {
+  const double t = before_goal(ask, plan, moment(context.rng, plan));
+  Ask next;
+  make_replan(context, world, map, ask, plan, t, false, next);
+  if (context.rng.chance(0.5)) next.request.budget.expansions = 0;
+  const std::size_t before = context.findings.size();
+  ask_with_previous(context, planner, world, map, next, plan, t, "replan_along_");
+  if (context.findings.size() == before && !spoiled(context.bench.trajectory)) {
+    compare_slices(context, world, next, Status::kOk);
   }
-  if (new_goal && !ask.fences.empty()) return;
-  const std::string kind = std::string(new_goal ? "replan_new_goal_" : "replan_") + tern::status_name(status);
-  report(context.findings, kind.c_str(), "from t %.17g of %.17g", t, tern::duration(plan));
 }
 
 }  // namespace
@@ -119,6 +170,7 @@ void replan(Context& context, tern::Planner& planner, const World& world, const 
     const tern::Trajectory& plan = context.bench.untouched;
     replan_once(context, planner, world, map, ask, plan, moment(context.rng, plan));
   }
+  if (context.rng.chance(0.1)) replan_along(context, planner, world, map, ask, context.bench.untouched);
 }
 
 }  // namespace tern_attack

@@ -14,6 +14,8 @@ struct Tally {
   std::uint64_t cases;
   std::uint64_t plans;     ///< calls that are judged: first plans and replans
   std::uint64_t replans;   ///< of these, from a state along an ok plan
+  std::uint64_t needed;    ///< of these, refused until the plan that was flown was given, too
+  std::uint64_t followed;  ///< plans that are the rest of that one
   std::uint64_t compared;  ///< sliced or kept against whole or fresh
   std::uint64_t status[256];
   std::uint64_t hover;

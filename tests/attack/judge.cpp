@@ -115,6 +115,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
     context.tally.hover += r.quality == tern::Quality::kHover;
     context.tally.stop_and_go += r.quality == tern::Quality::kStopAndGo;
     context.tally.optimised += r.quality == tern::Quality::kOptimised;
+    context.tally.followed += r.quality == tern::Quality::kPrevious;
     return;
   }
   Findings& f = context.findings;

@@ -100,7 +100,7 @@ void check_joints(const tern::Trajectory& trajectory, Findings& findings) {
 namespace {
 
 void check_end(const World& world, const tern::State& state, const tern::Segment& segment, Real u, const Point& origin,
-               const char* kind, Findings& findings) {
+               const Point& asked_jerk, const char* kind, Findings& findings) {
   const Jet end = jet(segment, u);
   const Point asked[] = {point(state.position) - origin, point(state.velocity), point(state.acceleration)};
   // World coordinates have the rounding of their own size; a point on the boundary's face may be moved onto it.
@@ -111,7 +111,7 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
     const Real slack = slack_of(segment, k) + (k == 0 ? own + face : 0);
     if (gap > slack) return report(findings, kind, "%s by %.6Lg, allowed %.6Lg", kOrders[k], gap, slack);
   }
-  const Real jerk = largest(end.d[3]);
+  const Real jerk = std::min(largest(end.d[3]), largest(end.d[3] - asked_jerk));
   if (jerk > slack_of(segment, 3)) report(findings, kind, "jerk %.6Lg", jerk);
 }
 
@@ -120,8 +120,12 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
 void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
                 Findings& findings) {
   const Point origin = point(trajectory.origin);
-  check_end(world, request.start, trajectory.segments[0], 0, origin, "start_state", findings);
-  check_end(world, request.goal, trajectory.segments[trajectory.count - 1], 1, origin, "goal_state", findings);
+  // A plan begins without jerk, or goes on with that of the previous one.
+  const Point zero{{0, 0, 0}};
+  const bool goes_on = request.previous != nullptr;
+  const Point jerk = goes_on ? point(tern::evaluate(*request.previous, request.previous_time).jerk) : zero;
+  check_end(world, request.start, trajectory.segments[0], 0, origin, jerk, "start_state", findings);
+  check_end(world, request.goal, trajectory.segments[trajectory.count - 1], 1, origin, zero, "goal_state", findings);
 }
 
 namespace {

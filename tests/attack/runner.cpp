@@ -219,6 +219,8 @@ void add(const Tallies& part, Tallies& sum) {
     sum[f].cases += part[f].cases;
     sum[f].plans += part[f].plans;
     sum[f].replans += part[f].replans;
+    sum[f].needed += part[f].needed;
+    sum[f].followed += part[f].followed;
     sum[f].compared += part[f].compared;
     sum[f].hover += part[f].hover;
     sum[f].stop_and_go += part[f].stop_and_go;

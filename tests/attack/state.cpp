@@ -31,7 +31,7 @@ std::uint64_t own_hash() {
 
 void save_tally(std::ostream& out, const Tally& t) {
   out << "tally " << t.cases << ' ' << t.plans << ' ' << t.replans << ' ' << t.compared << ' ' << t.hover << ' '
-      << t.stop_and_go << ' ' << t.optimised;
+      << t.stop_and_go << ' ' << t.optimised << ' ' << t.needed << ' ' << t.followed;
   for (int s = 0; s < 256; ++s) {
     if (t.status[s] != 0) out << ' ' << s << ' ' << t.status[s];
   }
@@ -39,7 +39,8 @@ void save_tally(std::ostream& out, const Tally& t) {
 }
 
 void load_tally(std::istream& in, Tally& t) {
-  in >> t.cases >> t.plans >> t.replans >> t.compared >> t.hover >> t.stop_and_go >> t.optimised;
+  in >> t.cases >> t.plans >> t.replans >> t.compared >> t.hover >> t.stop_and_go >> t.optimised >> t.needed >>
+      t.followed;
   int s = 0;
   std::uint64_t count = 0;
   while (in >> s >> count) t.status[s & 255] = count;

@@ -28,16 +28,18 @@ Row row_of(const char* name, const Tally& t, const std::map<std::string, std::ui
           std::to_string(t.cases),
           std::to_string(t.plans),
           std::to_string(t.replans),
+          std::to_string(t.needed),
           std::to_string(t.compared),
           std::to_string(t.status[0]),
-          std::to_string(t.optimised) + " / " + std::to_string(t.stop_and_go) + " / " + std::to_string(t.hover),
+          std::to_string(t.optimised) + " / " + std::to_string(t.stop_and_go) + " / " + std::to_string(t.hover) +
+              " / " + std::to_string(t.followed),
           joined(refused),
           joined(violations)};
 }
 
 std::vector<Row> rows_of(const Options& options, const Progress& progress) {
-  std::vector<Row> rows{{"family", "cases", "plans", "of these replans", "compared", "ok",
-                         "optimised / stop-and-go / hover", "refused", "violations"}};
+  std::vector<Row> rows{{"family", "cases", "plans", "of these replans", "that needed the previous plan", "compared",
+                         "ok", "optimised / stop-and-go / hover / previous", "refused", "violations"}};
   Tallies all{};
   std::map<std::string, std::uint64_t> sum;
   for (int f = 0; f < kFamilies; ++f) {

@@ -65,10 +65,6 @@ World random_cuboids(Random& random) {
   return world;
 }
 
-bool same(const Vec3& a, const Vec3& b) {
-  return norm3(minus3(a, b)) <= 0.0;
-}
-
 bool holds_ball(const Polyhedron& polyhedron, const Vec3& center, double radius) {
   for (int p = 0; p < polyhedron.count; ++p) {
     if (signed_excess(polyhedron.planes[p], center) > -radius + 1e-9) return false;

@@ -58,7 +58,7 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kEscape, kCheck, kDone };
+  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kPrevious, kEscape, kCheck, kDone };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
@@ -75,6 +75,12 @@ class Planner {
   Status run_check(Work& work) noexcept;
   Stage stage_of_phase() const noexcept;
   Status run_escape(Work& work) noexcept;
+  Status run_previous(Work& work) noexcept;
+  void follow_previous() noexcept;
+  Vec3 start_jerk() const noexcept;
+  bool previous_may_help(Status status) const noexcept;
+  void begin_hulls() noexcept;
+  void count_planes(uint32_t planes) noexcept;
   Status fail(Stage stage, Status status) noexcept;
   Status fall_back(Status why) noexcept;
   void report_trajectory() noexcept;
@@ -86,6 +92,7 @@ class Planner {
   bool rests() const noexcept;
   uint32_t searches() const noexcept;
   uint32_t corridors() const noexcept;
+  uint32_t checks() const noexcept;
   uint32_t escape_planes() const noexcept;
   uint32_t before(Stage stage) const noexcept { return before_[static_cast<int>(stage)]; }
   void count(Stage stage, uint32_t work, uint32_t budget, uint32_t bound) noexcept;

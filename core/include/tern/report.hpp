@@ -37,6 +37,7 @@ enum class Quality : uint8_t {
   kHover,      ///< start equals goal: one segment that stays
   kStopAndGo,  ///< straight from waypoint to waypoint, at rest in each (contract C6)
   kOptimised,  ///< minimum snap
+  kPrevious,   ///< the rest of Request::previous, as it was
 };
 
 /// All that can be said of one call of the planner.
@@ -59,7 +60,8 @@ struct Report {
   int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
 
   /// Where an end moves too fast for the room around it on the path: 1, the path leads along its motion first; 2, the
-  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest).
+  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest); 3,
+  /// it flies Request::previous to its end first.
   int32_t detours;
 
   // The optimiser's last quadratic programme.

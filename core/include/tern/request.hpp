@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "tern/fence.hpp"
+#include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -65,6 +66,13 @@ struct Request {
   double time_weight = kDefaultTimeWeight;  ///< within [kMinTimeWeight, kMaxTimeWeight]
   const Fence* fences = nullptr;            ///< geofences; the caller's, read while a plan begins
   int32_t fence_count = 0;                  ///< 0 .. kMaxFences
+
+  /// The plan that is being flown, or null; the caller's, read while a plan begins. `start` must then be what
+  /// evaluate(*previous, previous_time) gives, bit for bit. Where nothing new is found, the rest of it is flown on: to
+  /// its end, and from there to the goal if that is another one (Report::detours is 3). On an unchanged map, with the
+  /// same limits and fences, a plan is then found wherever `previous` has a millisecond left of its segment at hand.
+  const Trajectory* previous = nullptr;
+  double previous_time = 0.0;  ///< seconds, >= 0
 };
 
 }  // namespace tern

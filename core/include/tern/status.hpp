@@ -97,6 +97,7 @@ enum class Field : uint8_t {
   kTimeWeight,
   kFences,
   kShortcut,
+  kPrevious,
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

@@ -13,7 +13,7 @@
 #include "tern/config.hpp"
 
 /* Grows with every incompatible change of a type or function below. */
-#define TERN_ABI 3
+#define TERN_ABI 4
 
 /* Storage for the two objects that C cannot see into; checked against the library at compile time of the core. */
 #define TERN_GRID_WORDS 32
@@ -54,6 +54,8 @@ typedef struct {
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
 typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
+typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
+typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
 typedef struct {
   tern_state start, goal;
   tern_limits limits;
@@ -62,9 +64,9 @@ typedef struct {
   double time_weight; /* tern_request_init sets the default */
   const tern_fence* fences;
   int32_t fence_count;
+  const tern_trajectory* previous; /* the plan that is being flown, or null; see tern::Request */
+  double previous_time;
 } tern_request;
-typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
-typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
 typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
 typedef struct { double cosine, sine, rate; } tern_yaw;
 typedef struct {

@@ -59,6 +59,10 @@ inline Vec3 perpendicular(const Vec3& unit) {
 inline double axis(const Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
 inline double& axis(Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
 
+/// Equal numbers; the signs of zeros do not count, and NaN equals nothing.
+inline bool same(double a, double b) { return a <= b && b <= a; }
+inline bool same(const Vec3& a, const Vec3& b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
+
 /// True for every finite value; no libm, and not optimised away because the core never sees -ffast-math.
 inline bool finite(double x) { return x - x <= 0.0; }
 inline bool finite(const Vec3& v) { return finite(v.x) && finite(v.y) && finite(v.z); }

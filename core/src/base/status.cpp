@@ -126,6 +126,7 @@ const char* field_name(Field field) noexcept {
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
     case Field::kShortcut: return "shortcut";
+    case Field::kPrevious: return "previous plan";
   }
   return "unknown";
 }

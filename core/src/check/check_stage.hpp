@@ -42,6 +42,7 @@ struct CheckQuery {
   State goal;
   Limits limits;
   const AskedFences* fences = nullptr;  ///< null: none
+  Vec3 start_jerk{0.0, 0.0, 0.0};       ///< m/s^3; a plan that goes on with another one has its jerk
 };
 
 /// One keep-out at a time, about the middle of what surrounds it.

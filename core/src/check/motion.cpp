@@ -185,13 +185,13 @@ bool joins(const Segment& before, const Segment& after) {
   return true;
 }
 
-bool boundary_met(const Segment& segment, const State& state, const PlanFrame& frame, const Vec3& origin, bool at_end) {
-  constexpr Vec3 kZero{0.0, 0.0, 0.0};
+bool boundary_met(const Segment& segment, const State& state, const PlanFrame& frame, const Vec3& origin,
+                  const Vec3& jerk, bool at_end) {
   const Jet end = jet(segment, at_end);
   return close(end.d[0], state.position - origin, frame.rounding) &&
          close(end.d[1], state.velocity, derivative_rounding(segment, 1)) &&
          close(end.d[2], state.acceleration, derivative_rounding(segment, 2)) &&
-         close(end.d[3], kZero, derivative_rounding(segment, 3));
+         close(end.d[3], jerk, derivative_rounding(segment, 3));
 }
 
 Finding check_limits(const Segment& segment, const Limits& limits) {
@@ -212,9 +212,10 @@ Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajecto
   const PlanFrame frame = frame_of(grid, trajectory);
   const Vec3& origin = trajectory.origin;
   if (!points_inside(segment, corridor.polyhedra[segment.polyhedron], frame, grid)) return Finding::kOutside;
-  if (index == 0 && !boundary_met(segment, query.start, frame, origin, false)) return Finding::kBoundary;
+  if (index == 0 && !boundary_met(segment, query.start, frame, origin, query.start_jerk, false))
+    return Finding::kBoundary;
   const bool last = index == trajectory.count - 1;
-  if (last && !boundary_met(segment, query.goal, frame, origin, true)) return Finding::kBoundary;
+  if (last && !boundary_met(segment, query.goal, frame, origin, {0.0, 0.0, 0.0}, true)) return Finding::kBoundary;
   if (index > 0 && !joins(trajectory.segments[index - 1], segment)) return Finding::kJoint;
   return check_limits(segment, query.limits);
 }

@@ -127,7 +127,7 @@ Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowS
   const double touching = touching_of(grid, scratch);
   if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
-  const SegmentMargin segment{from, to, kSightMargin * cell, touching};
+  const SegmentMargin segment{from, to, kSightMargin * cell, touching, direction_tolerance(grid.spec())};
   double reach = larger(scratch.margin, kLocalMarginCells * cell);
   Status status = Status::kPlanesFull;
   for (int level = 0; level < kBoxLevels; ++level) {

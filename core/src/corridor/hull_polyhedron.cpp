@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Below this gap, in metres, the normal that the iteration found is rounding.
-constexpr double kTooClose = 1e-7;
+/// Half axes of an ellipsoid that nobody swells, metres.
+constexpr double kNoSize = 1e-7;
 
 constexpr int kCorners = 8;
 
@@ -38,11 +38,11 @@ struct Faces {
   int count;
 };
 
-/// Below kTooClose the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
+/// Below `too_close` the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
 /// direction, which separate an edge that the curve grazes; and the solid's faces.
-Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces) {
+Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, double too_close) {
   const HullGap gap = hull_gap(hull, solid);
-  if (gap.distance >= kTooClose) return gap.normal;
+  if (gap.distance >= too_close) return gap.normal;
   Widest widest{hull, solid, {1.0, 0.0, 0.0}, -1e300};
   widest.offer(gap.normal);
   const Vec3 along = hull.points[hull.count - 1] - hull.points[0];
@@ -59,7 +59,7 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces) {
 Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, GrowScratch& scratch,
                       Polyhedron& out) {
   const double radius = grid.spec().radius;
-  const Vec3 normal = widest_normal(hull, solid, faces);
+  const Vec3 normal = widest_normal(hull, solid, faces, direction_tolerance(grid.spec()));
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
   if (far > offset + touching_of(grid, scratch)) return Status::kCorridorBlocked;
@@ -133,8 +133,7 @@ Status enclose_hull(const Grid& grid, const Hull& hull, GrowScratch& scratch, Po
   if (status == Status::kOk) status = append_fences(grid, hull, scratch, out);
   out.from = hull.points[0];
   out.to = hull.points[hull.count - 1];
-  out.ellipsoid =
-      Ellipsoid{{{kTooClose, 0.0, 0.0}, {0.0, kTooClose, 0.0}, {0.0, 0.0, kTooClose}}, 0.5 * (out.from + out.to)};
+  out.ellipsoid = Ellipsoid{{{kNoSize, 0.0, 0.0}, {0.0, kNoSize, 0.0}, {0.0, 0.0, kNoSize}}, 0.5 * (out.from + out.to)};
   return status;
 }
 

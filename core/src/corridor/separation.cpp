@@ -8,9 +8,6 @@
 namespace tern {
 namespace {
 
-/// Below this distance, in metres, the closest pair's direction is rounding; above it, its unit vector is good to 1e-8.
-constexpr double kTooCloseForDirection = 1e-7;
-
 /// How far the box, grown by the radius, lies beyond the segment along a normal; in units of the normal's length.
 /// Concave in the normal: a mean of two normals leaves at least the mean of what they leave.
 double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
@@ -63,7 +60,7 @@ Vec3 touching_normal(const SegmentMargin& segment, const LocalBox& box) {
   for (int a = 0; a < 3; ++a) {
     const Vec3 normal = edge_normal(a, along);
     const double norm = length(normal);
-    if (!(norm > kTooCloseForDirection)) continue;  // the segment runs along this edge, or is a point
+    if (!(norm > segment.direction)) continue;  // the segment runs along this edge, or is a point
     offer_normal(segment, box, (1.0 / norm) * normal, best, room);
     offer_normal(segment, box, (-1.0 / norm) * normal, best, room);
   }
@@ -76,7 +73,7 @@ Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);
-  if (gap < kTooCloseForDirection) return touching_normal(segment, box);
+  if (gap < segment.direction) return touching_normal(segment, box);
   return (1.0 / gap) * across;
 }
 
@@ -108,7 +105,7 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
 
 Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
                 Halfspace& out) noexcept {
-  const double enough = radius + kTooCloseForDirection;
+  const double enough = radius + segment.direction;
   const Vec3 unit = widest_gap(segment.from, segment.to, hull, faces, face_count, enough).normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
   if (hull_support(unit, hull) - far < radius - segment.touching) return Status::kCorridorBlocked;

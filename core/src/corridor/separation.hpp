@@ -22,6 +22,7 @@ struct SegmentMargin {
   double least;  ///< metres, > 0: kept wherever there is that much room
   /// Metres by which an obstacle may be nearer than the radius and still count as touching (contact_tolerance).
   double touching = kClearTolerance;
+  double direction = kMetricDirection;  ///< direction_tolerance
 };
 
 /// Half-spaces keep this part of `least` more from an obstacle than the radius where there is room: what outweighs the

@@ -90,6 +90,10 @@ double contact_tolerance(const GridSpec& spec) noexcept {
   return kClearTolerance * larger(1.0, spec.cell) + kWorldRounding * rounding;
 }
 
+double direction_tolerance(const GridSpec& spec) noexcept {
+  return kMetricDirection * larger(1.0, spec.cell);
+}
+
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
           clamp(p.z, box.lower.z, box.upper.z)};

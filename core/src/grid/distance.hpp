@@ -19,6 +19,11 @@ constexpr double kClearTolerance = 1e-9;
 /// what rounding does to coordinates: kWorldUlps units in the last place of a world coordinate, which was subtracted
 /// from the origin, and kLocalUlps of a local one, for the products and sums of a distance.
 double contact_tolerance(const GridSpec& spec) noexcept;
+
+/// Below this distance, in metres, the direction between the closest points of two solids is rounding; above it, its
+/// unit vector is good to 1e-8. Voxels larger than a metre have coordinates that round by more.
+double direction_tolerance(const GridSpec& spec) noexcept;
+constexpr double kMetricDirection = 1e-7;
 constexpr double kWorldUlps = 2.0;
 constexpr double kLocalUlps = 4.0;
 

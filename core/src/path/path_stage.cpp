@@ -13,10 +13,6 @@ std::int32_t larger_of(std::int32_t a, std::int32_t b) {
   return a < b ? b : a;
 }
 
-bool same_point(const Vec3& a, const Vec3& b) {
-  return !(a.x < b.x) && !(b.x < a.x) && !(a.y < b.y) && !(b.y < a.y) && !(a.z < b.z) && !(b.z < a.z);
-}
-
 Status occupied(PathStage& stage, const Grid& grid, const Vec3& point, Status status) {
   stage.raw_occupied = !point_clear(grid, point, 0.0);
   Voxel voxel{};
@@ -77,7 +73,7 @@ bool is_direct(const PathStage& stage, const Grid& grid) {
   const Voxel a = grid.voxel_of(query.start);
   const Voxel b = grid.voxel_of(query.goal);
   if (same(a, b) && grid.free(a)) return true;
-  return same_point(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
+  return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
 }
 
 void begin_shortcut(PathStage& stage, const Grid& grid, Path& out) {
@@ -91,8 +87,8 @@ void begin_shortcut(PathStage& stage, const Grid& grid, Path& out) {
 Status write_raw(PathStage& stage, const Grid& grid, Path& out) {
   const PathQuery& query = stage.query;
   out.raw_count = 0;
-  if (!same_point(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
-  const bool at_center = same_point(query.goal, grid.center(stage.goal.voxel));
+  if (!same(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
+  const bool at_center = same(query.goal, grid.center(stage.goal.voxel));
   const Status status = search_extract(stage.search, grid, at_center ? 0 : 1, out);
   if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
   stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;

@@ -3,64 +3,12 @@
 #include "planner/escape.hpp"
 
 #include "base/bounds.hpp"
-#include "corridor/hull_polyhedron.hpp"
-#include "trajectory/bezier.hpp"
+#include "planner/tube.hpp"
 #include "trajectory/motion_limits.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {
-
-/// Appends the segment with a polyhedron around its hull.
-bool append(const EscapeRoom& room, const Segment& segment, GrowScratch& scratch, Escape& escape) {
-  Vec3 points[kControlPoints];
-  for (int k = 0; k < kControlPoints; ++k) points[k] = room.origin + segment.points[k];
-  Polyhedron& polyhedron = escape.polyhedra[escape.count];
-  if (enclose_hull(room.grid, {points, kControlPoints}, scratch, polyhedron) != Status::kOk) return false;
-  escape.segments[escape.count] = segment;
-  escape.segments[escape.count].polyhedron = escape.count;
-  ++escape.count;
-  return true;
-}
-
-Segment half_of(const Segment& whole, const Curve& curve) {
-  Segment segment = whole;
-  segment.duration = 0.5 * whole.duration;
-  for (int k = 0; k < kControlPoints; ++k) segment.points[k] = curve.c[k];
-  return segment;
-}
-
-/// Segments that wait for a polyhedron, the next one last.
-struct Pending {
-  int count;
-  Segment segment[kEscapeHalvings + 1];
-  int halvings[kEscapeHalvings + 1];
-
-  void push(const Segment& next, int halved) {
-    segment[count] = next;
-    halvings[count++] = halved;
-  }
-};
-
-/// As a whole where that has room, else in halves, and so on. Each turn appends a segment or halves one; segments that
-/// do not fit end it.
-bool append_in_parts(const EscapeRoom& room, const Segment& whole, GrowScratch& scratch, Escape& escape) {
-  Pending pending;
-  pending.count = 0;
-  pending.push(whole, 0);
-  while (pending.count > 0) {
-    if (escape.count + pending.count > kEscapeSegments) return false;
-    const Segment segment = pending.segment[--pending.count];
-    const int halvings = pending.halvings[pending.count];
-    if (append(room, segment, scratch, escape)) continue;
-    if (halvings == kEscapeHalvings) return false;
-    Curve first = curve_of(segment);
-    const Curve second = split(first);
-    pending.push(half_of(segment, second), halvings + 1);
-    pending.push(half_of(segment, first), halvings + 1);
-  }
-  return true;
-}
 
 void shift(int by, Corridor& corridor, Trajectory& trajectory) {
   for (int i = corridor.count - 1; i >= 0; --i) corridor.polyhedra[i + by] = corridor.polyhedra[i];
@@ -92,13 +40,13 @@ bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits
   if (!kept) return false;
   escape.rest = rest_of(stopping);
   if (room.to_goal) reverse(stopping);
-  escape.count = 0;
-  for (int i = 0; i < stopping.count; ++i) {
-    if (append_in_parts(room, stopping.segments[i], scratch, escape)) continue;
-    escape.count = 0;
-    return false;
+  Tube tube = tube_of(escape);
+  bool fits = true;
+  for (int i = 0; i < stopping.count && fits; ++i) {
+    fits = enclose(room.grid, room.origin, stopping.segments[i], scratch, tube);
   }
-  return true;
+  escape.count = fits ? tube.count : 0;
+  return fits;
 }
 
 bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
@@ -115,9 +63,10 @@ bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, c
   control_points({{start.position, start.velocity, start.acceleration, kZero}},
                  {{goal.position, goal.velocity, goal.acceleration, kZero}}, segment.duration, segment.points);
   if (!within_limits(segment, limits, kStopTolerance)) return false;
-  if (append_in_parts(room, segment, scratch, escape)) return true;
-  escape.count = 0;
-  return false;
+  Tube tube = tube_of(escape);
+  if (!enclose(room.grid, room.origin, segment, scratch, tube)) return false;
+  escape.count = tube.count;
+  return true;
 }
 
 bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept {

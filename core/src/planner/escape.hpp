@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "corridor/grow_scratch.hpp"
+#include "planner/tube.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
@@ -21,8 +22,6 @@ namespace tern {
 /// Report::detours of a plan that took one.
 constexpr std::int32_t kEscaped = 2;
 
-/// A segment whose hull has no room is halved, and each half again: a hull's excess over its curve shrinks fourfold.
-constexpr int kEscapeHalvings = 6;
 constexpr int kEscapeSegments = kMaxSegments < 16 ? kMaxSegments : 16;
 
 /// Half-spaces that one choice makes at most: each segment is the last half of one that had no room.
@@ -37,6 +36,11 @@ struct Escape {
   Segment segments[kEscapeSegments];
   Polyhedron polyhedra[kEscapeSegments];
 };
+
+/// An empty tube over the escape's own arrays.
+inline Tube tube_of(Escape& escape) noexcept {
+  return {escape.segments, escape.polyhedra, kEscapeSegments, 0};
+}
 
 /// Where a stop is flown.
 struct EscapeRoom {

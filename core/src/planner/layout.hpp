@@ -9,6 +9,7 @@
 #include "grid/fences.hpp"
 #include "path/path_stage.hpp"
 #include "planner/escape.hpp"
+#include "planner/previous.hpp"
 #include "tern/workspace.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
@@ -38,6 +39,7 @@ struct Layout {
   Trajectory trajectory;
   FlightEnds ends;
   Escape escapes[2];  ///< the start's and the goal's
+  Previous previous;
   Fences fences;
   AskedFences asked_fences;  ///< the same as the caller gave them, for the check
   Grid fenced;               ///< the caller's grid with fence_layer as its blocked layer, for a request with fences

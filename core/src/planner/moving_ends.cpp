@@ -35,6 +35,11 @@ std::uint32_t Planner::corridors() const noexcept {
   return rests() ? 1 : 2 + kEscapeTries;
 }
 
+/// Each corridor's plan may be checked, the optimiser's first, then the fallback's; and the previous plan's rest.
+std::uint32_t Planner::checks() const noexcept {
+  return corridors() + (asked_.previous != nullptr ? 2 : 1);
+}
+
 std::uint32_t Planner::escape_planes() const noexcept {
   return rests() ? 0 : 2u * static_cast<std::uint32_t>(kStoppingChoices) * kEscapePlanes;
 }
@@ -86,11 +91,18 @@ bool Planner::escape_may_help(Status status) const noexcept {
   }
 }
 
-/// Ends the plan, or tries the next escape. What ends it is what failed first: that is about the request as it was.
+/// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
+/// about the request as it was.
 Status Planner::fail(Stage stage, Status status) noexcept {
-  if (escapes_ == 0) {
+  Previous& previous = layout(workspace_).previous;
+  if (escapes_ == 0 && !previous.tried) {
     failed_stage_ = stage;
     failed_status_ = status;
+  }
+  if (previous_may_help(status)) {
+    previous.tried = true;
+    enter(Phase::kPrevious);
+    return Status::kOk;
   }
   if (!escape_may_help(status)) return end(failed_stage_, failed_status_);
   enter(Phase::kEscape);
@@ -99,12 +111,12 @@ Status Planner::fail(Stage stage, Status status) noexcept {
 
 void Planner::begin_escape() noexcept {
   Layout& memory = layout(workspace_);
-  GrowScratch& scratch = memory.stage.corridor.grow;
-  reset_counters(scratch);
-  scratch.planes_allowed = asked_.budget.planes - before(Stage::kCorridor);
-  if (has_fences_) scratch.fences = &memory.fences;
+  begin_hulls();
   // Another try drops one end's way: the start's, where that moves.
-  if (escapes_ > 0) memory.escapes[at_rest(asked_.start) ? 1 : 0].count = 0;
+  if (escapes_ > 0) {
+    memory.escapes[at_rest(asked_.start) ? 1 : 0].count = 0;
+    memory.previous.flown = false;
+  }
   ++escapes_;
 }
 
@@ -112,12 +124,12 @@ void Planner::begin_escape() noexcept {
 bool Planner::arrives(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
-  if (at_rest(asked_.goal) || escapes_ > 1) return false;
+  if (at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
   while (arrivals_ < kArrivals && work.take()) {
-    if (!arrive_try(room, asked_end(0), asked_end(1), asked_.limits, arrivals_++, memory.stage.corridor.grow,
-                    memory.escapes[0])) {
-      continue;
-    }
+    const bool arrived = arrive_try(room, asked_end(0), asked_end(1), asked_.limits, arrivals_++,
+                                    memory.stage.corridor.grow, memory.escapes[0]);
+    count_planes(memory.stage.corridor.grow.planes);
+    if (!arrived) continue;
     memory.corridor.count = memory.trajectory.count = 0;
     memory.trajectory.origin = asked_.start.position;
     add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory);
@@ -146,13 +158,13 @@ Status Planner::run_escape(Work& work) noexcept {
       if (escape.next == kStoppingChoices) return end(failed_stage_, failed_status_);
       if (!work.take()) return Status::kRunning;
       escape_try(room, state, asked_.limits, scratch, escape);
-      count(Stage::kCorridor, scratch.planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes());
+      count_planes(scratch.planes);
     }
   }
   rest_at_escapes();
   has_path_ = false;
   has_corridor_ = false;
-  report_.detours = kEscaped;
+  report_.detours = memory.previous.flown ? kFollowed : kEscaped;
   enter(Phase::kPath);
   return Status::kOk;
 }

@@ -22,6 +22,7 @@ Stage Planner::stage_of_phase() const noexcept {
       return Stage::kTrajectory;
     case Phase::kDetour:
       return Stage::kShortcut;
+    case Phase::kPrevious:
     case Phase::kEscape:
       return Stage::kCorridor;
     case Phase::kCheck:
@@ -53,6 +54,8 @@ void Planner::enter(Phase phase) noexcept {
     case Phase::kCorridor:
       return corridor_begin(memory.stage.corridor, world(), memory.path,
                             asked_.budget.planes - before(Stage::kCorridor), fences);
+    case Phase::kPrevious:
+      return begin_hulls();
     case Phase::kEscape:
       return begin_escape();
     case Phase::kCheck:
@@ -89,6 +92,9 @@ Status Planner::run_phase(Work& work) noexcept {
       break;
     case Phase::kDetour:
       status = run_detour(work);
+      break;
+    case Phase::kPrevious:
+      status = run_previous(work);
       break;
     case Phase::kEscape:
       status = run_escape(work);

@@ -107,6 +107,7 @@ void Planner::set_ends() noexcept {
   ends.start.position = {0.0, 0.0, 0.0};
   ends.goal.position = asked_.goal.position - asked_.start.position;
   for (Escape& escape : static_cast<Layout*>(workspace_)->escapes) escape.next = escape.count = 0;
+  cut_previous(*grid_, asked_, static_cast<Layout*>(workspace_)->previous);
 }
 
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {

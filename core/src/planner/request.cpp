@@ -4,6 +4,7 @@
 
 #include "base/bounds.hpp"
 #include "grid/lattice.hpp"
+#include "planner/previous.hpp"
 
 namespace tern {
 namespace {
@@ -35,6 +36,7 @@ Verdict check_finite(const Request& request) {
   if (!finite(request.limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
   if (!finite(request.limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
   if (!finite(request.time_weight)) return {Status::kNonFiniteInput, Field::kTimeWeight};
+  if (request.previous != nullptr && !finite(request.previous_time)) return {Status::kNonFiniteInput, Field::kPrevious};
   return kAccepted;
 }
 
@@ -122,6 +124,7 @@ Verdict validate(const Grid& grid, const Request& request) noexcept {
     return {Status::kLimitsInvalid, Field::kTimeWeight};
   }
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
+  if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
   return check_states(request);

@@ -72,7 +72,7 @@ Status Planner::run_corridor(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CorridorStage& stage = memory.stage.corridor;
   const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
-  count(Stage::kCorridor, stage.planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes());
+  count_planes(stage.planes);
   raise(report_.high_water.planes, stage.planes_high);
   raise(report_.high_water.local_boxes, stage.boxes_high);
   if (status == Status::kRunning) return status;
@@ -152,11 +152,12 @@ Status Planner::fall_back(Status why) noexcept {
 Status Planner::run_check(Work& work) noexcept {
   Layout& memory = layout(workspace_);
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
+  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr,
+                         start_jerk()};
   const Status status = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
-  count(Stage::kCheck, stage.units, kNoBudget, 2 * kCheckBound);
+  count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (status == Status::kRunning) return status;
-  if (status == Status::kOk || report_.quality != Quality::kOptimised || report_.detours == kEscaped) {
+  if (status == Status::kOk || report_.quality != Quality::kOptimised || report_.detours >= kEscaped) {
     return status == Status::kOk ? end(Stage::kCheck, status) : fail(Stage::kCheck, status);
   }
   return fall_back(status);

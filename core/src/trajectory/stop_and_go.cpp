@@ -15,10 +15,6 @@ bool is_zero(const Vec3& v) {
   return !(dot(v, v) > 0.0);
 }
 
-bool same_point(const Vec3& a, const Vec3& b) {
-  return is_zero(a - b);
-}
-
 /// End of leg i of the way along the corridor's waypoints to `to`.
 const Vec3& leg_end(const Corridor& corridor, const Vec3& to, int i) {
   return i + 1 < corridor.count ? corridor.polyhedra[i].to : to;
@@ -28,7 +24,7 @@ const Vec3& leg_end(const Corridor& corridor, const Vec3& to, int i) {
 int count_legs(const Corridor& corridor, Vec3 from, const Vec3& to) {
   int legs = 0;
   for (int i = 0; i < corridor.count; ++i) {
-    if (!same_point(from, leg_end(corridor, to, i))) ++legs;
+    if (!same(from, leg_end(corridor, to, i))) ++legs;
     from = leg_end(corridor, to, i);
   }
   return legs;
@@ -53,7 +49,7 @@ void append_launch(const Brake& brake, int polyhedron, Trajectory& out) {
 void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limits& limits, Trajectory& out) {
   for (int i = 0; i < corridor.count; ++i) {
     const Vec3 next = leg_end(corridor, to, i);
-    if (!same_point(from, next)) append(straight_segment(from, next, i, limits), out);
+    if (!same(from, next)) append(straight_segment(from, next, i, limits), out);
     from = next;
   }
 }

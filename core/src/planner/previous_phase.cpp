@@ -1,0 +1,80 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where nothing new is found: the rest of the previous plan, proven anew on the map as it is.
+#include "base/work.hpp"
+#include "planner/layout.hpp"
+#include "planner/request.hpp"
+#include "tern/planner.hpp"
+#include "trajectory/stop_and_go.hpp"
+
+namespace tern {
+
+/// The half-spaces of this plan so far, and what follows from capacities for a whole one.
+void Planner::count_planes(std::uint32_t planes) noexcept {
+  const std::uint32_t previous = asked_.previous != nullptr ? kPreviousPlanes : 0;
+  count(Stage::kCorridor, planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes() + previous);
+}
+
+/// For polyhedra around hulls.
+void Planner::begin_hulls() noexcept {
+  Layout& memory = layout(workspace_);
+  GrowScratch& scratch = memory.stage.corridor.grow;
+  reset_counters(scratch);
+  scratch.planes_allowed = asked_.budget.planes - before(Stage::kCorridor);
+  if (has_fences_) scratch.fences = &memory.fences;
+}
+
+/// A goal that is occupied stays so, whatever comes before it.
+bool Planner::previous_may_help(Status status) const noexcept {
+  const Previous& rest = static_cast<const Layout*>(workspace_)->previous;
+  if (rest.tried || rest.count == 0) return false;
+  return rest.meets_goal || (status != Status::kGoalOccupied && !at_rest(asked_.start));
+}
+
+/// One unit is one segment of the rest. All of it is the whole plan where it meets the goal, else the start's way to
+/// rest.
+Status Planner::run_previous(Work& work) noexcept {
+  Layout& memory = layout(workspace_);
+  Previous& rest = memory.previous;
+  GrowScratch& scratch = memory.stage.corridor.grow;
+  Escape& escape = memory.escapes[0];
+  Tube tube = tube_of(escape);
+  if (rest.meets_goal) tube = {memory.trajectory.segments, memory.corridor.polyhedra, kMaxSegments, 0};
+  tube.count = rest.enclosed;
+  for (; rest.next < rest.count; ++rest.next) {
+    if (!work.take()) return Status::kRunning;
+    const bool fits = enclose(world(), memory.ends.origin_in_grid, rest.segments[rest.next], scratch, tube);
+    rest.enclosed = tube.count;
+    count_planes(scratch.planes);
+    if (!fits) return fail(failed_stage_, failed_status_);
+  }
+  rest.flown = true;
+  if (rest.meets_goal) {
+    follow_previous();
+  } else {
+    escape.count = rest.enclosed;
+    escape.rest = end_of(rest);
+    enter(Phase::kEscape);
+  }
+  return Status::kOk;
+}
+
+/// The rest is the plan.
+void Planner::follow_previous() noexcept {
+  Layout& memory = layout(workspace_);
+  memory.corridor.count = memory.trajectory.count = memory.previous.enclosed;
+  memory.trajectory.origin = asked_.start.position;
+  report_.quality = Quality::kPrevious;
+  report_.detours = kFollowed;
+  has_path_ = false;
+  has_corridor_ = true;
+  enter(Phase::kCheck);
+}
+
+Vec3 Planner::start_jerk() const noexcept {
+  const Previous& rest = static_cast<const Layout*>(workspace_)->previous;
+  return rest.flown ? rest.jerk : Vec3{0.0, 0.0, 0.0};
+}
+
+}  // namespace tern

@@ -1,0 +1,39 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Replans that the planner refused once: with the previous plan each has an answer.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "attack/attack_case.hpp"
+#include "attack/runner.hpp"
+
+namespace tern_attack {
+namespace {
+
+struct Hard {
+  std::uint64_t seed;
+  std::uint64_t number;
+};
+
+TEST(HardReplans, HaveAnAnswer) {
+  constexpr Hard kHard[] = {
+      {2026, 45745},  {2026, 54805},  {2026, 91175},  {2026, 107337}, {2026, 107964}, {2026, 111095}, {2026, 111313},
+      {2026, 132320}, {2026, 164891}, {2026, 178160}, {2026, 200181}, {2026, 210330}, {2026, 210405}, {2026, 213012},
+      {2026, 234425}, {2026, 239986}, {2026, 253267}, {2026, 256337}, {2026, 267824}, {2026, 270855}, {2026, 276010},
+      {1, 3625},      {4, 23263},     {4, 24577},     {4, 38661},     {5, 11548},     {5, 85824},     {2026, 583035}};
+  const auto bench = std::make_unique<Bench>();
+  Tallies tallies{};
+  for (const Hard& hard : kHard) {
+    Findings findings;
+    run_case(*bench, hard.seed, hard.number, false, tallies.data(), findings);
+    EXPECT_TRUE(findings.empty()) << hard.seed << ' ' << hard.number;
+  }
+  std::uint64_t followed = 0;
+  for (const Tally& tally : tallies) followed += tally.followed;
+  EXPECT_GT(followed, 0u);
+}
+
+}  // namespace
+}  // namespace tern_attack

@@ -1,0 +1,194 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where nothing new is found, the rest of the previous plan is flown. A search that may not expand a node finds
+// nothing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/math.hpp"
+#include "planner/previous.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Field;
+using tern::Quality;
+using tern::Sample;
+using tern::Status;
+
+class PreviousPlan : public testing::Test {
+ protected:
+  PreviousPlan() : world_({60, 40, 20}, 0.1, 0.2) {
+    world_.block({2.9, 0.0, 0.0}, {3.1, 2.6, 2.0}).from({1.0, 1.0, 1.0}).to({5.0, 1.0, 1.0});
+    EXPECT_EQ(world_.plan(), Status::kOk);
+    first_ = world_.trajectory;
+  }
+  /// The state of the first plan, with that plan behind it.
+  void ask_from(double time) {
+    const Sample now = evaluate(first_, time);
+    world_.request.start = {now.position, now.velocity, now.acceleration};
+    world_.request.previous = &first_;
+    world_.request.previous_time = time;
+    world_.request.budget.expansions = 0;
+  }
+  /// The output is not touched before.
+  Status plan_over() { return world_.planner.plan(world_.grid, world_.request, world_.trajectory, world_.report); }
+  void expect_refused(Status status) {
+    EXPECT_EQ(world_.replan(), status);
+    EXPECT_EQ(world_.report.field, Field::kPrevious);
+  }
+  void expect_same_flight(double time) {
+    const double left = duration(first_) - time;
+    EXPECT_NEAR(duration(world_.trajectory), left, 1e-12);
+    for (int k = 0; k <= 1000; ++k) {
+      const double dt = left * k / 1000.0;
+      const Sample now = evaluate(world_.trajectory, dt);
+      const Sample before = evaluate(first_, time + dt);
+      ASSERT_LE(tern::distance(now.position, before.position), 1e-12) << dt;
+      ASSERT_LE(tern::distance(now.velocity, before.velocity), 1e-10) << dt;
+      ASSERT_LE(tern::distance(now.acceleration, before.acceleration), 1e-8) << dt;
+      ASSERT_LE(tern::distance(now.jerk, before.jerk), 1e-6) << dt;
+    }
+  }
+
+  World world_;
+  tern::Trajectory first_;
+};
+
+TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
+  for (const double part : {0.0, 0.01, 0.3, 0.5, 0.77, 0.99}) {
+    const double time = part * duration(first_);
+    ask_from(time);
+    ASSERT_EQ(world_.replan(), Status::kOk) << part;
+    EXPECT_EQ(world_.report.quality, Quality::kPrevious);
+    EXPECT_EQ(world_.report.detours, tern::kFollowed);
+    for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+    expect_same_flight(time);
+  }
+}
+
+TEST_F(PreviousPlan, IsLeftWhereThereIsANewOne) {
+  ask_from(0.4 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+  const tern::Trajectory with = world_.trajectory;
+  world_.request.previous = nullptr;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  ASSERT_EQ(world_.trajectory.count, with.count);
+  for (int i = 0; i < with.count; ++i) EXPECT_EQ(world_.trajectory.segments[i].duration, with.segments[i].duration);
+}
+
+TEST_F(PreviousPlan, MayBeTheOutput) {
+  const double time = 0.4 * duration(first_);
+  ask_from(time);
+  world_.request.previous = &world_.trajectory;
+  ASSERT_EQ(plan_over(), Status::kOk);
+  expect_same_flight(time);
+}
+
+TEST_F(PreviousPlan, IsFollowedAgainAndAgain) {
+  double time = 0.0;
+  const double step = duration(first_) / 40.0;
+  ask_from(step);
+  for (int k = 0; k < 38; ++k) {
+    ASSERT_EQ(plan_over(), Status::kOk) << k;
+    time += step;
+    const tern::Trajectory last = world_.trajectory;
+    const Sample now = evaluate(last, step);
+    world_.request.start = {now.position, now.velocity, now.acceleration};
+    world_.request.previous = &world_.trajectory;
+    world_.request.previous_time = step;
+  }
+  EXPECT_NEAR(duration(world_.trajectory), duration(first_) - time, 1e-9);
+}
+
+TEST_F(PreviousPlan, LeadsIntoAMotionToo) {
+  world_.request.goal.velocity = {0.5, 0.0, 0.0};
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  first_ = world_.trajectory;
+  const double time = 0.5 * duration(first_);
+  ask_from(time);
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  const tern::Segment& last = world_.trajectory.segments[world_.trajectory.count - 1];
+  EXPECT_NEAR((last.points[7].x - last.points[6].x) * 7.0 / last.duration, 0.5, 1e-9);
+}
+
+TEST_F(PreviousPlan, ProvesNothingWhereTheMapChanged) {
+  ask_from(0.2 * duration(first_));
+  const tern::Vec3 ahead = evaluate(first_, 0.8 * duration(first_)).position;
+  world_.block({ahead.x - 0.1, ahead.y - 0.1, ahead.z - 0.1}, {ahead.x + 0.1, ahead.y + 0.1, ahead.z + 0.1});
+  world_.grid.inflate();
+  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
+  EXPECT_EQ(world_.report.quality, Quality::kNone);
+}
+
+TEST_F(PreviousPlan, ProvesNothingOutsideANewFence) {
+  ask_from(0.2 * duration(first_));
+  const tern::Halfspace below{{1.0, 0.0, 0.0}, 3.5};  // x <= 3.5, where the goal is not
+  const tern::Fence fence{&below, 1, tern::FenceKind::kKeepIn};
+  world_.request.fences = &fence;
+  world_.request.fence_count = 1;
+  EXPECT_EQ(world_.replan(), Status::kGoalFenced);
+  world_.request.goal = {{3.4, 3.0, 1.0}, {}, {}};
+  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
+}
+
+TEST_F(PreviousPlan, NeedsAMillisecondOfItsSegment) {
+  ask_from(first_.segments[0].duration - 0.9e-3);
+  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
+  ask_from(first_.segments[0].duration - 1.1e-3);
+  EXPECT_EQ(world_.replan(), Status::kOk);
+}
+
+TEST_F(PreviousPlan, HasTheStateBitForBit) {
+  ask_from(0.4 * duration(first_));
+  const tern::State start = world_.request.start;
+  world_.request.start.position.x = std::nextafter(start.position.x, 10.0);
+  expect_refused(Status::kInvalidArgument);
+  world_.request.start = start;
+  world_.request.start.velocity.y = std::nextafter(start.velocity.y, 10.0);
+  expect_refused(Status::kInvalidArgument);
+  world_.request.start = start;
+  world_.request.start.acceleration.x = std::nextafter(start.acceleration.x, 10.0);
+  expect_refused(Status::kInvalidArgument);
+}
+
+TEST_F(PreviousPlan, IsATrajectory) {
+  ask_from(0.4 * duration(first_));
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  world_.request.previous_time = kNaN;
+  expect_refused(Status::kNonFiniteInput);
+  world_.request.previous_time = -1.0;
+  expect_refused(Status::kInvalidArgument);
+  world_.request.previous_time = 0.4 * duration(first_);
+  tern::Trajectory bad = first_;
+  world_.request.previous = &bad;
+  for (const int count : {0, -1, tern::kMaxSegments + 1}) {
+    bad.count = count;
+    expect_refused(Status::kInvalidArgument);
+  }
+  bad = first_;
+  bad.segments[bad.count - 1].points[3].y = kNaN;
+  expect_refused(Status::kInvalidArgument);
+  bad = first_;
+  bad.segments[bad.count - 1].duration = 0.0;
+  expect_refused(Status::kInvalidArgument);
+  bad = first_;
+  bad.origin.z = std::numeric_limits<double>::infinity();
+  expect_refused(Status::kInvalidArgument);
+}
+
+TEST_F(PreviousPlan, IsOverPastItsEnd) {
+  ask_from(2.0 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kHover);
+}
+
+}  // namespace
+}  // namespace tern_test
