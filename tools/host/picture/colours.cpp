@@ -39,6 +39,8 @@ std::string style_sheet() {
 .rule { stroke: #dfe3e8; stroke-width: 1 }
 .inflated { fill: #e9ebef }
 .block { fill: #8d97a6; stroke: #6c7685; stroke-width: 0.8 }
+.merged-block { fill: #8d97a6 }
+.merged-keepout { fill: #d99a8f }
 .keepin { fill: none; stroke: #2f8f5b; stroke-width: 1.6; stroke-dasharray: 7 4 }
 .keepout { fill: #d99a8f; stroke: #b8604f; stroke-width: 0.8 }
 .corridor { fill: #1f9d8b; fill-opacity: 0.09; stroke: #14806f; stroke-opacity: 0.6; stroke-width: 1 }
