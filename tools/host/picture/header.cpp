@@ -10,6 +10,7 @@
 #include "host/picture/layout.hpp"
 #include "host/picture/legend.hpp"
 #include "host/picture/lettering.hpp"
+#include "host/picture/oblique_scene.hpp"
 #include "host/plan_file.hpp"
 
 namespace tern_host {
@@ -107,19 +108,6 @@ bool has_block(const Scenario& scenario, bool keepout) {
                      [keepout](const Block& block) { return block.keepout == keepout; });
 }
 
-std::vector<LegendEntry> world_entries(const Scenario& scenario) {
-  const bool keepout = has_block(scenario, true) || has_fence(scenario, tern::FenceKind::kKeepOut);
-  const bool keepin = has_fence(scenario, tern::FenceKind::kKeepIn);
-  std::vector<LegendEntry> entries;
-  if (has_block(scenario, false)) entries.push_back(area_entry("obstacle", "class=\"block\" opacity=\"0.8\""));
-  if (keepout) entries.push_back(area_entry("keep-out fence", "class=\"keepout\" opacity=\"0.6\""));
-  if (!scenario.blocks.empty() || keepout) {
-    entries.push_back(area_entry("inflated by the radius", "class=\"inflated\"", 7.0));
-  }
-  if (keepin) entries.push_back(area_entry("keep-in fence", "class=\"keepin\""));
-  return entries;
-}
-
 LegendEntry shortcut_entry() {
   return {"shortcut, waypoints", [](Canvas& canvas, const Rect& r) {
             const double y = r.y + 0.5 * r.height;
@@ -129,7 +117,7 @@ LegendEntry shortcut_entry() {
 }
 
 std::vector<LegendEntry> legend_entries(const PlanResult& result, const Figures& figures) {
-  std::vector<LegendEntry> entries = world_entries(result.scenario);
+  std::vector<LegendEntry> entries = world_entries(result.scenario, WorldLegend::kViews);
   if (result.corridor != nullptr) entries.push_back(area_entry("corridor polyhedra", "class=\"corridor\""));
   if (result.path != nullptr) {
     entries.push_back(line_entry("jump-point path", "class=\"raw\""));
@@ -141,7 +129,29 @@ std::vector<LegendEntry> legend_entries(const PlanResult& result, const Figures&
   return entries;
 }
 
+std::string obstacle_name(const Scenario& scenario, bool oblique) {
+  const std::size_t count = scenario.blocks.size();
+  if (!oblique || count <= kMaxObliqueBlocks) return "obstacle";
+  return "obstacle (" + std::to_string(kMaxObliqueBlocks) + " of " + std::to_string(count) + ", large ones first)";
+}
+
 }  // namespace
+
+std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend legend) {
+  const bool oblique = legend == WorldLegend::kOblique;
+  const bool keepout = has_block(scenario, true) || has_fence(scenario, tern::FenceKind::kKeepOut);
+  const std::string block = oblique ? "class=\"block-front\"" : "class=\"block\" opacity=\"0.8\"";
+  std::vector<LegendEntry> entries;
+  if (has_block(scenario, false)) entries.push_back(area_entry(obstacle_name(scenario, oblique), block));
+  if (keepout) entries.push_back(area_entry("keep-out fence", "class=\"keepout\" opacity=\"0.6\""));
+  if (!oblique && (!scenario.blocks.empty() || keepout)) {
+    entries.push_back(area_entry("inflated by the radius", "class=\"inflated\"", 7.0));
+  }
+  if (has_fence(scenario, tern::FenceKind::kKeepIn)) {
+    entries.push_back(area_entry("keep-in fence", "class=\"keepin\""));
+  }
+  return entries;
+}
 
 double speed_scale(const Figures& figures) {
   return std::max(0.1, figures.speed);

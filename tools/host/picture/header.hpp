@@ -4,15 +4,20 @@
 #define TERN_HOST_PICTURE_HEADER_HPP
 
 #include <string>
+#include <vector>
 
 #include "host/figures.hpp"
-#include "host/picture/canvas.hpp"
+#include "host/picture/legend.hpp"
 #include "host/session.hpp"
 
 namespace tern_host {
 
 /// Name, settings, key figures or why there is no plan, and the legend of the map views. Returns where it ends.
 double draw_header(Canvas& canvas, const PlanResult& result, const Figures& figures);
+
+/// What draws the world: each view names what it shows.
+enum class WorldLegend { kViews, kOblique };
+std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend legend);
 
 /// The speed of the last colour, m/s.
 double speed_scale(const Figures& figures);

@@ -56,21 +56,9 @@ std::string axis_title(int axis) {
   return std::string(1, "xyz"[axis]) + " (m)";
 }
 
-/// A fence as far as it lies within the boundary, its half-spaces scaled to unit normals.
-std::vector<tern::Halfspace> fence_in_boundary(const FenceRecord& fence, const tern::Box& boundary) {
-  tern::Halfspace faces[tern::kBoxPlanes];
-  tern::box_planes(boundary, faces);
-  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
-  for (const tern::Halfspace& h : fence.planes) {
-    const double norm = std::sqrt(h.normal.x * h.normal.x + h.normal.y * h.normal.y + h.normal.z * h.normal.z);
-    planes.push_back({{h.normal.x / norm, h.normal.y / norm, h.normal.z / norm}, h.offset / norm});
-  }
-  return planes;
-}
-
 std::vector<Pixel> fence_outline(const View& view, const FenceRecord& fence, const tern::Box& boundary) {
   std::vector<Pixel> corners;
-  for (const Vec3& v : vertices(fence_in_boundary(fence, boundary))) corners.push_back(view.world(v));
+  for (const Vec3& v : fence_corners(fence, boundary)) corners.push_back(view.world(v));
   return convex_hull(corners);
 }
 
@@ -176,6 +164,17 @@ Range view_range(const PlanResult& result, int axis) {
   Range range{component(boundary.lower, axis), component(boundary.upper, axis)};
   if (!(range.extent() > 0.0)) range = {range.low - result.grid.cell, range.high + result.grid.cell};
   return range;
+}
+
+std::vector<Vec3> fence_corners(const FenceRecord& fence, const tern::Box& boundary) {
+  tern::Halfspace faces[tern::kBoxPlanes];
+  tern::box_planes(boundary, faces);
+  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
+  for (const tern::Halfspace& h : fence.planes) {
+    const double norm = std::sqrt(h.normal.x * h.normal.x + h.normal.y * h.normal.y + h.normal.z * h.normal.z);
+    planes.push_back({{h.normal.x / norm, h.normal.y / norm, h.normal.z / norm}, h.offset / norm});
+  }
+  return vertices(planes);
 }
 
 Pixel project(const Axes& axes, const Projection& projection, const Vec3& p) {
