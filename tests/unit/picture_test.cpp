@@ -238,7 +238,7 @@ std::string many_blocks(int count) {
 }
 
 TEST(Picture, ManyBlocksAreMerged) {
-  for (const int count : {900, 5000, 100000}) {
+  for (const int count : {900, 5000, tern_test::scaled(100000)}) {
     const PlanResult result = plan("many", many_blocks(count));
     const std::string svg = tern_host::plan_svg(result);
     EXPECT_LT(svg.size(), 1500000u) << count;

@@ -119,8 +119,8 @@ std::string headline(const PlanResult& result, const Figures& figures) {
   const std::string one = keepouts ? " obstacle or keep-out" : " obstacle";
   const std::string many = keepouts ? " obstacles and keep-outs" : " obstacles";
   return "A flight of " + flight + " past " + std::to_string(blocks.size()) + (blocks.size() == 1 ? one : many) +
-         ", at least " + fixed(figures.clearance, 2) + " m from each; the robot's radius is " +
-         fixed(result.scenario.radius, 2) + " m";
+         ", at least " + fixed(figures.clearance, 2) + " m from " + (blocks.size() == 1 ? "it" : "each") +
+         "; the robot's radius is " + fixed(result.scenario.radius, 2) + " m";
 }
 
 std::vector<LegendEntry> legend_entries(const PlanResult& result, const Figures& figures, double robot_radius,
