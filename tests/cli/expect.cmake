@@ -3,8 +3,10 @@
 #
 # Runs a command and compares what a test of exit status alone cannot:
 #   cmake -DCOMMAND=<program;arguments> -DSTATUS=<n> [-DOUT=<regex>] [-DERR=<regex>]
-#         [-DREMOVE=<files>] [-DKEEP=<file>] [-DWRITES=<files>] [-DCONTAINS=<file;regex>] -P expect.cmake
+#         [-DREMOVE=<files>] [-DKEEP=<file>] [-DWRITES=<files>] [-DCONTAINS=<file;regex>] [-DSAME=<file;file>]
+#         -P expect.cmake
 # REMOVE: deleted before. KEEP: given a content before that the command must not change. WRITES: must exist after.
+# SAME: must have the same content after.
 if(REMOVE)
   file(REMOVE ${REMOVE})
 endif()
@@ -41,5 +43,11 @@ if(CONTAINS)
   file(READ ${file} content)
   if(NOT content MATCHES "${pattern}")
     message(FATAL_ERROR "${file} does not match ${pattern}")
+  endif()
+endif()
+if(SAME)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${SAME} RESULT_VARIABLE different)
+  if(NOT different EQUAL 0)
+    message(FATAL_ERROR "${SAME} differ")
   endif()
 endif()

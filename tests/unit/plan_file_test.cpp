@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "host/figures.hpp"
+#include "host/peaks.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -196,6 +197,39 @@ TEST(Figures, AreMeasuredFromSamplesAndTheBlocksAsWritten) {
   EXPECT_NEAR(figures.speed, 35.0 / 16.0 / 2.0, 1e-5);
   EXPECT_NEAR(figures.v_peak.x, figures.speed, 1e-12);
   EXPECT_DOUBLE_EQ(figures.v_peak.y, 0.0);
+}
+
+TEST(Figures, ClearanceIsTheLeastOfAllSamples) {
+  tern_test::Random random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    tern_host::Scenario scenario;
+    for (int i = 0; i < 10; ++i) {
+      const tern::Vec3 at{random.real(-0.5, 1.5), random.real(0.1, 1.0), random.real(-1.0, 1.0)};
+      scenario.blocks.push_back({{at, {at.x + 0.2, at.y + 0.2, at.z + 0.2}}, false});
+    }
+    const tern::Trajectory step = unit_step(2.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= 2000; ++i) {
+      const tern::Vec3 position = tern::evaluate(step, 2.0 * i / 2000).position;
+      least = std::min(least, tern_host::distance_to_blocks(position, scenario));
+    }
+    EXPECT_DOUBLE_EQ(tern_host::measure(step, scenario).clearance, least);
+  }
+}
+
+TEST(Peaks, StandBesideTheLimitOfTheirDirection) {
+  const tern_host::PeakRange peaks{{-0.5, -1.25, 0.0}, {1.5, 1.0, 0.25}, 1.75};
+  const tern_host::LimitRange equal{{-2, -2, -2}, {2, 2, 2}, 0.0};
+  const std::vector<tern_host::LimitedPeak> both = tern_host::limited_peaks(peaks, equal, 2);
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_EQ(both[0].text, "1.50 of 2.00");
+  EXPECT_EQ(both[1].text, "1.25 of 2.00");  // backwards
+  const tern_host::LimitRange unequal{{-2, -2, -1}, {2, 2, 3}, 1.8};
+  const std::vector<tern_host::LimitedPeak> each = tern_host::limited_peaks(peaks, unequal, 2);
+  ASSERT_EQ(each.size(), 4u);
+  EXPECT_EQ(each[2].text, "0.25 of 3.00, 0.00 of -1.00");
+  EXPECT_EQ(each[3].name, "horizontal");
+  EXPECT_EQ(each[3].text, "1.75 of 1.80");
 }
 
 TEST(Figures, DistanceToBlocksIsEuclidean) {

@@ -20,14 +20,19 @@ struct PlanOptions {
   std::string json;
   std::string csv;
   std::string svg;
+  std::string view = "page";
   double csv_step = 0.01;
   std::vector<std::string> overrides;
 };
 
+std::string picture(const PlanOptions& options, const tern_host::PlanResult& result) {
+  return options.view == "oblique" ? tern_host::oblique_svg(result) : tern_host::plan_svg(result);
+}
+
 /// Everything is made before anything is written.
 void write_outputs(const PlanOptions& options, const tern_host::PlanResult& result) {
   const std::string json = options.json.empty() ? "" : tern_host::plan_json(result);
-  const std::string svg = options.svg.empty() ? "" : tern_host::plan_svg(result);
+  const std::string svg = options.svg.empty() ? "" : picture(options, result);
   const bool has_csv = !options.csv.empty() && result.ok();
   const std::string csv = has_csv ? tern_host::trajectory_csv(result.trajectory, options.csv_step) : "";
   if (!options.json.empty()) tern_host::write_file(options.json, json);
@@ -68,6 +73,12 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->check(check_step, "")
       ->type_name("SECONDS");
   command->add_option("--svg", options->svg, "Draw map, paths, corridor, trajectory and profiles")->type_name("FILE");
+  command
+      ->add_option("--view", options->view,
+                   "What --svg draws: page (top and side view, profiles) or oblique (the flight through the map)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"page", "oblique"}))
+      ->type_name("VIEW");
   command
       ->add_option("--set", options->overrides,
                    "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, goal_velocity, "

@@ -7,6 +7,7 @@
 
 #include "host/figures.hpp"
 #include "host/number.hpp"
+#include "host/peaks.hpp"
 #include "host/plan_file.hpp"
 
 namespace tern_cli {
@@ -65,13 +66,23 @@ std::string clearance_line(double clearance, std::size_t fences) {
   return "  clearance   " + text + "\n";
 }
 
+/// Each peak beside the limit that holds for it: norms are above what an axis may have, and break no limit.
+std::string peaks_line(const char* name, const tern_host::PeakRange& peaks, const tern_host::LimitRange& limits,
+                       const char* unit, double use) {
+  std::string text;
+  for (const tern_host::LimitedPeak& peak : tern_host::limited_peaks(peaks, limits, 3)) {
+    text += (text.empty() ? "" : "; ") + peak.name + " " + peak.text;
+  }
+  return "  " + left(name, 12) + text + " " + unit + ", limits used to " + percent(use) + " %\n";
+}
+
 std::string trajectory_lines(const PlanResult& result) {
+  const tern::Limits& limits = result.scenario.limits;
   const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
   return "  trajectory  " + fixed(figures.length, 3) + " m in " + fixed(figures.duration, 3) + " s, " +
          std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
-         "  peaks       v " + fixed(largest(figures.v_peak), 3) + " m/s, a " + fixed(largest(figures.a_peak), 3) +
-         " m/s^2 an axis; |v| " + fixed(figures.speed, 3) + ", |a| " + fixed(figures.acceleration, 3) + "\n" +
-         "  limits used v " + percent(figures.v_use) + " %, a " + percent(figures.a_use) + " %\n" +
+         peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
+         peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
          clearance_line(figures.clearance, result.scenario.fences.size());
 }
 

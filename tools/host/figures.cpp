@@ -13,6 +13,7 @@ using tern::Vec3;
 
 constexpr double kSampleStep = 1e-3;
 constexpr double kMaxSamples = 2e6;
+constexpr double kLengthSlack = 1e-9;  // m, above the rounding of a summed length
 
 double norm(const Vec3& v) {
   return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
@@ -24,6 +25,12 @@ Vec3 difference(const Vec3& a, const Vec3& b) {
 
 void raise(Vec3& peak, const Vec3& v) {
   peak = {std::max(peak.x, std::fabs(v.x)), std::max(peak.y, std::fabs(v.y)), std::max(peak.z, std::fabs(v.z))};
+}
+
+void widen(PeakRange& range, const Vec3& v) {
+  range.least = {std::min(range.least.x, v.x), std::min(range.least.y, v.y), std::min(range.least.z, v.z)};
+  range.most = {std::max(range.most.x, v.x), std::max(range.most.y, v.y), std::max(range.most.z, v.z)};
+  range.horizontal = std::max(range.horizontal, std::hypot(v.x, v.y));
 }
 
 double part(double value, double lower, double upper) {
@@ -44,13 +51,14 @@ double outside(double value, double lower, double upper) {
 }  // namespace
 
 double distance_to_blocks(const Vec3& p, const Scenario& scenario) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();  // squared
   for (const Block& block : scenario.blocks) {
     const Vec3& lo = block.box.lower;
     const Vec3& hi = block.box.upper;
-    least = std::min(least, norm({outside(p.x, lo.x, hi.x), outside(p.y, lo.y, hi.y), outside(p.z, lo.z, hi.z)}));
+    const Vec3 d{outside(p.x, lo.x, hi.x), outside(p.y, lo.y, hi.y), outside(p.z, lo.z, hi.z)};
+    least = std::min(least, d.x * d.x + d.y * d.y + d.z * d.z);
   }
-  return least;
+  return std::sqrt(least);
 }
 
 Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
@@ -63,17 +71,24 @@ Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
   const LimitRange velocity = velocity_range(scenario.limits);
   const LimitRange acceleration = acceleration_range(scenario.limits);
   Vec3 last = tern::evaluate(trajectory, 0.0).position;
+  // A distance shrinks by no more than the way flown: until then no sample is closer than the closest so far.
+  double look_again = 0.0;
   for (int i = 0; i <= samples; ++i) {
     const tern::Sample sample = tern::evaluate(trajectory, figures.duration * i / samples);
     figures.length += norm(difference(sample.position, last));
     last = sample.position;
     raise(figures.v_peak, sample.velocity);
     raise(figures.a_peak, sample.acceleration);
+    widen(figures.v_range, sample.velocity);
+    widen(figures.a_range, sample.acceleration);
     figures.speed = std::max(figures.speed, norm(sample.velocity));
     figures.acceleration = std::max(figures.acceleration, norm(sample.acceleration));
     figures.v_use = std::max(figures.v_use, use(sample.velocity, velocity));
     figures.a_use = std::max(figures.a_use, use(sample.acceleration, acceleration));
-    figures.clearance = std::min(figures.clearance, distance_to_blocks(sample.position, scenario));
+    if (figures.length < look_again) continue;
+    const double distance = distance_to_blocks(sample.position, scenario);
+    figures.clearance = std::min(figures.clearance, distance);
+    look_again = figures.length + (distance - figures.clearance) - kLengthSlack;
   }
   return figures;
 }

@@ -10,6 +10,13 @@
 
 namespace tern_host {
 
+/// How far a vector goes along each axis, both ways, and horizontally.
+struct PeakRange {
+  tern::Vec3 least{};       ///< 0 where an axis is never negative
+  tern::Vec3 most{};        ///< 0 where an axis is never positive
+  double horizontal = 0.0;  ///< highest norm of (x, y)
+};
+
 struct Figures {
   double duration = 0.0;      ///< s
   double length = 0.0;        ///< of the trajectory, m
@@ -18,6 +25,8 @@ struct Figures {
   double acceleration = 0.0;  ///< highest |a|, m/s^2
   tern::Vec3 v_peak{};        ///< highest |v| an axis, m/s
   tern::Vec3 a_peak{};        ///< highest |a| an axis, m/s^2
+  PeakRange v_range;          ///< m/s
+  PeakRange a_range;          ///< m/s^2
   double v_use = 0.0;         ///< highest part of a velocity limit that is used, 1 where it is reached
   double a_use = 0.0;         ///< likewise of an acceleration limit
   double clearance = 0.0;     ///< smallest distance to a block as written in the scenario, m; infinite with none

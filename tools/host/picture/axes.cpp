@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/number.hpp"
+#include "host/picture/lettering.hpp"
 
 namespace tern_host {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kPixelsPerTick = 70.0;
 constexpr int kMaxTicks = 60;
 
 double tick_step(const Range& range, double wanted) {
-  const double rough = range.extent() / std::max(1.0, wanted);
+  const double rough = range.extent() / std::max(2.0, wanted);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (rough <= factor * power * 1.0001) return factor * power;
@@ -35,6 +36,37 @@ std::vector<double> horizontal_ticks(const Axes& axes) {
 
 std::vector<double> vertical_ticks(const Axes& axes) {
   return ticks(axes.vertical, axes.frame.height / (0.65 * kPixelsPerTick));
+}
+
+/// A tick's number, unless another text is too close.
+void draw_number(Canvas& canvas, Pixel at, const std::string& text, const char* anchor) {
+  const std::string style = std::string("class=\"number\" text-anchor=\"") + anchor + "\"";
+  const Rect room = text_room(at, text, style);
+  if (canvas.clear_of_text({room.x - 3.0, room.y, room.width + 6.0, room.height})) canvas.text(at, text, style);
+}
+
+/// Returns how wide the widest number is.
+double draw_vertical_ticks(Canvas& canvas, const Axes& axes) {
+  const std::vector<double> values = vertical_ticks(axes);
+  double widest = 0.0;
+  for (const double v : values) {
+    const Pixel at{axes.frame.x, axes.at(axes.horizontal.low, v).y};
+    const std::string text = fixed(v, decimals(values));
+    canvas.line({at.x - 4.0, at.y}, at, "class=\"tick\"");
+    draw_number(canvas, {at.x - 8.0, at.y + 4.5}, text, "end");
+    widest = std::max(widest, text_width(text, kNumber));
+  }
+  return widest;
+}
+
+void draw_horizontal_ticks(Canvas& canvas, const Axes& axes) {
+  const std::vector<double> values = horizontal_ticks(axes);
+  const double y = axes.frame.bottom();
+  for (const double h : values) {
+    const double x = axes.at(h, axes.vertical.low).x;
+    canvas.line({x, y}, {x, y + 4.0}, "class=\"tick\"");
+    draw_number(canvas, {x, y + 19.0}, fixed(h, decimals(values)), "middle");
+  }
 }
 
 }  // namespace
@@ -70,23 +102,11 @@ void draw_frame(Canvas& canvas, const Axes& axes, const std::string& horizontal_
                 const std::string& vertical_title) {
   const Rect& frame = axes.frame;
   canvas.rect(frame, "class=\"frame\"");
-  const std::vector<double> along = horizontal_ticks(axes);
-  for (const double h : along) {
-    const double x = axes.at(h, axes.vertical.low).x;
-    canvas.line({x, frame.bottom()}, {x, frame.bottom() + 4.0}, "class=\"tick\"");
-    canvas.text({x, frame.bottom() + 19.0}, fixed(h, decimals(along)), "class=\"number\" text-anchor=\"middle\"");
-  }
-  const std::vector<double> across = vertical_ticks(axes);
-  for (const double v : across) {
-    const double y = axes.at(axes.horizontal.low, v).y;
-    canvas.line({frame.x - 4.0, y}, {frame.x, y}, "class=\"tick\"");
-    canvas.text({frame.x - 8.0, y + 4.5}, fixed(v, decimals(across)), "class=\"number\" text-anchor=\"end\"");
-  }
-  const double middle = frame.y + 0.5 * frame.height;
-  const std::string turned = " transform=\"rotate(-90 " + fixed(frame.x - 44.0, 2) + " " + fixed(middle, 2) + ")\"";
+  draw_horizontal_ticks(canvas, axes);
+  const double left = frame.x - std::max(44.0, 20.0 + draw_vertical_ticks(canvas, axes));
   canvas.text({frame.x + 0.5 * frame.width, frame.bottom() + 38.0}, horizontal_title,
               "class=\"label\" text-anchor=\"middle\"");
-  canvas.text({frame.x - 44.0, middle}, vertical_title, "class=\"label\" text-anchor=\"middle\"" + turned);
+  canvas.upward_text({left, frame.y + 0.5 * frame.height}, vertical_title, "class=\"label\"");
 }
 
 }  // namespace tern_host

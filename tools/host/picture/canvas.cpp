@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/picture/canvas.hpp"
 
+#include <algorithm>
+
 #include "host/number.hpp"
+#include "host/picture/lettering.hpp"
 
 namespace tern_host {
 namespace {
@@ -21,7 +24,29 @@ std::string box_attributes(const Rect& r) {
   return attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height);
 }
 
+bool has(const std::string& style, const std::string& attribute) {
+  return style.find(attribute) != std::string::npos;
+}
+
+const Font& font_of(const std::string& style) {
+  for (const Font& font : kFonts) {
+    if (has(style, std::string("class=\"") + font.name + "\"")) return font;
+  }
+  return kSubtitle;
+}
+
+/// Of a baseline's letters: what stands above it and what hangs below, in parts of the font's size.
+constexpr double kAscent = 0.78;
+constexpr double kDescent = 0.22;
+
 }  // namespace
+
+Rect text_room(Pixel at, const std::string& text, const std::string& style) {
+  const Font& font = font_of(style);
+  const double width = text_width(text, font);
+  const double before = has(style, "\"middle\"") ? 0.5 * width : (has(style, "\"end\"") ? width : 0.0);
+  return {at.x - before, at.y - kAscent * font.size, width, (kAscent + kDescent) * font.size};
+}
 
 std::string escape(const std::string& text) {
   std::string out;
@@ -73,7 +98,19 @@ void Canvas::circle(Pixel center, double radius, const std::string& style) {
 }
 
 void Canvas::text(Pixel at, const std::string& text, const std::string& style) {
+  texts_.push_back(text_room(at, text, style));
   body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + " " + style + ">" + escape(text) + "</text>\n";
+}
+
+void Canvas::upward_text(Pixel at, const std::string& text, const std::string& style) {
+  const std::string turned = " transform=\"rotate(-90 " + fixed(at.x, 2) + " " + fixed(at.y, 2) + ")\"";
+  this->text(at, text, style + " text-anchor=\"middle\"" + turned);
+  const Rect level = texts_.back();
+  texts_.back() = {at.x + level.y - at.y, at.y - 0.5 * level.width, level.height, level.width};
+}
+
+bool Canvas::clear_of_text(const Rect& rect) const {
+  return std::none_of(texts_.begin(), texts_.end(), [&](const Rect& text) { return text.overlaps(rect); });
 }
 
 void Canvas::begin_clipped(const Rect& rect) {

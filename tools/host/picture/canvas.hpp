@@ -22,6 +22,10 @@ struct Rect {
 
   double right() const { return x + width; }
   double bottom() const { return y + height; }
+  bool overlaps(const Rect& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
+  bool holds(const Pixel& p) const { return x <= p.x && p.x <= right() && y <= p.y && p.y <= bottom(); }
 };
 
 /// Collects SVG elements. `style` arguments are further attributes, e.g. `class="grid"` or `fill="#fff"`.
@@ -33,6 +37,10 @@ class Canvas {
   void polygon(const std::vector<Pixel>& points, const std::string& style);
   void circle(Pixel center, double radius, const std::string& style);
   void text(Pixel at, const std::string& text, const std::string& style);
+  /// Text that reads upwards, `at` the middle of its baseline.
+  void upward_text(Pixel at, const std::string& text, const std::string& style);
+  /// No text so far stands in `rect`.
+  bool clear_of_text(const Rect& rect) const;
   /// Elements up to end_group() show inside `rect` only.
   void begin_clipped(const Rect& rect);
   void end_group();
@@ -46,8 +54,12 @@ class Canvas {
 
  private:
   std::string body_;
+  std::vector<Rect> texts_;  // the rooms of all text so far
   int clips_ = 0;
 };
+
+/// The room that text takes: its class among kFonts, its `text-anchor` start, middle or end, as `style` says.
+Rect text_room(Pixel at, const std::string& text, const std::string& style);
 
 /// Text with the five characters that XML reserves written as entities and control characters left out.
 std::string escape(const std::string& text);

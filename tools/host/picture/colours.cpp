@@ -39,6 +39,8 @@ std::string style_sheet() {
 .rule { stroke: #dfe3e8; stroke-width: 1 }
 .inflated { fill: #e9ebef }
 .block { fill: #8d97a6; stroke: #6c7685; stroke-width: 0.8 }
+.merged-block { fill: #8d97a6 }
+.merged-keepout { fill: #d99a8f }
 .keepin { fill: none; stroke: #2f8f5b; stroke-width: 1.6; stroke-dasharray: 7 4 }
 .keepout { fill: #d99a8f; stroke: #b8604f; stroke-width: 0.8 }
 .corridor { fill: #1f9d8b; fill-opacity: 0.09; stroke: #14806f; stroke-opacity: 0.6; stroke-width: 1 }
@@ -49,6 +51,20 @@ std::string style_sheet() {
 .trajectory { stroke-width: 3.6; stroke-linecap: round; stroke-linejoin: round }
 .end { stroke: #ffffff; stroke-width: 1.8 }
 .end-name { font-size: 14px; font-weight: 600; paint-order: stroke; stroke: #ffffff; stroke-width: 4; fill: #1f2733 }
+.card { fill: #f6f8fa; stroke: #d0d7de; stroke-width: 1 }
+.ground { fill: #e6eaee; stroke: #c6ccd4; stroke-width: 1 }
+.ground-line { stroke: #d6dbe1; stroke-width: 1 }
+.block-top { fill: #c3cad4; stroke: #7d8795; stroke-width: 0.6; stroke-linejoin: round }
+.block-front { fill: #98a2b1; stroke: #7d8795; stroke-width: 0.6; stroke-linejoin: round }
+.block-side { fill: #808b9b; stroke: #7d8795; stroke-width: 0.6; stroke-linejoin: round }
+.keepout-top { fill: #ecc5bd; stroke: #b8604f; stroke-width: 0.6; stroke-linejoin: round }
+.keepout-front { fill: #dfa598; stroke: #b8604f; stroke-width: 0.6; stroke-linejoin: round }
+.keepout-side { fill: #cf8c7d; stroke: #b8604f; stroke-width: 0.6; stroke-linejoin: round }
+.flight { stroke-width: 4.6; stroke-linecap: round; stroke-linejoin: round }
+.flight-halo { stroke: #ffffff; stroke-width: 8; stroke-linejoin: round }
+.behind { stroke-width: 2.6; stroke-dasharray: 4 3; stroke-opacity: 0.75 }
+.shadow { stroke: #1f2733; stroke-opacity: 0.22; stroke-width: 3; stroke-linejoin: round }
+.robot { fill: #1f2733; fill-opacity: 0.16; stroke: #1f2733; stroke-width: 1.4 }
 .curve { stroke-width: 1.9; stroke-linejoin: round }
 .norm { stroke: #1f2733; stroke-width: 1.1; stroke-opacity: 0.55 }
 .limit { stroke-width: 1.3; stroke-dasharray: 7 4 }

@@ -17,6 +17,9 @@ std::string speed_colour(double t);
 /// The colours of x, y and z in the profiles.
 constexpr const char* kAxisColours[3] = {"#c8553d", "#2f8f5b", "#2b6cb0"};
 
+/// The colour of the horizontal norm, where that is limited.
+constexpr const char* kHorizontalColour = "#7b3fa0";
+
 /// The classes that all drawing code refers to.
 std::string style_sheet();
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeft = 62.0;     // tick labels and title of a vertical axis
 constexpr double kBelow = 48.0;    // those of a horizontal axis
 constexpr double kHeading = 34.0;  // a panel's title
-constexpr double kProfileHeight = 230.0;
+constexpr double kProfileHeight = 280.0;
 constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
 constexpr double kColumn = 0.53 * kContent;
 constexpr double kMaxViews = 690.0;  // height of both views of a long map
@@ -40,7 +40,7 @@ void lay_out_wide(PageLayout& page, const Extents& map, double scale, double y) 
 }
 
 void lay_out_columns(PageLayout& page, const Extents& map, double scale, double y) {
-  const double end = std::max(stack_views(page, map, scale, y), y + 2.0 * (kHeading + kBelow + 180.0));
+  const double end = std::max(stack_views(page, map, scale, y), y + 2.0 * (kHeading + kBelow + 240.0));
   const double x = page.top_frame.right() + 28.0 + kLeft;
   const double width = kPageMargin + kContent - x;
   const double height = 0.5 * (end - y) - kHeading - kBelow;

@@ -7,6 +7,8 @@
 
 #include "host/number.hpp"
 #include "host/picture/colours.hpp"
+#include "host/picture/ends.hpp"
+#include "host/picture/merged_blocks.hpp"
 #include "host/picture/outline.hpp"
 
 namespace tern_host {
@@ -42,38 +44,37 @@ Vec3 sum(const Vec3& a, const Vec3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// How much of the map's depth a block fills, as opacity: what blocks the whole way is dark, a window's frame lighter.
-double opacity(const tern::Box& box, const tern::Box& boundary, int depth) {
+/// How much of the map's depth a block fills: what blocks the whole way is drawn dark, a window's frame lighter.
+double depth_part(const tern::Box& box, const tern::Box& boundary, int depth) {
   const double lower = std::max(component(box.lower, depth), component(boundary.lower, depth));
   const double upper = std::min(component(box.upper, depth), component(boundary.upper, depth));
   const double all = component(boundary.upper, depth) - component(boundary.lower, depth);
-  return 0.15 + 0.65 * (all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0);
+  return all > 0.0 ? std::max(0.0, upper - lower) / all : 1.0;
 }
 
 std::string axis_title(int axis) {
   return std::string(1, "xyz"[axis]) + " (m)";
 }
 
-/// A fence as far as it lies within the boundary, its half-spaces scaled to unit normals.
-std::vector<tern::Halfspace> fence_in_boundary(const FenceRecord& fence, const tern::Box& boundary) {
-  tern::Halfspace faces[tern::kBoxPlanes];
-  tern::box_planes(boundary, faces);
-  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
-  for (const tern::Halfspace& h : fence.planes) {
-    const double norm = std::sqrt(h.normal.x * h.normal.x + h.normal.y * h.normal.y + h.normal.z * h.normal.z);
-    planes.push_back({{h.normal.x / norm, h.normal.y / norm, h.normal.z / norm}, h.offset / norm});
-  }
-  return planes;
+std::vector<Pixel> fence_outline(const View& view, const FenceRecord& fence, const tern::Box& boundary) {
+  std::vector<Pixel> corners;
+  for (const Vec3& v : fence_corners(fence, boundary)) corners.push_back(view.world(v));
+  return convex_hull(corners);
 }
 
-void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario) {
+void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario, tern::FenceKind kind,
+                 const std::string& style) {
   for (const FenceRecord& fence : scenario.fences) {
-    std::vector<Pixel> corners;
-    for (const Vec3& v : vertices(fence_in_boundary(fence, scenario.boundary))) corners.push_back(view.world(v));
-    const std::vector<Pixel> outline = convex_hull(corners);
-    const bool keep_in = fence.kind == tern::FenceKind::kKeepIn;
-    if (!outline.empty()) canvas.polygon(outline, keep_in ? "class=\"keepin\"" : "class=\"keepout\" opacity=\"0.6\"");
+    const std::vector<Pixel> outline = fence_outline(view, fence, scenario.boundary);
+    if (fence.kind == kind && !outline.empty()) canvas.polygon(outline, style);
   }
+}
+
+/// The space that the radius takes around the keep-outs: a stroke of that width.
+void draw_fence_margins(Canvas& canvas, const View& view, const Scenario& scenario) {
+  const std::string width = fixed(2.0 * scenario.radius * view.scale(), 2);
+  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepOut,
+              "class=\"inflated\" stroke=\"#e9ebef\" stroke-linejoin=\"round\" stroke-width=\"" + width + "\"");
 }
 
 std::vector<Pixel> chain(const View& view, const Vec3* local, int count, const Vec3& origin) {
@@ -82,9 +83,10 @@ std::vector<Pixel> chain(const View& view, const Vec3* local, int count, const V
   return points;
 }
 
-void draw_trajectory(Canvas& canvas, const View& view, const PlanResult& result, double speed_scale) {
-  if (!result.ok()) return;
-  const double end = tern::duration(result.trajectory);
+/// Returns where it runs.
+std::vector<Pixel> draw_trajectory(Canvas& canvas, const View& view, const PlanResult& result, double speed_scale) {
+  if (!result.ok()) return {};
+  const double end = (1.0 - 1e-9) * tern::duration(result.trajectory);  // at the end itself the speed is 0
   std::vector<Pixel> points;
   std::vector<int> colours;
   for (int i = 0; i <= kTrajectorySamples; ++i) {
@@ -103,19 +105,52 @@ void draw_trajectory(Canvas& canvas, const View& view, const PlanResult& result,
     canvas.polyline(run, "class=\"trajectory\" stroke=\"" + speed_colour(part) + "\"");
     run = {points[i]};
   }
+  return points;
 }
 
 void draw_waypoints(Canvas& canvas, const std::vector<Pixel>& waypoints) {
   for (std::size_t i = 1; i + 1 < waypoints.size(); ++i) canvas.circle(waypoints[i], 3.6, "class=\"waypoint\"");
 }
 
-/// An end of the flight. Its name stands on the side that the path does not leave by, and inside the frame.
-void draw_end(Canvas& canvas, const Axes& axes, Pixel at, Pixel towards, const char* name, const char* colour) {
-  canvas.circle(at, 7.0, std::string("class=\"end\" fill=\"") + colour + "\"");
-  const bool left = (towards.x > at.x && at.x > axes.frame.x + 60.0) || at.x > axes.frame.right() - 60.0;
-  const bool below = (towards.y < at.y && at.y < axes.frame.bottom() - 26.0) || at.y < axes.frame.y + 24.0;
-  canvas.text({at.x + (left ? -10.0 : 10.0), at.y + (below ? 20.0 : -10.0)}, name,
-              std::string("class=\"end-name\" text-anchor=\"") + (left ? "end" : "start") + "\"");
+/// From so many blocks on, rectangles of their own would make a file too large to show.
+constexpr std::size_t kMaxDrawnBlocks = 1000;
+constexpr double kFaint = 0.15;  // opacity of what fills least of the depth
+constexpr double kDepthSpan = 0.65;
+
+void draw_blocks(Canvas& canvas, const View& view, const Scenario& scenario) {
+  for (const Block& block : scenario.blocks) {
+    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
+  }
+  for (const Block& block : scenario.blocks) {
+    const double part = depth_part(block.box, scenario.boundary, view.depth());
+    const char* const kind = block.keepout ? "keepout" : "block";
+    canvas.rect(view.box(block.box, 0.0),
+                std::string("class=\"") + kind + "\" opacity=\"" + fixed(kFaint + kDepthSpan * part, 2) + "\"");
+  }
+}
+
+/// A rectangle grown by the radius, its rounded corners by three rectangles inside it.
+void add_inflated(MergedBlocks& raster, const View& view, const tern::Box& box, double radius) {
+  const Rect core = view.box(box, 0.0);
+  const double whole = radius * view.scale();
+  for (const double dx : {whole, 0.0, whole * std::sqrt(0.5)}) {
+    const double dy = std::sqrt(std::max(0.0, whole * whole - dx * dx));
+    raster.add({core.x - dx, core.y - dy, core.width + 2.0 * dx, core.height + 2.0 * dy}, 1.0);
+  }
+}
+
+void draw_merged_blocks(Canvas& canvas, const Rect& frame, const View& view, const Scenario& scenario) {
+  MergedBlocks inflated(frame);
+  MergedBlocks matter(frame);
+  MergedBlocks keepouts(frame);
+  for (const Block& block : scenario.blocks) {
+    add_inflated(inflated, view, block.box, scenario.radius);
+    const double part = depth_part(block.box, scenario.boundary, view.depth());
+    (block.keepout ? keepouts : matter).add(view.box(block.box, 0.0), part);
+  }
+  inflated.draw(canvas, "class=\"inflated\"", 0.5, 1.0, 0.0);
+  matter.draw(canvas, "class=\"merged-block\"", 1e-4, kFaint, kDepthSpan);
+  keepouts.draw(canvas, "class=\"merged-keepout\"", 1e-4, kFaint, kDepthSpan);
 }
 
 }  // namespace
@@ -131,30 +166,37 @@ Range view_range(const PlanResult& result, int axis) {
   return range;
 }
 
+std::vector<Vec3> fence_corners(const FenceRecord& fence, const tern::Box& boundary) {
+  tern::Halfspace faces[tern::kBoxPlanes];
+  tern::box_planes(boundary, faces);
+  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
+  for (const tern::Halfspace& h : fence.planes) {
+    const double norm = std::sqrt(h.normal.x * h.normal.x + h.normal.y * h.normal.y + h.normal.z * h.normal.z);
+    planes.push_back({{h.normal.x / norm, h.normal.y / norm, h.normal.z / norm}, h.offset / norm});
+  }
+  return vertices(planes);
+}
+
 Pixel project(const Axes& axes, const Projection& projection, const Vec3& p) {
   return axes.at(component(p, projection.horizontal), component(p, projection.vertical));
 }
 
 void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario) {
   const View view(axes, projection);
-  for (const Block& block : scenario.blocks) {
-    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
+  draw_fence_margins(canvas, view, scenario);
+  if (scenario.blocks.size() > kMaxDrawnBlocks) {
+    draw_merged_blocks(canvas, axes.frame, view, scenario);
+  } else {
+    draw_blocks(canvas, view, scenario);
   }
-  for (const Block& block : scenario.blocks) {
-    const std::string strength = fixed(opacity(block.box, scenario.boundary, view.depth()), 2);
-    const char* const kind = block.keepout ? "keepout" : "block";
-    canvas.rect(view.box(block.box, 0.0), std::string("class=\"") + kind + "\" opacity=\"" + strength + "\"");
-  }
-  draw_fences(canvas, view, scenario);
+  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepOut, "class=\"keepout\" opacity=\"0.6\"");
+  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepIn, "class=\"keepin\"");
 }
 
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
-               const std::vector<Pixel>& waypoints) {
-  const Pixel start = project(axes, projection, scenario.start.position);
-  const Pixel goal = project(axes, projection, scenario.goal.position);
-  const bool known = waypoints.size() >= 2;
-  draw_end(canvas, axes, start, known ? waypoints[1] : goal, "start", "#2f8f5b");
-  draw_end(canvas, axes, goal, known ? waypoints[waypoints.size() - 2] : start, "goal", "#c23b3b");
+               const std::vector<Pixel>& way) {
+  draw_end_marks(canvas, axes.frame, project(axes, projection, scenario.start.position),
+                 project(axes, projection, scenario.goal.position), way);
 }
 
 void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result) {
@@ -184,14 +226,14 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
   if (result.path != nullptr) {
     canvas.polyline(chain(view, result.path->raw, result.path->raw_count, origin), "class=\"raw\"");
   }
-  draw_trajectory(canvas, view, result, speed_scale);
-  std::vector<Pixel> waypoints;
+  std::vector<Pixel> way = draw_trajectory(canvas, view, result, speed_scale);
   if (result.path != nullptr) {
-    waypoints = chain(view, result.path->points, result.path->count, origin);
+    const std::vector<Pixel> waypoints = chain(view, result.path->points, result.path->count, origin);
     canvas.polyline(waypoints, "class=\"shortcut\"");
     draw_waypoints(canvas, waypoints);
+    way.insert(way.end(), waypoints.rbegin(), waypoints.rend());  // there and back: one chain
   }
-  draw_ends(canvas, axes, projection, result.scenario, waypoints);
+  draw_ends(canvas, axes, projection, result.scenario, way);
 }
 
 }  // namespace tern_host

@@ -24,19 +24,21 @@ double component(const tern::Vec3& v, int axis);
 /// What a view shows of the world along one axis.
 Range view_range(const PlanResult& result, int axis);
 
+/// The corners of a fence as far as it lies within the boundary.
+std::vector<tern::Vec3> fence_corners(const FenceRecord& fence, const tern::Box& boundary);
+
 /// Where a point of the world stands in a view.
 Pixel project(const Axes& axes, const Projection& projection, const tern::Vec3& point);
 
-/// The blocks, with the space that the radius takes around them below.
+/// The blocks, with the space that the radius takes around them below; merged where there are many.
 void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario);
 
 /// The outlines of the corridor's polyhedra, where there is a corridor.
 void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result);
 
-/// Start and goal with their names, on the sides that the way does not leave by. `waypoints`: the way in pixels; may be
-/// empty.
+/// Start and goal with their names, where these hide least of the way. `way`: a chain of pixels; may be empty.
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
-               const std::vector<Pixel>& waypoints);
+               const std::vector<Pixel>& way);
 
 /// Draws into axes.frame, with frame and axis titles; its ranges are those of view_range(). `speed_scale`: the speed of
 /// the last colour, m/s.

@@ -13,6 +13,10 @@ namespace tern_host {
 /// there is no plan: the map, what was reached, and why it ended.
 std::string plan_svg(const PlanResult& result);
 
+/// The flight through the map, seen from above and the side, with little text: wide, low and for anybody. The same
+/// bytes for the same plan, as it shows no computing time.
+std::string oblique_svg(const PlanResult& result);
+
 }  // namespace tern_host
 
 #endif
