@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "path/neighbourhood.hpp"
-#include "path/prune.hpp"
+#include "search/neighbourhood.hpp"
+#include "search/prune.hpp"
 
 namespace tern_bench {
 

@@ -10,7 +10,7 @@
 #include <queue>
 #include <vector>
 
-#include "path/direction.hpp"
+#include "base/direction.hpp"
 #include "tern/grid.hpp"
 
 namespace tern_bench {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "baselines/plain_astar.hpp"
-#include "path/search.hpp"
+#include "search/search.hpp"
 #include "search/worlds.hpp"
 
 namespace tern_bench {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "check/check_stage.hpp"
-#include "grid/fences.hpp"
+#include "fence/fences.hpp"
 #include "support/degenerate_fence.hpp"
 #include "support/world.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "base/math.hpp"
 #include "support/box_corridor.hpp"
-#include "trajectory/stopping.hpp"
+#include "curve/stopping.hpp"
 
 namespace {
 

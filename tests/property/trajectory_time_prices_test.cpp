@@ -9,7 +9,7 @@
 
 #include "qp/solver.hpp"
 #include "support/box_corridor.hpp"
-#include "trajectory/bezier.hpp"
+#include "curve/bezier.hpp"
 #include "trajectory/time_prices.hpp"
 
 namespace {

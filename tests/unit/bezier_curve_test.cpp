@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "support/random.hpp"
-#include "trajectory/bezier.hpp"
+#include "curve/bezier.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "corridor/local_boxes.hpp"
+#include "grid/local_boxes.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "corridor/barrier_ellipsoid.hpp"
-#include "corridor/ellipsoid_fit.hpp"
-#include "corridor/ellipsoid_metric.hpp"
+#include "ellipsoid/barrier_ellipsoid.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
+#include "ellipsoid/ellipsoid_metric.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

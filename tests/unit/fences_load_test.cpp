@@ -8,8 +8,8 @@
 #include <limits>
 #include <memory>
 
-#include "grid/fence_layer.hpp"
-#include "grid/fences.hpp"
+#include "fence/fence_layer.hpp"
+#include "fence/fences.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "path/open_list.hpp"
+#include "search/open_list.hpp"
 #include "support/path_world.hpp"
 #include "support/random.hpp"
 

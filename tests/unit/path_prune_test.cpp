@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "path/neighbourhood.hpp"
-#include "path/prune.hpp"
+#include "search/neighbourhood.hpp"
+#include "search/prune.hpp"
 #include "support/path_world.hpp"
 #include "support/random.hpp"
 

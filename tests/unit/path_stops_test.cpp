@@ -8,9 +8,9 @@
 #include <cstring>
 #include <memory>
 
-#include "path/neighbourhood.hpp"
-#include "path/prune.hpp"
-#include "path/scan.hpp"
+#include "search/neighbourhood.hpp"
+#include "search/prune.hpp"
+#include "search/scan.hpp"
 #include "support/path_world.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <memory>
 
-#include "path/witness.hpp"
+#include "search/witness.hpp"
 #include "support/path_world.hpp"
 
 namespace {

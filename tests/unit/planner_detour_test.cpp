@@ -7,6 +7,7 @@
 
 #include "planner/detour.hpp"
 #include "support/world.hpp"
+#include "curve/rest.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern_test {

@@ -7,7 +7,7 @@
 
 #include "base/math.hpp"
 #include "support/box_corridor.hpp"
-#include "trajectory/axis_brake.hpp"
+#include "curve/axis_brake.hpp"
 
 namespace {
 

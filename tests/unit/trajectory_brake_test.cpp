@@ -7,8 +7,8 @@
 #include "base/bounds.hpp"
 #include "support/box_corridor.hpp"
 #include "times/times.hpp"
-#include "trajectory/brake.hpp"
-#include "trajectory/motion_limits.hpp"
+#include "curve/brake.hpp"
+#include "curve/motion_limits.hpp"
 
 namespace {
 

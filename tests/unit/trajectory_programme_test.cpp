@@ -7,7 +7,7 @@
 
 #include "support/box_corridor.hpp"
 #include "tern/trajectory.hpp"
-#include "trajectory/bezier.hpp"
+#include "curve/bezier.hpp"
 #include "trajectory/hodograph_rows.hpp"
 #include "trajectory/programme.hpp"
 

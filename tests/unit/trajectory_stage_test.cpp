@@ -9,8 +9,9 @@
 #include <memory>
 
 #include "support/box_corridor.hpp"
-#include "trajectory/brake.hpp"
-#include "trajectory/motion_limits.hpp"
+#include "curve/brake.hpp"
+#include "curve/motion_limits.hpp"
+#include "curve/rest.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {

@@ -7,8 +7,9 @@
 
 #include "support/box_corridor.hpp"
 #include "times/times.hpp"
-#include "trajectory/brake.hpp"
-#include "trajectory/motion_limits.hpp"
+#include "curve/brake.hpp"
+#include "curve/motion_limits.hpp"
+#include "curve/rest.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {

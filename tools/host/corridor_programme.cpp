@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trajectory/hermite.hpp"
+#include "curve/hermite.hpp"
 
 namespace tern_host {
 namespace {

@@ -58,7 +58,19 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : uint8_t { kIdle, kFences, kPath, kCorridor, kTimes, kTrajectory, kDetour, kPrevious, kEscape, kCheck, kDone };
+  enum class Phase : uint8_t {
+    kIdle,
+    kFences,
+    kPath,
+    kCorridor,
+    kTimes,
+    kTrajectory,
+    kDetour,
+    kPrevious,
+    kEscape,
+    kCheck,
+    kDone
+  };
 
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;

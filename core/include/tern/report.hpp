@@ -60,8 +60,8 @@ struct Report {
   int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
 
   /// Where an end moves too fast for the room around it on the path: 1, the path leads along its motion first; 2, the
-  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest); 3,
-  /// it flies Request::previous to its end first.
+  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest);
+  /// 3, it flies Request::previous to its end first.
   int32_t detours;
 
   // The optimiser's last quadratic programme.

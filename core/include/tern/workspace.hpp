@@ -42,7 +42,8 @@ constexpr size_t kCorridor = kBoxes * 88 + 4096;
 constexpr size_t kTrajectory =
     kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// Path, corridor and trajectory, which outlive the stages that made them.
-constexpr size_t kResults = (kJumps + kSegments) * 24 + kSegments * 224 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
+constexpr size_t kResults =
+    (kJumps + kSegments) * 24 + kSegments * 224 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
 
 }  // namespace workspace
 

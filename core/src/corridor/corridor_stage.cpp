@@ -3,8 +3,8 @@
 #include "corridor/corridor_stage.hpp"
 
 #include "base/math.hpp"
-#include "corridor/ellipsoid_fit.hpp"
 #include "corridor/reuse.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
 
 namespace tern {
 namespace {

@@ -3,13 +3,13 @@
 #include "corridor/grow.hpp"
 
 #include "base/math.hpp"
-#include "corridor/ellipsoid_fit.hpp"
 #include "corridor/fence_planes.hpp"
 #include "corridor/improve.hpp"
-#include "corridor/inscribe.hpp"
 #include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
 #include "corridor/tangent_planes.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
+#include "ellipsoid/inscribe.hpp"
 #include "grid/distance.hpp"
 
 namespace tern {

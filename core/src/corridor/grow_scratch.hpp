@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-#include "corridor/local_boxes.hpp"
+#include "fence/fences.hpp"
 #include "grid/distance.hpp"
-#include "grid/fences.hpp"
+#include "grid/local_boxes.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 

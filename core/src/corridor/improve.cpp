@@ -3,8 +3,8 @@
 #include "corridor/improve.hpp"
 
 #include "base/math.hpp"
-#include "corridor/barrier_ellipsoid.hpp"
 #include "corridor/tangent_planes.hpp"
+#include "ellipsoid/barrier_ellipsoid.hpp"
 
 namespace tern {
 namespace {

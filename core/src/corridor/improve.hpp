@@ -5,9 +5,9 @@
 #ifndef TERN_CORRIDOR_IMPROVE_HPP
 #define TERN_CORRIDOR_IMPROVE_HPP
 
-#include "corridor/ellipsoid_fit.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "corridor/separation.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"

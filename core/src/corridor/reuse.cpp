@@ -3,8 +3,8 @@
 #include "corridor/reuse.hpp"
 
 #include "base/math.hpp"
-#include "corridor/ellipsoid_fit.hpp"
-#include "corridor/inscribe.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
+#include "ellipsoid/inscribe.hpp"
 
 namespace tern {
 

@@ -6,10 +6,10 @@
 #ifndef TERN_CORRIDOR_SEPARATION_HPP
 #define TERN_CORRIDOR_SEPARATION_HPP
 
-#include "corridor/ellipsoid_metric.hpp"
-#include "corridor/local_boxes.hpp"
+#include "ellipsoid/ellipsoid_metric.hpp"
 #include "grid/distance.hpp"
 #include "grid/hull_gap.hpp"
+#include "grid/local_boxes.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 

@@ -3,10 +3,10 @@
 #ifndef TERN_CORRIDOR_TANGENT_PLANES_HPP
 #define TERN_CORRIDOR_TANGENT_PLANES_HPP
 
-#include "corridor/ellipsoid_fit.hpp"
-#include "corridor/ellipsoid_metric.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "corridor/separation.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
+#include "ellipsoid/ellipsoid_metric.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
 

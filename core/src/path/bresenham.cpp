@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/bresenham.hpp"
 
-#include "path/direction.hpp"
+#include "base/direction.hpp"
 
 namespace tern {
 namespace {

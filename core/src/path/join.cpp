@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/join.hpp"
 
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
-#include "path/direction.hpp"
 
 namespace tern {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "grid/fences.hpp"
+#include "fence/fences.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/path_stage.hpp"
 
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
-#include "path/direction.hpp"
 
 namespace tern {
 namespace {

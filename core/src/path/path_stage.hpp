@@ -9,9 +9,9 @@
 
 #include "base/work.hpp"
 #include "path/join.hpp"
-#include "path/search.hpp"
 #include "path/shortcut.hpp"
 #include "path/tighten.hpp"
+#include "search/search.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/request.hpp"

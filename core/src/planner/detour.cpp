@@ -3,10 +3,10 @@
 #include "planner/detour.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/rest.hpp"
 #include "grid/distance.hpp"
 #include "path/polyline.hpp"
 #include "path/sight.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {

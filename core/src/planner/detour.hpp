@@ -8,11 +8,11 @@
 
 #include <cstdint>
 
-#include "grid/fences.hpp"
+#include "curve/brake.hpp"
+#include "fence/fences.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/request.hpp"
-#include "trajectory/brake.hpp"
 
 namespace tern {
 

@@ -3,9 +3,9 @@
 #include "planner/escape.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/motion_limits.hpp"
+#include "curve/rest.hpp"
 #include "planner/tube.hpp"
-#include "trajectory/motion_limits.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What remains for an end that moves where neither the corridor nor a detour has room for its motion: come to rest
-// first, in any way there is room for (trajectory/stopping.hpp), and fly from there. A goal's escape is flown backwards
+// first, in any way there is room for (curve/stopping.hpp), and fly from there. A goal's escape is flown backwards
 // in time, to where the motion can have begun.
 #ifndef TERN_PLANNER_ESCAPE_HPP
 #define TERN_PLANNER_ESCAPE_HPP
@@ -10,12 +10,12 @@
 #include <cstdint>
 
 #include "corridor/grow_scratch.hpp"
+#include "curve/stopping.hpp"
 #include "planner/tube.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
-#include "trajectory/stopping.hpp"
 
 namespace tern {
 

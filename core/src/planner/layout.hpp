@@ -5,8 +5,8 @@
 
 #include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
-#include "grid/fence_layer.hpp"
-#include "grid/fences.hpp"
+#include "fence/fence_layer.hpp"
+#include "fence/fences.hpp"
 #include "path/path_stage.hpp"
 #include "planner/escape.hpp"
 #include "planner/previous.hpp"

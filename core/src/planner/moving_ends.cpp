@@ -5,13 +5,13 @@
 // path, then an escape to rest. And how often, which bounds the work.
 #include "base/math.hpp"
 #include "base/work.hpp"
+#include "curve/rest.hpp"
 #include "grid/distance.hpp"
 #include "planner/detour.hpp"
 #include "planner/escape.hpp"
 #include "planner/layout.hpp"
 #include "planner/request.hpp"
 #include "tern/planner.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 namespace {

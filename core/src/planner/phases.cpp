@@ -3,9 +3,9 @@
 //
 // Which phase follows which: each runs a slice of its stage and enters the next one, or ends the plan.
 #include "base/work.hpp"
+#include "curve/rest.hpp"
 #include "planner/layout.hpp"
 #include "tern/planner.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 Stage Planner::stage_of_phase() const noexcept {

@@ -3,9 +3,9 @@
 #include "planner/previous.hpp"
 
 #include "base/math.hpp"
+#include "curve/bezier.hpp"
+#include "curve/hermite.hpp"
 #include "grid/distance.hpp"
-#include "trajectory/bezier.hpp"
-#include "trajectory/hermite.hpp"
 
 namespace tern {
 namespace {

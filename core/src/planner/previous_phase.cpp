@@ -3,10 +3,10 @@
 //
 // Where nothing new is found: the rest of the previous plan, proven anew on the map as it is.
 #include "base/work.hpp"
+#include "curve/rest.hpp"
 #include "planner/layout.hpp"
 #include "planner/request.hpp"
 #include "tern/planner.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace tern {
 

@@ -3,7 +3,7 @@
 #include "planner/tube.hpp"
 
 #include "corridor/hull_polyhedron.hpp"
-#include "trajectory/bezier.hpp"
+#include "curve/bezier.hpp"
 
 namespace tern {
 namespace {

@@ -3,9 +3,9 @@
 #include "trajectory/chain.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/motion_limits.hpp"
 #include "times/times.hpp"
 #include "trajectory/hodograph_rows.hpp"
-#include "trajectory/motion_limits.hpp"
 
 namespace tern {
 namespace {

@@ -3,11 +3,11 @@
 #ifndef TERN_TRAJECTORY_CHAIN_HPP
 #define TERN_TRAJECTORY_CHAIN_HPP
 
+#include "curve/hermite.hpp"
 #include "tern/config.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
-#include "trajectory/hermite.hpp"
 
 namespace tern {
 

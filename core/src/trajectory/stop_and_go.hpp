@@ -17,22 +17,6 @@ namespace tern {
 /// How long a plan lasts whose start is its goal, seconds.
 constexpr double kHoverDuration = 1.0;
 
-/// Peak speed and acceleration of the profile 35 u^4 - 84 u^5 + 70 u^6 - 20 u^7 (four equal control points at each
-/// end): at u = 1/2 and at u = (5 - sqrt 5) / 10.
-constexpr double kRestPeakSpeed = 35.0 / 16.0;
-constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 25
-
-/// True where velocity and acceleration are zero.
-bool at_rest(const State& state) noexcept;
-
-/// The same state flown backwards in time, and the same segment.
-State backwards(const State& state) noexcept;
-Segment reversed(const Segment& segment) noexcept;
-
-/// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
-/// ends are the same point it stays there that long.
-Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept;
-
 /// kOk, or kNoTrajectory with `out` untouched: no room to brake or accelerate, or no segment left for it. Fills count
 /// and segments of `out`. Legs of no length are left out.
 Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,

@@ -3,7 +3,7 @@
 #include "trajectory/time_prices.hpp"
 
 #include "base/math.hpp"
-#include "trajectory/bezier.hpp"
+#include "curve/bezier.hpp"
 #include "trajectory/hodograph_rows.hpp"
 
 namespace tern {

@@ -4,9 +4,10 @@
 
 #include "base/bounds.hpp"
 #include "base/work.hpp"
+#include "curve/bezier.hpp"
+#include "curve/motion_limits.hpp"
+#include "curve/rest.hpp"
 #include "times/times.hpp"
-#include "trajectory/bezier.hpp"
-#include "trajectory/motion_limits.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 

@@ -1,0 +1,114 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "curve/axis_brake.hpp"
+
+#include "base/bounds.hpp"
+
+namespace tern {
+namespace {
+
+/// Holds longer than this many quarters of a ramp are as good as no stop.
+constexpr double kMostQuarters = 1e6;
+
+/// One axis: from acceleration `from` to `to` within a ramp, a hold of `to`, and back to none.
+struct AxisMotion {
+  double position;
+  double velocity;
+  double from;
+  double to;
+  double hold;
+};
+
+/// Smallest multiple of a quarter of the ramp that is no less than `time`.
+double in_quarters(double time, double ramp) {
+  const double quarters = 4.0 * time / ramp;
+  if (!(quarters > 0.0)) return 0.0;
+  if (quarters >= kMostQuarters) return 0.25 * ramp * kMostQuarters;
+  const auto whole = static_cast<int>(quarters);
+  return 0.25 * ramp * (static_cast<double>(whole) < quarters ? whole + 1 : whole);
+}
+
+AxisMotion motion_of(const State& state, const Bounds& bounds, double ramp, int a) {
+  AxisMotion motion{axis(state.position, a), axis(state.velocity, a), axis(state.acceleration, a), 0.0, 0.0};
+  // What the first ramp leaves when it only undoes the acceleration; the rest takes a ramp and the hold.
+  const double excess = motion.velocity + 0.5 * ramp * motion.from;
+  const double limit = excess > 0.0 ? -axis(bounds.lower, a) : axis(bounds.upper, a);
+  motion.hold = in_quarters(absolute(excess) / limit - ramp, ramp);
+  motion.to = -excess / (ramp + motion.hold);
+  return motion;
+}
+
+/// The motion's derivatives `time` seconds into a ramp from one acceleration to another (3 u^2 - 2 u^3), from a state.
+void ramp_on(double time, double ramp, double to, double* jet) {
+  const double u = time / ramp;
+  const double change = to - jet[2];
+  const double square = u * u;
+  const double position =
+      jet[0] + time * jet[1] + ramp * ramp * (0.5 * jet[2] * square + change * (0.25 - 0.1 * u) * square * square);
+  const double velocity = jet[1] + ramp * (jet[2] * u + change * (1.0 - 0.5 * u) * square * u);
+  jet[3] = change * 6.0 * (u - square) / ramp;
+  jet[2] = jet[2] + change * (3.0 - 2.0 * u) * square;
+  jet[1] = velocity;
+  jet[0] = position;
+}
+
+/// Derivatives 0 to 3 of the axis after `time` seconds.
+void jet_at(const AxisMotion& motion, double ramp, double time, double* jet) {
+  jet[0] = motion.position;
+  jet[1] = motion.velocity;
+  jet[2] = motion.from;
+  jet[3] = 0.0;
+  ramp_on(smaller(time, ramp), ramp, motion.to, jet);
+  if (time <= ramp) return;
+  const double held = smaller(time - ramp, motion.hold);
+  jet[0] += held * jet[1] + 0.5 * held * held * motion.to;
+  jet[1] += held * motion.to;
+  jet[2] = motion.to;
+  jet[3] = 0.0;
+  const double rest = time - ramp - motion.hold;
+  if (rest <= 0.0) return;
+  ramp_on(smaller(rest, ramp), ramp, 0.0, jet);
+  if (rest >= ramp) jet[1] = jet[2] = jet[3] = 0.0;
+}
+
+/// The times at which some axis changes its piece, in order, each once.
+int sorted_times(const AxisMotion* motions, double ramp, double* times) {
+  int count = 0;
+  times[count++] = ramp;
+  for (int k = 0; k < 6; ++k) {
+    const double time = ramp + motions[k / 2].hold + (k % 2 == 0 ? 0.0 : ramp);
+    int at = count;
+    bool known = false;
+    for (int i = 0; i < count; ++i) known = known || absolute(times[i] - time) < 0.125 * ramp;
+    if (known) continue;
+    for (; at > 0 && times[at - 1] > time; --at) times[at] = times[at - 1];
+    times[at] = time;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+AxisBrake make_axis_brake(const State& state, const Limits& limits, double ramp) noexcept {
+  const Bounds bounds = acceleration_bounds(limits);
+  AxisMotion motions[3];
+  for (int a = 0; a < 3; ++a) motions[a] = motion_of(state, bounds, ramp, a);
+  double times[kAxisBrakeSegments];
+  AxisBrake brake;
+  brake.segments = sorted_times(motions, ramp, times);
+  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, {0.0, 0.0, 0.0}}};
+  for (int i = 0; i < brake.segments; ++i) {
+    brake.duration[i] = times[i] - (i == 0 ? 0.0 : times[i - 1]);
+    for (int a = 0; a < 3; ++a) {
+      double jet[kJointOrder];
+      jet_at(motions[a], ramp, times[i], jet);
+      for (int k = 0; k < kJointOrder; ++k) axis(brake.joint[i + 1].d[k], a) = jet[k];
+    }
+  }
+  const Vec3 zero{0.0, 0.0, 0.0};
+  for (int k = 1; k < kJointOrder; ++k) brake.joint[brake.segments].d[k] = zero;
+  return brake;
+}
+
+}  // namespace tern

@@ -1,0 +1,49 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bezier curves (the paper's Section 3.4.1): the hodograph, subdivision, and exact bounds.
+#ifndef TERN_CURVE_BEZIER_HPP
+#define TERN_CURVE_BEZIER_HPP
+
+#include "base/bounds.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+/// Bernstein coefficients c[0 .. degree] over u in [0, 1].
+struct Curve {
+  Vec3 c[kControlPoints];
+  int degree;
+};
+
+/// The position of a segment, metres over u = t / duration.
+Curve curve_of(const Segment& segment) noexcept;
+
+/// The derivative with respect to time of a curve that lasts `duration` seconds: one degree less (the hodograph
+/// property). degree >= 1.
+Curve hodograph(const Curve& curve, double duration) noexcept;
+
+/// The fourth derivative of a segment's position: degree 3.
+Curve snap_of(const Segment& segment) noexcept;
+
+/// The integral over `duration` seconds of the scalar product of two cubics.
+double integral_of_product(const Curve& a, const Curve& b, double duration) noexcept;
+
+/// The value at u in [0, 1] by de Casteljau: convex combinations only, exact at both ends.
+Vec3 value(Curve curve, double u) noexcept;
+
+/// Cuts the curve at u = 1/2 by de Casteljau: `curve` becomes the first half over [0, 1], the second half is returned.
+Curve split(Curve& curve) noexcept;
+
+/// A bound on the gauge of the curve (see base/bounds.hpp) over the whole of [0, 1] that is tight: at least the
+/// supremum, and at most the larger of `floor` and (1 + tolerance) * supremum. A positive floor says what is small
+/// enough not to be looked into: with tolerance 0 the answer is `floor` exactly where the curve stays below it.
+/// Subdivides until the hulls of all pieces are that close, kPeakDepth times at most (a hull's excess shrinks fourfold
+/// each time) and within kPeakPieces pieces; what is left then counts with its hull, which is still a bound.
+double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept;
+constexpr int kPeakDepth = 16;
+constexpr int kPeakPieces = 1024;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,80 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "curve/brake.hpp"
+
+#include "base/bounds.hpp"
+#include "curve/motion_limits.hpp"
+#include "times/times.hpp"
+
+namespace tern {
+namespace {
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+/// A ramp's acceleration goes with the smooth step 3 u^2 - 2 u^3, whose integral over [0, 1] is 1/2 and whose second
+/// integral is 3/20: it gains the mean of both accelerations in speed, and these parts of them in way.
+constexpr double kFirstPart = 0.35;
+constexpr double kSecondPart = 0.15;
+
+double ramp_time(const State& state, const Limits& limits, int shape, double least) {
+  double time = gauge(acceleration_bounds(limits), kZero - state.velocity);
+  for (int i = 0; i < shape; ++i) time *= kBrakeSharper;
+  return larger(least, time);
+}
+
+/// In place: a brake that is returned would stand on the stack twice.
+void fill(const State& state, const Limits& limits, int shape, double least, Brake& brake) {
+  const double ramp = ramp_time(state, limits, shape, least);
+  // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
+  // and the hold.
+  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
+  const double hold = larger(least, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
+  const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
+  brake.duration[0] = brake.duration[2] = ramp;
+  brake.duration[1] = hold;
+  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, kZero}};
+  brake.joint[1] = after_ramp(brake.joint[0], deceleration, ramp);
+  brake.joint[2] = after_ramp(brake.joint[1], deceleration, hold);
+  brake.joint[3] = after_ramp(brake.joint[2], kZero, ramp);
+  brake.joint[3].d[1] = kZero;
+}
+
+bool holds(const Brake& brake, const Polyhedron& polyhedron, const Limits& limits) {
+  for (int part = 0; part < kBrakeSegments; ++part) {
+    const Segment segment = brake_segment(brake, part, 0);
+    if (!inside(segment, polyhedron) || !within_limits(segment, limits)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept {
+  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration;
+  return JointState{{from.d[0] + time * from.d[1] + (time * time) * way,
+                     from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
+}
+
+Brake make_brake(const State& state, const Limits& limits, int shape, double least) noexcept {
+  Brake brake;
+  fill(state, limits, shape, least, brake);
+  return brake;
+}
+
+Segment brake_segment(const Brake& brake, int part, int polyhedron) noexcept {
+  Segment segment{};
+  segment.duration = brake.duration[part];
+  segment.polyhedron = polyhedron;
+  control_points(brake.joint[part], brake.joint[part + 1], segment.duration, segment.points);
+  return segment;
+}
+
+bool find_brake(const State& state, const Polyhedron& polyhedron, const Limits& limits, Brake& brake) noexcept {
+  for (int shape = 0; shape < kBrakeShapes; ++shape) {
+    fill(state, limits, shape, kMinDuration, brake);
+    if (holds(brake, polyhedron, limits)) return true;
+  }
+  return false;
+}
+
+}  // namespace tern

@@ -1,0 +1,60 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/math.hpp"
+#include "curve/bezier.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+namespace {
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+int segments_of(const Trajectory& trajectory) {
+  return trajectory.count < kMaxSegments ? trajectory.count : kMaxSegments;
+}
+
+/// Position to snap of one segment at u in [0, 1].
+Sample sample(const Segment& segment, double u) {
+  Sample result{};
+  Vec3* const derivatives[] = {&result.position, &result.velocity, &result.acceleration, &result.jerk, &result.snap};
+  Curve curve = curve_of(segment);
+  for (Vec3* const derivative : derivatives) {
+    *derivative = value(curve, u);
+    curve = hodograph(curve, segment.duration);
+  }
+  return result;
+}
+
+/// What remains past the end: the goal's position, at rest.
+Sample hold(const Trajectory& trajectory, const Segment& last) {
+  return Sample{trajectory.origin + last.points[kDegree], kZero, kZero, kZero, kZero};
+}
+
+}  // namespace
+
+double duration(const Trajectory& trajectory) noexcept {
+  double sum = 0.0;
+  const int count = segments_of(trajectory);
+  for (int i = 0; i < count; ++i) sum += trajectory.segments[i].duration;
+  return sum;
+}
+
+Sample evaluate(const Trajectory& trajectory, double t) noexcept {
+  const int count = segments_of(trajectory);
+  if (count <= 0) return Sample{kZero, kZero, kZero, kZero, kZero};
+  const double time = t > 0.0 ? t : 0.0;  // NaN compares false
+  // Joints lie where duration() adds them up, so that a time of duration() is past the end.
+  double begin = 0.0;
+  int index = 0;
+  while (index < count && time >= begin + trajectory.segments[index].duration) {
+    begin += trajectory.segments[index].duration;
+    ++index;
+  }
+  if (index == count) return hold(trajectory, trajectory.segments[count - 1]);
+  const Segment& segment = trajectory.segments[index];
+  Sample result = sample(segment, smaller((time - begin) / segment.duration, 1.0));
+  result.position = trajectory.origin + result.position;
+  return result;
+}
+
+}  // namespace tern

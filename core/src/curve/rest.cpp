@@ -1,0 +1,49 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "curve/rest.hpp"
+
+#include "base/bounds.hpp"
+#include "curve/hermite.hpp"
+#include "times/times.hpp"
+
+namespace tern {
+namespace {
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+bool is_zero(const Vec3& v) {
+  return !(dot(v, v) > 0.0);
+}
+
+}  // namespace
+
+bool at_rest(const State& state) noexcept {
+  return is_zero(state.velocity) && is_zero(state.acceleration);
+}
+
+Segment reversed(const Segment& segment) noexcept {
+  Segment result = segment;
+  for (int k = 0; k < kControlPoints; ++k) result.points[k] = segment.points[kDegree - k];
+  return result;
+}
+
+State backwards(const State& state) noexcept {
+  return State{state.position, kZero - state.velocity, state.acceleration};
+}
+
+Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept {
+  Segment segment{};
+  segment.polyhedron = polyhedron;
+  const Vec3 way = to - from;
+  const Bounds acceleration = acceleration_bounds(limits);
+  const double pull = larger(gauge(acceleration, way), gauge(acceleration, kZero - way));
+  const double cruise = kRestPeakSpeed * gauge(velocity_bounds(limits), way);
+  segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
+  for (int k = 0; k < kJointOrder; ++k) {
+    segment.points[k] = from;
+    segment.points[kDegree - k] = to;
+  }
+  return segment;
+}
+
+}  // namespace tern

@@ -1,0 +1,132 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fence/fence_layer.hpp"
+
+#include <cstddef>
+
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+/// Blocks the voxels of a row that are in the range; none where it is empty.
+void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
+  if (run.end <= run.begin) return;
+  std::uint64_t* row = layer.words + (view.blocked_row(y, z) - layer.words);
+  for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
+}
+
+/// A row of voxels by its lower corner, metres.
+struct Row {
+  double y;
+  double z;
+};
+
+/// The least of normal . p over the cubes of a row, without its x part.
+double least_across(const Vec3& normal, const Row& row, double cell) {
+  const double y = normal.y * (normal.y < 0.0 ? row.y + cell : row.y);
+  const double z = normal.z * (normal.z < 0.0 ? row.z + cell : row.z);
+  return y + z;
+}
+
+/// Keeps of `run` the voxels whose cubes do not have normal . p >= offset all over. Along a row those that do are at
+/// one end of it.
+void keep_short_of(const Halfspace& beyond, const Row& row, double cell, IndexRange& run) {
+  const double missing = beyond.offset - kLatticeTolerance * cell - least_across(beyond.normal, row, cell);
+  const double slope = beyond.normal.x * cell;
+  if (absolute(beyond.normal.x) <= kLatticeTolerance) {  // the whole row, or none of it; a hair of x may be lost
+    if (missing + absolute(slope) * static_cast<double>(kMaxDimension) <= 0.0) run.end = run.begin;
+    return;
+  }
+  // A cube begins at x voxels; upwards its lower face counts, downwards its upper one.
+  const double at = missing / slope;
+  if (slope > 0.0) {
+    const std::int32_t first = ceil_index(at - kLatticeTolerance, run.begin, run.end);
+    run.end = first < run.end ? first : run.end;
+  } else {
+    const std::int32_t end = floor_index(at + kLatticeTolerance, run.begin - 1, run.end);
+    run.begin = end > run.begin ? end : run.begin;
+  }
+}
+
+/// Two faces' normals closer to opposite than this have no mean to speak of.
+constexpr double kOpposite = -0.99;
+
+void add_normal(const Hull& hull, const Vec3& unit, double radius, FenceLayer& layer) {
+  layer.clear[layer.clear_count++] = {unit, radius - hull_support(-1.0 * unit, hull)};
+}
+
+/// The planes that a voxel may lie beyond to be clear of the keep-out.
+void collect_normals(const Fences& fences, const KeepOut& fence, double radius, FenceLayer& layer) {
+  const Hull hull = hull_of(fences, fence);
+  const Halfspace* faces = fences.planes + fence.first_plane;
+  layer.clear_count = 0;
+  for (int a = 0; a < 3; ++a) {
+    Vec3 unit{0.0, 0.0, 0.0};
+    axis(unit, a) = 1.0;
+    add_normal(hull, unit, radius, layer);
+    add_normal(hull, -1.0 * unit, radius, layer);
+  }
+  for (int i = 0; i < fence.planes; ++i) {
+    add_normal(hull, faces[i].normal, radius, layer);
+    for (int j = 0; j < i; ++j) {
+      const double along = dot(faces[i].normal, faces[j].normal);
+      if (along < kOpposite) continue;
+      const Vec3 mean = faces[i].normal + faces[j].normal;
+      add_normal(hull, (1.0 / length(mean)) * mean, radius, layer);
+    }
+  }
+}
+
+/// Rows whose cubes the keep-out, grown by the radius, may reach: the first six planes are the axes', two an axis.
+IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
+  const double cell = view.spec().cell;
+  const std::int32_t count = axis(view.spec().dims, a);
+  return {floor_index(-layer.clear[2 * a + 1].offset / cell - 1.0, 0, count),
+          ceil_index(layer.clear[2 * a].offset / cell + 1.0, 0, count)};
+}
+
+}  // namespace
+
+Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
+  const std::size_t words = grid.layer_words();
+  if (words > static_cast<std::size_t>(kMaxFenceWords)) return Status::kFenceLayerFull;
+  const std::uint64_t* from = grid.blocked_row(0, 0);
+  for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
+  view = grid.with_blocked(layer.words);
+  return Status::kOk;
+}
+
+void block_outside(const Fences& fences, FenceLayer& layer, const Grid& view) noexcept {
+  const Voxel& dims = view.spec().dims;
+  const double cell = view.spec().cell;
+  for (std::int32_t z = 0; z < dims.z; ++z) {
+    for (std::int32_t y = 0; y < dims.y; ++y) {
+      for (int p = 0; p < fences.keep_in_count; ++p) {
+        const Halfspace& plane = fences.keep_in[p];
+        IndexRange run{0, dims.x};
+        keep_short_of({-1.0 * plane.normal, -plane.offset}, {y * cell, z * cell}, cell, run);
+        block_run(layer, view, y, z, run);
+      }
+    }
+  }
+}
+
+void block_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer, const Grid& view) noexcept {
+  const double cell = view.spec().cell;
+  collect_normals(fences, fence, view.spec().radius, layer);
+  const IndexRange layers = rows_near(layer, view, 2);
+  const IndexRange rows = rows_near(layer, view, 1);
+  for (std::int32_t z = layers.begin; z < layers.end; ++z) {
+    for (std::int32_t y = rows.begin; y < rows.end; ++y) {
+      IndexRange run{0, view.spec().dims.x};
+      for (int k = 0; k < layer.clear_count && run.begin < run.end; ++k) {
+        keep_short_of(layer.clear[k], {y * cell, z * cell}, cell, run);
+      }
+      block_run(layer, view, y, z, run);
+    }
+  }
+}
+
+}  // namespace tern

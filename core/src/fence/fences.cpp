@@ -1,0 +1,211 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fence/fences.hpp"
+
+#include "base/double_double.hpp"
+#include "base/facet.hpp"
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+/// Lengths in parts of the surroundings' scale. Each plane of a keep-out is moved out by kHair, so that the hull of the
+/// corners found holds all of the keep-out whatever rounding does to needles and to planes that are nearly equal:
+/// - the others cut a facet kSpare further out than they are. That is more than a cut rounds (20 roundings, 2.2e-15),
+///   so nothing of the facet is lost but by the rounding of its corners (4e-16 a cut, 3e-14 in all);
+/// - a plane that the facet is beyond by kSpare at most does not cut it: equal planes add no corners to edges;
+/// - corners closer than kSame are one: ten times kSpare, so that facets at ordinary angles share theirs.
+/// hull + ball(kSame + 3e-14) then holds keep-out + ball(kHair), and so the hull the keep-out, with 3e-14 to spare.
+constexpr double kHair = 1e-13;
+constexpr double kSpare = 4e-15;
+constexpr double kSame = 4e-14;
+
+/// Copies of a corner that nearly equal planes make lie further apart than kSame. Where they do not fit, kHair and
+/// kSame are taken kCoarser times as long, at most kTrials - 1 times over.
+constexpr double kCoarser = 16.0;
+constexpr int kTrials = 7;
+
+/// An offset so great is beyond any map, whose coordinates are below 1e19.
+constexpr double kBeyondAnyMap = 1e100;
+
+/// Where the robot's centre may be, grown by the radius: what lies beyond does not matter.
+struct Surroundings {
+  Vec3 center;
+  double reach;  ///< of a ball about the centre that holds the box
+  double scale;  ///< the greatest coordinate that takes part: what rounding goes by
+  Halfspace faces[kBoxPlanes];
+};
+
+Surroundings surroundings_of(const Grid& grid) {
+  const double radius = grid.spec().radius;
+  Box box = grid.local_boundary();
+  for (int a = 0; a < 3; ++a) {
+    axis(box.lower, a) = axis(box.lower, a) - radius;
+    axis(box.upper, a) = axis(box.upper, a) + radius;
+  }
+  const Vec3 center = 0.5 * (box.lower + box.upper);
+  const double reach = distance(box.lower, box.upper);
+  Surroundings around{center, reach, larger(reach, length(center)), {}};
+  box_planes({box.lower - around.center, box.upper - around.center}, around.faces);
+  return around;
+}
+
+/// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin it and
+/// the shift are both large, and two planes that are nearly parallel make much of a small error.
+Status to_local_plane(const Grid& grid, const Halfspace& world, Halfspace& local) {
+  if (!finite(world.normal) || !finite(world.offset)) return Status::kNonFiniteInput;
+  const double norm = length(world.normal);
+  if (!(norm >= kMinFenceNormal) || norm > kMaxFenceNormal) return Status::kInvalidArgument;
+  const bool far = absolute(world.offset) > kBeyondAnyMap;  // where products would overflow, a shift is nothing
+  const double shifted = far ? world.offset : depth_of(world.offset, world.normal, grid.spec().origin).high;
+  local = {(1.0 / norm) * world.normal, shifted / norm};
+  return finite(local.offset) ? Status::kOk : Status::kNonFiniteInput;
+}
+
+bool known_corner(const Fences& fences, const KeepOut& fence, const Vec3& corner, double same) {
+  for (int k = 0; k < fence.corners; ++k) {
+    if (distance(fences.corners[fence.first_corner + k], corner) <= same) return true;
+  }
+  return false;
+}
+
+/// How coarsely a keep-out's corners are found, metres.
+struct Fineness {
+  double hair;
+  double same;
+  double spare;
+};
+
+Status add_corners(const Facet& facet, const Surroundings& around, double same, Fences& fences, KeepOut& fence) {
+  for (int k = 0; k < facet.count; ++k) {
+    const Vec3 corner = ((facet.foot + facet.at_u[k] * facet.u) + facet.at_v[k] * facet.v) + around.center;
+    if (known_corner(fences, fence, corner, same)) continue;
+    if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
+    fences.corners[fences.corner_count++] = corner;
+    ++fence.corners;
+  }
+  return Status::kOk;
+}
+
+/// The keep-out's half-spaces and the surroundings' faces, about the surroundings' centre, moved out by `out`.
+Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index, double out) {
+  const bool own = index < fence.planes;
+  const Halfspace& plane = own ? fences.planes[fence.first_plane + index] : around.faces[index - fence.planes];
+  const double offset = own ? plane.offset - dot(plane.normal, around.center) : plane.offset;
+  return {plane.normal, offset + out};
+}
+
+/// The corners of all facets.
+Status find_corners(const Surroundings& around, const Fineness& fine, Fences& fences, KeepOut& fence) {
+  const int count = fence.planes + kBoxPlanes;
+  for (int i = 0; i < count; ++i) {
+    const Halfspace plane = plane_about(fences, fence, around, i, fine.hair);
+    if (absolute(plane.offset) > around.reach) continue;  // passes the surroundings by
+    Facet facet = square_on(plane, around.reach);
+    bool left = true;
+    for (int j = 0; j < count && left; ++j) {
+      if (j != i) left = cut(plane_about(fences, fence, around, j, fine.hair + fine.spare), facet, fine.spare);
+    }
+    const Status status = left ? add_corners(facet, around, fine.same, fences, fence) : Status::kOk;
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+/// As finely as the room for corners allows.
+Status find_corners_that_fit(const Surroundings& around, Fences& fences, KeepOut& fence) {
+  Fineness fine{kHair * around.scale, kSame * around.scale, kSpare * around.scale};
+  Status status = Status::kFencePlanesFull;
+  for (int trial = 0; trial < kTrials && status == Status::kFencePlanesFull; ++trial) {
+    fences.corner_count = fence.first_corner;
+    fence.corners = 0;
+    status = find_corners(around, fine, fences, fence);
+    fine.hair *= kCoarser;
+    fine.same *= kCoarser;
+  }
+  return status;
+}
+
+Status load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Fences& fences) {
+  for (std::int32_t p = 0; p < from.count; ++p) {
+    fences.keep_in_index[fences.keep_in_count] = index;
+    const Status status = to_local_plane(grid, from.planes[p], fences.keep_in[fences.keep_in_count++]);
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& from, std::int32_t index,
+                     Fences& fences) {
+  KeepOut fence{fences.plane_count, 0, fences.corner_count, 0, index};
+  for (; fence.planes < from.count; ++fence.planes) {
+    const Status status =
+        to_local_plane(grid, from.planes[fence.planes], fences.planes[fence.first_plane + fence.planes]);
+    if (status != Status::kOk) return status;
+  }
+  const Status status = find_corners_that_fit(around, fences, fence);
+  if (status != Status::kOk || fence.corners == 0) return status;
+  fences.plane_count += fence.planes;
+  fences.keep_out[fences.keep_out_count++] = fence;
+  return Status::kOk;
+}
+
+bool well_formed(const Fence& fence) {
+  const bool known = fence.kind == FenceKind::kKeepIn || fence.kind == FenceKind::kKeepOut;
+  return known && fence.planes != nullptr && fence.count >= 1;
+}
+
+}  // namespace
+
+void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    out[2 * a] = {{0.0, 0.0, 0.0}, axis(box.upper, a)};
+    out[2 * a + 1] = {{0.0, 0.0, 0.0}, -axis(box.lower, a)};
+    axis(out[2 * a].normal, a) = 1.0;
+    axis(out[2 * a + 1].normal, a) = -1.0;
+  }
+}
+
+Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
+  fences.keep_in_count = 0;
+  fences.keep_out_count = 0;
+  fences.plane_count = 0;
+  fences.corner_count = 0;
+  if (count < 0 || (count > 0 && list == nullptr)) return Status::kInvalidArgument;
+  if (count > kMaxFences) return Status::kFencesFull;
+  const Surroundings around = surroundings_of(grid);
+  fences.touching = contact_tolerance(grid.spec()) + kHair * around.scale;
+  std::int32_t planes = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (!well_formed(list[i])) return Status::kInvalidArgument;
+    if (list[i].count > kMaxFencePlanes - planes) return Status::kFencePlanesFull;
+    planes += list[i].count;
+    const bool keep_in = list[i].kind == FenceKind::kKeepIn;
+    const Status status =
+        keep_in ? load_keep_in(grid, list[i], i, fences) : load_keep_out(grid, around, list[i], i, fences);
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    const Halfspace& plane = fences.keep_in[p];
+    const double far = larger(dot(plane.normal, from), dot(plane.normal, to));
+    if (far > plane.offset + fences.touching) return fences.keep_in_index[p];
+  }
+  for (int k = 0; k < fences.keep_out_count; ++k) {
+    const KeepOut& fence = fences.keep_out[k];
+    const Halfspace* faces = fences.planes + fence.first_plane;
+    const HullGap gap = widest_gap(from, to, hull_of(fences, fence), faces, fence.planes, radius);
+    if (gap.distance < radius - fences.touching) return fence.index;
+  }
+  return kNoFence;
+}
+
+bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
+  return fence_broken(fences, from, to, radius) == kNoFence;
+}
+
+}  // namespace tern

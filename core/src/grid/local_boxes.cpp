@@ -1,0 +1,227 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid/local_boxes.hpp"
+
+#include <cstddef>
+
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+constexpr double kFullyInside = 1.0 - kLatticeTolerance;
+
+/// Truncation to [0, count], compared as doubles first: a far coordinate does not fit an integer.
+std::int32_t clamp_index(double cells, std::int32_t count) {
+  if (!(cells > 0.0)) return 0;
+  if (cells >= static_cast<double>(count)) return count;
+  return static_cast<std::int32_t>(cells);
+}
+
+/// The words of a row that hold the range, and which bits of the outer ones belong to it.
+struct Window {
+  std::int32_t first_word;
+  std::int32_t words;
+  std::uint64_t first_mask;
+  std::uint64_t last_mask;
+};
+
+Window window_of(const VoxelRange& range) {
+  const std::int32_t first = range.lower.x >> 6;
+  const std::int32_t last = (range.upper.x - 1) >> 6;
+  const IndexRange bits{range.lower.x, range.upper.x};
+  return {first, last - first + 1, bits_within(bits, first), bits_within(bits, last)};
+}
+
+/// One layer's rows of the range: row y begins `y * stride` words after `words`.
+struct Rows {
+  const std::uint64_t* words;
+  std::int32_t stride;
+  std::int32_t count;
+};
+
+Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, std::int32_t z) {
+  return {grid.obstacle_row(range.lower.y, z) + window.first_word, grid.row_words(), range.upper.y - range.lower.y};
+}
+
+/// The first row at or after `y` whose bits in the window differ from those `back` words before them, or rows.count.
+/// Most rows of a cuboid world equal the one before, and most layers the one below, so that this is what the extraction
+/// spends its time on; most windows are one or two words.
+std::int32_t first_difference(const Rows& rows, const Window& window, std::ptrdiff_t back, std::int32_t y) {
+  const std::int32_t last = window.words - 1;
+  const std::uint64_t* row = rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride;
+  for (; y < rows.count; ++y, row += rows.stride) {
+    std::uint64_t difference = ((row[0] ^ row[-back]) & window.first_mask);
+    difference |= ((row[last] ^ row[last - back]) & window.last_mask);
+    for (std::int32_t k = 1; k < last; ++k) difference |= row[k] ^ row[k - back];
+    if (difference != 0) break;
+  }
+  return y;
+}
+
+void copy_window(const std::uint64_t* row, const Window& window, std::uint64_t* out) {
+  for (std::int32_t k = 0; k < window.words; ++k) out[k] = row[k];
+  out[0] &= window.first_mask;
+  out[window.words - 1] &= window.last_mask;
+}
+
+/// The next run of set bits at or after `x`, as [x, end); false where there is none among the first `count` bits.
+bool next_run(const std::uint64_t* row, std::int32_t count, std::int32_t& x, std::int32_t& end) {
+  while (x < count && (row[x >> 6] >> (x & 63)) == 0) x = (x | 63) + 1;
+  if (x >= count) return false;
+  x += __builtin_ctzll(row[x >> 6] >> (x & 63));
+  end = x;
+  while (end < count) {
+    const std::uint64_t gaps = ~row[end >> 6] >> (end & 63);
+    if (gaps != 0) {
+      end += __builtin_ctzll(gaps);
+      break;
+    }
+    end = (end | 63) + 1;
+  }
+  return true;
+}
+
+/// The rectangles of one layer while its rows are walked.
+struct Layer {
+  LayerRectangle* rectangles;
+  int count;
+  int open_count;
+};
+
+void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
+  layer.rectangles[index].y1 = static_cast<std::int16_t>(y);
+}
+
+/// Opens a rectangle at row y; false where the layer is full.
+bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t y) {
+  if (layer.count == kMaxLocalBoxes) return false;
+  layer.rectangles[layer.count++] = {static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1),
+                                     static_cast<std::int16_t>(y), static_cast<std::int16_t>(y), -1};
+  return true;
+}
+
+/// Takes a row that differs from the one before: rectangles whose run is gone end, new runs begin new ones.
+bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::int32_t y, const std::int32_t* open,
+              std::int32_t* still_open) {
+  int i = 0;
+  int kept = 0;
+  std::int32_t end = 0;
+  for (std::int32_t x = 0; next_run(row, count, x, end); x = end) {
+    while (i < layer.open_count && layer.rectangles[open[i]].x0 < x) close_rectangle(layer, open[i++], y);
+    const bool same_start = i < layer.open_count && layer.rectangles[open[i]].x0 == x;
+    if (kept == kMaxRowRuns) return false;
+    if (same_start && layer.rectangles[open[i]].x1 == end) {
+      still_open[kept++] = open[i++];
+      continue;
+    }
+    if (same_start) close_rectangle(layer, open[i++], y);
+    if (!open_rectangle(layer, x, end, y)) return false;
+    still_open[kept++] = layer.count - 1;
+  }
+  while (i < layer.open_count) close_rectangle(layer, open[i++], y);
+  layer.open_count = kept;
+  return true;
+}
+
+/// The rectangles of one layer, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
+int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles) {
+  Layer layer{rectangles, 0, 0};
+  int now = 0;
+  for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, rows.stride, y + 1)) {
+    copy_window(rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride, window, scratch.row);
+    if (!take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now])) return -1;
+    now ^= 1;
+  }
+  for (int i = 0; i < layer.open_count; ++i) close_rectangle(layer, scratch.open[now ^ 1][i], rows.count);
+  return layer.count;
+}
+
+bool before(const LayerRectangle& a, const LayerRectangle& b) {
+  return a.y0 != b.y0 ? a.y0 < b.y0 : a.x0 < b.x0;
+}
+
+bool same_footprint(const LayerRectangle& a, const LayerRectangle& b) {
+  return a.x0 == b.x0 && a.x1 == b.x1 && a.y0 == b.y0 && a.y1 == b.y1;
+}
+
+LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::int32_t z, double cell) {
+  const std::int32_t x = range.lower.x & ~63;
+  const std::int32_t y = range.lower.y;
+  return {{(x + rectangle.x0) * cell, (y + rectangle.y0) * cell, z * cell},
+          {(x + rectangle.x1) * cell, (y + rectangle.y1) * cell, (z + 1) * cell}};
+}
+
+/// The boxes found so far; a grid's cell has `cell` metres.
+struct Boxes {
+  LocalBox* at;
+  int count;
+  double cell;
+};
+
+/// Makes the box reach through layer z.
+void grow_up(Boxes& boxes, std::int32_t box, std::int32_t z) {
+  boxes.at[box].upper[2] = (z + 1) * boxes.cell;
+}
+
+/// Matches the rectangles of layer z with those below, both in the same order: the same footprint continues its box,
+/// any other begins one. False where the boxes do not fit.
+bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* layer, int count, const VoxelRange& range,
+                std::int32_t z, Boxes& boxes) {
+  int j = 0;
+  for (int i = 0; i < count; ++i) {
+    while (j < below_count && before(below[j], layer[i])) ++j;
+    if (j < below_count && same_footprint(below[j], layer[i])) {
+      layer[i].box = below[j].box;
+      grow_up(boxes, layer[i].box, z);
+      continue;
+    }
+    if (boxes.count == kMaxLocalBoxes) return false;
+    layer[i].box = boxes.count;
+    boxes.at[boxes.count++] = box_of(layer[i], range, z, boxes.cell);
+  }
+  return true;
+}
+
+}  // namespace
+
+VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
+  const GridSpec& spec = grid.spec();
+  const double cell = spec.cell;
+  const double run_reach = spec.radius + cell;
+  VoxelRange range;
+  range.lower.x = clamp_index((box.lower.x - run_reach) / cell, spec.dims.x);
+  range.upper.x = clamp_index((box.upper.x + run_reach) / cell + 1.0, spec.dims.x);
+  range.lower.y = clamp_index((box.lower.y - spec.radius) / cell + kLatticeTolerance, spec.dims.y);
+  range.upper.y = clamp_index((box.upper.y + spec.radius) / cell + kFullyInside, spec.dims.y);
+  range.lower.z = clamp_index((box.lower.z - spec.radius) / cell + kLatticeTolerance, spec.dims.z);
+  range.upper.z = clamp_index((box.upper.z + spec.radius) / cell + kFullyInside, spec.dims.z);
+  return range;
+}
+
+int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
+  if (range.lower.x >= range.upper.x || range.lower.y >= range.upper.y) return 0;
+  const Window window = window_of(range);
+  Boxes found{boxes, 0, grid.spec().cell};
+  LayerRectangle* below = scratch.rectangles[0];
+  LayerRectangle* layer = scratch.rectangles[1];
+  int below_count = 0;
+  const std::ptrdiff_t layer_words = grid.obstacle_row(0, 1) - grid.obstacle_row(0, 0);
+  for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
+    const Rows rows = rows_of(grid, range, window, z);
+    if (z > range.lower.z && first_difference(rows, window, layer_words, 0) == rows.count) {
+      for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
+      continue;
+    }
+    const int count = layer_rectangles(rows, window, scratch, layer);
+    if (count < 0 || !join_below(below, below_count, layer, count, range, z, found)) return -1;
+    LayerRectangle* const done = below;
+    below = layer;
+    layer = done;
+    below_count = count;
+  }
+  return found.count;
+}
+
+}  // namespace tern

@@ -1,0 +1,134 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "search/jump.hpp"
+
+#include "search/plane_walk.hpp"
+#include "search/prune.hpp"
+#include "search/scan.hpp"
+
+namespace tern {
+namespace {
+
+/// Records a way of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
+/// known, an equally good one adds its arrival, a worse one is forgotten.
+void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
+  Search& search = from.search;
+  const std::uint32_t index = store_find_or_add(search.store, voxel);
+  if (index == static_cast<std::uint32_t>(kMaxNodes)) {
+    search.nodes_full = true;
+    return;
+  }
+  SearchNode& node = search.store.nodes[index];
+  const bool better = node.arrivals == 0 || g < node.g;
+  if (!better && (g > node.g || (node.arrivals & cell_bit(arrival)) != 0)) return;
+  if (better) {
+    node.g = g;
+    node.parent = from.node;
+    node.arrivals = 0;
+    node.followed = 0;
+  }
+  node.arrivals |= cell_bit(arrival);
+  if (!open_put(search.open, search.store, index, open_key(g, h, node.voxel))) search.heap_full = true;
+}
+
+/// Scans from a voxel that the expansion reaches at cost g.
+template <int kAxis, bool kUp>
+void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
+  Search& search = from.search;
+  const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor);
+  if (stop == scan::kNowhere) return;
+  Voxel found = cursor;
+  axis(found, kAxis) = stop;
+  const std::int32_t steps = kUp ? stop - axis(cursor, kAxis) : axis(cursor, kAxis) - stop;
+  g += static_cast<Cost>(steps) * kStraightCost;
+  if (is_detour(search.witnesses, from.grid, found, g)) return;
+  constexpr int kStep = kUp ? 1 : -1;
+  relax(from, found, g, octile(found, search.goal),
+        direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
+}
+
+template <int kAxis>
+void scan_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t step) {
+  if (step > 0) return scan_line<kAxis, true>(from, cursor, g);
+  scan_line<kAxis, false>(from, cursor, g);
+}
+
+/// True where a sweep must leave the voxel, g from the start and h from the goal, to a node of its own. The goal's own
+/// is the only h of 0.
+bool stops_at(const Expansion& from, Cost g, Cost h, int step) {
+  return step >= kSweepSteps || h == 0 || g + h > from.limit;
+}
+
+/// How often a step can be made before it leaves the grid; kSweepSteps at most.
+int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
+  int steps = kSweepSteps;
+  for (int a = 0; a < 3; ++a) {
+    const std::int32_t room = axis(step, a) > 0 ? axis(grid.spec().dims, a) - 1 - axis(at, a) : axis(at, a);
+    if (axis(step, a) != 0 && room < steps) steps = room;
+  }
+  return steps;
+}
+
+/// Sweeps the plane diagonal `move`, in the plane that kNormal leaves: scans along both its parts from every step.
+template <int kNormal>
+void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
+  constexpr int kFirst = kNormal == 0 ? 1 : 0;
+  constexpr int kSecond = kNormal == 2 ? 1 : 2;
+  const Voxel step = kMoveOf.at[move].step;
+  const int steps = steps_inside(from.grid, cursor, step);
+  PlaneWalk<kNormal> walk(from.grid, cursor, step);
+  for (int k = 1; k <= steps && walk.step(); ++k) {
+    cursor = cursor + step;
+    g += kPlaneDiagonalCost;
+    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    const Cost h = octile(cursor, from.search.goal);
+    if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
+    scan_axis<kFirst>(from, cursor, g, axis(step, kFirst));
+    scan_axis<kSecond>(from, cursor, g, axis(step, kSecond));
+  }
+}
+
+/// Follows straight moves and plane diagonals from a voxel that the expansion reaches at cost g.
+void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
+  const Voxel step = kMoveOf.at[move].step;
+  if (axes_of(move) == 2) {
+    if (step.x == 0) return sweep_plane<0>(from, cursor, g, move);
+    if (step.y == 0) return sweep_plane<1>(from, cursor, g, move);
+    return sweep_plane<2>(from, cursor, g, move);
+  }
+  if (step.x != 0) return scan_axis<0>(from, cursor, g, step.x);
+  if (step.y != 0) return scan_axis<1>(from, cursor, g, step.y);
+  scan_axis<2>(from, cursor, g, step.z);
+}
+
+/// Sweeps a space diagonal: from every step, the parts of the move along fewer axes. Nothing is ever forced on it.
+void sweep_space(const Expansion& from, int move, CellMask free) {
+  const CellMask parts = natural_moves(move) & ~cell_bit(move);
+  const Voxel step = kMoveOf.at[move].step;
+  Voxel cursor = from.at;
+  Cost g = from.g;
+  for (int k = 1; legal_move(move, free); ++k) {
+    cursor = cursor + step;
+    g += kSpaceDiagonalCost;
+    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    const Cost h = octile(cursor, from.search.goal);
+    if (stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
+    for (CellMask left = parts; left != 0; left &= left - 1) follow(from, cursor, g, __builtin_ctz(left));
+    free = free_cells(from.grid, cursor);
+  }
+}
+
+}  // namespace
+
+void step(const Expansion& expansion, int move) noexcept {
+  const Move& taken = kMoveOf.at[move];
+  const Voxel to = expansion.at + taken.step;
+  relax(expansion, to, expansion.g + taken.cost, octile(to, expansion.search.goal), move);
+}
+
+void jump(const Expansion& expansion, int move, CellMask free) noexcept {
+  if (axes_of(move) == 3) return sweep_space(expansion, move, free);
+  follow(expansion, expansion.at, expansion.g, move);
+}
+
+}  // namespace tern

@@ -1,0 +1,35 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Jumps: everything a node reaches along one of its successor moves.
+#ifndef TERN_SEARCH_JUMP_HPP
+#define TERN_SEARCH_JUMP_HPP
+
+#include "base/direction.hpp"
+#include "search/search.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// A node while it is expanded.
+struct Expansion {
+  Search& search;
+  const Grid& grid;
+  std::uint32_t node;
+  Voxel at;
+  Cost g;
+  Cost limit;  ///< a sweep stops, to be resumed from an open node, where f = g + h exceeds this
+};
+
+/// Puts the voxel next to expansion.at along the legal move `move` into the search.
+void step(const Expansion& expansion, int move) noexcept;
+
+/// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
+/// straight moves scan; diagonal moves sweep, step by step, with a jump in each part of the move along fewer axes from
+/// every step. `free` holds the cells around expansion.at. A sweep that reaches a jump point, its limit or the goal
+/// leaves it to that node to go on. Overflows show in the search's flags.
+void jump(const Expansion& expansion, int move, CellMask free) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,59 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_SEARCH_NODE_STORE_HPP
+#define TERN_SEARCH_NODE_STORE_HPP
+
+#include <cstdint>
+
+#include "base/direction.hpp"
+
+namespace tern {
+
+/// A voxel that the search generated. 32 bytes, and 8 of the table below.
+struct SearchNode {
+  Cost g;                ///< cost of the best way found from the start
+  std::int16_t x, y, z;  ///< the voxel
+  std::uint16_t open;    ///< 1 while the open list holds it, 0 otherwise
+  std::uint32_t voxel;   ///< x + dims.x (y + dims.y z)
+  std::uint32_t parent;  ///< node that the best way comes from by one jump; itself for the start
+  CellMask arrivals;     ///< moves by which a way of cost g arrives here
+  CellMask followed;     ///< moves that were followed from here at cost g
+
+  Voxel at() const { return {x, y, z}; }
+};
+static_assert(sizeof(SearchNode) == 32 && kMaxDimension <= INT16_MAX, "two nodes a cache line");
+
+/// The least power of two that holds `n`.
+constexpr std::uint32_t power_of_two(std::uint32_t n) {
+  std::uint32_t size = 1;
+  while (size < n) size *= 2;
+  return size;
+}
+
+/// Slots that one block of 4 x 4 x 4 voxels shares.
+constexpr std::uint32_t kBlockSlots = 64;
+
+/// At most half of the slots are ever used, so that a probe is short.
+constexpr std::uint32_t kNodeSlots = power_of_two(2u * static_cast<std::uint32_t>(kMaxNodes));
+static_assert(kNodeSlots >= kBlockSlots && kMaxNodes < INT32_MAX, "a slot is a node's number and one");
+
+/// All nodes of one search, found by voxel: an open-addressing table over a pool. Voxels of one block of 4 x 4 x 4 have
+/// their slots side by side, since a search asks for neighbours. The 64 slots of a block are cleared when they are
+/// first looked at, so that a search costs what it visits, whatever the table began with.
+struct NodeStore {
+  std::uint32_t count;
+  std::uint32_t nx, ny;                                      ///< of the grid
+  std::uint64_t cleared[kNodeSlots / kBlockSlots / 64 + 1];  ///< one bit for 64 slots
+  std::uint32_t slots[kNodeSlots];                           ///< 0 where free, otherwise 1 + the node
+  SearchNode nodes[kMaxNodes];
+};
+
+/// Empties the store for a grid of so many voxels along the axes; touches one bit for 64 slots.
+void store_reset(NodeStore& store, const Voxel& dims) noexcept;
+
+/// The node of a voxel, made with no arrivals, not open, where there is none yet; kMaxNodes where the store is full.
+std::uint32_t store_find_or_add(NodeStore& store, const Voxel& voxel) noexcept;
+
+}  // namespace tern
+
+#endif

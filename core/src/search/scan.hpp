@@ -1,0 +1,121 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Straight scans: from a voxel along one axis to the first jump point, 64 voxels a step.
+#ifndef TERN_SEARCH_SCAN_HPP
+#define TERN_SEARCH_SCAN_HPP
+
+#include "base/direction.hpp"
+#include "grid/lattice.hpp"
+#include "grid/regions.hpp"
+#include "search/line_walk.hpp"
+#include "search/stops.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Regions of the largest map whose stops are kept from one search to the next.
+constexpr std::int32_t kStopRegions = static_cast<std::int32_t>((kMaxCells + 1023) / 1024);
+
+/// What scans read. It outlives a search: stops stay as long as the map around them does.
+struct ScanMap {
+  bool kept;   ///< the stops belong to a map whose regions had these contents
+  Voxel dims;  ///< of that map
+  std::uint64_t contents[kStopRegions];
+  StopLayer along[3];
+};
+
+/// To be called once before the first scan_begin, on memory with any content.
+inline void scan_forget(ScanMap& map) noexcept {
+  map.kept = false;
+}
+
+/// Prepares scans of a grid, which must not change until they end: forgets the stops near regions that are not what
+/// they were when the last scans began, all of them where most are not or that is not known.
+void scan_begin(ScanMap& map, const Grid& grid) noexcept;
+
+namespace scan {
+
+/// Where a scan stops that has neither jump point nor goal ahead.
+constexpr std::int32_t kNowhere = -1;
+
+/// Voxel by voxel, along an axis that has no stops. As scan_straight.
+std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept;
+
+/// Walks through word k of the line, from `from` or from where the word begins, and counts the steps.
+template <int kAxis, bool kUp>
+std::uint64_t walk_word(std::uint8_t& walked, const Grid& grid, Voxel from, std::int32_t k) noexcept {
+  const std::int32_t count = axis(grid.spec().dims, kAxis);
+  std::int32_t& at = axis(from, kAxis);
+  if (kUp && at < k * 64) at = k * 64 - 1;
+  if (!kUp && at > k * 64 + 63) at = k * 64 + 64;
+  const std::int32_t last = kUp ? (k * 64 + 63 < count ? k * 64 + 63 : count - 1) : k * 64;
+  const std::int32_t stop = walk_line<kAxis, kUp>(grid, from, last);
+  const std::int32_t steps = walked + (kUp ? stop - at : at - stop);
+  walked = static_cast<std::uint8_t>(steps < kWalkFirst ? steps : kWalkFirst);
+  return stop >> 6 == k ? std::uint64_t{1} << (stop & 63) : 0;
+}
+
+/// Stops ahead in word k of the line; those of a tile that is not made yet are the one where a walk through the word
+/// ends, if it ends in the word.
+template <int kAxis, bool kUp>
+std::uint64_t stops_in_word(StopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
+  const std::int32_t index = stops_index<kAxis>(layer, from, k);
+  if constexpr (kAxis == 0) {
+    if (!stops_ready(layer, index)) stops_fill_row(layer, grid, from.y, from.z, k);
+  } else {
+    const std::int32_t tile = stops_tile<kAxis>(layer, from, k);
+    if (!stops_ready(layer, tile)) {
+      if (layer.walked[tile] < kWalkFirst) return walk_word<kAxis, kUp>(layer.walked[tile], grid, from, k);
+      stops_fill_tile(layer, grid, kAxis, from.x >> 6, kAxis == 2 ? from.y : from.z, k);
+    }
+  }
+  return kUp ? layer.bits[index].up : layer.bits[index].down;
+}
+
+/// The first stop beyond `from` on its line; past the grid's face where there is none.
+template <int kAxis, bool kUp>
+std::int32_t next_stop(StopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
+  const std::int32_t at = axis(from, kAxis);
+  std::uint64_t ahead = kUp ? ~std::uint64_t{1} << (at & 63) : (std::uint64_t{1} << (at & 63)) - 1;
+  for (std::int32_t k = at >> 6; kUp ? k < layer.words : k >= 0; k += kUp ? 1 : -1) {
+    const std::uint64_t stops = ahead == 0 ? 0 : stops_in_word<kAxis, kUp>(layer, grid, from, k) & ahead;
+    if (stops != 0) return k * 64 + (kUp ? __builtin_ctzll(stops) : 63 - __builtin_clzll(stops));
+    ahead = ~std::uint64_t{0};
+  }
+  return kUp ? axis(grid.spec().dims, kAxis) : -1;
+}
+
+/// True where the goal lies on the line through `from`, after it and no later than `stop`.
+template <int kAxis, bool kUp>
+bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcept {
+  constexpr int kB = (kAxis + 1) % 3;
+  constexpr int kC = (kAxis + 2) % 3;
+  if (axis(goal, kB) != axis(from, kB) || axis(goal, kC) != axis(from, kC)) return false;
+  const std::int32_t at = axis(goal, kAxis);
+  return kUp ? at > axis(from, kAxis) && at <= stop : at < axis(from, kAxis) && at >= stop;
+}
+
+}  // namespace scan
+
+/// Where on kAxis the first voxel after `from` lies, towards greater (kUp) or lesser coordinates, that is the goal or
+/// has a forced neighbour, with nothing blocked before it; scan::kNowhere where an obstacle or the grid's face comes
+/// first. The goal is free.
+template <int kAxis, bool kUp>
+std::int32_t scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
+  constexpr int kStep = kUp ? 1 : -1;
+  StopLayer& layer = map.along[kAxis];
+  if (layer.words == 0) {
+    return scan::stepwise(grid, goal, from,
+                          direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
+  }
+  const std::int32_t stop = scan::next_stop<kAxis, kUp>(layer, grid, from);
+  if (scan::meets_goal<kAxis, kUp>(goal, from, stop)) return axis(goal, kAxis);
+  Voxel at = from;
+  axis(at, kAxis) = stop;
+  return grid.free(at) ? stop : scan::kNowhere;
+}
+
+}  // namespace tern
+
+#endif

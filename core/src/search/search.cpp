@@ -1,0 +1,111 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "search/search.hpp"
+
+#include "search/jump.hpp"
+#include "search/neighbourhood.hpp"
+#include "search/prune.hpp"
+
+namespace tern {
+namespace {
+
+/// While the search makes progress it goes on step by step, for so many times the least number of steps at most.
+constexpr std::uint32_t kMostSteps = 4;
+
+/// A search begins step by step, as A* does but with the moves that jump point search prunes left out: where the way is
+/// easy it is there before scans and sweeps have begun to pay. False where it has made the least number of steps and is
+/// not likely to end within the most, going by the part of the way made so far.
+bool steps_pay(const Search& search) {
+  if (search.expanded <= search.steps) return true;
+  const Cost way = octile(search.start, search.goal) / kStraightCost;
+  const Cost made = way - search.least_h / kStraightCost;
+  return search.expanded * way <= kMostSteps * search.steps * made;
+}
+
+/// Clears what jumps look up, and lets them know of the voxels that steps have reached.
+void begin_jumps(Search& search, const Grid& grid) {
+  search.jumps = true;
+  scan_begin(*search.map, grid);
+  witness_reset(search.witnesses, grid);
+  for (std::uint32_t k = 0; k < search.store.count; ++k) {
+    const SearchNode& node = search.store.nodes[k];
+    is_detour(search.witnesses, grid, node.at(), node.g);
+  }
+}
+
+/// How far beyond the expanded node's f its sweeps go on, in voxels: a little at first, so that easy queries do not
+/// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
+/// same cost of path; these were measured on the six maps and on random ones.
+constexpr Cost kLeastSlack = 0;
+constexpr Cost kMostSlack = 16;
+constexpr Cost kSlackPace = 1024;  ///< expansions for one voxel more
+
+Cost sweep_slack(const Search& search) {
+  const Cost grown = kLeastSlack + search.expanded / kSlackPace;
+  return (grown < kMostSlack ? grown : kMostSlack) * kStraightCost;
+}
+
+/// Moves to follow from a node: those that some arrival calls for, without those that were followed at this cost.
+CellMask moves_to_follow(const SearchNode& node, CellMask free) {
+  const CellMask legal = legal_moves(free);
+  CellMask moves = 0;
+  for (CellMask left = node.arrivals; left != 0; left &= left - 1) {
+    moves |= successor_moves(__builtin_ctz(left), free, legal);
+  }
+  return moves & ~node.followed;
+}
+
+Status end_or_running(const Search& search) {
+  if (search.nodes_full) return Status::kNodesFull;
+  if (search.heap_full) return Status::kHeapFull;
+  return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
+}
+
+}  // namespace
+
+void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+                  std::uint32_t steps) noexcept {
+  search.map = &map;
+  search.start = start;
+  search.goal = goal;
+  search.nodes_full = false;
+  search.heap_full = false;
+  search.expanded = 0;
+  store_reset(search.store, grid.spec().dims);
+  search.jumps = false;
+  search.steps = steps;
+  search.least_h = octile(start, goal);
+  open_reset(search.open, search.least_h);
+  const std::uint32_t node = store_find_or_add(search.store, start);
+  search.store.nodes[node].arrivals = cell_bit(kHere);
+  open_put(search.open, search.store, node, open_key(0, search.least_h, search.store.nodes[node].voxel));
+}
+
+Status search_expand(Search& search, const Grid& grid) noexcept {
+  if (!open_ready(search.open, search.store, search.goal)) return end_or_running(search);
+  Cost f = 0;
+  const std::uint32_t index = open_take(search.open, search.store, f);
+  if (index == static_cast<std::uint32_t>(kMaxNodes)) return end_or_running(search);
+  ++search.expanded;
+  SearchNode& node = search.store.nodes[index];
+  const Voxel at = node.at();
+  if (same(at, search.goal)) return Status::kOk;
+  if (f - node.g < search.least_h) search.least_h = f - node.g;
+  if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid);
+  if (search.jumps && is_detour(search.witnesses, grid, at, node.g)) return end_or_running(search);
+  const CellMask free = free_cells(grid, at);
+  const CellMask moves = moves_to_follow(node, free);
+  node.followed |= moves;
+  const Expansion expansion{search, grid, index, at, node.g, f + sweep_slack(search)};
+  for (CellMask left = moves; left != 0; left &= left - 1) {
+    const int move = __builtin_ctz(left);
+    if (search.jumps) {
+      jump(expansion, move, free);
+    } else {
+      step(expansion, move);
+    }
+  }
+  return end_or_running(search);
+}
+
+}  // namespace tern

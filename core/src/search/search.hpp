@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Jump point search in three dimensions: 26 neighbours, no corner cutting, optimal. docs/search.md has the rules and
+// why they lose no optimal path.
+#ifndef TERN_SEARCH_SEARCH_HPP
+#define TERN_SEARCH_SEARCH_HPP
+
+#include <cstdint>
+
+#include "base/direction.hpp"
+#include "search/node_store.hpp"
+#include "search/open_list.hpp"
+#include "search/scan.hpp"
+#include "search/witness.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Bound on expansions: the heuristic is consistent, so a node's cost is final when it is first taken off the open
+/// list, and each further time needs a move by which a way of that cost had not arrived yet.
+constexpr std::uint32_t kExpansionBound =
+    static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
+
+/// A search begins with so many expansions step by step (docs/search.md). Steps take more nodes than sweeps do: fewer
+/// of them where the store is small. The profiles mcu and companion step alike, so that they break ties alike.
+constexpr std::uint32_t kLeastSteps = kMaxNodes < 32 * 1024 ? kMaxNodes / 128 : 32;
+
+/// A search between two free voxels. Plain data; needs no initialisation before search_begin.
+struct Search {
+  Voxel start;
+  Voxel goal;
+  bool nodes_full;
+  bool heap_full;
+  bool jumps;              ///< false while the search goes step by step
+  std::uint32_t steps;     ///< expansions that go step by step at least
+  std::uint32_t expanded;  ///< nodes so far
+  Cost least_h;            ///< of the nodes expanded so far
+  NodeStore store;
+  OpenList open;
+  ScanMap* map;  ///< outlives the search
+  WitnessMap witnesses;
+};
+
+/// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
+/// `map` holds what searches before found out about this map or another, or is forgotten (scan_forget); it changes what
+/// the search costs, never what it finds.
+/// `steps`, 2^24 at most, changes what the search costs and which of the cheapest paths it finds: 0 jumps at once.
+void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+                  std::uint32_t steps = kLeastSteps) noexcept;
+
+/// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kHeapFull; not to be called after the end.
+Status search_expand(Search& search, const Grid& grid) noexcept;
+
+/// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets
+/// path.grid_length. Leaves room for `reserve` more points: kOk or kWaypointsFull. Once, after kOk.
+Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
+
+/// The cost of the path found. Only after kOk, before or after search_extract.
+Cost search_cost(Search& search) noexcept;
+
+}  // namespace tern
+
+#endif

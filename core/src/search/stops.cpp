@@ -1,0 +1,239 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Forced neighbours of straight moves on words: an arrival at n from p = n - u, u straight, forces a move
+// where for a side s, straight or diagonal, p + s is blocked and
+// - s straight: n + s is free;
+// - s = a + b diagonal: n + a, n + b, n + s and the same three beside n + u are free, and n + u is (the move s + u).
+// All other rules of prune.hpp for straight arrivals follow from these.
+#include "search/stops.hpp"
+
+#include "grid/lattice.hpp"
+#include "grid/regions.hpp"
+
+namespace tern {
+namespace {
+
+constexpr std::int32_t kSide = 64;
+constexpr std::uint64_t kAllBlocked = ~std::uint64_t{0};
+
+void mark_ready(StopLayer& layer, std::int32_t index) {
+  layer.ready[index >> 6] |= std::uint64_t{1} << (index & 63);
+}
+
+void mark_unmade(StopLayer& layer, std::int32_t index) {
+  layer.ready[index >> 6] &= ~(std::uint64_t{1} << (index & 63));
+}
+
+/// `range` and one more to either side, within 0 .. count - 1.
+IndexRange with_neighbours(std::int32_t begin, std::int32_t end, std::int32_t count) {
+  return {begin > 0 ? begin - 1 : 0, end < count ? end + 1 : count};
+}
+
+/// Forgets the tiles that hold what is given of their third axis, of x and of their own axis, in tiles' measures.
+void forget_tiles(StopLayer& layer, const IndexRange& third, const IndexRange& block, const IndexRange& word) {
+  for (std::int32_t t = third.begin; t < third.end; ++t) {
+    for (std::int32_t b = block.begin; b < block.end; ++b) {
+      for (std::int32_t w = word.begin; w < word.end; ++w) {
+        const std::int32_t tile = (t * layer.blocks + b) * layer.words + w;
+        mark_unmade(layer, tile);
+        layer.walked[tile] = 0;
+      }
+    }
+  }
+}
+
+/// A word of a blocked row with its neighbours in the row; nothing is free past the grid's faces.
+struct RowWords {
+  std::uint64_t before;
+  std::uint64_t word;
+  std::uint64_t after;
+
+  /// The bit of the voxel at x - 1, or x + 1, in the place of x.
+  std::uint64_t lesser() const { return word << 1 | before >> 63; }
+  std::uint64_t greater() const { return word >> 1 | after << 63; }
+};
+
+constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
+
+/// Word `block` of the blocked rows, with what they are beside each other worked out once.
+struct RowReader {
+  const std::uint64_t* first;  ///< of row (0, 0)
+  std::int32_t row_words;
+  Voxel dims;
+  bool has_before;
+  bool has_after;
+
+  RowReader(const Grid& grid, std::int32_t block)
+      : first(grid.blocked_row(0, 0) + block),
+        row_words(grid.row_words()),
+        dims(grid.spec().dims),
+        has_before(block > 0),
+        has_after(block + 1 < row_words) {}
+
+  RowWords at(std::int32_t y, std::int32_t z) const {
+    if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
+    const std::uint64_t* word = first + static_cast<std::int64_t>(y + dims.y * z) * row_words;
+    return {has_before ? word[-1] : kAllBlocked, word[0], has_after ? word[1] : kAllBlocked};
+  }
+};
+
+RowWords either(const RowWords& a, const RowWords& b) {
+  return {a.before | b.before, a.word | b.word, a.after | b.after};
+}
+
+/// Adds the stops that one straight side of a line along x makes.
+void add_straight_side(StopWord& stop, const RowWords& side) {
+  stop.up |= side.lesser() & ~side.word;
+  stop.down |= side.greater() & ~side.word;
+}
+
+/// Adds those of one diagonal side; `square` is blocked where it, its two straight parts or the line are.
+void add_diagonal_side(StopWord& stop, const RowWords& side, const RowWords& square) {
+  stop.up |= side.lesser() & ~(square.word | square.greater());
+  stop.down |= side.greater() & ~(square.word | square.lesser());
+}
+
+/// Blocked voxels beside 64 lines along y or z, at one step along them.
+struct Slice {
+  std::uint64_t own;
+  std::uint64_t side[4];      ///< straight sides: lesser and greater x, lesser and greater third axis
+  std::uint64_t diagonal[4];  ///< lesser x and lesser third, greater x and lesser third, then greater third
+  std::uint64_t square[4];    ///< blocked where the diagonal side, its straight parts or the line are
+};
+
+/// Step `along` of the lines along kAxis at `third`.
+template <int kAxis>
+Slice slice_at(const RowReader& rows, std::int32_t along, std::int32_t third) {
+  const auto row = [&](std::int32_t t) { return kAxis == 1 ? rows.at(along, t) : rows.at(t, along); };
+  const RowWords own = row(third);
+  const RowWords low = row(third - 1);
+  const RowWords high = row(third + 1);
+  Slice s{own.word,
+          {own.lesser(), own.greater(), low.word, high.word},
+          {low.lesser(), low.greater(), high.lesser(), high.greater()},
+          {}};
+  for (int k = 0; k < 4; ++k) s.square[k] = s.own | s.side[k & 1] | s.side[2 + (k >> 1)] | s.diagonal[k];
+  return s;
+}
+
+/// Stops at step `at` of scans that come from step `from` and go on to step `to`.
+std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to) {
+  std::uint64_t stop = at.own;
+  for (int k = 0; k < 4; ++k) {
+    stop |= from.side[k] & ~at.side[k];
+    stop |= from.diagonal[k] & ~(at.square[k] | to.square[k]);
+  }
+  return stop;
+}
+
+/// The stops of a tile before it is transposed: one word of 64 lines a step.
+template <int kAxis>
+void compute_tile(const Grid& grid, std::int32_t block, std::int32_t third, std::int32_t word,
+                  std::uint64_t (&up)[kSide], std::uint64_t (&down)[kSide]) {
+  const RowReader rows(grid, block);
+  const std::int32_t first = word * kSide;
+  const std::int32_t left = axis(grid.spec().dims, kAxis) - first;
+  const std::int32_t steps = left < kSide ? left : kSide;
+  Slice before = slice_at<kAxis>(rows, first - 1, third);
+  Slice at = slice_at<kAxis>(rows, first, third);
+  for (std::int32_t k = 0; k < steps; ++k) {
+    const Slice after = slice_at<kAxis>(rows, first + k + 1, third);
+    up[k] = stops_between(before, at, after);
+    down[k] = stops_between(after, at, before);
+    before = at;
+    at = after;
+  }
+  for (std::int32_t k = steps; k < kSide; ++k) up[k] = down[k] = kAllBlocked;
+}
+
+/// Transposes a 64 x 64 bit matrix in place: swaps ever smaller quarters off the diagonal.
+void transpose(std::uint64_t (&tile)[kSide]) {
+  std::uint64_t mask = 0x00000000FFFFFFFFu;
+  for (std::int32_t half = kSide / 2; half > 0; half /= 2, mask ^= mask << half) {
+    for (std::int32_t k = 0; k < kSide; k = ((k | half) + 1) & ~half) {
+      const std::uint64_t swap = (tile[k] >> half ^ tile[k | half]) & mask;
+      tile[k] ^= swap << half;
+      tile[k | half] ^= swap;
+    }
+  }
+}
+
+}  // namespace
+
+void stops_reset(StopLayer& layer, const Grid& grid, int axis_along) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  const std::int32_t thirds = axis_along == 2 ? dims.y : dims.z;
+  layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
+  layer.width = axis_along == 0 ? dims.y : dims.x;
+  layer.blocks = (dims.x + kSide - 1) / kSide;
+  if (std::int64_t{layer.words} * layer.width * thirds > kStopWords) {
+    layer.words = 0;
+    return;
+  }
+  const std::int32_t bits = layer.words * thirds * (axis_along == 0 ? layer.width : layer.blocks);
+  for (std::int32_t k = 0; k <= bits / 64; ++k) layer.ready[k] = 0;
+  if (axis_along == 0) return;
+  for (std::int32_t k = 0; k < bits; ++k) layer.walked[k] = 0;
+}
+
+// A stop depends on voxels one step away on every axis.
+void stops_forget(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t z, std::int32_t block,
+                  std::int32_t word) noexcept {
+  if (layer.words == 0) return;
+  const Voxel& dims = grid.spec().dims;
+  const Regions regions(dims);
+  const IndexRange planes = with_neighbours(z, z + 1, dims.z);
+  const IndexRange words = with_neighbours(word, word + 1, regions.words);
+  const std::int32_t last_row = (block + 1) * kBlockRows;
+  const IndexRange rows = with_neighbours(block * kBlockRows, last_row < dims.y ? last_row : dims.y, dims.y);
+  if (axis_along == 1) return forget_tiles(layer, planes, words, with_neighbours(block, block + 1, regions.blocks));
+  if (axis_along == 2) return forget_tiles(layer, rows, words, {planes.begin >> 6, ((planes.end - 1) >> 6) + 1});
+  for (std::int32_t p = planes.begin; p < planes.end; ++p) {
+    for (std::int32_t y = rows.begin; y < rows.end; ++y) {
+      for (std::int32_t w = words.begin; w < words.end; ++w)
+        mark_unmade(layer, (y + layer.width * p) * layer.words + w);
+    }
+  }
+}
+
+void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept {
+  const RowReader rows(grid, word);
+  const auto row = [&](std::int32_t dy, std::int32_t dz) { return rows.at(y + dy, z + dz); };
+  const RowWords own = row(0, 0);
+  const RowWords side_y[] = {row(-1, 0), row(1, 0)};
+  const RowWords side_z[] = {row(0, -1), row(0, 1)};
+  StopWord stop{own.word, own.word};
+  for (int k = 0; k < 2; ++k) {
+    add_straight_side(stop, side_y[k]);
+    add_straight_side(stop, side_z[k]);
+  }
+  for (int k = 0; k < 4; ++k) {
+    const RowWords diagonal = row((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1);
+    const RowWords sides = either(either(own, side_y[k & 1]), side_z[k >> 1]);
+    add_diagonal_side(stop, diagonal, either(diagonal, sides));
+  }
+  const std::int32_t index = (y + layer.width * z) * layer.words + word;
+  layer.bits[index] = stop;
+  mark_ready(layer, index);
+}
+
+void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t block, std::int32_t third,
+                     std::int32_t word) noexcept {
+  std::uint64_t up[kSide];
+  std::uint64_t down[kSide];
+  if (axis_along == 1) {
+    compute_tile<1>(grid, block, third, word, up, down);
+  } else {
+    compute_tile<2>(grid, block, third, word, up, down);
+  }
+  transpose(up);
+  transpose(down);
+  const std::int32_t left = grid.spec().dims.x - block * kSide;
+  const std::int32_t lines = left < kSide ? left : kSide;
+  StopWord* out = layer.bits + (third * layer.width + block * kSide) * layer.words + word;
+  for (std::int32_t k = 0; k < lines; ++k) out[k * layer.words] = {up[k], down[k]};
+  mark_ready(layer, (third * layer.blocks + block) * layer.words + word);
+}
+
+}  // namespace tern
