@@ -97,6 +97,8 @@ enum class Field : uint8_t {
   kTimeWeight,
   kFences,
   kShortcut,
+  kNotInflated,    ///< the grid was marked, cleared or bound since its last inflate()
+  kConfiguration,  ///< the caller's headers and the library were compiled with different capacities
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

@@ -126,6 +126,8 @@ const char* field_name(Field field) noexcept {
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
     case Field::kShortcut: return "shortcut";
+    case Field::kNotInflated: return "grid not inflated";
+    case Field::kConfiguration: return "configuration";
   }
   return "unknown";
 }
