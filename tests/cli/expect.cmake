@@ -2,19 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Runs a command and compares what a test of exit status alone cannot:
-#   cmake -DCOMMAND=<program;arguments> -DSTATUS=<n> [-DOUT=<regex>] [-DERR=<regex>]
-#         [-DREMOVE=<files>] [-DKEEP=<file>] [-DWRITES=<files>] [-DCONTAINS=<file;regex>] [-DSAME=<file;file>]
-#         -P expect.cmake
-# REMOVE: deleted before. KEEP: given a content before that the command must not change. WRITES: must exist after.
-# SAME: must have the same content after.
+#   cmake -DCOMMAND=<program;arguments> -DSTATUS=<n> [-DOUT=<regex>] [-DOUT_FILE=<file>] [-DERR=<regex>]
+#         [-DFILE_BLOCKS=<n>] [-DREMOVE=<files>] [-DKEEP=<file>] [-DFOLDER=<folder>] [-DWRITES=<files>]
+#         [-DABSENT=<files>] [-DEMPTY=<folder>] [-DCONTAINS=<file;regex>] [-DSAME=<file;file>] -P expect.cmake
+# OUT_FILE: where standard output goes. FILE_BLOCKS: no file may grow beyond this many blocks (ulimit -f). REMOVE: deleted
+# before. FOLDER: made before. KEEP: given a content before that the command must not change. WRITES: must exist after.
+# SAME: must have the same content after. ABSENT: must not exist. EMPTY: must have nothing in it.
 if(REMOVE)
-  file(REMOVE ${REMOVE})
+  file(REMOVE_RECURSE ${REMOVE})
+endif()
+if(FOLDER)
+  file(MAKE_DIRECTORY ${FOLDER})
 endif()
 if(KEEP)
   file(WRITE ${KEEP} "as it was\n")
 endif()
 
-execute_process(COMMAND ${COMMAND} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err TIMEOUT 300)
+if(FILE_BLOCKS)
+  set(COMMAND sh -c "ulimit -f ${FILE_BLOCKS} && exec \"$@\"" sh ${COMMAND})
+endif()
+set(output OUTPUT_VARIABLE out)
+if(OUT_FILE)
+  set(output OUTPUT_FILE ${OUT_FILE})
+endif()
+execute_process(COMMAND ${COMMAND} RESULT_VARIABLE status ${output} ERROR_VARIABLE err TIMEOUT 300)
 message(STATUS "exit status ${status}\n${out}${err}")
 
 if(NOT status STREQUAL STATUS)
@@ -31,6 +42,17 @@ foreach(file ${WRITES})
     message(FATAL_ERROR "${file} was not written")
   endif()
 endforeach()
+foreach(file ${ABSENT})
+  if(EXISTS ${file})
+    message(FATAL_ERROR "${file} was written")
+  endif()
+endforeach()
+if(EMPTY)
+  file(GLOB left ${EMPTY}/*)
+  if(left)
+    message(FATAL_ERROR "left behind: ${left}")
+  endif()
+endif()
 if(KEEP)
   file(READ ${KEEP} content)
   if(NOT content STREQUAL "as it was\n")

@@ -38,6 +38,11 @@ TEST(CInterface, SizesOfNothing) {
   EXPECT_EQ(tern_size_of(TERN_SIZE_REPORT), sizeof(tern_report));
 }
 
+TEST(CInterface, HeaderAndLibraryHaveOneConfiguration) {
+  EXPECT_EQ(tern_header_hash(), tern::configuration_hash());
+  EXPECT_EQ(tern_header_hash(), tern_configuration_hash());
+}
+
 TEST(CInterface, EveryByteHasNames) {
   int named = 0;
   for (int byte = 0; byte < 256; ++byte) {

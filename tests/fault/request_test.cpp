@@ -91,7 +91,7 @@ TEST(RequestFault, UnboundOrUninflatedGridIsRefused) {  // F02
   world.grid.inflate();
   world.block({1.0, 1.0, 0.0}, {1.2, 1.2, 1.0});
   EXPECT_EQ(world.replan(), Status::kInvalidArgument);
-  EXPECT_EQ(world.report.field, Field::kStorage);
+  EXPECT_EQ(world.report.field, Field::kNotInflated);
   EXPECT_TRUE(world.trajectory_untouched());
 }
 

@@ -162,7 +162,7 @@ TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
 TEST(Scenario, HostileWordsAreQuotedShortAndPrintable) {
   const std::string message = error_of("a\x1b[31m\n");
   EXPECT_EQ(message, "map.txt:1: not a text file: byte 27");
-  EXPECT_EQ(error_of("\xff\xfe\n"), "map.txt:1: unknown record '\?\?'");
+  EXPECT_EQ(error_of("\xff\xfd\n"), "map.txt:1: unknown record '\?\?'");
   EXPECT_EQ(error_of(std::string(1000, 'k')), "map.txt:1: unknown record '" + std::string(40, 'k') + "...'");
   EXPECT_EQ(error_of(std::string("goal\0 1 1 1\n", 12)), "map.txt:1: not a text file: byte 0");
 }
@@ -179,11 +179,34 @@ TEST(Scenario, LinesBlocksAndFilesAreBounded) {
 TEST(Scenario, CapacitiesNameTheRecordThatExceedsThem) {
   EXPECT_EQ(error_of(kMinimal + "resolution 1e-9\n"),
             "map.txt:4: a grid of 1e-09 m voxels over the boundary has more than 2048 voxels along an "
-            "axis (TERN_MAX_DIMENSION)");
+            "axis (TERN_MAX_DIMENSION); a resolution of 0.0072 fits");
   EXPECT_EQ(error_of("start 0 0 0\ngoal 1 1 1\nboundary -1e300 0 0 1e300 1 1\n").substr(0, 10), "map.txt:3:");
   const std::string cells = error_of("boundary 0 0 0 100 100 100\nstart 0 0 0\ngoal 1 1 1\n");
   EXPECT_NE(cells.find("map.txt:1: a grid of"), std::string::npos);
   EXPECT_NE(cells.find("TERN_MAX_CELLS"), std::string::npos);
+}
+
+TEST(Scenario, AGridThatIsTooLargeComesWithAResolutionThatFits) {
+  const std::string ends = "start 1 1 1\ngoal 2 2 1\n";
+  const std::string maps[] = {
+      "boundary 0 0 0 100 100 100\n",                                // too many voxels
+      "boundary 0 0 0 1e5 3 3\n",                                    // too many along an axis
+      "boundary 0 0 0 777 77 7\nblock -1 0 0 3 3 3\nradius 31.4\n",  // padded for the radius
+      "boundary 0 0 0 1e300 3 3\n",                                  // none fits
+  };
+  for (const std::string& map : maps) {
+    const std::string message = error_of(map + ends, {"resolution=0.01"});
+    const std::size_t at = message.find("; a resolution of ");
+    if (map.find("1e300") != std::string::npos) {
+      EXPECT_EQ(at, std::string::npos) << message;
+      continue;
+    }
+    ASSERT_NE(at, std::string::npos) << message;
+    const double fitting = std::stod(message.substr(at + 18));
+    EXPECT_EQ(error_of(map + ends, {"resolution=" + std::to_string(fitting)}), "") << message;
+    // Not much finer than that.
+    EXPECT_NE(error_of(map + ends, {"resolution=" + std::to_string(0.85 * fitting)}), "") << message;
+  }
 }
 
 TEST(Scenario, OverridesReplaceOrCompleteRecords) {

@@ -1,13 +1,19 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cerrno>
 #include <cinttypes>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "host/text_records.hpp"
 #include "tern/self_test.hpp"
 
 namespace {
@@ -35,6 +41,25 @@ std::vector<std::string> reversed_arguments(int argc, char** argv) {
   return arguments;
 }
 
+/// A word where the command belongs that is none: CLI11 would only ask for a command.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw std::runtime_error("there is no command " + tern_host::quote(argv[1]) + "; the commands are: " + names);
+}
+
+/// A full disk shows only once what was printed is written.
+void flush_output() {
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw std::runtime_error(std::string("standard output: cannot be written: ") + std::strerror(errno));
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Tern plans safe, smooth trajectories for multirotors through maps of obstacles.", "tern");
   app.footer(
@@ -47,17 +72,21 @@ int run(int argc, char** argv) {
   tern_cli::add_plan_command(app, exit_status);
   tern_cli::add_table_command(app, exit_status);
   tern_cli::add_solve_command(app, exit_status);
+  check_command(app, argc, argv);
   try {
     app.parse(reversed_arguments(argc, argv));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? tern_cli::kExitOk : tern_cli::kExitBadInput;
+    exit_status = app.exit(error) == 0 ? tern_cli::kExitOk : tern_cli::kExitBadInput;
   }
+  flush_output();
   return exit_status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A limit on file sizes is then an error of write(), which cleans up, and no end in the middle of a file.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
 #include "host/atomic_file.hpp"
 #include "host/number.hpp"
@@ -31,16 +32,17 @@ std::string picture(const PlanOptions& options, const tern_host::PlanResult& res
 
 /// Everything is made before anything is written.
 void write_outputs(const PlanOptions& options, const tern_host::PlanResult& result) {
-  const std::string json = options.json.empty() ? "" : tern_host::plan_json(result);
-  const std::string svg = options.svg.empty() ? "" : picture(options, result);
-  const bool has_csv = !options.csv.empty() && result.ok();
-  const std::string csv = has_csv ? tern_host::trajectory_csv(result.trajectory, options.csv_step) : "";
-  if (!options.json.empty()) tern_host::write_file(options.json, json);
-  if (!options.svg.empty()) tern_host::write_file(options.svg, svg);
-  if (has_csv) tern_host::write_file(options.csv, csv);
+  std::vector<tern_host::Output> outputs;
+  if (!options.json.empty()) outputs.push_back({options.json, tern_host::plan_json(result)});
+  if (!options.svg.empty()) outputs.push_back({options.svg, picture(options, result)});
+  if (!options.csv.empty() && result.ok()) {
+    outputs.push_back({options.csv, tern_host::trajectory_csv(result.trajectory, options.csv_step)});
+  }
+  tern_host::write_files(outputs);
 }
 
 int plan(const PlanOptions& options) {
+  check_output_paths({options.scenario}, {options.json, options.csv, options.svg});
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
   const tern_host::PlanResult result = tern_host::Session().plan(scenario);
   write_outputs(options, result);
@@ -88,7 +90,7 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->footer("Files are written whole or not at all. No table is written where there is no plan.");
+  command->footer("Files are written all and whole, or not at all. No table is written where there is no plan.");
   command->callback([options, &exit_status] { exit_status = plan(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
 #include "host/corridor_solver.hpp"
 
@@ -65,6 +66,7 @@ void print_row(const std::string& id, const CorridorAnswers& answers) {
 }
 
 int solve(const SolveOptions& options) {
+  check_output_paths(options.files, {options.json});
   std::vector<tern_host::CorridorCase> cases;
   for (const std::string& file : options.files) cases.push_back(tern_host::read_corridor_case(file));
   tern_host::CorridorSolver solver;

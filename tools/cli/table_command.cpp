@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
 #include "host/atomic_file.hpp"
 #include "host/picture/picture.hpp"
@@ -41,9 +42,21 @@ void make_folder(const std::string& folder) {
 }
 
 void write_outputs(const std::string& stem, const tern_host::PlanResult& result) {
-  tern_host::write_file(stem + ".json", tern_host::plan_json(result));
-  tern_host::write_file(stem + ".svg", tern_host::plan_svg(result));
-  if (result.ok()) tern_host::write_file(stem + ".csv", tern_host::trajectory_csv(result.trajectory, kCsvStep));
+  std::vector<tern_host::Output> outputs = {{stem + ".json", tern_host::plan_json(result)},
+                                            {stem + ".svg", tern_host::plan_svg(result)}};
+  if (result.ok()) outputs.push_back({stem + ".csv", tern_host::trajectory_csv(result.trajectory, kCsvStep)});
+  tern_host::write_files(outputs);
+}
+
+/// Files of equal name from two folders would overwrite each other's plans.
+void check_outputs(const TableOptions& options) {
+  std::vector<std::string> outputs;
+  for (const std::string& file : options.scenarios) {
+    for (const char* const kind : {".json", ".svg", ".csv"}) {
+      outputs.push_back(options.folder + "/" + base_name(file) + kind);
+    }
+  }
+  check_output_paths(options.scenarios, outputs);
 }
 
 /// The plan is the same bits each time; its times are not. Returns the one whose total is the median.
@@ -59,7 +72,10 @@ tern_host::PlanResult plan_repeatedly(tern_host::Session& session, const tern_ho
 }
 
 int table(const TableOptions& options) {
-  if (!options.folder.empty()) make_folder(options.folder);
+  if (!options.folder.empty()) {
+    make_folder(options.folder);
+    check_outputs(options);
+  }
   tern_host::Session session;
   int exit_status = kExitOk;
   std::fputs(table_header().c_str(), stdout);

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 
 namespace tern_host {
@@ -58,20 +59,59 @@ mode_t mode_of(const std::string& path) {
   return 0666 & ~mask;
 }
 
+/// A complete temporary file beside the one whose place it is to take; gone again unless it does.
+class Staged {
+ public:
+  Staged(const std::string& path, const std::string& content)
+      : path_(path), target_(resolve(path)), temporary_(target_ + ".XXXXXX") {
+    const int file = mkstemp(&temporary_[0]);
+    if (file < 0) fail(path, "cannot be created");
+    const bool written = write_all(file, content) && fchmod(file, mode_of(target_)) == 0 && fsync(file) == 0;
+    if (close(file) == 0 && written) return;
+    discard();
+    fail(path, "cannot be written");
+  }
+  Staged(const Staged&) = delete;
+  Staged& operator=(const Staged&) = delete;
+  ~Staged() {
+    if (!placed_) discard();
+  }
+
+  void place() {
+    placed_ = rename(temporary_.c_str(), target_.c_str()) == 0;
+    if (!placed_) fail(path_, "cannot be written");
+  }
+
+ private:
+  void discard() const {
+    const int reason = errno;
+    unlink(temporary_.c_str());
+    errno = reason;
+  }
+
+  std::string path_;
+  std::string target_;
+  std::string temporary_;
+  bool placed_ = false;
+};
+
 }  // namespace
 
+void write_files(const std::vector<Output>& outputs) {
+  std::vector<std::unique_ptr<Staged>> staged;
+  for (const Output& output : outputs) {
+    if (!exists_as_other_than_file(output.path)) {
+      staged.push_back(std::make_unique<Staged>(output.path, output.content));
+    }
+  }
+  for (const Output& output : outputs) {
+    if (exists_as_other_than_file(output.path)) write_directly(output.path, output.content);
+  }
+  for (const std::unique_ptr<Staged>& file : staged) file->place();
+}
+
 void write_file(const std::string& path, const std::string& content) {
-  if (exists_as_other_than_file(path)) return write_directly(path, content);
-  const std::string target = resolve(path);
-  std::string temporary = target + ".XXXXXX";
-  const int file = mkstemp(&temporary[0]);
-  if (file < 0) fail(path, "cannot be created");
-  const bool written = write_all(file, content) && fchmod(file, mode_of(target)) == 0 && fsync(file) == 0;
-  if (close(file) == 0 && written && rename(temporary.c_str(), target.c_str()) == 0) return;
-  const int reason = errno;
-  unlink(temporary.c_str());
-  errno = reason;
-  fail(path, "cannot be written");
+  write_files({{path, content}});
 }
 
 }  // namespace tern_host

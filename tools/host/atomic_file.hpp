@@ -4,12 +4,19 @@
 #define TERN_HOST_ATOMIC_FILE_HPP
 
 #include <string>
+#include <vector>
 
 namespace tern_host {
 
-/// Writes a file whole or not at all: a temporary file beside it takes its place once it is complete, so that a reader
-/// or a full disk never meets half a file and what was there before is lost only to its successor. A path that is
-/// there and no regular file (a terminal, a pipe) is written to directly. Throws std::runtime_error.
+struct Output {
+  std::string path;
+  std::string content;
+};
+
+/// Writes files whole or not at all: temporary files beside them take their places once all are complete. A full disk
+/// leaves what was there before. A path that is there and no regular file (a terminal, a pipe) is written to directly.
+/// Throws std::runtime_error.
+void write_files(const std::vector<Output>& outputs);
 void write_file(const std::string& path, const std::string& content);
 
 }  // namespace tern_host

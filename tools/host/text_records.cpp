@@ -14,6 +14,9 @@ namespace tern_host {
 namespace {
 
 constexpr std::size_t kQuotedBytes = 40;
+/// How some editors begin a file in UTF-8, and how files in UTF-16 begin.
+const std::string kByteOrderMark = "\xEF\xBB\xBF";
+const std::string kUtf16Marks[] = {"\xFF\xFE", "\xFE\xFF"};
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
@@ -35,6 +38,14 @@ void check_size(const std::string& text, const Place& place) {
   if (text.size() > kMaxTextBytes) {
     throw RecordError(place, "larger than " + std::to_string(kMaxTextBytes) + " bytes");
   }
+}
+
+/// Where the text begins: past a byte order mark.
+std::size_t first_byte(const std::string& text, const Place& place) {
+  for (const std::string& mark : kUtf16Marks) {
+    if (text.compare(0, mark.size(), mark) == 0) throw RecordError(place, "encoded in UTF-16: save it as UTF-8");
+  }
+  return text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0 ? kByteOrderMark.size() : 0;
 }
 
 }  // namespace
@@ -79,7 +90,7 @@ Place for_each_record(const std::string& text, const std::string& name,
                       const std::function<void(const Words&, const Place&)>& add) {
   check_size(text, {name, 0});
   Place place{name, 1};
-  for (std::size_t begin = 0; begin < text.size(); ++place.line) {
+  for (std::size_t begin = first_byte(text, place); begin < text.size(); ++place.line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string line = text.substr(begin, end - begin);
     check_line(line, place);

@@ -48,7 +48,7 @@ std::string read_text(const std::string& path);
 Words split_words(const std::string& text, bool commas);
 
 /// Hands each record to `add` with its place; returns the place of the last line. Throws RecordError where the text is
-/// too large, has a line of more than kMaxLineBytes or a byte that no text has.
+/// too large, has a line of more than kMaxLineBytes or a byte that no text has. A byte order mark of UTF-8 is skipped.
 Place for_each_record(const std::string& text, const std::string& name,
                       const std::function<void(const Words&, const Place&)>& add);
 

@@ -81,7 +81,7 @@ class Grid {
   /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary: only the words near
   /// obstacles that changed since the last time are made again, equal to making all. Does nothing where nothing
   /// changed, or on a grid that is not bound. The revision stays: the blocked layer belongs to the obstacles' revision.
-  /// Planning on a grid whose obstacles changed since answers kInvalidArgument (field kStorage).
+  /// Planning on a grid whose obstacles changed since answers kInvalidArgument (field kNotInflated).
   void inflate() noexcept;
 
   const GridSpec& spec() const noexcept { return spec_; }

@@ -12,6 +12,7 @@
 #include "tern/path.hpp"
 #include "tern/report.hpp"
 #include "tern/request.hpp"
+#include "tern/self_test.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/workspace.hpp"
 
@@ -30,7 +31,9 @@ class Planner {
   /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner,
   /// which keeps there from plan to plan what it found out about the map: nobody else may write to it, another planner
   /// least. Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
-  Planner(void* memory, size_t bytes) noexcept;
+  /// `configuration` is the caller's and stays away: where the caller's headers have other capacities than the library,
+  /// every plan is refused with kInvalidArgument (field kConfiguration).
+  Planner(void* memory, size_t bytes, uint64_t configuration = kConfigurationHash) noexcept;
 
   /// Ticks for the report. Null (the default) reports no times.
   void set_clock(ClockFn clock, void* context) noexcept;
@@ -110,7 +113,8 @@ class Planner {
   void count(Stage stage, uint32_t work, uint32_t budget, uint32_t bound) noexcept;
   void enter(Phase phase) noexcept;
 
-  void* workspace_;  // aligned; null where the memory does not do
+  void* workspace_;  // aligned; null where the memory or the configuration does not do
+  bool same_configuration_;
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;

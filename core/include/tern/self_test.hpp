@@ -39,6 +39,9 @@ constexpr uint64_t configuration_hash() noexcept {
   return configuration_hash_of(kLatticeTolerance, kSightMargin);
 }
 
+/// The same as a constant: each file that includes this has its own, whatever the others were compiled with.
+constexpr uint64_t kConfigurationHash = configuration_hash();
+
 /// What a self-test found wrong, one bit each; 0 is healthy. Where a compiler flag does it, the fault is named after
 /// the flag to remove. A flag counts where it changes results: at -O0 some do not.
 enum SelfTestFault : uint32_t {

@@ -16,7 +16,7 @@ enum class Status : uint8_t {
   // The caller's: the request is wrong. Report::field says which field.
   kNonFiniteInput = 10,      ///< NaN or infinity in a field
   kInvalidArgument = 11,     ///< null, zero, beyond a capacity, or a call out of order
-  kLimitsInvalid = 12,       ///< a limit that is zero, negative, denormal or absurdly large
+  kLimitsInvalid = 12,       ///< a limit that is zero, negative, denormal or absurdly large, or a time weight that is
   kOutOfMap = 13,            ///< start or goal outside the closed boundary
   kStartExceedsLimits = 14,  ///< start velocity or acceleration above its limit
   kGoalExceedsLimits = 15,   ///< goal velocity or acceleration above its limit
@@ -98,6 +98,8 @@ enum class Field : uint8_t {
   kFences,
   kShortcut,
   kPrevious,
+  kNotInflated,    ///< the grid was marked, cleared or bound since its last inflate()
+  kConfiguration,  ///< the caller's headers and the library were compiled with different capacities
 };
 
 /// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.

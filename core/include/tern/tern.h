@@ -146,8 +146,26 @@ uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
 uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, size_t count, size_t* inside);
 uint8_t tern_grid_inflate(tern_grid* grid);
 
-/* Planner over `memory` (tern_size_of(TERN_SIZE_WORKSPACE) bytes, any alignment and content), the caller's. */
-uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes);
+/* What tern_configuration_hash() answers where this header is compiled with the library's capacities. Whole numbers
+ * alone: the last two are the bits of the core's floating-point constants. */
+static inline uint64_t tern_header_hash(void) {
+  const uint64_t values[] = {
+    TERN_MAX_CELLS, TERN_MAX_DIMENSION, TERN_MAX_NODES, TERN_MAX_HEAP, TERN_MAX_JUMP_POINTS, TERN_MAX_SEGMENTS,
+    TERN_MAX_PLANES, TERN_MAX_LOCAL_BOXES, TERN_MAX_ACTIVE, TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,
+    TERN_MAX_FENCES, TERN_MAX_FENCE_PLANES, TERN_MAX_FENCE_WORDS, 0x112e0be826d695u, 0x1999999999999au
+  };
+  uint64_t hash = 0xCBF29CE484222325u;
+  for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;
+  return hash;
+}
+
+/* Planner over `memory` (tern_size_of(TERN_SIZE_WORKSPACE) bytes, any alignment and content), the caller's. A caller
+ * that was compiled with other capacities than the library is answered kInvalidArgument, here and by every plan (field
+ * kConfiguration). Languages that do not read this header call the first with tern_configuration_hash(). */
+uint8_t tern_planner_init_for(tern_planner* planner, void* memory, size_t bytes, uint64_t configuration);
+static inline uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes) {
+  return tern_planner_init_for(planner, memory, bytes, tern_header_hash());
+}
 uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* context), void* context);
 /* A request with the default budget (no limit but the bounds) and time weight, and everything else zero. */
 void tern_request_init(tern_request* request);

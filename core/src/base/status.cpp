@@ -51,7 +51,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kRunning: return "the plan has work left: call step() again";
     case Status::kNonFiniteInput: return "a field is NaN or infinite";
     case Status::kInvalidArgument: return "a null, zero or oversized argument, or a call out of order";
-    case Status::kLimitsInvalid: return "a velocity or acceleration limit has the wrong sign, or its size is not within 0.001 and 1000";
+    case Status::kLimitsInvalid: return "a limit has the wrong sign or a size outside 0.001 to 1000, or the time weight is outside 0.001 to 1e6";
     case Status::kOutOfMap: return "start or goal lies outside the boundary";
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
     case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
@@ -127,6 +127,8 @@ const char* field_name(Field field) noexcept {
     case Field::kFences: return "fences";
     case Field::kShortcut: return "shortcut";
     case Field::kPrevious: return "previous plan";
+    case Field::kNotInflated: return "grid not inflated";
+    case Field::kConfiguration: return "configuration";
   }
   return "unknown";
 }

@@ -35,7 +35,9 @@ constexpr int kMaxSteps = 16;
 
 }  // namespace
 
-Planner::Planner(void* memory, std::size_t bytes) noexcept : workspace_(align(memory, bytes)) {
+Planner::Planner(void* memory, std::size_t bytes, std::uint64_t configuration) noexcept
+    : workspace_(configuration == kConfigurationHash ? align(memory, bytes) : nullptr),
+      same_configuration_(configuration == kConfigurationHash) {
   forget_map();
 }
 
@@ -119,8 +121,9 @@ Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   arrivals_ = 0;
   stop_and_go_ = false;
   grid_ = &grid;
+  if (!same_configuration_) return refuse(Status::kInvalidArgument, Field::kConfiguration);
   if (workspace_ == nullptr) return refuse(Status::kInvalidArgument, Field::kWorkspace);
-  if (!grid.inflated()) return refuse(Status::kInvalidArgument, Field::kStorage);
+  if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
   asked_ = request;

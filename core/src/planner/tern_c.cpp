@@ -143,10 +143,13 @@ std::uint8_t tern_grid_inflate(tern_grid* grid) {
   return code(Status::kOk);
 }
 
-std::uint8_t tern_planner_init(tern_planner* planner, void* memory, std::size_t bytes) {
-  if (planner == nullptr || memory == nullptr || bytes < tern::kWorkspaceBytes) return kInvalid;
-  new (planner->opaque) Planner(memory, bytes);
-  return code(Status::kOk);
+std::uint8_t tern_planner_init_for(tern_planner* planner, void* memory, std::size_t bytes,
+                                   std::uint64_t configuration) {
+  if (planner == nullptr) return kInvalid;
+  // Refused or not, there is a planner: who overlooks this answer gets it again from every plan.
+  new (planner->opaque) Planner(memory, bytes, configuration);
+  const bool usable = memory != nullptr && bytes >= tern::kWorkspaceBytes && configuration == tern::kConfigurationHash;
+  return usable ? code(Status::kOk) : kInvalid;
 }
 
 std::uint8_t tern_planner_set_clock(tern_planner* planner, std::uint64_t (*clock)(void*), void* context) {
