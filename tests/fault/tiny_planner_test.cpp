@@ -15,8 +15,8 @@ using tern::Status;
 using tern_test::Random;
 using tern_test::World;
 
-/// Walls across y with doors at alternating ends: a path of many turns. One voxel high, so that the turns run out before
-/// the nodes do.
+/// Walls across y with doors at alternating ends: a path of many turns. One voxel high, so that the turns run out
+/// before the nodes do.
 World slalom(int walls) {
   World world({4 * walls + 4, 12, 1}, 0.25, 0.0);
   for (int i = 0; i < walls; ++i) {
@@ -52,7 +52,7 @@ TEST(TinyPlanner, OpenSpaceFits) {
 /// The capacities that random worlds run into, each with its mark.
 TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
   int nodes = 0;
-  int heap = 0;
+  int open = 0;
   int jump_points = 0;
   int segments = 0;
   int planes = 0;
@@ -63,15 +63,15 @@ TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
     const Status status = world.plan();
     const tern::HighWater& high = world.report.high_water;
     EXPECT_LE(high.nodes, tern::kMaxNodes);
-    EXPECT_LE(high.heap, tern::kMaxHeap);
+    EXPECT_LE(high.open, tern::kMaxOpen);
     EXPECT_LE(high.segments, tern::kMaxSegments);
     if (status == Status::kNodesFull && ++nodes > 0) {
       EXPECT_EQ(high.nodes, tern::kMaxNodes);
     }
-    if (status == Status::kHeapFull && ++heap > 0) {
-      EXPECT_EQ(high.heap, tern::kMaxHeap);
+    if (status == Status::kOpenFull && ++open > 0) {
+      EXPECT_EQ(high.open, tern::kMaxOpen);
     }
-    if (status == Status::kWaypointsFull && ++jump_points > 0) {
+    if (status == Status::kJumpPointsFull && ++jump_points > 0) {
       EXPECT_EQ(high.jump_points, tern::kMaxJumpPoints);
     }
     if (status == Status::kSegmentsFull && ++segments > 0) {
@@ -88,7 +88,7 @@ TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
     }
   }
   EXPECT_GT(nodes, 0);
-  EXPECT_GT(heap, 0);
+  EXPECT_GT(open, 0);
   EXPECT_GT(segments, 0);
 }
 

@@ -37,7 +37,7 @@ TEST(TinySearch, SegmentsThenWaypointsRunOut) {
   ASSERT_EQ(run_serpentine(runner, 1), Status::kOk);
   EXPECT_EQ(runner.stage().segments_high, runner.path().count - 1);
   int segments_full = 0;
-  int waypoints_full = 0;
+  int jump_points_full = 0;
   for (int walls = 2; walls <= 8; ++walls) {
     const Status status = run_serpentine(runner, walls);
     if (status == Status::kSegmentsFull) {
@@ -45,20 +45,20 @@ TEST(TinySearch, SegmentsThenWaypointsRunOut) {
       EXPECT_EQ(runner.stage().stage, tern::Stage::kShortcut);
       EXPECT_GT(runner.path().count, tern::kMaxWaypoints);
       EXPECT_LE(runner.path().raw_count, tern::kMaxJumpPoints);
-      EXPECT_EQ(waypoints_full, 0) << "longer mazes need more points";
+      EXPECT_EQ(jump_points_full, 0) << "longer mazes need more points";
       ++segments_full;
     }
-    if (status == Status::kWaypointsFull) {
+    if (status == Status::kJumpPointsFull) {
       EXPECT_EQ(runner.stage().raw_high, tern::kMaxJumpPoints);
       EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
-      ++waypoints_full;
+      ++jump_points_full;
     }
     if (status == Status::kOk) {
       EXPECT_LE(runner.path().count, tern::kMaxWaypoints);
     }
   }
   EXPECT_GT(segments_full, 0);
-  EXPECT_GT(waypoints_full, 0);
+  EXPECT_GT(jump_points_full, 0);
 }
 
 TEST(TinySearch, NodesRunOut) {
@@ -73,7 +73,7 @@ TEST(TinySearch, NodesRunOut) {
     world.grid.inflate();
     const Status status = runner.run(world.grid, Voxel{0, 0, 0}, Voxel{29, 29, 0});
     EXPECT_LE(runner.stage().nodes_high, tern::kMaxNodes);
-    EXPECT_LE(runner.stage().heap_high, tern::kMaxHeap);
+    EXPECT_LE(runner.stage().open_high, tern::kMaxOpen);
     if (status != Status::kNodesFull) continue;
     EXPECT_EQ(runner.stage().nodes_high, tern::kMaxNodes);
     EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
@@ -93,8 +93,8 @@ TEST(TinySearch, HeapRunsOut) {
     }
     world.grid.inflate();
     const Status status = runner.run(world.grid, Voxel{0, 0, 0}, Voxel{23, 23, 23});
-    if (status != Status::kHeapFull) continue;
-    EXPECT_EQ(runner.stage().heap_high, tern::kMaxHeap);
+    if (status != Status::kOpenFull) continue;
+    EXPECT_EQ(runner.stage().open_high, tern::kMaxOpen);
     EXPECT_LE(runner.stage().nodes_high, tern::kMaxNodes);
     ++full;
   }
@@ -103,7 +103,7 @@ TEST(TinySearch, HeapRunsOut) {
 
 // 24 x 24 lines of one word each are more than a layer of stops holds here: scans go step by step.
 TEST(TinySearch, ScansWithoutStopsFindTheSameCost) {
-  static_assert(24 * 24 > tern::kStopWords, "the map must not fit");
+  static_assert(24 * 24 > tern::kJumpStopWords, "the map must not fit");
   PathRunner runner;
   Random random(64);
   int solved = 0;

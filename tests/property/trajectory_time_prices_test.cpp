@@ -7,9 +7,9 @@
 #include <cmath>
 #include <memory>
 
+#include "curve/bezier.hpp"
 #include "qp/solver.hpp"
 #include "support/box_corridor.hpp"
-#include "curve/bezier.hpp"
 #include "trajectory/time_prices.hpp"
 
 namespace {

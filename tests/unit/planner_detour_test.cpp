@@ -5,9 +5,9 @@
 #include <cstring>
 #include <memory>
 
+#include "curve/rest.hpp"
 #include "planner/detour.hpp"
 #include "support/world.hpp"
-#include "curve/rest.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace tern_test {

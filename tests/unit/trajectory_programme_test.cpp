@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
+#include "curve/bezier.hpp"
 #include "support/box_corridor.hpp"
 #include "tern/trajectory.hpp"
-#include "curve/bezier.hpp"
 #include "trajectory/hodograph_rows.hpp"
 #include "trajectory/programme.hpp"
 

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <memory>
 
-#include "support/box_corridor.hpp"
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
+#include "support/box_corridor.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <memory>
 
-#include "support/box_corridor.hpp"
-#include "times/times.hpp"
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
+#include "support/box_corridor.hpp"
+#include "times/times.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {

@@ -4,4 +4,4 @@
 // The companion profile with an eighth of its nodes, so that the dearest search runs out of them within seconds, and
 // an open list that is smaller still: in the profile itself it has room for every node and never runs out.
 #define TERN_MAX_NODES (64 * 1024)
-#define TERN_MAX_HEAP (48 * 1024)
+#define TERN_MAX_OPEN (48 * 1024)

@@ -122,8 +122,8 @@ void noise_caps() {
   strew_voxels(grid);
   finish_world(grid, start, goal);
   const Run heap = run(grid, start, goal, 0xFFFFFFFFu);
-  report_search("heap", heap, tern::Status::kHeapFull, marked(heap.report.high_water.heap), tern::kMaxHeap,
-                (kCompanionHeap + tern::kMaxHeap - 1) / tern::kMaxHeap);
+  report_search("heap", heap, tern::Status::kOpenFull, marked(heap.report.high_water.open), tern::kMaxOpen,
+                (kCompanionHeap + tern::kMaxOpen - 1) / tern::kMaxOpen);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ void search_caps() {
   noise_caps();
   const tern::Grid lane = serpentine();
   const Run points = run(lane, {0, 0, 0}, {0, 8, 0}, 0xFFFFFFFFu);
-  report_search("jump_points", points, tern::Status::kWaypointsFull, marked(points.report.high_water.jump_points),
+  report_search("jump_points", points, tern::Status::kJumpPointsFull, marked(points.report.high_water.jump_points),
                 tern::kMaxJumpPoints, 1);
 }
 

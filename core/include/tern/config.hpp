@@ -42,12 +42,12 @@
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
 #endif
 
-/// Entries of the search's open list, 24 bytes each. Beyond it: Status::kHeapFull.
-#ifndef TERN_MAX_HEAP
-#define TERN_MAX_HEAP TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
+/// Entries of the search's open list, 24 bytes each. Beyond it: Status::kOpenFull.
+#ifndef TERN_MAX_OPEN
+#define TERN_MAX_OPEN TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
 #endif
 
-/// Turning points of a raw jump-point path, 24 bytes each. Beyond it: Status::kWaypointsFull.
+/// Turning points of a raw jump-point path, 24 bytes each. Beyond it: Status::kJumpPointsFull.
 #ifndef TERN_MAX_JUMP_POINTS
 #define TERN_MAX_JUMP_POINTS TERN_DEFAULT(16, 256, 2048)
 #endif
@@ -113,7 +113,7 @@ namespace tern {
 constexpr int64_t kMaxCells = TERN_MAX_CELLS;
 constexpr int32_t kMaxDimension = TERN_MAX_DIMENSION;
 constexpr int kMaxNodes = TERN_MAX_NODES;
-constexpr int kMaxHeap = TERN_MAX_HEAP;
+constexpr int kMaxOpen = TERN_MAX_OPEN;
 constexpr int kMaxJumpPoints = TERN_MAX_JUMP_POINTS;
 constexpr int kMaxSegments = TERN_MAX_SEGMENTS;
 constexpr int kMaxWaypoints = kMaxSegments + 1;
@@ -139,7 +139,7 @@ static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
 static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,
               "a fence that is a box; facets of fences live on the stack");
-static_assert(kMaxNodes < (1 << 30) && kMaxHeap < (1 << 30), "node indices are 32 bits");
+static_assert(kMaxNodes < (1 << 30) && kMaxOpen < (1 << 30), "node indices are 32 bits");
 
 }  // namespace tern
 

@@ -21,7 +21,7 @@ struct StageReport {
 /// Highest use of each capacity of config.hpp during the plan.
 struct HighWater {
   int32_t nodes;
-  int32_t heap;
+  int32_t open;
   int32_t jump_points;
   int32_t segments;
   int32_t planes;         ///< of the fullest polyhedron

@@ -34,8 +34,8 @@ enum class Status : uint8_t {
 
   // The configuration's: a capacity ran out. Each names the constant of config.hpp to raise.
   kNodesFull = 50,        ///< TERN_MAX_NODES
-  kHeapFull = 51,         ///< TERN_MAX_HEAP
-  kWaypointsFull = 52,    ///< TERN_MAX_JUMP_POINTS
+  kOpenFull = 51,         ///< TERN_MAX_OPEN
+  kJumpPointsFull = 52,   ///< TERN_MAX_JUMP_POINTS
   kSegmentsFull = 53,     ///< TERN_MAX_SEGMENTS
   kPlanesFull = 54,       ///< TERN_MAX_PLANES
   kObstaclesFull = 55,    ///< TERN_MAX_LOCAL_BOXES

@@ -76,7 +76,7 @@ typedef struct {
 } tern_flat_state;
 typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
-  int32_t nodes, heap, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
+  int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
 typedef struct {
   uint8_t status, stage, field;
@@ -150,7 +150,7 @@ uint8_t tern_grid_inflate(tern_grid* grid);
  * alone: the last two are the bits of the core's floating-point constants. */
 static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {
-    TERN_MAX_CELLS, TERN_MAX_DIMENSION, TERN_MAX_NODES, TERN_MAX_HEAP, TERN_MAX_JUMP_POINTS, TERN_MAX_SEGMENTS,
+    TERN_MAX_CELLS, TERN_MAX_DIMENSION, TERN_MAX_NODES, TERN_MAX_OPEN, TERN_MAX_JUMP_POINTS, TERN_MAX_SEGMENTS,
     TERN_MAX_PLANES, TERN_MAX_LOCAL_BOXES, TERN_MAX_ACTIVE, TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,
     TERN_MAX_FENCES, TERN_MAX_FENCE_PLANES, TERN_MAX_FENCE_WORDS, 0x112e0be826d695u, 0x1999999999999au
   };

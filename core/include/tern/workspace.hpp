@@ -16,7 +16,7 @@ namespace workspace {
 
 // What each part takes, from the capacities: an upper bound, a tenth or so above the truth, that this header can state
 // without showing the core's own structures. The core asserts at compile time that it holds.
-constexpr size_t kNodes = kMaxNodes, kHeap = kMaxHeap, kCells = static_cast<size_t>(kMaxCells);
+constexpr size_t kNodes = kMaxNodes, kHeap = kMaxOpen, kCells = static_cast<size_t>(kMaxCells);
 constexpr size_t kJumps = kMaxJumpPoints, kSegments = kMaxSegments, kPlanes = kMaxPlanes;
 constexpr size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive;
 
@@ -26,7 +26,7 @@ constexpr size_t larger(size_t a, size_t b) {
 
 constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 
-/// Nodes with their hash slots, the open list's entries and bins, and a witness for each 64 voxels.
+/// Nodes with their hash slots, the open list's entries and bins, and a dominance record for each 64 voxels.
 constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
 /// A bit a voxel for the stops of scans in six directions, three bytes for each 64 voxels for how far scans have
 /// walked, and what the map was; from plan to plan.

@@ -23,8 +23,8 @@ const char* status_name(Status status) noexcept {
     case Status::kStartFenced: return "start_fenced";
     case Status::kGoalFenced: return "goal_fenced";
     case Status::kNodesFull: return "nodes_full";
-    case Status::kHeapFull: return "heap_full";
-    case Status::kWaypointsFull: return "waypoints_full";
+    case Status::kOpenFull: return "open_full";
+    case Status::kJumpPointsFull: return "jump_points_full";
     case Status::kSegmentsFull: return "segments_full";
     case Status::kPlanesFull: return "planes_full";
     case Status::kObstaclesFull: return "obstacles_full";
@@ -62,8 +62,8 @@ const char* status_meaning(Status status) noexcept {
     case Status::kCorridorBlocked: return "an obstacle touches a segment of the path";
     case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state";
     case Status::kNodesFull: return "the search needs more nodes: raise TERN_MAX_NODES or coarsen the grid";
-    case Status::kHeapFull: return "the open list is full: raise TERN_MAX_HEAP or coarsen the grid";
-    case Status::kWaypointsFull: return "the jump-point path turns too often: raise TERN_MAX_JUMP_POINTS";
+    case Status::kOpenFull: return "the open list is full: raise TERN_MAX_OPEN or coarsen the grid";
+    case Status::kJumpPointsFull: return "the jump-point path turns too often: raise TERN_MAX_JUMP_POINTS";
     case Status::kSegmentsFull: return "the path needs more segments: raise TERN_MAX_SEGMENTS";
     case Status::kPlanesFull: return "a polyhedron needs more half-spaces: raise TERN_MAX_PLANES";
     case Status::kStartFenced: return "the start is outside a keep-in, or nearer than the radius to a keep-out";

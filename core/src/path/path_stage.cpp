@@ -102,7 +102,7 @@ Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out)
     if (taken != Status::kOk) return taken;
     status = search_expand(stage.search, grid);
     stage.nodes_high = larger_of(stage.nodes_high, static_cast<std::int32_t>(stage.search.store.count));
-    stage.heap_high = larger_of(stage.heap_high, stage.search.open.high);
+    stage.open_high = larger_of(stage.open_high, stage.search.open.high);
   }
   if (status != Status::kOk) return status;
   status = write_raw(stage, grid, out);
@@ -170,7 +170,7 @@ void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuer
   stage.expansions = 0;
   stage.sight_lines = 0;
   stage.nodes_high = 0;
-  stage.heap_high = 0;
+  stage.open_high = 0;
   stage.raw_high = 0;
   stage.segments_high = 0;
   stage.raw_occupied = false;

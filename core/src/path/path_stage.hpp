@@ -50,7 +50,7 @@ struct PathStage {
   std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
   std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= shortcut_bound() and the budget
   std::int32_t nodes_high;     ///< jump points generated
-  std::int32_t heap_high;      ///< most open at once
+  std::int32_t open_high;      ///< most open at once
   std::int32_t raw_high;       ///< points of the jump-point path
   std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments where more would have been needed
   bool raw_occupied;           ///< kStartOccupied / kGoalOccupied: the point is inside an obstacle, radius apart
@@ -77,7 +77,7 @@ void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuer
 /// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
 /// joins an end to the grid, one step of the shortcut, which walks one line of sight at most, or one trial of
 /// tightening, which walks two lines at most. kRunning, or the end: kOk with `out` full; else kStartOccupied,
-/// kGoalOccupied, kNoPath, kNodesFull, kHeapFull, kWaypointsFull, kSegmentsFull (the raw path in `out` is whole),
+/// kGoalOccupied, kNoPath, kNodesFull, kOpenFull, kJumpPointsFull, kSegmentsFull (the raw path in `out` is whole),
 /// kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise. `out` must be the same object until then.
 ///
 /// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for

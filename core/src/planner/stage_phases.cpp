@@ -55,7 +55,7 @@ Status Planner::run_path(Work& work) noexcept {
   count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
         searches() * (shortcut_bound(stage.query.mode) + kDetourLines));
   raise(report_.high_water.nodes, stage.nodes_high);
-  raise(report_.high_water.heap, stage.heap_high);
+  raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
   raise(report_.high_water.segments, stage.segments_high);
   if (status == Status::kRunning) return status;

@@ -98,7 +98,7 @@ Status search_extract(Search& search, const Grid& grid, int reserve, Path& path)
     write_jump(writer, to);
   }
   path.grid_length = (kSqrt3 * sum.space + kSqrt2 * sum.plane) + sum.straight;
-  return writer.full ? Status::kWaypointsFull : Status::kOk;
+  return writer.full ? Status::kJumpPointsFull : Status::kOk;
 }
 
 }  // namespace tern

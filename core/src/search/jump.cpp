@@ -28,7 +28,7 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arriva
     node.followed = 0;
   }
   node.arrivals |= cell_bit(arrival);
-  if (!open_put(search.open, search.store, index, open_key(g, h, node.voxel))) search.heap_full = true;
+  if (!open_put(search.open, search.store, index, open_key(g, h, node.voxel))) search.open_full = true;
 }
 
 /// Scans from a voxel that the expansion reaches at cost g.
@@ -41,7 +41,7 @@ void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   axis(found, kAxis) = stop;
   const std::int32_t steps = kUp ? stop - axis(cursor, kAxis) : axis(cursor, kAxis) - stop;
   g += static_cast<Cost>(steps) * kStraightCost;
-  if (is_detour(search.witnesses, from.grid, found, g)) return;
+  if (dominated_else_record(search.dominance, from.grid, found, g)) return;
   constexpr int kStep = kUp ? 1 : -1;
   relax(from, found, g, octile(found, search.goal),
         direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));
@@ -80,7 +80,7 @@ void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   for (int k = 1; k <= steps && walk.step(); ++k) {
     cursor = cursor + step;
     g += kPlaneDiagonalCost;
-    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
     scan_axis<kFirst>(from, cursor, g, axis(step, kFirst));
@@ -110,7 +110,7 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
   for (int k = 1; legal_move(move, free); ++k) {
     cursor = cursor + step;
     g += kSpaceDiagonalCost;
-    if (is_detour(from.search.witnesses, from.grid, cursor, g)) return;
+    if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
     for (CellMask left = parts; left != 0; left &= left - 1) follow(from, cursor, g, __builtin_ctz(left));

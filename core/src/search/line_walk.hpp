@@ -21,7 +21,7 @@ CellMask cross_section(const Grid& grid, const Voxel& v) noexcept {
 }
 
 /// True where an arrival at `at` from `from`, one step along the line, forces a move; `beyond` is one step further.
-/// The same rule as in stops.cpp, for one voxel.
+/// The same rule as in jump_stops.cpp, for one voxel.
 inline bool section_forces(CellMask from, CellMask at, CellMask beyond) noexcept {
   constexpr CellMask kStraight = 1u << 1 | 1u << 3 | 1u << 5 | 1u << 7;
   constexpr CellMask kSquares[] = {0x1Bu, 0x36u, 0xD8u, 0x1B0u};  // around the corners 0, 2, 6 and 8

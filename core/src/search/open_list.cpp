@@ -166,7 +166,7 @@ void open_reset(OpenList& open, Cost f) noexcept {
 }
 
 bool open_put(OpenList& open, NodeStore& store, std::uint32_t node, const OpenKey& key) noexcept {
-  if (open.count == kMaxHeap) return false;
+  if (open.count == kMaxOpen) return false;
   ++open.count;
   if (open.count > open.high) open.high = open.count;
   store.nodes[node].open = 1;

@@ -54,7 +54,7 @@ struct OpenEntry {
 /// cache; everything beyond waits in bins. A better way to a node that is open enters it anew, and the entry that it
 /// had is passed over when its turn comes.
 struct OpenList {
-  std::int32_t count;  ///< entries, in bins and heap together; kMaxHeap at most
+  std::int32_t count;  ///< entries, in bins and heap together; kMaxOpen at most
   std::int32_t high;   ///< most entries at once so far
   std::int32_t heap_count;
   bool hole;                                ///< the heap's first entry was taken, and its place is not filled yet
@@ -65,8 +65,8 @@ struct OpenList {
   std::uint64_t groups[kBins / (64 * 64)];  ///< one bit a word of `busy` that is not 0
   std::uint64_t busy[kBins / 64];           ///< one bit a bin that holds something, valid where `groups` says so
   std::int32_t first[kBins];                ///< valid where `busy` says so
-  OpenLink links[kMaxHeap];
-  OpenEntry heap[kMaxHeap];
+  OpenLink links[kMaxOpen];
+  OpenEntry heap[kMaxOpen];
 };
 
 /// Empties the list; what is put in may not have a lesser f than `f`.

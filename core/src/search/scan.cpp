@@ -32,7 +32,7 @@ void forget_changed(ScanMap& map, const Grid& grid, const Regions& regions) {
         const std::int32_t k = regions.at(z, block, word);
         if (map.contents[k] == grid.contents()[k]) continue;
         map.contents[k] = grid.contents()[k];
-        for (int a = 0; a < 3; ++a) stops_forget(map.along[a], grid, a, z, block, word);
+        for (int a = 0; a < 3; ++a) jump_stops_forget(map.along[a], grid, a, z, block, word);
       }
     }
   }
@@ -48,7 +48,7 @@ void scan_begin(ScanMap& map, const Grid& grid) noexcept {
     if (changed == 0) return;
     if (changed <= count / kFewRegions) return forget_changed(map, grid, regions);
   }
-  for (int a = 0; a < 3; ++a) stops_reset(map.along[a], grid, a);
+  for (int a = 0; a < 3; ++a) jump_stops_reset(map.along[a], grid, a);
   map.kept = grid.contents() != nullptr && count <= kStopRegions;
   if (!map.kept) return;
   map.dims = grid.spec().dims;

@@ -8,8 +8,8 @@
 #include "base/direction.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
+#include "search/jump_stops.hpp"
 #include "search/line_walk.hpp"
-#include "search/stops.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -22,7 +22,7 @@ struct ScanMap {
   bool kept;   ///< the stops belong to a map whose regions had these contents
   Voxel dims;  ///< of that map
   std::uint64_t contents[kStopRegions];
-  StopLayer along[3];
+  JumpStopLayer along[3];
 };
 
 /// To be called once before the first scan_begin, on memory with any content.
@@ -59,15 +59,15 @@ std::uint64_t walk_word(std::uint8_t& walked, const Grid& grid, Voxel from, std:
 /// Stops ahead in word k of the line; those of a tile that is not made yet are the one where a walk through the word
 /// ends, if it ends in the word.
 template <int kAxis, bool kUp>
-std::uint64_t stops_in_word(StopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
-  const std::int32_t index = stops_index<kAxis>(layer, from, k);
+std::uint64_t stops_in_word(JumpStopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
+  const std::int32_t index = jump_stops_index<kAxis>(layer, from, k);
   if constexpr (kAxis == 0) {
-    if (!stops_ready(layer, index)) stops_fill_row(layer, grid, from.y, from.z, k);
+    if (!jump_stops_ready(layer, index)) jump_stops_fill_row(layer, grid, from.y, from.z, k);
   } else {
-    const std::int32_t tile = stops_tile<kAxis>(layer, from, k);
-    if (!stops_ready(layer, tile)) {
+    const std::int32_t tile = jump_stops_tile<kAxis>(layer, from, k);
+    if (!jump_stops_ready(layer, tile)) {
       if (layer.walked[tile] < kWalkFirst) return walk_word<kAxis, kUp>(layer.walked[tile], grid, from, k);
-      stops_fill_tile(layer, grid, kAxis, from.x >> 6, kAxis == 2 ? from.y : from.z, k);
+      jump_stops_fill_tile(layer, grid, kAxis, from.x >> 6, kAxis == 2 ? from.y : from.z, k);
     }
   }
   return kUp ? layer.bits[index].up : layer.bits[index].down;
@@ -75,7 +75,7 @@ std::uint64_t stops_in_word(StopLayer& layer, const Grid& grid, const Voxel& fro
 
 /// The first stop beyond `from` on its line; past the grid's face where there is none.
 template <int kAxis, bool kUp>
-std::int32_t next_stop(StopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
+std::int32_t next_stop(JumpStopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
   const std::int32_t at = axis(from, kAxis);
   std::uint64_t ahead = kUp ? ~std::uint64_t{1} << (at & 63) : (std::uint64_t{1} << (at & 63)) - 1;
   for (std::int32_t k = at >> 6; kUp ? k < layer.words : k >= 0; k += kUp ? 1 : -1) {
@@ -104,7 +104,7 @@ bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcep
 template <int kAxis, bool kUp>
 std::int32_t scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
   constexpr int kStep = kUp ? 1 : -1;
-  StopLayer& layer = map.along[kAxis];
+  JumpStopLayer& layer = map.along[kAxis];
   if (layer.words == 0) {
     return scan::stepwise(grid, goal, from,
                           direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));

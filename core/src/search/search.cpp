@@ -26,10 +26,10 @@ bool steps_pay(const Search& search) {
 void begin_jumps(Search& search, const Grid& grid) {
   search.jumps = true;
   scan_begin(*search.map, grid);
-  witness_reset(search.witnesses, grid);
+  dominance_reset(search.dominance, grid);
   for (std::uint32_t k = 0; k < search.store.count; ++k) {
     const SearchNode& node = search.store.nodes[k];
-    is_detour(search.witnesses, grid, node.at(), node.g);
+    dominated_else_record(search.dominance, grid, node.at(), node.g);
   }
 }
 
@@ -57,7 +57,7 @@ CellMask moves_to_follow(const SearchNode& node, CellMask free) {
 
 Status end_or_running(const Search& search) {
   if (search.nodes_full) return Status::kNodesFull;
-  if (search.heap_full) return Status::kHeapFull;
+  if (search.open_full) return Status::kOpenFull;
   return search.open.count > 0 ? Status::kRunning : Status::kNoPath;
 }
 
@@ -69,7 +69,7 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
   search.start = start;
   search.goal = goal;
   search.nodes_full = false;
-  search.heap_full = false;
+  search.open_full = false;
   search.expanded = 0;
   store_reset(search.store, grid.spec().dims);
   search.jumps = false;
@@ -92,7 +92,7 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   if (same(at, search.goal)) return Status::kOk;
   if (f - node.g < search.least_h) search.least_h = f - node.g;
   if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid);
-  if (search.jumps && is_detour(search.witnesses, grid, at, node.g)) return end_or_running(search);
+  if (search.jumps && dominated_else_record(search.dominance, grid, at, node.g)) return end_or_running(search);
   const CellMask free = free_cells(grid, at);
   const CellMask moves = moves_to_follow(node, free);
   node.followed |= moves;

@@ -9,10 +9,10 @@
 #include <cstdint>
 
 #include "base/direction.hpp"
+#include "search/dominance.hpp"
 #include "search/node_store.hpp"
 #include "search/open_list.hpp"
 #include "search/scan.hpp"
-#include "search/witness.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
@@ -33,7 +33,7 @@ struct Search {
   Voxel start;
   Voxel goal;
   bool nodes_full;
-  bool heap_full;
+  bool open_full;
   bool jumps;              ///< false while the search goes step by step
   std::uint32_t steps;     ///< expansions that go step by step at least
   std::uint32_t expanded;  ///< nodes so far
@@ -41,7 +41,7 @@ struct Search {
   NodeStore store;
   OpenList open;
   ScanMap* map;  ///< outlives the search
-  WitnessMap witnesses;
+  DominanceMap dominance;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
@@ -51,11 +51,11 @@ struct Search {
 void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
-/// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kHeapFull; not to be called after the end.
+/// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull; not to be called after the end.
 Status search_expand(Search& search, const Grid& grid) noexcept;
 
 /// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets
-/// path.grid_length. Leaves room for `reserve` more points: kOk or kWaypointsFull. Once, after kOk.
+/// path.grid_length. Leaves room for `reserve` more points: kOk or kJumpPointsFull. Once, after kOk.
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
 
 /// The cost of the path found. Only after kOk, before or after search_extract.

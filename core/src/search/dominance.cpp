@@ -1,15 +1,15 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "search/witness.hpp"
+#include "search/dominance.hpp"
 
 namespace tern {
 
-void witness_reset(WitnessMap& map, const Grid& grid) noexcept {
+void dominance_reset(DominanceMap& map, const Grid& grid) noexcept {
   const Voxel& dims = grid.spec().dims;
   map.width = (dims.x + 3) / 4;
   map.slice = map.width * ((dims.y + 3) / 4);
   const std::int64_t blocks = std::int64_t{map.slice} * ((dims.z + 3) / 4);
-  const std::int64_t used = blocks < kWitnesses ? blocks : kWitnesses;
+  const std::int64_t used = blocks < kDominanceBlocks ? blocks : kDominanceBlocks;
   for (std::int64_t k = 0; k <= used / 64; ++k) map.known[k] = 0;
 }
 

@@ -118,7 +118,7 @@ TEST(PathStops, KeptStopsFollowTheMap) {
     }
     world.grid.inflate();
     tern::scan_begin(*scans.map, world.grid);
-    for (const tern::StopLayer& layer : scans.map->along) kept += layer.ready[0] != 0 ? 1 : 0;
+    for (const tern::JumpStopLayer& layer : scans.map->along) kept += layer.ready[0] != 0 ? 1 : 0;
     for (int m = 0; m < 600; ++m) {
       Voxel from{};
       if (!random_free(world.grid, random, from)) break;

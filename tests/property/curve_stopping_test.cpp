@@ -9,8 +9,8 @@
 #include <cstring>
 
 #include "base/math.hpp"
-#include "support/box_corridor.hpp"
 #include "curve/stopping.hpp"
+#include "support/box_corridor.hpp"
 
 namespace {
 

@@ -161,7 +161,7 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     const unsigned searches = stage.failed + 1;
     EXPECT_LE(stage.expansions, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
     EXPECT_LE(stage.expansions, tern::kSearchBound);
-    EXPECT_LE(stage.heap_high, stage.nodes_high);
+    EXPECT_LE(stage.open_high, stage.nodes_high);
     EXPECT_LE(stage.sight_lines, tern::shortcut_bound(tern::ShortcutMode::kShortestChain));
   }
 }

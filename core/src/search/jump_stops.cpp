@@ -6,7 +6,7 @@
 // - s straight: n + s is free;
 // - s = a + b diagonal: n + a, n + b, n + s and the same three beside n + u are free, and n + u is (the move s + u).
 // All other rules of prune.hpp for straight arrivals follow from these.
-#include "search/stops.hpp"
+#include "search/jump_stops.hpp"
 
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
@@ -17,11 +17,11 @@ namespace {
 constexpr std::int32_t kSide = 64;
 constexpr std::uint64_t kAllBlocked = ~std::uint64_t{0};
 
-void mark_ready(StopLayer& layer, std::int32_t index) {
+void mark_ready(JumpStopLayer& layer, std::int32_t index) {
   layer.ready[index >> 6] |= std::uint64_t{1} << (index & 63);
 }
 
-void mark_unmade(StopLayer& layer, std::int32_t index) {
+void mark_unmade(JumpStopLayer& layer, std::int32_t index) {
   layer.ready[index >> 6] &= ~(std::uint64_t{1} << (index & 63));
 }
 
@@ -31,7 +31,7 @@ IndexRange with_neighbours(std::int32_t begin, std::int32_t end, std::int32_t co
 }
 
 /// Forgets the tiles that hold what is given of their third axis, of x and of their own axis, in tiles' measures.
-void forget_tiles(StopLayer& layer, const IndexRange& third, const IndexRange& block, const IndexRange& word) {
+void forget_tiles(JumpStopLayer& layer, const IndexRange& third, const IndexRange& block, const IndexRange& word) {
   for (std::int32_t t = third.begin; t < third.end; ++t) {
     for (std::int32_t b = block.begin; b < block.end; ++b) {
       for (std::int32_t w = word.begin; w < word.end; ++w) {
@@ -83,13 +83,13 @@ RowWords either(const RowWords& a, const RowWords& b) {
 }
 
 /// Adds the stops that one straight side of a line along x makes.
-void add_straight_side(StopWord& stop, const RowWords& side) {
+void add_straight_side(JumpStopWord& stop, const RowWords& side) {
   stop.up |= side.lesser() & ~side.word;
   stop.down |= side.greater() & ~side.word;
 }
 
 /// Adds those of one diagonal side; `square` is blocked where it, its two straight parts or the line are.
-void add_diagonal_side(StopWord& stop, const RowWords& side, const RowWords& square) {
+void add_diagonal_side(JumpStopWord& stop, const RowWords& side, const RowWords& square) {
   stop.up |= side.lesser() & ~(square.word | square.greater());
   stop.down |= side.greater() & ~(square.word | square.lesser());
 }
@@ -161,13 +161,13 @@ void transpose(std::uint64_t (&tile)[kSide]) {
 
 }  // namespace
 
-void stops_reset(StopLayer& layer, const Grid& grid, int axis_along) noexcept {
+void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) noexcept {
   const Voxel& dims = grid.spec().dims;
   const std::int32_t thirds = axis_along == 2 ? dims.y : dims.z;
   layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
   layer.width = axis_along == 0 ? dims.y : dims.x;
   layer.blocks = (dims.x + kSide - 1) / kSide;
-  if (std::int64_t{layer.words} * layer.width * thirds > kStopWords) {
+  if (std::int64_t{layer.words} * layer.width * thirds > kJumpStopWords) {
     layer.words = 0;
     return;
   }
@@ -178,8 +178,8 @@ void stops_reset(StopLayer& layer, const Grid& grid, int axis_along) noexcept {
 }
 
 // A stop depends on voxels one step away on every axis.
-void stops_forget(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t z, std::int32_t block,
-                  std::int32_t word) noexcept {
+void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t z, std::int32_t block,
+                       std::int32_t word) noexcept {
   if (layer.words == 0) return;
   const Voxel& dims = grid.spec().dims;
   const Regions regions(dims);
@@ -197,13 +197,14 @@ void stops_forget(StopLayer& layer, const Grid& grid, int axis_along, std::int32
   }
 }
 
-void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept {
+void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,
+                         std::int32_t word) noexcept {
   const RowReader rows(grid, word);
   const auto row = [&](std::int32_t dy, std::int32_t dz) { return rows.at(y + dy, z + dz); };
   const RowWords own = row(0, 0);
   const RowWords side_y[] = {row(-1, 0), row(1, 0)};
   const RowWords side_z[] = {row(0, -1), row(0, 1)};
-  StopWord stop{own.word, own.word};
+  JumpStopWord stop{own.word, own.word};
   for (int k = 0; k < 2; ++k) {
     add_straight_side(stop, side_y[k]);
     add_straight_side(stop, side_z[k]);
@@ -218,8 +219,8 @@ void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int
   mark_ready(layer, index);
 }
 
-void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis_along, std::int32_t block, std::int32_t third,
-                     std::int32_t word) noexcept {
+void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t block,
+                          std::int32_t third, std::int32_t word) noexcept {
   std::uint64_t up[kSide];
   std::uint64_t down[kSide];
   if (axis_along == 1) {
@@ -231,7 +232,7 @@ void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis_along, std::in
   transpose(down);
   const std::int32_t left = grid.spec().dims.x - block * kSide;
   const std::int32_t lines = left < kSide ? left : kSide;
-  StopWord* out = layer.bits + (third * layer.width + block * kSide) * layer.words + word;
+  JumpStopWord* out = layer.bits + (third * layer.width + block * kSide) * layer.words + word;
   for (std::int32_t k = 0; k < lines; ++k) out[k * layer.words] = {up[k], down[k]};
   mark_ready(layer, (third * layer.blocks + block) * layer.words + word);
 }

@@ -3,8 +3,8 @@
 //
 // Where straight scans stop: one bit a voxel, axis and sense, 64 voxels along the axis to a word, so that a scan is a
 // load and a count of zeros. Words are made when a scan first reads them.
-#ifndef TERN_SEARCH_STOPS_HPP
-#define TERN_SEARCH_STOPS_HPP
+#ifndef TERN_SEARCH_JUMP_STOPS_HPP
+#define TERN_SEARCH_JUMP_STOPS_HPP
 
 #include <cstdint>
 
@@ -14,24 +14,24 @@
 namespace tern {
 
 /// Words along one axis. A map that does not fit (it is thin along the axis) is scanned there voxel by voxel.
-constexpr std::int32_t kStopWords = static_cast<std::int32_t>((kMaxCells + 63) / 64);
+constexpr std::int32_t kJumpStopWords = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 
 /// Where scans stop that go towards greater coordinates (`up`) and towards lesser ones: voxels that are blocked or past
 /// the grid's end, and free ones at which an arrival from the voxel before forces a move (prune.hpp).
-struct StopWord {
+struct JumpStopWord {
   std::uint64_t up;
   std::uint64_t down;
 };
 
 /// The stops along one axis. Lines along x are numbered y + dims.y z and made word by word; lines along y are numbered
 /// x + dims.x z, along z x + dims.x y, and made in tiles of one word of 64 lines side by side along x.
-struct StopLayer {
-  std::int32_t words;                        ///< of a line; 0 where the layer does not fit and is not used
-  std::int32_t width;                        ///< lines side by side: dims.y for lines along x, dims.x else
-  std::int32_t blocks;                       ///< tiles side by side along x; not used for lines along x
-  std::uint64_t ready[kStopWords / 64 + 1];  ///< one bit a word along x, one a tile along y and z
-  std::uint8_t walked[kStopWords];           ///< steps that scans walked through a tile before it was made
-  StopWord bits[kStopWords];
+struct JumpStopLayer {
+  std::int32_t words;                            ///< of a line; 0 where the layer does not fit and is not used
+  std::int32_t width;                            ///< lines side by side: dims.y for lines along x, dims.x else
+  std::int32_t blocks;                           ///< tiles side by side along x; not used for lines along x
+  std::uint64_t ready[kJumpStopWords / 64 + 1];  ///< one bit a word along x, one a tile along y and z
+  std::uint8_t walked[kJumpStopWords];           ///< steps that scans walked through a tile before it was made
+  JumpStopWord bits[kJumpStopWords];
 };
 
 /// A tile is made once scans have walked so many steps through it voxel by voxel, which is what making it costs: scans
@@ -39,31 +39,32 @@ struct StopLayer {
 constexpr std::uint8_t kWalkFirst = 64;
 
 /// Prepares the layer of an axis with nothing made yet: clears one bit a word or tile.
-void stops_reset(StopLayer& layer, const Grid& grid, int axis) noexcept;
+void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis) noexcept;
 
 /// Forgets what depends on a region of the blocked layer (grid/regions.hpp).
-void stops_forget(StopLayer& layer, const Grid& grid, int axis, std::int32_t z, std::int32_t block,
-                  std::int32_t word) noexcept;
+void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis, std::int32_t z, std::int32_t block,
+                       std::int32_t word) noexcept;
 
 /// Makes word `word` of the line along x at (y, z).
-void stops_fill_row(StopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z, std::int32_t word) noexcept;
+void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,
+                         std::int32_t word) noexcept;
 
 /// Makes word `word` of the lines along `axis` (1 or 2) at x = 64 block .. 64 block + 63 and `third` on the third axis.
-void stops_fill_tile(StopLayer& layer, const Grid& grid, int axis, std::int32_t block, std::int32_t third,
-                     std::int32_t word) noexcept;
+void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis, std::int32_t block, std::int32_t third,
+                          std::int32_t word) noexcept;
 
-inline bool stops_ready(const StopLayer& layer, std::int32_t index) noexcept {
+inline bool jump_stops_ready(const JumpStopLayer& layer, std::int32_t index) noexcept {
   return (layer.ready[index >> 6] >> (index & 63) & 1u) != 0;
 }
 
 /// Place of word `word` of the line along kAxis through a voxel, and of the tile that holds it.
 template <int kAxis>
-std::int32_t stops_index(const StopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
+std::int32_t jump_stops_index(const JumpStopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
   const std::int32_t line = (kAxis == 0 ? v.y : v.x) + layer.width * (kAxis == 2 ? v.y : v.z);
   return line * layer.words + word;
 }
 template <int kAxis>
-std::int32_t stops_tile(const StopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
+std::int32_t jump_stops_tile(const JumpStopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
   return ((kAxis == 2 ? v.y : v.z) * layer.blocks + (v.x >> 6)) * layer.words + word;
 }
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "support/random.hpp"
 #include "curve/bezier.hpp"
+#include "support/random.hpp"
 
 namespace {
 

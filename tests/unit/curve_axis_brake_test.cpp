@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/math.hpp"
-#include "support/box_corridor.hpp"
 #include "curve/axis_brake.hpp"
+#include "support/box_corridor.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "base/bounds.hpp"
-#include "support/box_corridor.hpp"
-#include "times/times.hpp"
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
+#include "support/box_corridor.hpp"
+#include "times/times.hpp"
 
 namespace {
 
