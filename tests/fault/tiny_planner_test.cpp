@@ -15,8 +15,8 @@ using tern::Status;
 using tern_test::Random;
 using tern_test::World;
 
-/// Walls across y with doors at alternating ends: a path of many turns. One voxel high, so that the turns run out before
-/// the nodes do.
+/// Walls across y with doors at alternating ends: a path of many turns. One voxel high, so that the turns run out
+/// before the nodes do.
 World slalom(int walls) {
   World world({4 * walls + 4, 12, 1}, 0.25, 0.0);
   for (int i = 0; i < walls; ++i) {

@@ -16,6 +16,8 @@ namespace tern {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
+// One line an operation.
+// clang-format off
 inline Vector to_vector(const Vec3& v) { return Vector(v.x, v.y, v.z); }
 inline Vec3 to_vec3(const Vector& v) { return Vec3{v[0], v[1], v[2]}; }
 
@@ -35,6 +37,7 @@ inline double absolute(double x) { return __builtin_fabs(x); }
 inline double smaller(double a, double b) { return b < a ? b : a; }
 inline double larger(double a, double b) { return a < b ? b : a; }
 inline double clamp(double x, double lo, double hi) { return x < lo ? lo : (hi < x ? hi : x); }
+// clang-format on
 
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -56,12 +59,20 @@ inline Vec3 perpendicular(const Vec3& unit) {
 }
 
 /// Component by index, so that loops over axes need no branches at the call site.
-inline double axis(const Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
-inline double& axis(Vec3& v, int a) { return a == 0 ? v.x : (a == 1 ? v.y : v.z); }
+inline double axis(const Vec3& v, int a) {
+  return a == 0 ? v.x : (a == 1 ? v.y : v.z);
+}
+inline double& axis(Vec3& v, int a) {
+  return a == 0 ? v.x : (a == 1 ? v.y : v.z);
+}
 
 /// True for every finite value; no libm, and not optimised away because the core never sees -ffast-math.
-inline bool finite(double x) { return x - x <= 0.0; }
-inline bool finite(const Vec3& v) { return finite(v.x) && finite(v.y) && finite(v.z); }
+inline bool finite(double x) {
+  return x - x <= 0.0;
+}
+inline bool finite(const Vec3& v) {
+  return finite(v.x) && finite(v.y) && finite(v.z);
+}
 
 }  // namespace tern
 
