@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "layers"))
+sys.dont_write_bytecode = True
 import stack  # noqa: E402
 
 ROOT = re.compile(r"\{anonymous\}::plan\(")

@@ -1,8 +1,8 @@
 /* Copyright (c) 2026, the Tern authors
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Where each field of the C interface lies: TERN_LAYOUT(FIELD) calls FIELD(type, field) for every one. Compiled as C and
- * as C++ it must give the same numbers. */
+ * Where each field of the C interface lies: TERN_LAYOUT(FIELD) calls FIELD(type, field) for every one. Compiled as C
+ * and as C++ it must give the same numbers. */
 #ifndef TERN_TESTS_CONSUME_LAYOUT_H
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
@@ -10,6 +10,7 @@
 
 #define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD)
 
+/* clang-format off */
 #define TERN_LAYOUT_IN(FIELD)                                                                                        \
   FIELD(tern_vec3, x) FIELD(tern_vec3, y) FIELD(tern_vec3, z)                                                        \
   FIELD(tern_voxel, x) FIELD(tern_voxel, y) FIELD(tern_voxel, z)                                                     \
@@ -50,5 +51,6 @@
 /* A field's place and size, and the size of the type that it is in. */
 typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;
 #define TERN_LAYOUT_ENTRY(type, field) {#type, #field, offsetof(type, field), sizeof(((type*)0)->field), sizeof(type)},
+/* clang-format on */
 
 #endif

@@ -9,15 +9,17 @@
 
 #include "tern/tern.h"
 
-#define REQUIRE(condition)                                         \
-  do {                                                             \
-    if (!(condition)) {                                            \
-      printf("%s:%d: %s\n", __FILE__, __LINE__, #condition);       \
-      return 1;                                                    \
-    }                                                              \
+#define REQUIRE(condition)                                   \
+  do {                                                       \
+    if (!(condition)) {                                      \
+      printf("%s:%d: %s\n", __FILE__, __LINE__, #condition); \
+      return 1;                                              \
+    }                                                        \
   } while (0)
 
-static int is(uint8_t status, const char* name) { return strcmp(tern_status_name(status), name) == 0; }
+static int is(uint8_t status, const char* name) {
+  return strcmp(tern_status_name(status), name) == 0;
+}
 
 static int check_layout(void) {
   REQUIRE(tern_abi() == TERN_ABI);
@@ -31,8 +33,7 @@ static int check_layout(void) {
   return 0;
 }
 
-static const tern_grid_spec spec = {
-    {-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15};
+static const tern_grid_spec spec = {{-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15};
 
 static int make_grid(tern_grid* grid, uint64_t** words) {
   const tern_box wall = {{0.4, 0.0, 0.0}, {0.6, 2.0, 2.0}};

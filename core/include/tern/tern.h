@@ -42,6 +42,7 @@ typedef tern::Report tern_report;
 extern "C" {
 #else
 #include <stdbool.h>
+/* clang-format off */
 typedef struct { double x, y, z; } tern_vec3;
 typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
@@ -95,6 +96,7 @@ typedef struct {
 /* A grid view and a planner, each in place in the caller's storage. */
 typedef struct { uint64_t opaque[TERN_GRID_WORDS]; } tern_grid;
 typedef struct { uint64_t opaque[TERN_PLANNER_WORDS]; } tern_planner;
+/* clang-format on */
 
 /* What tern_size_of() can be asked for. */
 typedef enum {

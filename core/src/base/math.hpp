@@ -16,53 +16,28 @@ namespace tern {
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
-inline Vector to_vector(const Vec3& v) {
-  return Vector(v.x, v.y, v.z);
-}
-inline Vec3 to_vec3(const Vector& v) {
-  return Vec3{v[0], v[1], v[2]};
-}
+// One line an operation.
+// clang-format off
+inline Vector to_vector(const Vec3& v) { return Vector(v.x, v.y, v.z); }
+inline Vec3 to_vec3(const Vector& v) { return Vec3{v[0], v[1], v[2]}; }
 
-inline double dot(const Vector& a, const Vector& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-inline double dot(const Vec3& a, const Vec3& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
+inline double dot(const Vector& a, const Vector& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
+inline double dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
-inline Vec3 operator+(const Vec3& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec3 operator-(const Vec3& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3 operator*(double s, const Vec3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
+inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator*(double s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
 
-inline double square_root(double x) {
-  return __builtin_sqrt(x);
-}
-inline double length(const Vec3& a) {
-  return square_root(dot(a, a));
-}
-inline double distance(const Vec3& a, const Vec3& b) {
-  return length(a - b);
-}
+inline double square_root(double x) { return __builtin_sqrt(x); }
+inline double length(const Vec3& a) { return square_root(dot(a, a)); }
+inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
 /// The compiler's own: one instruction everywhere, where a comparison would have to keep the sign of -0.
-inline double absolute(double x) {
-  return __builtin_fabs(x);
-}
-inline double smaller(double a, double b) {
-  return b < a ? b : a;
-}
-inline double larger(double a, double b) {
-  return a < b ? b : a;
-}
-inline double clamp(double x, double lo, double hi) {
-  return x < lo ? lo : (hi < x ? hi : x);
-}
+inline double absolute(double x) { return __builtin_fabs(x); }
+inline double smaller(double a, double b) { return b < a ? b : a; }
+inline double larger(double a, double b) { return a < b ? b : a; }
+inline double clamp(double x, double lo, double hi) { return x < lo ? lo : (hi < x ? hi : x); }
+// clang-format on
 
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -4,6 +4,8 @@
 
 namespace tern {
 
+// One line a status: a table.
+// clang-format off
 const char* status_name(Status status) noexcept {
   switch (status) {
     case Status::kOk: return "ok";
@@ -132,5 +134,6 @@ const char* field_name(Field field) noexcept {
   }
   return "unknown";
 }
+// clang-format on
 
 }  // namespace tern

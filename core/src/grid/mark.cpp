@@ -73,7 +73,7 @@ std::uint64_t content_with(std::uint64_t content, const IndexRange& x, const Ind
     return static_cast<std::uint64_t>(range.begin) | static_cast<std::uint64_t>(range.end) << 12;
   };
   content = content_after(content, bits(x) | bits(y) << 24);
-  return content_after(content, bits(z) | std::uint64_t{value} << 24);
+  return content_after(content, bits(z) | std::uint64_t{value ? 1u : 0u} << 24);
 }
 
 std::uint64_t content_with(std::uint64_t content, const Voxel& voxel, bool value) {
