@@ -9,11 +9,11 @@
 #include "host/figures.hpp"
 #include "host/number.hpp"
 #include "host/session.hpp"
+#include "leg_times.hpp"
 #include "paper/bezier_programme.hpp"
 #include "paper/experiments.hpp"
 #include "paper/figure.hpp"
 #include "paper/statistics.hpp"
-#include "times/times.hpp"
 
 namespace tern_bench {
 namespace {
@@ -39,8 +39,7 @@ Waypoints waypoints_of(const tern_host::PlanResult& plan) {
   const auto world = [&o](const Vec3& p) { return Vec3{p.x + o.x, p.y + o.y, p.z + o.z}; };
   way.points.push_back(world(corridor.polyhedra[0].from));
   for (int i = 0; i < corridor.count; ++i) way.points.push_back(world(corridor.polyhedra[i].to));
-  way.durations.resize(static_cast<std::size_t>(corridor.count));
-  tern::allocate_times(corridor, plan.scenario.limits, way.durations.data());
+  way.durations = leg_times(corridor, plan.scenario.limits);
   return way;
 }
 

@@ -111,8 +111,8 @@ TernFrontEnd::TernFrontEnd() : stage_(new tern::PathStage), scans_(new tern::Sca
 TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions) {
   TernRoutes routes;
   const tern::Grid& grid = world.grid();
-  const tern::PathQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position),
-                              tern::ShortcutMode::kShortestChain, kNoBudget, kNoBudget};
+  const tern::PathQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position), kNoBudget,
+                              kNoBudget};
   double searching = std::numeric_limits<double>::infinity();
   double shortening = searching;
   routes.status = tern::Status::kRunning;

@@ -14,7 +14,7 @@
 #include "host/session.hpp"
 #include "paper/experiments.hpp"
 #include "paper/figure.hpp"
-#include "times/times.hpp"
+#include "times/trapezoid.hpp"
 
 namespace tern_bench {
 namespace {

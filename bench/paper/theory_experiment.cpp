@@ -114,7 +114,7 @@ class Zigzag {
   double run(int repetitions, std::uint64_t& lines) {
     return least_time(repetitions, [&] {
       lines = 0;
-      tern::shortcut_begin(*shortcut_, grid_, tern::ShortcutMode::kShortestChain, *path_);
+      tern::shortcut_begin(*shortcut_, grid_, *path_);
       while (tern::shortcut_needs_step(*shortcut_, *path_)) {
         tern::shortcut_step(*shortcut_, grid_, *path_);
         ++lines;

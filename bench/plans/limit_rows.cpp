@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "times/times_stage.hpp"
+
 namespace tern_bench {
 namespace {
 
@@ -38,7 +40,12 @@ std::vector<LimitRow> Prober::rows(const tern::Corridor& corridor, const tern::L
   query.limits = limits;
   query.time_weight = time_weight;
   query.max_iterations = 0xFFFFFFFFu;
-  tern::trajectory_begin(*stage_, corridor, query);
+  tern::TimesStage times;
+  tern::Chain chain;
+  tern::Work all{0xFFFFFFFFu};
+  tern::times_begin(times, corridor, {query.start, query.goal, limits}, chain);
+  tern::times_advance(times, corridor, all, chain);
+  tern::trajectory_begin(*stage_, corridor, query, chain);
   std::vector<LimitRow> rows;
   tern::Status status = tern::Status::kRunning;
   while (status == tern::Status::kRunning) {

@@ -14,9 +14,9 @@
 
 #include "host/figures.hpp"
 #include "host/session.hpp"
+#include "leg_times.hpp"
 #include "plans/limit_rows.hpp"
 #include "stage_rows.hpp"
-#include "times/times.hpp"
 
 namespace {
 
@@ -49,10 +49,8 @@ struct Tally {
 
 /// The paper's allocation: every leg from rest to rest.
 double trapezoid(const tern::Corridor& corridor, const tern::Limits& limits) {
-  std::vector<double> legs(tern::kMaxSegments);
-  tern::allocate_times(corridor, limits, legs.data());
   double sum = 0.0;
-  for (int i = 0; i < corridor.count; ++i) sum += legs[static_cast<std::size_t>(i)];
+  for (const double time : tern_bench::leg_times(corridor, limits)) sum += time;
   return sum;
 }
 

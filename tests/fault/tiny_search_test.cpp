@@ -134,8 +134,7 @@ TEST(TinySearch, OverflowIsTheSameInEverySlice) {
       world.grid.mark_voxel({random.integer(1, 18), random.integer(1, 18), random.integer(0, 5)});
     }
     world.grid.inflate();
-    const tern::PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({19, 19, 5}),
-                                tern::ShortcutMode::kShortestChain, 0xFFFFFFFFu, 0xFFFFFFFFu};
+    const tern::PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({19, 19, 5}), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     ASSERT_EQ(sliced.run(world.grid, query, 1), status);
     ASSERT_EQ(sliced.stage().expansions, whole.stage().expansions);

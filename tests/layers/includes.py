@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "grid", "fence", "search", "path", "ellipsoid", "corridor", "times", "curve", "qp", "trajectory", "check",
+ORDER = ["base", "grid", "fence", "search", "path", "ellipsoid", "corridor", "curve", "times", "qp", "trajectory", "check",
          "planner"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"}}

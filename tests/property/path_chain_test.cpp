@@ -17,7 +17,6 @@ namespace {
 
 using tern::Path;
 using tern::Shortcut;
-using tern::ShortcutMode;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
@@ -66,7 +65,7 @@ struct Outcome {
 Outcome run_chain(const tern::Grid& grid, Path& path) {
   std::vector<Shortcut> memory(2);
   std::memset(static_cast<void*>(memory.data()), 0xA5, 2 * sizeof(Shortcut));
-  tern::shortcut_begin(memory[0], grid, ShortcutMode::kShortestChain, path);
+  tern::shortcut_begin(memory[0], grid, path);
   Outcome outcome{0.0, 0};
   for (; tern::shortcut_needs_step(memory[outcome.units % 2], path); ++outcome.units) {
     tern::shortcut_step(memory[outcome.units % 2], grid, path);
@@ -127,8 +126,8 @@ TEST(PathChain, ALongWindingPathIsTheSameInSlices) {
   const VoxelWorld world = winding_lane(kColumns);
   PathRunner whole;
   PathRunner sliced;
-  const tern::PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({2 * kColumns - 2, 0, 0}),
-                              ShortcutMode::kShortestChain, 0xFFFFFFFFu, 0xFFFFFFFFu};
+  const tern::PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({2 * kColumns - 2, 0, 0}), 0xFFFFFFFFu,
+                              0xFFFFFFFFu};
   // More turns than a path may have segments: the chain is complete before that shows.
   ASSERT_EQ(whole.run(world.grid, query), Status::kSegmentsFull);
   EXPECT_GT(whole.path().raw_count, tern::kMaxJumpPoints * 9 / 10);

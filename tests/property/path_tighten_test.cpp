@@ -60,7 +60,7 @@ TEST(PathTighten, NeverLongerNeverMoreAlwaysInSight) {
     const Vec3 start{a.x + random.unit(), a.y + random.unit(), a.z + random.unit()};
     const Vec3 goal{b.x + random.unit(), b.y + random.unit(), b.z + random.unit()};
     if (runner.run(world.grid, start, goal) != Status::kOk) continue;
-    ASSERT_LE(runner.stage().sight_lines, tern::shortcut_bound(tern::ShortcutMode::kShortestChain));
+    ASSERT_LE(runner.stage().sight_lines, tern::kShortcutBound);
     const Path chain = chain_of(world.grid, runner.path());
     ASSERT_NO_FATAL_FAILURE(expect_sound(world.grid, runner.path(), chain)) << "case " << k;
     shorter += runner.path().length < chain.length - 1e-9 ? 1 : 0;
@@ -121,19 +121,6 @@ TEST(PathTighten, LeavesOutWaypointsFromTheFirstOn) {
   EXPECT_EQ(between(path->points[0], points[0]), 0.0);
   EXPECT_EQ(between(path->points[1], points[4]), 0.0);
   EXPECT_NEAR(path->length, between(points[0], points[4]), 1e-12);
-}
-
-TEST(PathTighten, ThePapersGreedyStageIsLeftAsItIs) {
-  VoxelWorld world({60, 40, 1});
-  world.block({30, 0, 0}, {31, 24, 0});
-  PathRunner runner;
-  const Vec3 start = world.grid.center({5, 3, 0});
-  const Vec3 goal = world.grid.center({50, 6, 0});
-  ASSERT_EQ(runner.run(world.grid, start, goal, tern::ShortcutMode::kGreedyBresenham), Status::kOk);
-  for (int k = 0; k < runner.path().count; ++k) {
-    const Vec3 centre = world.grid.center(world.grid.voxel_of(runner.path().points[k]));
-    EXPECT_EQ(between(runner.path().points[k], centre), 0.0);
-  }
 }
 
 }  // namespace

@@ -127,25 +127,4 @@ TEST(QpContract, WarmStartsEndAtTheSameOptimum) {
   }
 }
 
-TEST(QpContract, AShiftEndsWhereAColdStartDoes) {
-  Random random(25);
-  QpBench bench;
-  for (int n = 0; n < scaled(1000); ++n) {
-    make_programme(random, bench);
-    bench.solve();
-    const double shift = random.chance(0.5) ? 0.05 : 0.5;
-    for (int k = 0; k < bench.problem->point_count; ++k)
-      bench.problem->points[k].offset.x += random.real(-shift, shift);
-    for (int p = 0; p < bench.problem->plane_count; ++p) bench.problem->planes[p].offset += random.real(0.0, shift);
-    for (int i = 0; i < bench.problem->unknowns; ++i) bench.problem->linear[1][i] += random.real(-shift, shift);
-    tern::qp_begin_shifted(*bench.solver, *bench.problem);
-    const Status shifted = bench.run();
-    const double objective = bench.solution->objective;
-    ASSERT_EQ(bench.solve(), shifted) << "programme " << n;
-    if (shifted == Status::kOk) {
-      ASSERT_NEAR(bench.solution->objective, objective, 1e-7 * (1.0 + std::fabs(objective))) << "programme " << n;
-    }
-  }
-}
-
 }  // namespace

@@ -86,17 +86,6 @@ TEST_F(QpCorridor, ColdAnswersAgreeWithTheReference) {
   }
 }
 
-TEST_F(QpCorridor, AnswersFromTheUnshiftedFactorsAgree) {
-  for (const CorridorQpReference& line : lines) {
-    if (!load(line.id)) continue;
-    CorridorProgramme(c, false).assemble(*bench.problem);
-    bench.solve();
-    CorridorProgramme(c, true).assemble(*bench.problem);
-    tern::qp_begin_shifted(*bench.solver, *bench.problem);
-    expect_answer(true, bench.run(), line.warm_feasible, line.warm_objective);
-  }
-}
-
 TEST_F(QpCorridor, AnswersFromTheUnshiftedRowsAgree) {
   for (const CorridorQpReference& line : lines) {
     if (!load(line.id)) continue;

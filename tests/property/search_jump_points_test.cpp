@@ -100,7 +100,7 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
     ASSERT_EQ(status, optimum < 0.0 ? Status::kNoPath : Status::kOk) << "case " << k;
     if (optimum < 0.0) continue;
-    const double cost = static_cast<double>(tern::search_cost(*search));
+    const double cost = static_cast<double>(search->store.nodes[store_find_or_add(search->store, search->goal)].g);
     ASSERT_NEAR(cost / static_cast<double>(tern::kStraightCost), optimum, 1e-7) << "case " << k;
     jumped += search->jumps ? 1 : 0;
   }
@@ -116,8 +116,7 @@ TEST(PathSearch, SlicesDoNotChangeThePath) {
     Voxel start{};
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    const tern::PathQuery query{world.grid.center(start), world.grid.center(goal), tern::ShortcutMode::kShortestChain,
-                                0xFFFFFFFFu, 0xFFFFFFFFu};
+    const tern::PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 2u, 7u}) {
       ASSERT_EQ(sliced.run(world.grid, query, slice), status);
@@ -162,7 +161,7 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     EXPECT_LE(stage.expansions, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
     EXPECT_LE(stage.expansions, tern::kSearchBound);
     EXPECT_LE(stage.open_high, stage.nodes_high);
-    EXPECT_LE(stage.sight_lines, tern::shortcut_bound(tern::ShortcutMode::kShortestChain));
+    EXPECT_LE(stage.sight_lines, tern::kShortcutBound);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "support/box_corridor.hpp"
+#include "support/chain.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ class RandomCorridors : public testing::Test {
  protected:
   Status plan(const TrajectoryQuery& query) {
     std::memset(static_cast<void*>(stage_.get()), 0xA5, sizeof(TrajectoryStage));
-    trajectory_begin(*stage_, corridor_, query);
+    tern_test::begin_trajectory(*stage_, corridor_, query);
     Work work{kUnlimited};
     return trajectory_advance(*stage_, corridor_, work, plan_);
   }
@@ -222,7 +223,7 @@ TEST_F(RandomCorridors, SlicesGiveTheSameBits) {
     ASSERT_EQ(plan(query), Status::kOk);
     const Trajectory whole = plan_;
     std::memset(static_cast<void*>(&plan_), 0, sizeof(plan_));
-    trajectory_begin(*stage_, corridor_, query);
+    tern_test::begin_trajectory(*stage_, corridor_, query);
     Status status = Status::kRunning;
     while (status == Status::kRunning) {
       Work work{static_cast<std::uint32_t>(random.integer(1, 20))};

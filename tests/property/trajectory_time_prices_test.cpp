@@ -10,6 +10,7 @@
 #include "curve/bezier.hpp"
 #include "qp/solver.hpp"
 #include "support/box_corridor.hpp"
+#include "support/chain.hpp"
 #include "trajectory/time_prices.hpp"
 
 namespace {
@@ -78,7 +79,7 @@ TEST_F(TimePrices, AreTheDerivativeOfTheLeastSnap) {
     State goal{};
     start.position = m.corridor.polyhedra[0].from;
     goal.position = m.corridor.polyhedra[m.corridor.count - 1].to;
-    make_chain(m.corridor, start, goal, limits_, m.chain);
+    tern_test::make_chain(m.corridor, start, goal, limits_, m.chain);
     for (int i = 0; i < m.chain.count; ++i) m.chain.duration[i] *= random.real(0.6, 1.0);
     const double snap = solve();
     if (snap < 0.0) continue;

@@ -80,9 +80,8 @@ class PathRunner {
     return status;
   }
 
-  tern::Status run(const tern::Grid& grid, const tern::Vec3& start, const tern::Vec3& goal,
-                   tern::ShortcutMode mode = tern::ShortcutMode::kShortestChain) {
-    return run(grid, {start, goal, mode, 0xFFFFFFFFu, 0xFFFFFFFFu});
+  tern::Status run(const tern::Grid& grid, const tern::Vec3& start, const tern::Vec3& goal) {
+    return run(grid, {start, goal, 0xFFFFFFFFu, 0xFFFFFFFFu});
   }
 
   tern::Status run(const tern::Grid& grid, const tern::Voxel& start, const tern::Voxel& goal) {
@@ -107,7 +106,7 @@ inline double between(const tern::Vec3& a, const tern::Vec3& b) {
 inline tern::Path chain_of(const tern::Grid& grid, const tern::Path& path) {
   tern::Path chain = path;
   const std::unique_ptr<tern::Shortcut> shortcut(new tern::Shortcut);
-  tern::shortcut_begin(*shortcut, grid, tern::ShortcutMode::kShortestChain, chain);
+  tern::shortcut_begin(*shortcut, grid, chain);
   while (tern::shortcut_needs_step(*shortcut, chain)) tern::shortcut_step(*shortcut, grid, chain);
   tern::shortcut_finish(*shortcut, chain);
   return chain;

@@ -6,9 +6,9 @@
 
 #include "base/bounds.hpp"
 #include "curve/brake.hpp"
+#include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "support/box_corridor.hpp"
-#include "times/times.hpp"
 
 namespace {
 

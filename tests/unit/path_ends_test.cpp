@@ -182,8 +182,7 @@ TEST(PathEnds, EveryBudgetEndsInItsStageOrGivesTheSamePath) {
     Voxel a{};
     Voxel b{};
     if (!random_free(world.grid, random, a) || !random_free(world.grid, random, b)) continue;
-    tern::PathQuery query{world.grid.center(a), world.grid.center(b), tern::ShortcutMode::kShortestChain, 0xFFFFFFFFu,
-                          0xFFFFFFFFu};
+    tern::PathQuery query{world.grid.center(a), world.grid.center(b), 0xFFFFFFFFu, 0xFFFFFFFFu};
     if (whole.run(world.grid, query) != Status::kOk) continue;
     const std::uint32_t expansions = whole.stage().expansions;
     const std::uint32_t lines = whole.stage().sight_lines;

@@ -95,7 +95,7 @@ TEST_F(ThreePockets, AreTriedOneAfterTheOther) {
 
 TEST_F(ThreePockets, CountAgainstTheBudget) {
   world_.clear({2, 3, 4}).clear({1, 3, 4});
-  tern::PathQuery query{kCorner, kOutside, tern::ShortcutMode::kShortestChain, ~0u, ~0u};
+  tern::PathQuery query{kCorner, kOutside, ~0u, ~0u};
   ASSERT_EQ(runner_.run(world_.grid, query), Status::kOk);
   const std::uint32_t needed = runner_.stage().expansions;
   for (query.max_expansions = 0; query.max_expansions < needed; ++query.max_expansions) {
@@ -123,8 +123,7 @@ TEST_F(Pockets, NoWayWhereTheGoalIsSealedAltogether) {
 TEST_F(Pockets, SlicesOfOneFindTheSamePath) {
   ASSERT_EQ(runner_.run(world_.grid, kCorner, kElsewhere), Status::kOk);
   PathRunner sliced;
-  ASSERT_EQ(sliced.run(world_.grid, {kCorner, kElsewhere, tern::ShortcutMode::kShortestChain, ~0u, ~0u}, 1),
-            Status::kOk);
+  ASSERT_EQ(sliced.run(world_.grid, {kCorner, kElsewhere, ~0u, ~0u}, 1), Status::kOk);
   ASSERT_EQ(sliced.path().count, runner_.path().count);
   for (int i = 0; i < sliced.path().count; ++i) {
     EXPECT_EQ(sliced.path().points[i].x, runner_.path().points[i].x);

@@ -1,12 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chains of visible waypoints against every subset, and the paper's greedy stage.
+// Chains of visible waypoints against every subset.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "path/bresenham.hpp"
 #include "path/shortcut.hpp"
 #include "path/sight.hpp"
 #include "support/path_world.hpp"
@@ -103,39 +102,6 @@ TEST(PathShortcut, CollinearPointsFallAway) {
   PathRunner runner;
   ASSERT_EQ(runner.run(world.grid, Vec3{0.5, 1.5, 1.5}, Vec3{29.25, 1.5, 1.5}), Status::kOk);
   EXPECT_EQ(runner.path().count, 2);
-}
-
-TEST(PathShortcut, GreedyBresenhamTakesTheFarthestVisible) {
-  Random random(43);
-  PathRunner runner;
-  int solved = 0;
-  for (int k = 0; k < scaled(1000); ++k) {
-    const VoxelWorld world = random_world(random);
-    Voxel start{};
-    Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    const Status status =
-        runner.run(world.grid, world.grid.center(start), world.grid.center(goal), ShortcutMode::kGreedyBresenham);
-    if (status != Status::kOk) continue;
-    ++solved;
-    const Path& path = runner.path();
-    int at = 0;
-    int count = 1;
-    while (at < path.raw_count - 1) {
-      int next = path.raw_count - 1;
-      while (next > at + 1 && !tern::bresenham_free(world.grid, world.grid.voxel_of(path.raw[at]),
-                                                    world.grid.voxel_of(path.raw[next]))) {
-        --next;
-      }
-      ASSERT_LT(count, path.count);
-      ASSERT_EQ(between(path.points[count], path.raw[next]), 0.0);
-      at = next;
-      ++count;
-    }
-    ASSERT_EQ(count, path.count);
-    ASSERT_LE(runner.stage().sight_lines, tern::kGreedyBound);
-  }
-  EXPECT_GT(solved, scaled(1000) / 4);
 }
 
 }  // namespace

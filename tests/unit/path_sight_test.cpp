@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path/bresenham.hpp"
 #include "path/sight.hpp"
 #include "support/path_world.hpp"
 
@@ -133,7 +132,6 @@ TEST(PathSight, NeverBetweenTouchingCorners) {
   VoxelWorld world({4, 4, 1});
   world.block({1, 2, 0}).block({2, 1, 0});
   EXPECT_FALSE(tern::line_of_sight(world.grid, world.grid.center({1, 1, 0}), world.grid.center({2, 2, 0})));
-  EXPECT_TRUE(tern::bresenham_free(world.grid, {1, 1, 0}, {2, 2, 0}));
 }
 
 TEST(PathSight, DegenerateSegments) {
@@ -145,19 +143,6 @@ TEST(PathSight, DegenerateSegments) {
   EXPECT_FALSE(tern::line_of_sight(world.grid, {1.96, 1.5, 1.5}, {1.96, 1.5, 1.5}));
   EXPECT_TRUE(tern::line_of_sight(world.grid, {1.94, 1.5, 1.5}, {1.94, 1.5, 1.5}));
   EXPECT_TRUE(tern::line_of_sight(world.grid, centre, {1.5 + 1e-300, 1.5 - 1e-15, 1.5}));
-}
-
-TEST(PathSight, BresenhamVisitsOneVoxelAStep) {
-  VoxelWorld world({8, 8, 8});
-  EXPECT_TRUE(tern::bresenham_free(world.grid, {0, 0, 0}, {7, 3, 5}));
-  world.block({7, 3, 5});
-  EXPECT_FALSE(tern::bresenham_free(world.grid, {0, 0, 0}, {7, 3, 5}));
-  // Slope 1/2: y steps after every second voxel; (4, 2) lies on the line and (4, 1) does not.
-  VoxelWorld line({9, 5, 1});
-  line.block({4, 1, 0});
-  EXPECT_TRUE(tern::bresenham_free(line.grid, {0, 0, 0}, {8, 4, 0}));
-  line.block({4, 2, 0});
-  EXPECT_FALSE(tern::bresenham_free(line.grid, {0, 0, 0}, {8, 4, 0}));
 }
 
 }  // namespace

@@ -201,19 +201,6 @@ TEST_F(OnePoint, WarmStartTakesAnyRows) {
   EXPECT_EQ(bench.solution->iterations, 1);
 }
 
-TEST_F(OnePoint, AShiftedProgrammeNeedsNoIteration) {
-  bench.add_plane({1.0, 0.0, 0.0}, 1.0);
-  bound();
-  EXPECT_EQ(bench.solve(), Status::kOk);
-  bench.problem->planes[0].offset = 0.5;
-  bench.problem->points[0].offset.x = 0.25;
-  bench.pull(1, 0, -7.0);
-  tern::qp_begin_shifted(*bench.solver, *bench.problem);
-  EXPECT_EQ(bench.run(), Status::kOk);
-  expect_point(0.25, 7.0, 1.0);
-  EXPECT_EQ(bench.solution->iterations, 0);
-}
-
 TEST_F(OnePoint, ProgrammesThatAreNoneAreNumerical) {
   bench.add_plane({1.0, 0.0, 0.0}, 1.0);
   bound();

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "support/random.hpp"
-#include "times/times.hpp"
+#include "times/trapezoid.hpp"
 
 namespace {
 
@@ -82,30 +82,6 @@ TEST(LimitsAlong, NoAxisExceedsItsOwnAndOneReachesIt) {
                                    std::fabs(d.z) * v / limits.v_max.z);
     EXPECT_NEAR(worst, 1.0, 1e-12);
   }
-}
-
-TEST(AllocateTimes, EverySegmentItsOwnAndZeroLengthTheMinimum) {
-  Corridor corridor{};
-  corridor.count = 3;
-  corridor.polyhedra[0].from = {0.0, 0.0, 0.0};
-  corridor.polyhedra[0].to = {4.0, 0.0, 0.0};
-  corridor.polyhedra[1].from = corridor.polyhedra[1].to = {4.0, 0.0, 0.0};
-  corridor.polyhedra[2].from = {4.0, 0.0, 0.0};
-  corridor.polyhedra[2].to = {4.0, 0.5, 0.0};
-  double durations[3];
-  allocate_times(corridor, kTwo, durations);
-  EXPECT_NEAR(durations[0], 4.0 / 2.0 + 2.0 / 2.0, 1e-12);
-  EXPECT_EQ(durations[1], kMinDuration);
-  EXPECT_NEAR(durations[2], 2.0 * std::sqrt(0.5 / 2.0), 1e-12);
-}
-
-TEST(AllocateTimes, NeverBelowTheMinimum) {
-  Corridor corridor{};
-  corridor.count = 1;
-  corridor.polyhedra[0].to = {1e-12, 0.0, 0.0};
-  double duration = 0.0;
-  allocate_times(corridor, Limits{{1e3, 1e3, 1e3}, {1e3, 1e3, 1e3}}, &duration);
-  EXPECT_EQ(duration, kMinDuration);
 }
 
 }  // namespace

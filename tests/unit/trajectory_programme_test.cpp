@@ -7,6 +7,7 @@
 
 #include "curve/bezier.hpp"
 #include "support/box_corridor.hpp"
+#include "support/chain.hpp"
 #include "tern/trajectory.hpp"
 #include "trajectory/hodograph_rows.hpp"
 #include "trajectory/programme.hpp"
@@ -30,7 +31,7 @@ struct Case {
     limits = tern_test::random_limits(random);
     const State start{corridor.polyhedra[0].from, {0.3, -0.2, 0.1}, {0.2, 0.1, -0.3}};
     const State goal{corridor.polyhedra[polyhedra - 1].to, {0.1, 0.2, 0.0}, {0.0, -0.1, 0.2}};
-    make_chain(corridor, start, goal, limits, chain);
+    tern_test::make_chain(corridor, start, goal, limits, chain);
     for (int i = 0; i < chain.count; ++i) chain.duration[i] *= random.real(0.5, 2.0);
     assemble(chain, corridor, limits, problem, scale);
     draw(random);

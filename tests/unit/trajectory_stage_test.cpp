@@ -12,6 +12,7 @@
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "support/box_corridor.hpp"
+#include "support/chain.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {
@@ -35,7 +36,7 @@ struct Flight {
   Flight(const Corridor& corridor, const TrajectoryQuery& query, std::uint32_t slice = kUnlimited, int fill = 0) {
     std::memset(static_cast<void*>(stage.get()), fill, sizeof(TrajectoryStage));
     std::memset(static_cast<void*>(&plan), 0, sizeof(plan));
-    trajectory_begin(*stage, corridor, query);
+    tern_test::begin_trajectory(*stage, corridor, query);
     do {
       Work work{slice};
       status = trajectory_advance(*stage, corridor, work, plan);
@@ -191,7 +192,7 @@ TEST(TrajectoryStage, SlicingAndABudgetAgree) {
 TEST(TrajectoryStage, NoWorkIsNoProgress) {
   const Corridor corridor = corner();
   const auto stage = std::make_unique<TrajectoryStage>();
-  trajectory_begin(*stage, corridor, rest_to_rest(corridor));
+  tern_test::begin_trajectory(*stage, corridor, rest_to_rest(corridor));
   Trajectory plan{};
   plan.count = 77;
   Work work{0};

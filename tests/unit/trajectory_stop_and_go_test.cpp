@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "curve/brake.hpp"
+#include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "support/box_corridor.hpp"
-#include "times/times.hpp"
 #include "trajectory/stop_and_go.hpp"
 
 namespace {

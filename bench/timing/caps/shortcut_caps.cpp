@@ -41,7 +41,7 @@ void shortcut_caps() {
   const tern::Grid grid = walled_grid();
   lay_out(path);
   const int last = tern::kMaxJumpPoints - 1;
-  tern::shortcut_begin(shortcut, grid, tern::ShortcutMode::kShortestChain, path);
+  tern::shortcut_begin(shortcut, grid, path);
   while (shortcut.head < last) tern::shortcut_step(shortcut, grid, path);
   std::uint64_t instructions = 0;
   std::uint64_t steps = 0;

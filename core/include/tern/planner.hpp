@@ -48,8 +48,8 @@ class Planner {
   /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
   /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, an iteration, a detour,
-  /// a way to come to rest or a segment's check each.
+  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, a segment's duration, an
+  /// iteration, a detour, a way to come to rest or a segment's check each.
   Status step(uint32_t work) noexcept;
   /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
@@ -84,7 +84,9 @@ class Planner {
   Status run_fences(Work& work) noexcept;
   Status run_path(Work& work) noexcept;
   Status run_corridor(Work& work) noexcept;
-  Status run_times() noexcept;
+  void begin_times() noexcept;
+  Status run_times(Work& work) noexcept;
+  void begin_trajectory() noexcept;
   Status run_trajectory(Work& work) noexcept;
   Status run_detour(Work& work) noexcept;
   Status run_check(Work& work) noexcept;

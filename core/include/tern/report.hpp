@@ -13,7 +13,7 @@ namespace tern {
 
 /// What one stage did. `bound` holds before the stage runs (contract C2): work <= bound always.
 struct StageReport {
-  uint32_t work;   ///< units: expansions, sight lines, planes, polyhedra timed, iterations, checks
+  uint32_t work;   ///< units: expansions, sight lines, planes, segments timed, iterations, checks
   uint32_t bound;  ///< the bound on it that follows from capacities, input sizes and budget
   uint64_t ticks;  ///< of the caller's clock; 0 with no clock
 };

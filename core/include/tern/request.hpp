@@ -51,9 +51,7 @@ struct Budget {
 
 /// How the front end shortens the jump-point path. Any other number is refused (field kShortcut).
 enum class ShortcutMode : uint8_t {
-  kShortestChain = 0,    ///< shortest chain through mutually visible waypoints, supercover line of sight
-  kGreedyBresenham = 1,  ///< the paper's Section 3.2.3, for comparison: greedy, one voxel a step; NOT safe, the
-                         ///< plan is refused by the check where a corner was cut
+  kShortestChain = 0,  ///< the shortest chain of mutually visible waypoints; lines of sight never cut a corner
 };
 
 /// One planning query.

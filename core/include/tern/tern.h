@@ -61,7 +61,7 @@ typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
-  uint8_t shortcut;   /* 0 shortest chain, 1 greedy and not safe: see tern::ShortcutMode; no other number */
+  uint8_t shortcut;   /* 0, the shortest chain: see tern::ShortcutMode; no other number */
   double time_weight; /* tern_request_init sets the default */
   const tern_fence* fences;
   int32_t fence_count;

@@ -3,8 +3,8 @@
 #include "curve/brake.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
-#include "times/times.hpp"
 
 namespace tern {
 namespace {

@@ -10,7 +10,6 @@
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
-#include "times/times.hpp"
 
 namespace tern {
 

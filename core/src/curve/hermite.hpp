@@ -10,6 +10,11 @@
 
 namespace tern {
 
+/// No segment lasts less, seconds: what a segment of zero length gets, and the floor of every refinement. Derivatives
+/// are differences of control points over powers of the duration, so that it also bounds their rounding errors:
+/// 1e-14 m over (0.05 s)^3 is 2e-8 m/s^3 of jerk.
+constexpr double kMinDuration = 0.05;
+
 /// Derivatives that two segments share at a joint: position, velocity, acceleration, jerk.
 constexpr int kJointOrder = 4;
 

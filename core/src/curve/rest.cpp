@@ -4,7 +4,6 @@
 
 #include "base/bounds.hpp"
 #include "curve/hermite.hpp"
-#include "times/times.hpp"
 
 namespace tern {
 namespace {

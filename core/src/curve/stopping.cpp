@@ -3,9 +3,9 @@
 #include "curve/stopping.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
-#include "times/times.hpp"
 
 namespace tern {
 namespace {

@@ -79,7 +79,7 @@ bool is_direct(const PathStage& stage, const Grid& grid) {
 void begin_shortcut(PathStage& stage, const Grid& grid, Path& out) {
   stage.phase = PathPhase::kShortcut;
   stage.stage = Stage::kShortcut;
-  shortcut_begin(stage.shortcut, grid, stage.query.mode, out);
+  shortcut_begin(stage.shortcut, grid, out);
 }
 
 /// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that is the exact point itself is left
@@ -127,7 +127,7 @@ Status advance_shortcut(PathStage& stage, const Grid& grid, Work& work, Path& ou
   }
   const Status status = shortcut_finish(stage.shortcut, out);
   stage.segments_high = status == Status::kOk ? out.count - 1 : kMaxSegments;
-  if (status != Status::kOk || stage.query.mode == ShortcutMode::kGreedyBresenham) return status;
+  if (status != Status::kOk) return status;
   stage.phase = PathPhase::kTighten;
   tighten_begin(stage.tighten, grid, out);
   return status;

@@ -14,7 +14,6 @@
 #include "search/search.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
-#include "tern/request.hpp"
 #include "tern/status.hpp"
 
 namespace tern {
@@ -27,15 +26,12 @@ constexpr std::uint32_t kJoinSearches = 64;
 constexpr std::uint32_t kSearchBound = 2 * kExpansionBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
 /// Bound on PathStage::sight_lines.
-constexpr std::uint32_t shortcut_bound(ShortcutMode mode) {
-  return mode == ShortcutMode::kShortestChain ? kChainBound + kTightenBound : kGreedyBound;
-}
+constexpr std::uint32_t kShortcutBound = kChainBound + kTightenBound;
 
 /// What to find. Local frame; both points inside the grid's boundary.
 struct PathQuery {
   Vec3 start;
   Vec3 goal;
-  ShortcutMode mode;
   std::uint32_t max_expansions;    ///< Budget::expansions
   std::uint32_t max_sight_lines;   ///< Budget::sight_lines
   const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
@@ -48,7 +44,7 @@ enum class PathPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch, kShortcut,
 /// Plain data; needs no initialisation before path_begin.
 struct PathStage {
   std::uint32_t expansions;    ///< nodes expanded and joining lines checked; <= kSearchBound and the budget
-  std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= shortcut_bound() and the budget
+  std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= kShortcutBound and the budget
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t open_high;      ///< most open at once
   std::int32_t raw_high;       ///< points of the jump-point path

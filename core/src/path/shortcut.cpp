@@ -3,7 +3,6 @@
 #include "path/shortcut.hpp"
 
 #include "base/math.hpp"
-#include "path/bresenham.hpp"
 #include "path/polyline.hpp"
 #include "path/sight.hpp"
 
@@ -44,7 +43,21 @@ void chain_advance(Shortcut& shortcut, const Grid& grid, const Path& path) {
   shortcut.probe = best_probe(shortcut);
 }
 
-void chain_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
+}  // namespace
+
+void shortcut_begin(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
+  shortcut.head = 0;
+  shortcut.probe = path.raw_count - 1;
+  shortcut.ends[0] = {0.0, 0.0, 0};
+  path.raw_length = polyline_length(path.raw, path.raw_count);
+  chain_advance(shortcut, grid, path);
+}
+
+bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept {
+  return shortcut.head < path.raw_count;
+}
+
+void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
   if (shortcut.probe < 0) return chain_advance(shortcut, grid, path);
   ChainEnd& end = shortcut.ends[shortcut.head];
   ChainEnd& probe = shortcut.ends[shortcut.probe];
@@ -57,56 +70,6 @@ void chain_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
   // As dear as what is known: never the best again.
   probe.onward = end.cost;
   shortcut.probe = best_probe(shortcut);
-}
-
-/// The next point is in sight without asking.
-void greedy_settle(Shortcut& shortcut, const Path& path) {
-  while (shortcut.probe <= shortcut.head + 1 && shortcut.head + 1 < path.raw_count) {
-    shortcut.ends[shortcut.head + 1].from = shortcut.head;
-    ++shortcut.head;
-    shortcut.probe = path.raw_count - 1;
-  }
-}
-
-void greedy_walk(Shortcut& shortcut, const Grid& grid, const Path& path) {
-  const Voxel a = grid.voxel_of(path.raw[shortcut.head]);
-  const Voxel b = grid.voxel_of(path.raw[shortcut.probe]);
-  if (bresenham_free(grid, a, b)) {
-    shortcut.ends[shortcut.probe].from = shortcut.head;
-    shortcut.head = shortcut.probe;
-    shortcut.probe = path.raw_count - 1;
-  } else {
-    --shortcut.probe;
-  }
-  greedy_settle(shortcut, path);
-}
-
-}  // namespace
-
-void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Path& path) noexcept {
-  shortcut.mode = mode;
-  shortcut.head = 0;
-  shortcut.probe = path.raw_count - 1;
-  shortcut.ends[0] = {0.0, 0.0, 0};
-  path.raw_length = polyline_length(path.raw, path.raw_count);
-  if (mode == ShortcutMode::kShortestChain) {
-    chain_advance(shortcut, grid, path);
-  } else {
-    greedy_settle(shortcut, path);
-  }
-}
-
-bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept {
-  const std::int32_t last = path.raw_count - 1;
-  return shortcut.mode == ShortcutMode::kShortestChain ? shortcut.head <= last : shortcut.head < last;
-}
-
-void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
-  if (shortcut.mode == ShortcutMode::kShortestChain) {
-    chain_walk(shortcut, grid, path);
-  } else {
-    greedy_walk(shortcut, grid, path);
-  }
 }
 
 Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept {

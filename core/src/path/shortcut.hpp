@@ -9,7 +9,6 @@
 
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
-#include "tern/request.hpp"
 #include "tern/status.hpp"
 
 namespace tern {
@@ -18,14 +17,10 @@ namespace tern {
 /// turns than these are rare, and tightening finds most of them again.
 constexpr int kSightWindow = 64;
 
-/// Bound on units of kShortestChain: for each point one line from each candidate before it but the nearest, and one
+/// Bound on units: for each point one line from each candidate before it but the nearest, and one
 /// that goes on to the next point.
 constexpr std::uint32_t kChainBound =
     static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kSightWindow);
-
-/// Bound on units of kGreedyBresenham: one line for each pair of points.
-constexpr std::uint32_t kGreedyBound =
-    static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kMaxJumpPoints - 1) / 2u;
 
 /// What a leg costs besides its length, in voxels: between chains of nearly equal length the one with fewer segments is
 /// worth more than a twentieth of a voxel.
@@ -40,14 +35,13 @@ struct ChainEnd {
 
 /// Plain data; needs no initialisation before shortcut_begin.
 struct Shortcut {
-  ShortcutMode mode;
-  std::int32_t head;   ///< kShortestChain: the point whose best predecessor is sought; greedy: the last waypoint
+  std::int32_t head;   ///< the point whose best predecessor is sought
   std::int32_t probe;  ///< the point that the next line of sight joins to head; -1 where none would beat its own leg
   ChainEnd ends[kMaxJumpPoints];
 };
 
 /// `path.raw` holds the path to shorten: each point sees the next (a move of the grid, or a checked join).
-void shortcut_begin(Shortcut& shortcut, const Grid& grid, ShortcutMode mode, Path& path) noexcept;
+void shortcut_begin(Shortcut& shortcut, const Grid& grid, Path& path) noexcept;
 
 /// True while there are units of work to be done; false when the chain is complete.
 bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept;

@@ -11,6 +11,7 @@
 #include "planner/escape.hpp"
 #include "planner/previous.hpp"
 #include "tern/workspace.hpp"
+#include "times/times_stage.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
 namespace tern {
@@ -25,9 +26,11 @@ struct FlightEnds {
   Vec3 origin_in_grid;  ///< of the plan's frame
 };
 
-/// The trajectory stage and the corridor that it is given.
+/// The times and the trajectory stage, and what both are given.
 struct TrajectoryMemory {
   Corridor corridor;  ///< relative to the plan's origin
+  TimesStage times;
+  Chain chain;  ///< as the times stage made it
   TrajectoryStage stage;
 };
 

@@ -43,7 +43,6 @@ void Planner::enter(Phase phase) noexcept {
     case Phase::kPath: {
       const PathQuery query{memory.ends.start_in_grid,
                             memory.ends.goal_in_grid,
-                            asked_.shortcut,
                             asked_.budget.expansions - before(Stage::kSearch),
                             asked_.budget.sight_lines - before(Stage::kShortcut),
                             fences,
@@ -60,9 +59,11 @@ void Planner::enter(Phase phase) noexcept {
       return begin_escape();
     case Phase::kCheck:
       return check_begin(memory.stage.check);
-    case Phase::kFences:
     case Phase::kTimes:
+      return begin_times();
     case Phase::kTrajectory:
+      return begin_trajectory();
+    case Phase::kFences:
     case Phase::kDetour:
     case Phase::kIdle:
     case Phase::kDone:
@@ -85,7 +86,7 @@ Status Planner::run_phase(Work& work) noexcept {
       status = run_corridor(work);
       break;
     case Phase::kTimes:
-      status = run_times();
+      status = run_times(work);
       break;
     case Phase::kTrajectory:
       status = run_trajectory(work);

@@ -94,7 +94,7 @@ Verdict check_states(const Request& request) {
 
 /// From C any byte may come.
 bool known(ShortcutMode mode) {
-  return mode == ShortcutMode::kShortestChain || mode == ShortcutMode::kGreedyBresenham;
+  return mode == ShortcutMode::kShortestChain;
 }
 
 /// In the local frame, on the boundary's face where only rounding put it beyond.

@@ -52,8 +52,7 @@ Status Planner::run_path(Work& work) noexcept {
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
   count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
-  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
-        searches() * (shortcut_bound(stage.query.mode) + kDetourLines));
+  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, searches() * (kShortcutBound + kDetourLines));
   raise(report_.high_water.nodes, stage.nodes_high);
   raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
@@ -91,18 +90,29 @@ Status Planner::run_corridor(Work& work) noexcept {
   return status;
 }
 
-Status Planner::run_times() noexcept {
+/// The corridor in the plan's frame, cut into the chain.
+void Planner::begin_times() noexcept {
   Layout& memory = layout(workspace_);
   const FlightEnds& ends = memory.ends;
+  TrajectoryMemory& stages = memory.stage.trajectory;
+  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, stages.corridor);
+  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, asked_.limits}, stages.chain);
+}
+
+Status Planner::run_times(Work& work) noexcept {
+  TrajectoryMemory& stages = layout(workspace_).stage.trajectory;
+  const Status status = times_advance(stages.times, stages.corridor, work, stages.chain);
+  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + 1) * kTimesBound);
+  if (status == Status::kOk) enter(Phase::kTrajectory);
+  return status;
+}
+
+void Planner::begin_trajectory() noexcept {
+  const FlightEnds& ends = layout(workspace_).ends;
+  TrajectoryMemory& stages = layout(workspace_).stage.trajectory;
   const std::uint32_t iterations = stop_and_go_ ? 0 : asked_.budget.iterations - before(Stage::kTrajectory);
   const TrajectoryQuery query{ends.start, ends.goal, asked_.limits, asked_.time_weight, iterations};
-  TrajectoryMemory& trajectory = memory.stage.trajectory;
-  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, trajectory.corridor);
-  trajectory_begin(trajectory.stage, trajectory.corridor, query);
-  count(Stage::kTimes, static_cast<std::uint32_t>(memory.corridor.count), kNoBudget,
-        (corridors() + 1) * static_cast<std::uint32_t>(kMaxSegments));
-  enter(Phase::kTrajectory);
-  return Status::kOk;
+  trajectory_begin(stages.stage, stages.corridor, query, stages.chain);
 }
 
 Status Planner::run_trajectory(Work& work) noexcept {

@@ -196,11 +196,6 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   start(problem, solver);
 }
 
-void qp_begin_shifted(QpSolver& solver, const QpProblem& problem) noexcept {
-  solver.warm_next = solver.warm_count;
-  start(problem, solver);
-}
-
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
   if (!solver.usable) return refuse(solver, solution);
   for (int unit = 0; unit <= kMaxQpIterations; ++unit) {

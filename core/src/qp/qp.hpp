@@ -97,10 +97,6 @@ struct QpSolver;
 /// problem must not change until the solve ends. Its counts and indices are the caller's promise; numbers are not.
 void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
 
-/// Starts a solve from the working set and the factors that the solver's last solve ended with. Since then the problem
-/// may have changed in `linear` and the offsets of points and planes, in nothing else.
-void qp_begin_shifted(QpSolver& solver, const QpProblem& problem) noexcept;
-
 /// Runs up to work.left iterations (one unit each). kRunning, or the end: kOk, kInfeasible (proven), kIterationLimit,
 /// kWorkingSetFull, kNumerical. Fills `solution` at the end; before kOk its x is not feasible (a dual method).
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;

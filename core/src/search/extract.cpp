@@ -80,10 +80,6 @@ void add_counts(MoveCounts& sum, const MoveCounts& jump) {
 
 }  // namespace
 
-Cost search_cost(Search& search) noexcept {
-  return search.store.nodes[store_find_or_add(search.store, search.goal)].g;
-}
-
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept {
   NodeStore& store = search.store;
   const std::uint32_t goal = store_find_or_add(store, search.goal);

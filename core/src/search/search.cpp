@@ -33,15 +33,14 @@ void begin_jumps(Search& search, const Grid& grid) {
   }
 }
 
-/// How far beyond the expanded node's f its sweeps go on, in voxels: a little at first, so that easy queries do not
+/// How far beyond the expanded node's f its sweeps go on, in voxels: nothing at first, so that easy queries do not
 /// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
 /// same cost of path; these were measured on the six maps and on random ones.
-constexpr Cost kLeastSlack = 0;
 constexpr Cost kMostSlack = 16;
 constexpr Cost kSlackPace = 1024;  ///< expansions for one voxel more
 
 Cost sweep_slack(const Search& search) {
-  const Cost grown = kLeastSlack + search.expanded / kSlackPace;
+  const Cost grown = search.expanded / kSlackPace;
   return (grown < kMostSlack ? grown : kMostSlack) * kStraightCost;
 }
 

@@ -58,9 +58,6 @@ Status search_expand(Search& search, const Grid& grid) noexcept;
 /// path.grid_length. Leaves room for `reserve` more points: kOk or kJumpPointsFull. Once, after kOk.
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept;
 
-/// The cost of the path found. Only after kOk, before or after search_extract.
-Cost search_cost(Search& search) noexcept;
-
 }  // namespace tern
 
 #endif

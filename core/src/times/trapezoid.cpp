@@ -1,7 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "times/trapezoid.hpp"
+
 #include "base/bounds.hpp"
-#include "times/times.hpp"
+#include "curve/hermite.hpp"
 
 namespace tern {
 
@@ -19,14 +21,6 @@ double trapezoid_time(double length, const LineLimits& limits) noexcept {
   const bool triangular = length * a < v * v;
   const double time = triangular ? 2.0 * square_root(length / a) : length / v + v / a;
   return larger(time, kMinDuration);
-}
-
-void allocate_times(const Corridor& corridor, const Limits& limits, double* durations) noexcept {
-  for (int i = 0; i < corridor.count; ++i) {
-    const Vec3 delta = corridor.polyhedra[i].to - corridor.polyhedra[i].from;
-    const double x = length(delta);
-    durations[i] = x > 0.0 ? trapezoid_time(x, limits_along(delta, limits)) : kMinDuration;
-  }
 }
 
 }  // namespace tern

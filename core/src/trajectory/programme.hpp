@@ -10,7 +10,10 @@
 #define TERN_TRAJECTORY_PROGRAMME_HPP
 
 #include "qp/qp.hpp"
-#include "trajectory/chain.hpp"
+#include "tern/corridor.hpp"
+#include "tern/request.hpp"
+#include "tern/trajectory.hpp"
+#include "times/chain.hpp"
 
 namespace tern {
 

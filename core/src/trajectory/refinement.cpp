@@ -3,7 +3,7 @@
 #include "trajectory/refinement.hpp"
 
 #include "base/math.hpp"
-#include "times/times.hpp"
+#include "curve/hermite.hpp"
 
 namespace tern {
 namespace {

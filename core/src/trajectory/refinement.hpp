@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "trajectory/chain.hpp"
+#include "times/chain.hpp"
 
 namespace tern {
 

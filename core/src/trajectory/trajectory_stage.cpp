@@ -5,9 +5,10 @@
 #include "base/bounds.hpp"
 #include "base/work.hpp"
 #include "curve/bezier.hpp"
+#include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
-#include "times/times.hpp"
+#include "trajectory/chain_ends.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 
@@ -276,7 +277,8 @@ void clear_results(TrajectoryStage& stage) {
 
 }  // namespace
 
-void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query) noexcept {
+void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
+                      const Chain& chain) noexcept {
   clear_results(stage);
   stage.query = query;
   stage.best.found = false;
@@ -288,7 +290,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
     stage.optimiser = Status::kBudgetOptimise;
     return;
   }
-  make_chain(corridor, query.start, query.goal, query.limits, stage.chain);
+  stage.chain = chain;
   refinement_begin(stage.refinement, stage.chain, snap_rate(query.limits, query.time_weight));
   stage.phase = TrajectoryPhase::kPropose;
 }

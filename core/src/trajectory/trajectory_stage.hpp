@@ -16,7 +16,7 @@
 #include "tern/request.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
-#include "trajectory/chain.hpp"
+#include "times/chain.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/refinement.hpp"
 
@@ -83,8 +83,10 @@ struct TrajectoryStage {
   QpSolver solver;
 };
 
-/// Starts a plan. The corridor must stay unchanged until it ends; polyhedra at least one, each around its segment.
-void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query) noexcept;
+/// Starts a plan from the chain that the times stage made of the corridor. The corridor must stay unchanged until the
+/// plan ends; polyhedra at least one, each around its segment.
+void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
+                      const Chain& chain) noexcept;
 
 /// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kRunning, kOk
 /// with count and segments of `out` filled (the origin is the caller's), or kNoTrajectory with `out` untouched: only

@@ -1,10 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "path/bresenham.hpp"
+#include "baselines/greedy_bresenham.hpp"
 
-#include "base/direction.hpp"
+#include <cstdint>
+#include <cstdlib>
 
-namespace tern {
+namespace tern_bench {
 namespace {
 
 /// One coordinate of the line: advances where its error term has grown past half a voxel.
@@ -15,7 +16,7 @@ struct Stepper {
   std::int32_t error;  ///< in voxels times twice the longest distance
 
   Stepper(std::int32_t from, std::int32_t to)
-      : at(from), step(to < from ? -1 : 1), rise(magnitude(to - from)), error(0) {}
+      : at(from), step(to < from ? -1 : 1), rise(std::abs(to - from)), error(0) {}
 
   void advance(std::int32_t run) {
     error += 2 * rise;
@@ -27,7 +28,7 @@ struct Stepper {
 
 }  // namespace
 
-bool bresenham_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept {
+bool bresenham_free(const tern::Grid& grid, const tern::Voxel& a, const tern::Voxel& b) {
   Stepper x(a.x, b.x);
   Stepper y(a.y, b.y);
   Stepper z(a.z, b.z);
@@ -43,4 +44,15 @@ bool bresenham_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept {
   return true;
 }
 
-}  // namespace tern
+std::vector<tern::Vec3> greedy_bresenham(const tern::Grid& grid, const std::vector<tern::Vec3>& points) {
+  std::vector<tern::Vec3> kept{points.front()};
+  for (std::size_t at = 0; at + 1 < points.size();) {
+    std::size_t next = points.size() - 1;
+    while (next > at + 1 && !bresenham_free(grid, grid.voxel_of(points[at]), grid.voxel_of(points[next]))) --next;
+    kept.push_back(points[next]);
+    at = next;
+  }
+  return kept;
+}
+
+}  // namespace tern_bench

@@ -1,0 +1,91 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/chain_ends.hpp"
+
+#include "base/bounds.hpp"
+#include "curve/motion_limits.hpp"
+#include "trajectory/hodograph_rows.hpp"
+
+namespace tern {
+namespace {
+
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
+/// Lengths are looked at in this many steps of kEndStep before an end's duration is given up: a factor of 1e5.
+constexpr int kEndTries = 52;
+constexpr double kEndStep = 0.8;
+
+bool moves(const JointState& state) {
+  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
+}
+
+/// True where the rows that depend on the first four control points only keep the limit.
+bool fixed_rows_hold(const double (*rows)[kControlPoints], int count, const Vec3* points, double scale,
+                     const Bounds& bounds) {
+  for (int r = 0; r < count; ++r) {
+    Vec3 value = kZero;
+    bool fixed = true;
+    for (int k = 0; k < kControlPoints; ++k) {
+      if (k < kJointOrder) value = value + (scale * rows[r][k]) * (points[k] - points[0]);
+      if (k >= kJointOrder && (rows[r][k] < 0.0 || rows[r][k] > 0.0)) fixed = false;
+    }
+    if (fixed && gauge(bounds, value) > 1.0 + kLimitTolerance) return false;
+  }
+  return true;
+}
+
+bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Limits& limits, double duration) {
+  Segment segment{};
+  control_points(end, end, duration, segment.points);
+  for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = end.d[0];
+  const double rate = 1.0 / duration;
+  return inside(segment, polyhedron) &&
+         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, velocity_bounds(limits)) &&
+         fixed_rows_hold(kHodographRows.acceleration, kAccelerationRows, segment.points, rate * rate,
+                         acceleration_bounds(limits));
+}
+
+double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const Limits& limits, double duration) {
+  if (!moves(end)) return duration;
+  for (int i = 0; i < kEndTries && duration > kMinDuration; ++i) {
+    if (end_holds(end, polyhedron, limits, duration)) return duration;
+    duration *= kEndStep;
+  }
+  return larger(duration, kMinDuration);
+}
+
+bool goes_from_rest_to_rest(const Segment& segment) {
+  for (int k = 1; k < kJointOrder; ++k) {
+    if (distance(segment.points[0], segment.points[k]) > 0.0) return false;
+    if (distance(segment.points[kDegree], segment.points[kDegree - k]) > 0.0) return false;
+  }
+  return true;
+}
+
+/// The same state flown backwards in time.
+JointState backwards(const JointState& state) {
+  return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
+}
+
+}  // namespace
+
+void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {
+  const int last = chain.count - 1;
+  chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
+  chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
+                                          backwards(limits), chain.duration[last]);
+}
+
+void follow(const Trajectory& plan, Chain& chain) noexcept {
+  const int most = 2 * plan.count <= kMaxSegments ? 2 : 1;
+  chain.count = 0;
+  for (int i = 0; i < plan.count; ++i) {
+    const Segment& segment = plan.segments[i];
+    const int pieces = goes_from_rest_to_rest(segment) ? most : 1;
+    const double length = distance(segment.points[0], segment.points[kDegree]) / pieces;
+    append_pieces(length, segment.polyhedron, pieces, chain);
+    for (int k = 1; k <= pieces; ++k) chain.duration[chain.count - k] = larger(kMinDuration, segment.duration / pieces);
+  }
+}
+
+}  // namespace tern

@@ -1,0 +1,117 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "times/times_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace tern_test {
+namespace {
+
+using tern::Chain;
+using tern::Corridor;
+using tern::Limits;
+using tern::State;
+using tern::Status;
+using tern::Vec3;
+using tern::Work;
+
+constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+constexpr double kSlack = 1.5;  // docs/times.md
+
+class Times : public testing::Test {
+ protected:
+  Times() : corridor_(new Corridor{}), chain_(new Chain) {}
+  void leg(const Vec3& from, const Vec3& to) {
+    corridor_->polyhedra[corridor_->count].from = from;
+    corridor_->polyhedra[corridor_->count].to = to;
+    ++corridor_->count;
+  }
+  State first() const { return {corridor_->polyhedra[0].from, {}, {}}; }
+  State last() const { return {corridor_->polyhedra[corridor_->count - 1].to, {}, {}}; }
+  void begin(const State& start, const State& goal, const Limits& limits = kTwo) {
+    tern::times_begin(stage_, *corridor_, {start, goal, limits}, *chain_);
+  }
+  Status advance(std::uint32_t units) {
+    Work work{units};
+    return tern::times_advance(stage_, *corridor_, work, *chain_);
+  }
+
+  std::unique_ptr<Corridor> corridor_;
+  std::unique_ptr<Chain> chain_;
+  tern::TimesStage stage_;
+};
+
+TEST_F(Times, RampsAtBothEndsAndCruisingBetween) {
+  // 30 m in three legs of 10 m. One needs 2 m to reach 2 m/s and stop again: its pieces are 2.5 times that at most.
+  for (int i = 0; i < 3; ++i) leg({10.0 * i, 0.0, 0.0}, {10.0 * (i + 1), 0.0, 0.0});
+  begin(first(), last());
+  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(chain_->count, 6);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(chain_->polyhedron[i], i / 2);
+    EXPECT_NEAR(chain_->length[i], 5.0, 1e-12);
+    // 5 m at 2 m/s; an end from rest takes v / 2a = 0.5 s more.
+    EXPECT_NEAR(chain_->duration[i], kSlack * (i == 0 || i == 5 ? 3.0 : 2.5), 1e-12) << i;
+  }
+}
+
+TEST_F(Times, AShortLegTakesItsTriangleAtMost) {
+  leg({0.0, 0.0, 0.0}, {0.02, 0.0, 0.0});
+  begin(first(), last());
+  ASSERT_EQ(advance(100), Status::kOk);
+  // Half of the way a piece: both ramps of 0.5 s would be more than 2 sqrt(x / a).
+  ASSERT_EQ(chain_->count, 2);
+  EXPECT_NEAR(chain_->duration[0], kSlack * 2.0 * std::sqrt(0.01 / 2.0), 1e-12);
+}
+
+TEST_F(Times, NoLengthTakesTheLeastDuration) {
+  leg({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0});
+  leg({4.0, 0.0, 0.0}, {4.0, 0.0, 0.0});
+  leg({4.0, 0.0, 0.0}, {4.0, 4.0, 0.0});
+  begin(first(), last());
+  ASSERT_EQ(advance(100), Status::kOk);
+  bool found = false;
+  for (int i = 0; i < chain_->count; ++i) {
+    if (chain_->polyhedron[i] != 1) continue;
+    found = true;
+    EXPECT_EQ(chain_->duration[i], tern::kMinDuration);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(Times, AMovingEndLeavesTimeToBrake) {
+  leg({0.0, 0.0, 0.0}, {0.01, 0.0, 0.0});
+  State start = first();
+  start.velocity = {2.0, 0.0, 0.0};
+  begin(start, last());
+  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(chain_->count, 3);
+  // Braking takes 1 s; 0.4 of it, with the slack.
+  EXPECT_NEAR(chain_->duration[0], kSlack * 0.4, 1e-12);
+}
+
+TEST_F(Times, SlicesEndWhereAWholeRunDoes) {
+  for (int i = 0; i < 5; ++i) leg({3.0 * i, 0.1 * i * i, 0.0}, {3.0 * (i + 1), 0.1 * (i + 1) * (i + 1), 0.0});
+  begin(first(), last());
+  ASSERT_EQ(advance(100), Status::kOk);
+  const Chain whole = *chain_;
+  begin(first(), last());
+  int slices = 1;
+  while (advance(1) == Status::kRunning) ++slices;
+  EXPECT_EQ(slices, whole.count);
+  EXPECT_LE(static_cast<std::uint32_t>(stage_.timed), tern::kTimesBound);
+  for (int i = 0; i < whole.count; ++i) EXPECT_EQ(chain_->duration[i], whole.duration[i]);
+}
+
+TEST_F(Times, MorePiecesThanFitBecomeFewer) {
+  for (int i = 0; i < tern::kMaxSegments; ++i) leg({40.0 * i, 0.0, 0.0}, {40.0 * (i + 1), 0.0, 0.0});
+  begin(first(), last());
+  ASSERT_EQ(advance(0xFFFFFFFFu), Status::kOk);
+  EXPECT_EQ(chain_->count, tern::kMaxSegments);
+}
+
+}  // namespace
+}  // namespace tern_test
