@@ -41,7 +41,7 @@ neighbours, so that every pair within the window is tried:
 {lines}
 {picture('theory.svg', "The shortcut's cost")}
 Steps grow with W to the power of {slopes['slope of lines over W']}, time with {slopes['slope of time over W']}: all pairs up to W = 64, and
-64 a point beyond ([shortcut](shortcut.md)). One line costs D to the power of {slopes['slope of time over D']}: it tests words of 64 voxels, not voxels. On the six maps W is {most_points} at most, and the shortcut
+64 a point beyond ([path](path.md)). One line costs D to the power of {slopes['slope of time over D']}: it tests words of 64 voxels, not voxels. On the six maps W is {most_points} at most, and the shortcut
 takes {min(extra):.0f} to {max(extra):.0f} µs where the search takes {min(search):.0f} to {max(search):.0f}. So the paper's "computationally negligible" holds for both.
 
 ### Convergence of the ellipsoid
