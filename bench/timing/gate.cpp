@@ -82,7 +82,7 @@ void row(const Case& input, const char* stage, std::uint64_t count, std::uint32_
 void report_case(const Case& input, tern::Status status, const tern::Report& report, const Cost& cost) {
   const tern::HighWater& high = report.high_water;
   print("# ", input.name, ": ", tern::status_name(status), ", optimiser ", tern::status_name(report.optimiser),
-        "; nodes ", high.nodes, " heap ", high.heap, " segments ", high.segments, " planes ", high.planes, " boxes ",
+        "; nodes ", high.nodes, " heap ", high.open, " segments ", high.segments, " planes ", high.planes, " boxes ",
         high.local_boxes, " active ", high.active, " iterations ", high.qp_iterations, " solves ", high.qp_solves,
         " stack ", cost.stack, "\n");
   row(input, "mark", cost.mark, static_cast<std::uint32_t>(input.block_count), 0);
