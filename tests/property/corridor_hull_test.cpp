@@ -57,7 +57,7 @@ class HullPolyhedron : public testing::Test {
  protected:
   HullPolyhedron() { tern::reset_counters(*scratch_); }
   Status enclose(const World& world, const Vec3* points, int count) {
-    return tern::enclose_hull(world.grid, {points, count}, *scratch_, out_);
+    return tern::enclose_hull(world.grid, {points, count}, 0.0, *scratch_, out_);
   }
 
   void expect_holds(const Hull& hull) const {

@@ -93,6 +93,7 @@ class Planner {
   Stage stage_of_phase() const noexcept;
   Status run_escape(Work& work) noexcept;
   Status run_previous(Work& work) noexcept;
+  void begin_previous() noexcept;
   void follow_previous() noexcept;
   Vec3 start_jerk() const noexcept;
   bool previous_may_help(Status status) const noexcept;

@@ -43,7 +43,7 @@ constexpr size_t kTrajectory =
     kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
 /// Path, corridor and trajectory, which outlive the stages that made them.
 constexpr size_t kResults =
-    (kJumps + kSegments) * 24 + kSegments * 224 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
+    (kJumps + kSegments) * 24 + kSegments * 448 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
 
 }  // namespace workspace
 

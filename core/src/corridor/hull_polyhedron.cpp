@@ -39,7 +39,7 @@ struct Faces {
 };
 
 /// Below `too_close` the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
-/// direction, which separate an edge that the curve grazes; and the solid's faces.
+/// direction, which separate an edge that the curve grazes; and the same of the solid's own faces and edges.
 Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, double too_close) {
   const HullGap gap = hull_gap(hull, solid);
   if (gap.distance >= too_close) return gap.normal;
@@ -52,18 +52,26 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, doub
     widest.offer(normal);
     widest.offer(cross(normal, along));
   }
-  for (int f = 0; f < faces.count; ++f) widest.offer(-1.0 * faces.at[f].normal);
+  for (int f = 0; f < faces.count; ++f) {
+    widest.offer(-1.0 * faces.at[f].normal);
+    for (int g = 0; g < f; ++g) {
+      const Vec3 across = cross(cross(faces.at[f].normal, faces.at[g].normal), along);
+      widest.offer(across);
+      widest.offer(-1.0 * across);
+    }
+  }
   return widest.normal;
 }
 
-Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, GrowScratch& scratch,
-                      Polyhedron& out) {
+Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, double slack,
+                      GrowScratch& scratch, Polyhedron& out) {
   const double radius = grid.spec().radius;
   const Vec3 normal = widest_normal(hull, solid, faces, direction_tolerance(grid.spec()));
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
-  if (far > offset + touching_of(grid, scratch)) return Status::kCorridorBlocked;
-  return append({normal, larger(far, offset)}, scratch, out);
+  const double most = offset + touching_of(grid, scratch);
+  if (far > most + slack) return Status::kCorridorBlocked;
+  return append({normal, clamp(far, offset, most)}, scratch, out);
 }
 
 /// The box around the hull, as half-spaces.
@@ -84,7 +92,8 @@ Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scr
   return status;
 }
 
-Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, GrowScratch& scratch, Polyhedron& out) {
+Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, double slack, GrowScratch& scratch,
+                        Polyhedron& out) {
   const double radius = grid.spec().radius;
   const int count = extract_local_boxes(grid, voxels_within_reach(grid, box), scratch.extract, scratch.boxes);
   if (count < 0) return Status::kObstaclesFull;
@@ -98,12 +107,12 @@ Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, Grow
     }
     const Hull corner_hull{corners, kCorners};
     if (!is_cut_off(corner_hull, radius, out))
-      status = append_between(grid, hull, corner_hull, {nullptr, 0}, scratch, out);
+      status = append_between(grid, hull, corner_hull, {nullptr, 0}, slack, scratch, out);
   }
   return status;
 }
 
-Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) {
+Status append_fences(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) {
   if (scratch.fences == nullptr) return Status::kOk;
   const Fences& fences = *scratch.fences;
   const double radius = grid.spec().radius;
@@ -117,20 +126,20 @@ Status append_fences(const Grid& grid, const Hull& hull, GrowScratch& scratch, P
     const KeepOut& fence = fences.keep_out[k];
     const Hull solid = hull_of(fences, fence);
     const Faces faces{fences.planes + fence.first_plane, fence.planes};
-    if (!is_cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, scratch, out);
+    if (!is_cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, slack, scratch, out);
   }
   return status;
 }
 
 }  // namespace
 
-Status enclose_hull(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) noexcept {
+Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept {
   out.count = 0;
   out.redundant = 0;
   Box box;
   Status status = append_box(grid, hull, box, scratch, out);
-  if (status == Status::kOk) status = append_obstacles(grid, hull, box, scratch, out);
-  if (status == Status::kOk) status = append_fences(grid, hull, scratch, out);
+  if (status == Status::kOk) status = append_obstacles(grid, hull, box, slack, scratch, out);
+  if (status == Status::kOk) status = append_fences(grid, hull, slack, scratch, out);
   out.from = hull.points[0];
   out.to = hull.points[hull.count - 1];
   out.ellipsoid = Ellipsoid{{{kNoSize, 0.0, 0.0}, {0.0, kNoSize, 0.0}, {0.0, 0.0, kNoSize}}, 0.5 * (out.from + out.to)};

@@ -21,7 +21,10 @@ namespace tern {
 /// kOk: `out` holds the hull, and each obstacle voxel is beyond one half-space by the radius. kOutOfMap: a point beyond
 /// the boundary. kCorridorBlocked: an obstacle, a keep-out or a keep-in's face nearer than it may be. kObstaclesFull,
 /// kPlanesFull, kBudgetCorridor. `out` is undefined after anything but kOk.
-Status enclose_hull(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) noexcept;
+///
+/// `slack`: metres by which the hull may come nearer than it may touch. Its points then lie as far outside the
+/// half-spaces, which are what touching allows.
+Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
 
 }  // namespace tern
 

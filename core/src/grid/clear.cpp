@@ -22,7 +22,9 @@ struct Probe {
 /// not be met.
 Probe make_probe(const Vec3& a, const Vec3& b, double radius, double tolerance) {
   if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance)};
-  return {a, b, tolerance, 0.25 * tolerance * tolerance};
+  // A hair less than the whole tolerance: what is measured rounds.
+  constexpr double kHair = 0.05;
+  return {a, b, tolerance, kHair * kHair * tolerance * tolerance};
 }
 
 bool keeps_clear(const Probe& probe, const Box& box) {

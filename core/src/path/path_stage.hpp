@@ -20,7 +20,7 @@ namespace tern {
 
 /// Searches of a query at most: one, and others from where an end can join the grid besides. Eight voxels meet in a
 /// corner, each perhaps a pocket of its own. They are small, mostly: no search begins after kExpansionBound expansions.
-constexpr std::uint32_t kJoinSearches = 64;
+constexpr std::uint32_t kJoinSearches = 4096;
 
 /// Bound on PathStage::expansions: those of all searches, and the lines that join both ends to the grid before each.
 constexpr std::uint32_t kSearchBound = 2 * kExpansionBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);

@@ -39,7 +39,7 @@ struct Escape {
 
 /// An empty tube over the escape's own arrays.
 inline Tube tube_of(Escape& escape) noexcept {
-  return {escape.segments, escape.polyhedra, kEscapeSegments, 0};
+  return {escape.segments, escape.polyhedra, kEscapeSegments, 0, 0.0};
 }
 
 /// Where a stop is flown.

@@ -37,7 +37,7 @@ std::uint32_t Planner::corridors() const noexcept {
 
 /// Each corridor's plan may be checked, the optimiser's first, then the fallback's; and the previous plan's rest.
 std::uint32_t Planner::checks() const noexcept {
-  return corridors() + (asked_.previous != nullptr ? 2 : 1);
+  return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
 }
 
 std::uint32_t Planner::escape_planes() const noexcept {
@@ -94,13 +94,11 @@ bool Planner::escape_may_help(Status status) const noexcept {
 /// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
 /// about the request as it was.
 Status Planner::fail(Stage stage, Status status) noexcept {
-  Previous& previous = layout(workspace_).previous;
-  if (escapes_ == 0 && !previous.tried) {
+  if (escapes_ == 0 && layout(workspace_).previous.tries == 0) {
     failed_stage_ = stage;
     failed_status_ = status;
   }
   if (previous_may_help(status)) {
-    previous.tried = true;
     enter(Phase::kPrevious);
     return Status::kOk;
   }

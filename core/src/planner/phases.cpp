@@ -54,7 +54,7 @@ void Planner::enter(Phase phase) noexcept {
       return corridor_begin(memory.stage.corridor, world(), memory.path,
                             asked_.budget.planes - before(Stage::kCorridor), fences);
     case Phase::kPrevious:
-      return begin_hulls();
+      return begin_previous();
     case Phase::kEscape:
       return begin_escape();
     case Phase::kCheck:

@@ -46,6 +46,32 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
+/// What a cut begins with.
+struct Cut {
+  Sample now;
+  int first;    ///< the segment at hand; the plan's count where nothing is left to fly
+  double time;  ///< into that segment
+  Vec3 begin;   ///< the position in the plan's frame
+};
+
+Cut cut_at(const Trajectory& plan, double time) {
+  Cut cut{evaluate(plan, time), 0, time, {0.0, 0.0, 0.0}};
+  cut.first = segment_at(plan, cut.time);
+  if (cut.first == plan.count || plan.segments[cut.first].duration - cut.time < kLeastRest) {
+    cut.first = plan.count;
+  } else {
+    cut.begin = value(curve_of(plan.segments[cut.first]), cut.time / plan.segments[cut.first].duration);
+  }
+  return cut;
+}
+
+/// Appends the segment between two states.
+void append(const JointState& from, const JointState& to, double duration, Previous& rest) {
+  Segment& segment = rest.segments[rest.count++];
+  segment.duration = duration;
+  control_points(from, to, duration, segment.points);
+}
+
 }  // namespace
 
 bool previous_fits(const Request& request) noexcept {
@@ -60,27 +86,38 @@ bool previous_fits(const Request& request) noexcept {
 }
 
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
-  rest.count = rest.next = rest.enclosed = 0;
-  rest.tried = rest.flown = rest.meets_goal = false;
+  rest.count = rest.next = rest.enclosed = rest.tries = 0;
+  rest.flown = rest.meets_goal = false;
+  rest.origin = request.start.position;
   if (request.previous == nullptr) return;
-  const Trajectory& plan = *request.previous;
-  const Sample now = evaluate(plan, request.previous_time);
-  rest.jerk = now.jerk;
-  double time = request.previous_time;
-  const int first = segment_at(plan, time);
-  if (first == plan.count || plan.segments[first].duration - time < kLeastRest) return;
+  rest.plan = *request.previous;
+  const Trajectory& plan = rest.plan;
+  const Cut cut = cut_at(plan, request.previous_time);
+  rest.jerk = cut.now.jerk;
   const Vec3 way = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(way, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
-  const Vec3 begin = value(curve_of(plan.segments[first]), time / plan.segments[first].duration);
-  JointState from{{{0.0, 0.0, 0.0}, now.velocity, now.acceleration, now.jerk}};
-  for (int i = first; i < plan.count; ++i) {
+  JointState from{{{0.0, 0.0, 0.0}, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
+  for (int i = cut.first; i < plan.count; ++i) {
     JointState to = end_state(plan.segments[i]);
-    to.d[0] = to.d[0] - begin;
+    to.d[0] = to.d[0] - cut.begin;
     if (i + 1 == plan.count && rest.meets_goal) to = as_asked(request.goal, to);
-    Segment& segment = rest.segments[rest.count++];
-    segment.duration = plan.segments[i].duration - (i == first ? time : 0.0);
-    control_points(from, to, segment.duration, segment.points);
+    append(from, to, plan.segments[i].duration - (i == cut.first ? cut.time : 0.0), rest);
     from = to;
+  }
+}
+
+void cut_in_place(double time, Previous& rest) noexcept {
+  const Trajectory& plan = rest.plan;
+  const Cut cut = cut_at(plan, time);
+  rest.count = rest.next = rest.enclosed = 0;
+  rest.origin = plan.origin;
+  for (int i = cut.first; i < plan.count; ++i) {
+    if (i > cut.first) {
+      rest.segments[rest.count++] = plan.segments[i];
+      continue;
+    }
+    const JointState from{{cut.begin, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
+    append(from, end_state(plan.segments[i]), plan.segments[i].duration - cut.time, rest);
   }
 }
 

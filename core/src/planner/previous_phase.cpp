@@ -3,12 +3,20 @@
 //
 // Where nothing new is found: the rest of the previous plan, proven anew on the map as it is.
 #include "base/work.hpp"
+#include "check/tolerance.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
 #include "planner/request.hpp"
 #include "tern/planner.hpp"
 
 namespace tern {
+namespace {
+
+/// A plan may touch a half-space that touches an obstacle: its hulls may be nearer than either, by what the check
+/// grants each. Less than 1 leaves room for rounding.
+constexpr double kPreviousSlack = 0.9;
+
+}  // namespace
 
 /// The half-spaces of this plan so far, and what follows from capacities for a whole one.
 void Planner::count_planes(std::uint32_t planes) noexcept {
@@ -28,8 +36,16 @@ void Planner::begin_hulls() noexcept {
 /// A goal that is occupied stays so, whatever comes before it.
 bool Planner::previous_may_help(Status status) const noexcept {
   const Previous& rest = static_cast<const Layout*>(workspace_)->previous;
-  if (rest.tried || rest.count == 0) return false;
-  return rest.meets_goal || (status != Status::kGoalOccupied && !at_rest(asked_.start));
+  if (rest.tries == kPreviousTries || rest.count == 0) return false;
+  if (rest.meets_goal) return true;
+  return rest.tries == 0 && status != Status::kGoalOccupied && !at_rest(asked_.start);
+}
+
+void Planner::begin_previous() noexcept {
+  Previous& rest = layout(workspace_).previous;
+  if (++rest.tries == kPreviousTries) cut_in_place(asked_.previous_time, rest);
+  rest.flown = false;
+  begin_hulls();
 }
 
 /// One unit is one segment of the rest. All of it is the whole plan where it meets the goal, else the start's way to
@@ -40,11 +56,13 @@ Status Planner::run_previous(Work& work) noexcept {
   GrowScratch& scratch = memory.stage.corridor.grow;
   Escape& escape = memory.escapes[0];
   Tube tube = tube_of(escape);
-  if (rest.meets_goal) tube = {memory.trajectory.segments, memory.corridor.polyhedra, kMaxSegments, 0};
+  if (rest.meets_goal) tube = {memory.trajectory.segments, memory.corridor.polyhedra, kMaxSegments, 0, 0.0};
   tube.count = rest.enclosed;
+  tube.slack = kPreviousSlack * check_distance(*grid_);
+  const Vec3 origin = rest.tries == 1 ? memory.ends.origin_in_grid : grid_->to_local(rest.origin);
   for (; rest.next < rest.count; ++rest.next) {
     if (!work.take()) return Status::kRunning;
-    const bool fits = enclose(world(), memory.ends.origin_in_grid, rest.segments[rest.next], scratch, tube);
+    const bool fits = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
     rest.enclosed = tube.count;
     count_planes(scratch.planes);
     if (!fits) return fail(failed_stage_, failed_status_);
@@ -64,7 +82,7 @@ Status Planner::run_previous(Work& work) noexcept {
 void Planner::follow_previous() noexcept {
   Layout& memory = layout(workspace_);
   memory.corridor.count = memory.trajectory.count = memory.previous.enclosed;
-  memory.trajectory.origin = asked_.start.position;
+  memory.trajectory.origin = memory.previous.origin;
   report_.quality = Quality::kPrevious;
   report_.detours = kFollowed;
   has_path_ = false;

@@ -9,8 +9,9 @@
 namespace tern {
 namespace {
 
-/// Relative excess of a boundary state over a limit that still counts as the limit.
-constexpr double kLimitSlack = 1e-9;
+/// Relative excess of a boundary state over a limit that still counts as the limit: what the check grants a plan
+/// (kCheckRelative), of which this may be a state, and the rounding of its evaluation.
+constexpr double kLimitSlack = 4e-8;
 
 constexpr Verdict kAccepted{Status::kOk, Field::kNone};
 

@@ -13,7 +13,7 @@ bool append_whole(const Grid& grid, const Vec3& origin, const Segment& segment, 
   Vec3 points[kControlPoints];
   for (int k = 0; k < kControlPoints; ++k) points[k] = origin + segment.points[k];
   Polyhedron& polyhedron = tube.polyhedra[tube.count];
-  if (enclose_hull(grid, {points, kControlPoints}, scratch, polyhedron) != Status::kOk) return false;
+  if (enclose_hull(grid, {points, kControlPoints}, tube.slack, scratch, polyhedron) != Status::kOk) return false;
   tube.segments[tube.count] = segment;
   tube.segments[tube.count].polyhedron = tube.count;
   ++tube.count;

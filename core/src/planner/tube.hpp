@@ -22,6 +22,7 @@ struct Tube {
   Polyhedron* polyhedra;
   int capacity;
   int count;
+  double slack;  ///< see enclose_hull
 };
 
 /// Appends the segment (relative to `origin`, a point of the grid's local frame): as a whole where its hull keeps clear
