@@ -32,7 +32,7 @@ using ClockFn = uint64_t (*)(void* context);
 ///
 /// Memory contract: the workspace, the grid and its storage, and everything that a call is given belong to the caller.
 /// The workspace must live as long as the planner. A grid must live, at the same address, until finish() ends the plan
-/// on it. The planner keeps no pointer to a request, a trajectory or a report.
+/// on it. Once a call has returned, the planner reads nothing of the request, trajectory or report that it was given.
 class Planner {
  public:
   /// `memory` is the workspace: `bytes` bytes, at least kWorkspaceBytes, with any alignment and any content. Nobody

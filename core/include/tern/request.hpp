@@ -97,9 +97,10 @@ struct Request {
   /// 0 .. kMaxFences. Beyond it: kFencesFull.
   int32_t fence_count = 0;
 
-  /// For replanning in flight: the plan that is being flown, or null. The planner first looks for a new plan as if this
-  /// were null. Where it finds none, it flies on along the rest of this plan, after proving that the rest is still free
-  /// on the grid. Then it goes on to the goal, if that is another one. Report::detours is 3 for such a plan.
+  /// For replanning in flight: the plan that is being flown, or null. The planner first looks for a new plan. Where it
+  /// finds none, it flies on along the rest of this one, if that is still free on the grid, and from its end to the
+  /// goal if that is another one. Report::detours is 3 for such a plan. Only where that fails too, it tries to stop
+  /// first.
   ///
   /// `start` must be what evaluate(*previous, previous_time) gives, bit for bit. Else the answer is kInvalidArgument,
   /// field kPrevious.
