@@ -9,8 +9,8 @@
 
 namespace tern {
 
-/// The answer to a call, grouped by who can do something about it. The numbers are part of the ABI and never change
-/// their meaning. Unless the answer is kOk or kRunning, the call leaves the caller's output as it was.
+/// The answer to a call, grouped by who can do something about it. The numbers are part of the ABI. Unless the answer
+/// is kOk or kRunning, the call leaves the caller's output as it was.
 enum class Status : uint8_t {
   /// Success. From plan() and finish(): the trajectory is a plan that passed the check.
   kOk = 0,
