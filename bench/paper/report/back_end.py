@@ -69,12 +69,13 @@ def chapter(results):
                          for m in TABLE_7)
     return f"""## Back end: Table 7 and Figures 18 to 23
 
-- **Polynomial**: degree 7, through every waypoint of Tern's corridor, continuous to jerk, least snap: closed form, one linear system.
-- **Polynomial, collisions mended**: as the paper describes ordinary polynomials to be made safe: solve, look for collisions along the
-  curve, put a waypoint into the middle of each segment that has one and halve its time, solve again.
-- **Bézier, same times**: one segment a polyhedron, the same durations (the trapezoid rule of Section 3.3.2), control points inside the
-  corridor, free at the waypoints, no limits: what the paper optimises.
-- **Tern**: the plan that Tern gives out: durations refined, limits kept for all t.
+- **Polynomial**: degree 7, through every waypoint of Tern's corridor, continuous to jerk, with the least snap. It has
+  a closed form: one linear system.
+- **Polynomial, collisions mended**: made safe as the paper describes. Solve, and look for collisions along the curve.
+  Put a waypoint into the middle of each segment that has one, and halve its time. Solve again.
+- **Bézier, same times**: what the paper optimises. One segment a polyhedron, the same durations (the trapezoid rule
+  of Section 3.3.2), control points inside the corridor. It need not pass the waypoints, and it has no limits.
+- **Tern**: the plan that Tern gives out, with refined durations and limits that hold for all t.
 
 All from rest to rest, 2 m/s and 2 m/s² an axis, radius 0.1 m. ✗ marks what breaks a limit or comes nearer than the radius. *Slowed* is the same
 path flown so slowly (or fast) that its peaks are exactly at the limits. Snap is the integral of |snap|² in m²/s⁷.
@@ -86,17 +87,17 @@ Measured on: {results.machine(PART, 'back_end.csv')}.
 ### What agrees, and what does not
 
 - **Snap.** With the same times the Bézier curve has {listed(measured)} less snap than the polynomial (Maps 1 to 6; negative: more), against {listed(printed)} in the
-  paper's table. The reason is freedom: the polynomial must pass each waypoint, the Bézier curve only near it. It has nothing to do with the basis: a
-  polynomial of degree 7 *is* a Bézier curve.{exception} Against the mended polynomial the saving is {listed(mended)}.
+  paper's table. The reason is freedom: the polynomial must pass through each waypoint, the Bézier curve only near it. The basis plays
+  no part: a polynomial of degree 7 *is* a Bézier curve.{exception} Against the mended polynomial the saving is {listed(mended)}.
 - The paper's text says 40–55 % less snap on all maps; its table says {percent(min(printed.values()), 0)} on Map 2. It says 30–45 % less time; its table says
   {percent(min(faster.values()), 0)} to {percent(max(faster.values()), 0)}.
-- **Absolute snap** cannot be compared: it goes with the seventh power of time, and the paper states neither its durations nor its limits.
-- **Safety.** The polynomial comes too near to a block on Maps {", ".join(colliding)} and breaks a limit on Maps {", ".join(breaking)}; the trapezoid's times are too short for
-  either curve, the Bézier included, wherever ✗ stands. Constraints on control points keep the corridor; the limits need the times to give way, which the
-  paper does not say how to do. Tern's refinement does that, and its plans have no ✗.
-- **Times.** One linear system is cheaper than a quadratic programme: the Bézier takes {time_ratio:.1f} times as long as the bare polynomial in the mean. What is slow about
-  the polynomial is what comes after: looking for collisions every 10 ms of flight makes it {min(mended_ratio):.0f} to {max(mended_ratio):.0f} times slower than the one programme that needs no looking. The paper's
-  ratio is in between.
-- **Tern's plans** trade duration against snap by one weight ([trajectory](trajectory.md)), so that neither column alone is their measure. Against the mended polynomial
+- **Absolute snap** cannot be compared: it changes with the seventh power of time, and the paper states neither its durations nor its limits.
+- **Safety.** The polynomial comes too near to a block on Maps {", ".join(colliding)} and breaks a limit on Maps {", ".join(breaking)}. Wherever ✗ stands, the trapezoid's times are too short for the curve, the Bézier included. Constraints on control
+  points keep it in the corridor. To keep the limits, the durations must change, and the paper does not say how.
+  Tern's refinement does that, and its plans have no ✗.
+- **Times.** One linear system is cheaper than a quadratic programme: the Bézier takes {time_ratio:.1f} times as long as the bare polynomial in the mean. The polynomial is slow because of what follows: with a look for
+  collisions every 10 ms of flight, it takes {min(mended_ratio):.0f} to {max(mended_ratio):.0f} times as long as the
+  one programme, which needs no such look. The paper's ratio is in between.
+- **Tern's plans** trade duration against snap by one weight ([trajectory](trajectory.md)). Judge them by both columns. Against the mended polynomial
   slowed to the limits they take {listed(quicker)} less time on Maps 1 to 6 (negative: more), with {ratios(price)} times its snap{": less of both on Maps " + ", ".join(both) if both else ""}.
 """

@@ -51,30 +51,34 @@ def chapter(results):
                          for m in TABLE_6)
     return f"""## Safe corridors: Table 6, Figures 15 to 17
 
-The paper's construction, written down from its Section 3.3.1 (obstacles are the centres of surface voxels of its own grid; the
-segments are those of its own path), with and without a bounding box 2 m around each segment; and Tern's on Tern's path. A *check*
-is one look at one obstacle point. Tern has no such count: it merges voxels into solid boxes first, and looks at those.
+We wrote the paper's construction from its Section 3.3.1 and ran it on the paper's own path. Its obstacles are the
+centres of surface voxels of its own grid. It runs with and without a bounding box 2 m around each segment. Tern's
+construction runs on Tern's path. A *check* is one look at one obstacle point. Tern has no such count, because it
+first merges voxels into solid boxes.
 
 Measured on: {results.machine(PART, 'corridors.csv')}.
 
 {map_table(of)}
 {pictures}
-- The paper says that the box saves 53.2 % of the checks on average, "more than half". Here it saves {percent(min(saved))} to {percent(max(saved))},
-  {percent(mean(saved))} in the mean: the larger the map, the more, since only the box' content counts; on Map 1, 3 m wide, nearly
-  everything is inside it. Polyhedra lose some planes with the box, those that only points outside it had made.
-- The paper's times grow with the map although a box is said to be used; ours with the box do not grow with what is outside it.
-- Tern is {min(faster):.0f} to {max(faster):.0f} times as fast as the construction with points, and treats every voxel as the solid cube that it is: planes
-  tangent at voxel centres leave half a voxel inside the polyhedron.
+- The paper says that the box saves 53.2 % of the checks on average, "more than half". Here it saves {percent(min(saved))} to {percent(max(saved))}, {percent(mean(saved))} in the mean. It saves more on
+larger maps, because only what is inside the box counts. On Map 1, which is 3 m wide, nearly everything is inside.
+With the box, polyhedra lose the planes that came from points outside it.
+- The paper's times grow with the map, although it says that it uses a box. Our times with the box do not depend on
+  what is outside.
+- Tern is {min(faster):.0f} to {max(faster):.0f} times as fast as the construction with points. It treats every voxel as a solid cube. Planes that touch voxel centres
+leave half a voxel inside the polyhedron.
 
 ### Corridor width over passage width
 
-Section 4.5 gives ratios of 1.4–1.8 on Maps 1–4 and 2.1–2.6 on Maps 5–6 and no definition. Along one and the same line the ratio of a
-safe corridor cannot exceed 1, or the corridor would reach into an obstacle. Two ratios, then: the mean over lines across the path (nine places a
-segment, eight directions) of corridor over passage; and, segment by segment, the widest corridor over the narrowest passage, which can exceed 1.
+Section 4.5 gives ratios of 1.4–1.8 on Maps 1–4 and 2.1–2.6 on Maps 5–6, without a definition. Along one line, the
+ratio of a safe corridor cannot exceed 1: the corridor would reach into an obstacle. So we give two ratios. The first
+is corridor over passage, the mean over lines across the path (nine places a segment, eight directions). The second
+is, for each segment, the widest corridor over the narrowest passage; it can exceed 1.
 
 {width_table(of)}
-The first ratio says how much of the room a polyhedron uses, the last column that none reaches into what is not free (sampled, independent of
-Tern's own check). The second has the size of the paper's figures, but follows the shapes of the passages rather than density.
+The first ratio says how much of the room a polyhedron uses. The last column says that no polyhedron reaches into what
+is not free; this is sampled and independent of Tern's own check. The second ratio is about as large as the paper's
+figures, but it follows the shapes of the passages rather than their density.
 
 ### What Section 4.5 calls limits
 
@@ -90,10 +94,10 @@ A slit through a wall half a metre thick, radius 0.1 m:
 Non-convex obstacles (4 × 4 × 3 m, radius 0.2 m):
 
 {limits_table(limits, 'overhang')}
-- Density is no limit of the corridor's: every connected map is planned, and the slowest plan takes milliseconds. Each loop has a bound that is known
-  before it runs ([corridor](corridor.md)); it cannot fail to converge.
-- Narrow passages are a matter of the voxel: free is what is free at *every* point of a voxel, so that a slit needs the robot's width and up to two
-  voxels more. A slit of 0.3 m for a robot of 0.2 m is found at 0.05 m and finer, one of 0.24 m at 0.02 m. Narrower ones end in `no_path` without delay:
-  a limit of the grid, stated and not silent.
-- Overhangs and non-convex shapes are many boxes to the corridor, and nothing special.
+- Density does not limit Tern's corridor. Every connected map gets a plan, and the slowest plan takes milliseconds.
+  Each loop has a bound that is known before it runs ([corridor](corridor.md)), so it cannot fail to converge.
+- Narrow passages depend on the voxel size. A voxel is free only if *every* point of it is, so a slit must be as wide
+  as the robot and up to two voxels more. With a robot 0.2 m wide, a slit of 0.3 m is found with voxels of 0.05 m or
+  less, a slit of 0.24 m with voxels of 0.02 m. Narrower slits are answered with `no_path` without delay.
+- Overhangs and non-convex shapes need no special treatment: to the corridor they are many boxes.
 """

@@ -105,13 +105,16 @@ def chapter(results):
     rows = results.rows(PART, "front_end.csv")
     text = """## Front end: Table 4 and Figures 9 to 14
 
-The paper's kind of front end runs on its own grid: voxels of 0.2 m, every cuboid grown by 0.1 m on all sides. Its JPS is
-greedy (least Manhattan distance to the goal plus length of the last jump; nodes closed when they are generated), and its
-line of sight is sampled. A*, plain JPS and Tern search the grid of the scenarios: voxels of 0.1 m that keep 0.1 m from
-every block at every point of the voxel. RRT* and PRM (OMPL, default settings, 20 seeds) plan among the free voxels of
-that grid. Lengths count from the exact start to the exact goal; *clearance* is the least distance of the path to a block.
-Times are processor time for the search alone, the least of seven runs; for RRT* and PRM wall-clock time, mean and
-standard deviation over the seeds that found a path.
+*The paper's kind* is our version of the paper's front end. It runs on the paper's grid: voxels of 0.2 m, every cuboid
+grown by 0.1 m on all sides. Its JPS is greedy: it takes the node with the least Manhattan distance to the goal plus
+length of the last jump, and it closes nodes when it generates them. Its line of sight is sampled.
+
+A*, plain JPS and Tern search the grid of the scenarios. It has voxels of 0.1 m; a voxel is free if each of its points
+keeps 0.1 m from every block. RRT* and PRM (OMPL, default settings, 20 seeds) plan among the free voxels of that grid.
+
+Lengths count from the exact start to the exact goal. *Clearance* is the least distance of the path from a block.
+Times are processor time for the search alone, the least of seven runs. For RRT* and PRM they are wall-clock times:
+mean and standard deviation over the seeds that found a path.
 
 """
     text += f"Measured on: {results.machine(PART, 'front_end.csv')}.\n\n"
@@ -123,19 +126,21 @@ standard deviation over the seeds that found a path.
     length, points = reductions()
     ratios = comparison(rows)
     text += f"""
-- On Maps 1 and 2 JPS–Bresenham comes out to the printed digit, on Map 1 JPS as well. That is how the search behind the table
-  is known: an optimal search cannot give these lengths. On Map 2 our JPS length is the figure that the paper prints for *RRT\\**
+- On Maps 1 and 2, JPS–Bresenham has the printed length to the last digit; on Map 1, so has JPS. This is how we know
+  which search is behind the table: an optimal search cannot give these lengths. On Map 2, our JPS length is the
+  figure that the paper prints for *RRT\\**
   (14.9452): two cells of the table seem to have changed places, and 14.6572 would be RRT\\*'s.
-- The paper gives no start and goal for Maps 3 to 6; ours are fitted to its lengths ([bench/maps](../bench/maps/README.md)), so
-  that only sizes can be compared there.
+- The paper gives no start and goal for Maps 3 to 6. Ours are fitted to its lengths
+  ([bench/maps](../bench/maps/README.md)). Only rough sizes can be compared there.
 - The paper's text says 4–10 % shorter than JPS; its own table says {percent(min(length))} to {percent(max(length))}, {percent(mean(length))} in
   the mean. It says 52 % fewer waypoints than JPS; its table says {percent(mean(points), 0)}.
-- It says that JPS–Bresenham is shortest of all. Against a plain A* on a finer grid it is not: the greedy search is not optimal.
-  Tern's paths are {percent(min(ratios['length']))} to {percent(max(ratios['length']))} shorter than those of the paper's kind, on
-  voxels half as wide, with {mean(ratios['points']):.1f} waypoints less in the mean, and keep the radius all along.
-- Times: the paper's are those of MATLAB. The greedy search is fast because its voxels are twice as wide and it never
-  improves a path. On the same grid Tern's search is {min(ratios['search']):.1f} to {max(ratios['search']):.0f} times as fast as the plain A*.
-- Plain JPS is no faster than plain A* on most maps: unlimited jumps walk through all of the free space. What makes Tern's search
-  fast is not the pruning alone but scanning 64 voxels a word and bounding the sweeps ([search](search.md)).
+- The paper says that JPS–Bresenham is shortest of all. A plain A* on a finer grid is shorter, because the greedy
+  search is not optimal. Tern's paths are {percent(min(ratios['length']))} to {percent(max(ratios['length']))} shorter
+  than those of the paper's kind, on voxels half as wide. They have {mean(ratios['points']):.1f} waypoints fewer in
+  the mean, and they keep the radius everywhere.
+- Times: the paper's were measured in MATLAB. The greedy search is fast because its voxels are twice as wide, and
+  because it never improves a path. On the same grid Tern's search is {min(ratios['search']):.1f} to {max(ratios['search']):.0f} times as fast as the plain A*.
+- Plain JPS is no faster than plain A* on most maps: unlimited jumps walk through all of the free space. Tern's search is fast for two more reasons: it scans 64 voxels at a time, and it bounds the sweeps
+([search](search.md)).
 {sampling_notes(rows)}"""
     return text

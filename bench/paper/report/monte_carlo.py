@@ -70,35 +70,38 @@ def chapter(results):
     solved = sum(int(by[c, "Tern"]["solved"]) for c in TABLE_5)
     return f"""## Random maps: Table 5
 
-Three sizes × two densities × 50 seeds. The paper does not print its maps; ours are cuboids of 0.6 to 2.4 m until their union
-fills 10 % or 30 % of the volume (the paper does not say whether before or after inflation; here before), start and goal further
-apart than 30 % of the width. Everything runs on voxels of 0.2 m and keeps 0.1 m: on cuboids that lie on the lattice the paper's
-grid and Tern's are the same set of voxels. Means over the maps that all methods solved, as in the paper. *Too close* counts
-paths that come nearer to a block than 0.1 m.
+Three sizes × two densities × 50 seeds. The paper does not print its maps. Ours have cuboids of 0.6 to 2.4 m until their union fills 10 % or 30 % of the
+volume. (This is before inflation; the paper does not say.) Start and goal are further apart than 30 % of the width.
+Everything runs on voxels of 0.2 m and keeps 0.1 m. All cuboids lie on the lattice, so the paper's grid and Tern's are
+the same set of voxels. As in the paper, the means are over the maps that all methods solved. *Too close* counts paths
+that come nearer to a block than 0.1 m.
 
-What the paper calls A* seems to have 6 neighbours: its waypoints are 0.19 to 0.20 m apart on average, one voxel, which moves
-along diagonals would not be. *A\\*, plain* has 26.
+The paper's A* seems to have 6 neighbours: its waypoints are 0.19 to 0.20 m apart on average. That is one voxel;
+diagonal moves are longer. *A\\*, plain* has 26.
 
 Measured on: {results.machine(PART, 'monte_carlo.csv')}.
 
 {big_table(rows)}
 {picture('monte_carlo.svg', 'Table 5 as bars')}
 {counts(rows)}
-The paper's reductions, as its text says them, as its Table 5 gives them (means over the six configurations), and measured here:
+The paper claims reductions. The table compares those in its text, those that follow from its Table 5 (means over the
+six configurations), and those measured here:
 
 {table(["JPS–Bresenham", "paper's text", "paper's table", "measured, the paper's kind", "measured, Tern"], reduction_rows(rows))}
 ### What agrees, and what does not
 
-- The reductions by shortening (length and waypoints against the greedy JPS) are found again. The 18.3 % against A* are not what the
-  paper's own table gives.
-- Lengths and waypoints have the printed sizes for all three methods although the maps are others: 26 greedy neighbours of JPS and 6 of A*
-  explain why the paper's A* is *longer* than its JPS, which no optimal A* over the same moves could be.
-- That JPS is not optimal: it is {percent(min(excess))} to {percent(max(excess))} longer than plain JPS on the same voxels. Tern's paths are
+- Shortening reduces length and waypoints of the greedy JPS about as much as the paper says. The 18.3 % against A* do not
+  follow from the paper's own table.
+- Lengths and waypoints are about as large as printed for all three methods, although the maps differ. The paper's A*
+  is *longer* than its JPS, which is impossible for an optimal A* over the same moves. Six neighbours for A* and 26
+  for the greedy JPS explain it.
+- The paper's JPS is not optimal: it is {percent(min(excess))} to {percent(max(excess))} longer than plain JPS on the same voxels. Tern's paths are
   {percent(min(shorter))} to {percent(max(shorter))} shorter than JPS–Bresenham's.
-- The greedy search closes nodes when it generates them and can lose the goal: the table of counts has the maps on which it finds nothing
-  although there is a path. Tern finds one on each of them, and its search was as short as A*'s on every map (last column).
-- {unsafe} of {solved} JPS–Bresenham paths come nearer to a block than the 0.1 m that the grid was made for. On cuboids that all lie on the
-  lattice its sampled line of sight has a whole voxel to spare; it has not on the maps of Table 4, whose faces lie anywhere.
-- A* does not explode: a plain one needs milliseconds where the paper prints 114 s for Large-Low. Tern is {min(speed):.1f} to
+- The greedy search closes nodes when it generates them, so it can miss the goal. The second table counts the maps on
+  which it finds nothing although there is a path. Tern finds one on each of them. Its search was as short as A*'s on
+  every map (last column).
+- {unsafe} of {solved} JPS–Bresenham paths come nearer to a block than the 0.1 m that the grid was made for. On cuboids that lie on the lattice, its sampled line of sight has a whole voxel to spare. On the maps of Table 4,
+  whose faces lie anywhere, it has not.
+- The cost of A* does not explode. A plain A* needs milliseconds where the paper prints 114 s (Large-Low). Tern is {min(speed):.1f} to
   {max(speed):.1f} times as fast as the plain A* in the mean, and its margin grows with the longest query.
 """

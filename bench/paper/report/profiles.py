@@ -19,8 +19,7 @@ Figure 8's numbers (30 m, 10 m/s, 1 s to reach it) through Tern's time allocatio
 {number(trapezoid['distance_m'], 3)} m, as in the paper: T = x/v + v/a = 3 + 1.
 
 {picture('trapezoid.svg', 'Figure 8: trapezoidal profile')}
-Each plan's position, velocity, acceleration and jerk over time, and the hodographs in the plane of their two busiest axes. Limits hold for
-each axis; jerk has none, and is continuous. Peaks of the axes, sampled:
+Each plan's position, velocity, acceleration and jerk over time, and the hodographs in the plane of their two busiest axes. The limits hold for each axis. Jerk has no limit, but it is continuous. Peaks of the axes, sampled:
 
 {table(["map", "duration s", "peak v, m/s (limit 2)", "peak a, m/s² (limit 2)", "peak jerk, m/s³"], body)}
 {pictures}

@@ -21,16 +21,16 @@ CHAPTERS = [front_end, monte_carlo, corridors, back_end, profiles, planners, the
 HEAD = """# The paper's experiments
 
 Section 4 of Mai, Lin, Dong, Liu, *Efficient Trajectory Planning for Drone-Based Logistics: A JPS–Bresenham and
-Ellipsoid-Based Safe Corridor Approach*, Drones 10 (2026) 323, done again with Tern and with baselines written or set up for
-the purpose ([bench/baselines](../bench/baselines)). This page and its pictures are written by
+Ellipsoid-Based Safe Corridor Approach*, Drones 10 (2026) 323, repeated with Tern and with baselines written or set up for the purpose ([bench/baselines](../bench/baselines)). One
+command runs the experiments and writes this page and its pictures:
 
 ```sh
 tools/paper           # all of it; tools/paper --only PART repeats one experiment, --quick tries all of them
 ```
 
-Every figure is of the run that it names. The paper's own are printed beside them. Its times are those of MATLAB on an Intel
-i5-12400, ours of C++ on the machine named in each chapter, which was shared with other work: compare columns of one table,
-not our milliseconds with its seconds.
+The paper's figures stand beside ours. Its times were measured in MATLAB on an Intel i5-12400. Ours were measured in
+C++ on the machine that each chapter names, which was shared with other work. So compare the columns of one table, not
+our milliseconds with the paper's seconds.
 
 """
 

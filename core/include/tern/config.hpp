@@ -1,15 +1,19 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every capacity of the core, with its reason and its price. Nothing in the core allocates: what
-// does not fit is answered by the status that the capacity names, never by a wrong result.
+// Every capacity of the core: what it limits, what it costs, and what happens beyond it. The core allocates nothing.
+// What does not fit is answered with a status, never with a wrong result.
 //
-// Three profiles ship: TERN_PROFILE_TINY (tests: every overflow is cheap to reach),
-// TERN_PROFILE_MCU (a Cortex-M7 with 16 MB) and TERN_PROFILE_COMPANION (a Jetson-class computer,
-// the default). To change single values, define TERN_USER_CONFIG to a header of your own that
-// defines some of the macros below; it is included first and wins. Compile the core and whatever
-// includes it with the same definitions: self_test() and the configuration hash catch a mismatch. The macros are
-// readable from C; the constants below them are for C++.
+// Choose a profile, or leave the default:
+// - TERN_PROFILE_TINY: for tests. Every capacity is easy to exceed.
+// - TERN_PROFILE_MCU: a Cortex-M7 with 16 MB of memory.
+// - TERN_PROFILE_COMPANION: a Jetson-class computer. The default.
+//
+// To change single capacities, write a header that defines some of the macros below, and define TERN_USER_CONFIG to its
+// name in quotes. It is included first. Report::high_water shows how much of each capacity a plan used.
+//
+// Compile the core and everything that includes its headers with the same definitions. A program with other capacities
+// than the library is refused (Field::kConfiguration). The macros are for C and C++, the constants for C++.
 #ifndef TERN_CONFIG_HPP
 #define TERN_CONFIG_HPP
 
@@ -25,80 +29,86 @@
 #define TERN_DEFAULT(tiny, mcu, companion) companion
 #endif
 
-/// Voxels in one grid. One bit a layer: 33.5 M voxels are 4 MB a layer, in the caller's storage.
-/// Beyond it: Status::kInvalidArgument from Grid::bind.
+/// Voxels in one grid. Each takes two bits of the grid's storage, and nearly one byte of the planner's workspace: this
+/// is the capacity that costs most. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_CELLS
 #define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
 #endif
 
-/// Voxels along one axis. Bounds a scan and keeps a path's cost far inside 64-bit fixed point.
+/// Voxels along one axis, 2048 at most. It bounds how far the search scans in one go, and it keeps the cost of any path
+/// inside 64-bit fixed point. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_DIMENSION
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 512, 2048)
 #endif
 
-/// Jump points a search may generate, 48 bytes each with their hash slots. The six maps of the
-/// paper at 0.05 m need some tens of thousands. Beyond it: Status::kNodesFull.
+/// Jump points that one search may generate, 48 bytes each. The six maps of the paper need some tens of thousands with
+/// voxels of 0.05 m. Beyond it: kNodesFull.
 #ifndef TERN_MAX_NODES
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
 #endif
 
-/// Entries of the search's open list, 24 bytes each. Beyond it: Status::kOpenFull.
+/// Entries of the search's open list, 24 bytes each. Beyond it: kOpenFull.
 #ifndef TERN_MAX_OPEN
 #define TERN_MAX_OPEN TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
 #endif
 
-/// Turning points of a raw jump-point path, 24 bytes each. Beyond it: Status::kJumpPointsFull.
+/// Points of a jump-point path before it is shortened, 24 bytes each. Beyond it: kJumpPointsFull.
 #ifndef TERN_MAX_JUMP_POINTS
 #define TERN_MAX_JUMP_POINTS TERN_DEFAULT(16, 256, 2048)
 #endif
 
-/// Segments of a trajectory, each with its polyhedron. Beyond it: Status::kSegmentsFull.
+/// Segments of a trajectory, and polyhedra of a corridor. It also bounds the legs of a path. It determines the size of
+/// Trajectory, 208 bytes a segment. Beyond it: kSegmentsFull.
 #ifndef TERN_MAX_SEGMENTS
 #define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 32, 48)
 #endif
 
-/// Half-spaces of one polyhedron, its six box faces included, 32 bytes each. Beyond it the
-/// polyhedron's box shrinks; where the smallest does not do: Status::kPlanesFull.
+/// Half-spaces of one polyhedron, 32 bytes each. Six of them are the faces of the box that the polyhedron is grown in.
+/// Where they do not suffice, the planner tries a smaller box, then a shorter segment. Beyond that: kPlanesFull.
 #ifndef TERN_MAX_PLANES
 #define TERN_MAX_PLANES TERN_DEFAULT(10, 24, 40)
 #endif
 
-/// Solid boxes that the obstacles around one segment merge into, 88 bytes each with their scratch. Beyond it the
-/// polyhedron's box shrinks; where the smallest does not do: Status::kObstaclesFull.
+/// Solid boxes that the obstacle voxels around one segment are merged into, 88 bytes each. Where they do not suffice,
+/// the planner tries a smaller box around the segment, then a shorter segment. Beyond that: kObstaclesFull.
 #ifndef TERN_MAX_LOCAL_BOXES
 #define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 8192)
 #endif
 
-/// Constraints active at once in the quadratic programme. The working set's factor is dense and
-/// thin: (12 * segments + this) * this * 8 bytes or so. Beyond it: Status::kWorkingSetFull.
+/// Rows that may be active at once in the quadratic programme. The factor of the active set is dense and takes about
+/// (12 * segments + this) * this * 8 bytes. Beyond it the plan falls back to stop-and-go, with Report::optimiser
+/// kWorkingSetFull.
 #ifndef TERN_MAX_ACTIVE
 #define TERN_MAX_ACTIVE TERN_DEFAULT(12, 192, 192)
 #endif
 
-/// Iterations of one quadratic programme: the bound that its worst-case time is measured at.
-/// Beyond it: Status::kIterationLimit.
+/// Iterations of one quadratic programme. It costs no memory; it bounds the time. Beyond it that programme counts as
+/// unsolved. Where none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
 #ifndef TERN_MAX_QP_ITERATIONS
 #define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 1500)
 #endif
 
-/// Quadratic programmes solved for one plan: first solution, stretches and refinements together.
+/// Quadratic programmes that may be solved for one corridor, while the planner looks for better durations. It costs no
+/// memory; it bounds the time. After the last one, the best plan so far is given out, or stop-and-go where there is
+/// none.
 #ifndef TERN_MAX_QP_SOLVES
 #define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 24, 24)
 #endif
 
-/// Geofences of one request. Beyond it: Status::kFencesFull.
+/// Geofences of one request. Beyond it: kFencesFull.
 #ifndef TERN_MAX_FENCES
 #define TERN_MAX_FENCES TERN_DEFAULT(2, 16, 16)
 #endif
 
-/// Half-spaces of all fences of one request together, some 230 bytes each with the corners of keep-outs. Beyond it:
-/// Status::kFencePlanesFull.
+/// Half-spaces of all fences of one request together, 96 at most. The workspace takes 160 + 16 * this bytes for each,
+/// most of them for the corners of keep-out fences. Beyond it: kFencePlanesFull.
 #ifndef TERN_MAX_FENCE_PLANES
 #define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 48, 64)
 #endif
 
-/// Words of the blocked layer of a grid that is planned on with fences, 8 bytes each: a row of voxels takes whole words
-/// of 64. Beyond it: Status::kFenceLayerFull. 1 is enough where no request has fences.
+/// Words of the blocked layer of a grid that is planned on with fences, 8 bytes each. A word holds 64 voxels of a row
+/// along x; each row begins with a word of its own. 1 is enough where no request has fences. Beyond it:
+/// kFenceLayerFull.
 #ifndef TERN_MAX_FENCE_WORDS
 #define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 48 * 1024, 2 * 1024 * 1024)
 #endif
@@ -110,6 +120,7 @@
 
 namespace tern {
 
+// The capacities as constants.
 constexpr int64_t kMaxCells = TERN_MAX_CELLS;
 constexpr int32_t kMaxDimension = TERN_MAX_DIMENSION;
 constexpr int kMaxNodes = TERN_MAX_NODES;
@@ -126,12 +137,12 @@ constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
 
-/// Distances that differ by less than this part of a voxel count as equal, so that boxes that lie on
-/// the lattice but for rounding do not take a further voxel. 1e-9 of a 0.1 m voxel is 0.1 nm.
+/// Coordinates that differ by less than this part of a voxel count as equal. A box that lies on the lattice but for
+/// rounding then takes no further voxel. 1e-9 of a voxel of 0.1 m is 0.1 nm.
 constexpr double kLatticeTolerance = 1e-9;
 
-/// Every line of sight keeps this part of a voxel (max norm) from every voxel that is not free, so
-/// that polyhedra around it hold it with a margin and neighbours share a ball around a waypoint.
+/// Every line of sight keeps this part of a voxel, on each axis, from every voxel that is not free. Polyhedra then hold
+/// their lines with room to spare, and two neighbours share a ball around their common point.
 constexpr double kSightMargin = 0.05;
 
 static_assert(kMaxCells <= int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");

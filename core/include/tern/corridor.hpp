@@ -1,5 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The safe flight corridor (the paper's Section 3.3.1): convex polyhedra along the path. Everything here is in the
+// grid's local frame (world minus grid origin), in metres. Planner::corridor() gives it out for displays and logs.
 #ifndef TERN_CORRIDOR_HPP
 #define TERN_CORRIDOR_HPP
 
@@ -9,30 +12,41 @@
 
 namespace tern {
 
-/// The ellipsoid { axes * q + center : |q| <= 1 } of the paper's Section 3.3.1, axes symmetric positive definite.
+/// The ellipsoid { axes * q + center : |q| <= 1 }: the paper's zeta(E, d) of Section 3.3.1.
 struct Ellipsoid {
+  /// The paper's E, row by row: symmetric positive definite, metres.
   double axes[3][3];
+  /// The paper's d.
   Vec3 center;
 };
 
-/// A convex polyhedron for the robot's centre: every point of it keeps the radius from every obstacle voxel.
+/// A convex polyhedron for the robot's centre. Every point of it keeps the grid's radius from every obstacle voxel.
 struct Polyhedron {
-  int count;      ///< half-spaces that bound it, none of them redundant
-  int redundant;  ///< half-spaces behind those that follow from them, but cut off some obstacle all alone: with them
-                  ///< a plane an obstacle proves the polyhedron clear
+  /// Half-spaces that bound the polyhedron, none of them redundant. They come first in `planes`.
+  int count;
+  /// Redundant half-spaces, which follow in `planes`. They do not make the polyhedron smaller. The final check needs
+  /// them: with them, each obstacle is cut off by one single half-space.
+  int redundant;
+  /// Normals of length 1. `count + redundant` of them are in use, at most kMaxPlanes.
   Halfspace planes[kMaxPlanes];
+  /// An ellipsoid inside the polyhedron whose longest axis runs from `from` to `to`. A polyhedron made around a curve
+  /// that comes to rest has a tiny one instead. For displays: no later stage reads it.
   Ellipsoid ellipsoid;
-  Vec3 from;  ///< its segment, both ends inside: the leg that it was grown around, or on to the end of a later leg
-  Vec3 to;    ///< that it holds as well
+  /// Begin of the straight line that this polyhedron stands for. Inside the polyhedron.
+  Vec3 from;
+  /// End of that line. Inside the polyhedron. The line is a leg of the path, a piece of a long leg, or a line past
+  /// several legs that the polyhedron holds as well.
+  Vec3 to;
 };
 
-/// Half-spaces of a polyhedron, redundant ones included.
+/// Number of half-spaces of a polyhedron, redundant ones included.
 inline int all_planes(const Polyhedron& polyhedron) noexcept {
   return polyhedron.count + polyhedron.redundant;
 }
 
-/// One polyhedron a segment, in flight order; polyhedron i ends where i + 1 begins.
+/// The polyhedra in flight order. The line of polyhedron i ends where the line of polyhedron i + 1 begins.
 struct Corridor {
+  /// 1 .. kMaxSegments.
   int count;
   Polyhedron polyhedra[kMaxSegments];
 };

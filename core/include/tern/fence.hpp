@@ -1,5 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Geofences: convex regions that a request keeps the robot in or out of. They belong to one request and change nothing
+// in the grid. docs/fences.md explains how they are kept.
 #ifndef TERN_FENCE_HPP
 #define TERN_FENCE_HPP
 
@@ -10,29 +13,37 @@
 
 namespace tern {
 
+/// What a fence asks for. Any other number is refused.
 enum class FenceKind : uint8_t {
-  kKeepIn = 0,   ///< the robot's centre stays inside, as it stays inside the boundary; the radius plays no part
-  kKeepOut = 1,  ///< the robot's centre keeps the grid's radius from it, as from an obstacle
+  /// The robot's centre stays inside the fence. The radius plays no part, as with the grid's boundary.
+  kKeepIn = 0,
+  /// The robot's centre keeps the grid's radius from the fence, as from an obstacle.
+  kKeepOut = 1,
 };
 
-/// A geofence: the convex polyhedron that `count` half-spaces share. World frame, metres; normals of any length within
-/// [kMinFenceNormal, kMaxFenceNormal]. It need not be bounded. With several fences all of them hold; a keep-out
-/// without points keeps nothing out, a keep-in without points lets nothing in.
+/// A fence: the convex polyhedron that all its half-spaces have in common. World frame, metres. It may be unbounded.
+/// Where a request has several fences, all of them hold. An empty keep-out keeps nothing out. An empty keep-in lets
+/// nothing in.
 struct Fence {
-  const Halfspace* planes;  ///< the caller's; read while a plan begins
-  int32_t count;            ///< 1 or more
+  /// `count` half-spaces, the caller's. They are read while a plan begins and not afterwards. Each normal has a length
+  /// within [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale.
+  const Halfspace* planes;
+  /// 1 or more; kMaxFencePlanes at most for all fences of a request together.
+  int32_t count;
   FenceKind kind;
 };
+/// Shortest and longest normal that a fence may have.
 constexpr double kMinFenceNormal = 1e-6;
 constexpr double kMaxFenceNormal = 1e6;
 
-/// No fence, where one is named by its index in the request.
+/// Stands for "no fence" where a fence is named by its index, as in Report::fence.
 constexpr int32_t kNoFence = -1;
 
 /// Half-spaces of a box.
 constexpr int kBoxPlanes = 6;
 
-/// The half-spaces of a box, for a fence that is one.
+/// Writes the six half-spaces of `box` to `out`, in the frame of `box`: upper and lower face of x, then of y, then of
+/// z. The normals have length 1. Use them to make a fence from a box.
 void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept;
 
 }  // namespace tern

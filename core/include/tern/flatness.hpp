@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a multirotor's controller needs of a sample: a quadrotor is differentially flat in position and yaw, so that
-// thrust, attitude and body rates follow from acceleration and jerk (Mellinger and Kumar, ICRA 2011).
+// From a sample of a trajectory to what a multirotor's controller flies: thrust, attitude and body rates. A multirotor
+// is differentially flat in position and yaw, so that they follow from acceleration and jerk (Mellinger and Kumar, ICRA
+// 2011). Drag is not modelled.
 #ifndef TERN_FLATNESS_HPP
 #define TERN_FLATNESS_HPP
 
@@ -16,37 +17,44 @@ namespace tern {
 /// Standard gravity, m/s^2, along -z of the world.
 constexpr double kGravity = 9.80665;
 
-/// Thrust below which its direction counts as undefined, m/s^2: free fall.
+/// Thrust, in m/s^2, below which its direction counts as undefined: free fall.
 constexpr double kLeastThrust = 0.01;
-/// Sine of the angle between thrust and the heading's left below which the heading counts as undefined.
+/// Sine of the angle between the thrust and the horizontal line to the left of the nose. Below it, the direction of the
+/// nose counts as undefined.
 constexpr double kLeastHeading = 1e-3;
 
-/// Where the nose should point, by cosine and sine of the yaw angle, so that the core needs no trigonometry. Any
-/// length but zero; zero or not finite counts as yaw 0.
+/// Where the nose points, seen from above. The angle is given by its cosine and sine, counter-clockwise from x of the
+/// world; their common scale does not matter. Where both are zero or one is not finite, yaw 0 is taken.
 struct Yaw {
   double cosine;
   double sine;
-  double rate;  ///< rad/s, counter-clockwise seen from above; not finite counts as 0
+  /// rad/s, counter-clockwise. Counts as 0 where it is not finite.
+  double rate;
 };
 
-/// What of a flat state is a stand-in, because the vehicle's attitude is undefined there.
+/// Which part of a flat state is a stand-in, because the attitude is undefined for that sample.
 enum class Singularity : uint8_t {
-  kNone = 0,
-  kFreeFall,   ///< thrust below kLeastThrust: level attitude, body rates of the yaw alone
-  kHeading,    ///< thrust along the heading's left or right: nose at the heading, no rate about the thrust
-  kNotFinite,  ///< a sample that is not finite: level, hovering, no rates
+  kNone = 0,   ///< nothing
+  kFreeFall,   ///< thrust below kLeastThrust: level attitude, the yaw rate is the only body rate
+  kHeading,    ///< thrust sideways, square to the heading: the nose is kept near the heading, no rate about the thrust
+  kNotFinite,  ///< acceleration or jerk is not finite: level, hovering, no body rates
 };
 
-/// Attitude and rates that fly a sample. Body frame: x forward, y left, z along the thrust.
+/// Thrust, attitude and body rates that fly a sample. Body frame: x forward, y left, z along the thrust.
 struct FlatState {
-  double thrust;          ///< mass-normalised, m/s^2, >= 0: |acceleration + gravity's opposite|
-  double attitude[3][3];  ///< rotation from body to world; columns are the body axes, the third the thrust's direction
-  double quaternion[4];   ///< the same rotation, (w, x, y, z), unit, w >= 0
-  Vec3 body_rates;        ///< rad/s, in the body frame
+  /// Thrust over mass, m/s^2, >= 0: |acceleration + (0, 0, kGravity)|.
+  double thrust;
+  /// Rotation matrix from body to world, row by row. Its columns are the body's axes in the world frame.
+  double attitude[3][3];
+  /// The same rotation as a unit quaternion (w, x, y, z) with w >= 0.
+  double quaternion[4];
+  /// rad/s, in the body frame.
+  Vec3 body_rates;
   Singularity singularity;
 };
 
-/// Total in all inputs.
+/// The flat state of `sample` (world frame) with that yaw. Every input has an answer; see Singularity. Only the
+/// sample's acceleration and jerk are read.
 FlatState flat_state(const Sample& sample, const Yaw& yaw) noexcept;
 
 }  // namespace tern

@@ -1,10 +1,10 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The occupancy grid: two bit layers in the caller's storage. The obstacle layer holds what was
-// marked, each voxel a solid closed cube. The blocked layer holds every voxel where the robot's centre may
-// not be at some point of the voxel's closed cube: closer than the radius to an obstacle cube, or
-// outside the boundary (contract C5).
+// The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
+// is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only where the robot's
+// centre may be anywhere in the voxel's closed cube: at least the radius away from every obstacle cube, and inside the
+// boundary (contract C5). docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
@@ -19,93 +19,116 @@ namespace tern {
 
 /// Where a grid lies and how fine it is. World frame, metres.
 struct GridSpec {
-  Vec3 origin;    ///< lower corner of voxel (0, 0, 0); so near that a coordinate there rounds by < 0.001 cell
-  double cell;    ///< voxel edge, within [kMinCell, kMaxCell]
-  Voxel dims;     ///< voxels per axis, 1 .. kMaxDimension each, product <= kMaxCells
-  Box boundary;   ///< where the robot's centre may be; need not lie on the lattice, and must lie
-                  ///< inside the grid. Make the grid wider than the boundary by the radius where
-                  ///< obstacles beyond the boundary matter.
-  double radius;  ///< clearance of the robot's centre from every obstacle, 0 .. kMaxDimension cells;
-                  ///< a nanometre or less counts as 0, and is 0 in Grid::spec()
+  /// Lower corner of voxel (0, 0, 0). So near to the world's origin that doubles there resolve a thousandth of a cell.
+  Vec3 origin;
+  /// Edge of a voxel, within [kMinCell, kMaxCell].
+  double cell;
+  /// Voxels along each axis, 1 .. kMaxDimension. Their product is at most kMaxCells.
+  Voxel dims;
+  /// Where the robot's centre may be, faces included. It must lie inside the grid; its faces need not be voxel faces. A
+  /// voxel that it cuts is blocked. Where obstacles beyond the boundary matter, make the grid wider than the boundary
+  /// by the radius, because a grid knows no obstacles outside itself.
+  Box boundary;
+  /// Least distance of the robot's centre from every obstacle, 0 .. kMaxDimension cells. A nanometre or less counts as
+  /// 0; Grid::spec() then has 0.
+  double radius;
 };
 
-/// Voxel edges that a grid accepts, metres: a micrometre to a thousand kilometres, far from where doubles end.
+/// Smallest and largest voxel edge, metres.
 constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
 
-/// 64-bit words that a grid of these dimensions needs: a header of 8, both layers, one bit for each word of a layer to
-/// note what changed, and one word for 64 to tell contents apart; 0 for dimensions that do not fit.
+/// Number of 64-bit words that a grid of these dimensions needs: two bits a voxel (each row along x takes whole words),
+/// a header of 8 words, and about a 32nd more to know what changed. 0 where a dimension is out of range.
 size_t grid_words(const Voxel& dims) noexcept;
 
-/// What an inflated grid holds at one time: equal versions mean equal voxels, but for a chance of 2^-64.
+/// Identifies what an inflated grid holds at one time. Equal versions mean equal voxels, but for a chance of 2^-64. The
+/// planner uses it to notice changes.
 struct GridVersion {
   const uint64_t* words;  ///< the storage; null where the grid is not bound or not inflated
-  uint64_t binding;       ///< which bind of the storage, and to which spec
-  uint64_t revision;
-  uint64_t content;  ///< of the obstacle layer
+  uint64_t binding;       ///< which bind of that storage, and to which spec
+  uint64_t revision;      ///< Grid::revision()
+  uint64_t content;       ///< a hash of all marks and clears since the bind
 
+  /// True where all four agree.
   bool equals(const GridVersion& other) const noexcept {
     return words == other.words && binding == other.binding && revision == other.revision && content == other.content;
   }
 };
 
-/// A grid over the caller's storage, which must outlive it. Copying copies the view, not the bits: revision and all
-/// else that tells of the bits lie in the storage with them, so that any copy may mark, clear and inflate, and all
-/// agree. Binding a storage through one grid ends the binding of all others over it.
+/// A view of a grid in storage of yours, which must outlive it.
 ///
-/// Frames: `world` arguments are in the world frame; everything past the grid computes in the local
-/// frame, world minus spec().origin, so that precision does not depend on where the map lies.
+/// Copies: copying a Grid copies the view, not the bits. Any copy may mark, clear and inflate, and all copies see it.
+/// Binding the storage through one Grid ends the binding of all others over it.
+///
+/// Frames: arguments called `world` are in the world frame. The stages compute in the local frame, world minus
+/// spec().origin, so that precision does not depend on where the map lies.
+///
+/// Threads: not thread-safe. Change a grid only while nobody reads it or plans on it.
 class Grid {
  public:
-  /// Binds the grid to `words` (at least grid_words(spec.dims), any content) and clears it: no obstacle, and nothing
-  /// free before inflate(). kNonFiniteInput / kInvalidArgument, with the field in *field where given; the grid and the
-  /// words are then as they were.
+  /// Binds the grid to `words` and clears it: there is no obstacle, and nothing is free before inflate(). `words` is
+  /// yours: `word_count` words, at least grid_words(spec.dims) of them, with any content. Nobody else may write to
+  /// them.
+  ///
+  /// kOk, kNonFiniteInput or kInvalidArgument. `field` gets the field that is wrong, kNone with kOk; it may be null. A
+  /// bind that is refused leaves the grid and the words as they were.
   Status bind(const GridSpec& spec, uint64_t* words, size_t word_count, Field* field = nullptr) noexcept;
 
-  // Every mark and clear answers kInvalidArgument on a grid that is not bound, and changes nothing unless kOk. Voxels,
-  // rows and contents that are read from a grid whose binding ended have no meaning.
+  // Marking and clearing. Each call answers kInvalidArgument on a grid that is not bound, and changes nothing unless it
+  // answers kOk. Call inflate() afterwards, once for any number of marks and clears.
 
-  /// Marks or clears each voxel whose interior the box meets (by more than kLatticeTolerance and the rounding of its
-  /// world coordinates); a flat box on a lattice plane takes the voxels above the plane, at the grid's upper face
-  /// those below it. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument where lower > upper.
+  /// Marks each voxel whose interior the box meets, in metres and the world frame. A face that lies on a voxel face but
+  /// for rounding takes no further voxel. A flat box on a voxel face marks the voxels above it, or below it at the
+  /// grid's upper face. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument where lower > upper.
   Status mark_box(const Box& world) noexcept;
+  /// Clears the same voxels that mark_box would mark, whoever marked them.
   Status clear_box(const Box& world) noexcept;
-  /// Marks or clears one voxel; kOutOfMap outside the grid.
+  /// Marks one voxel. kOutOfMap outside the grid.
   Status mark_voxel(const Voxel& voxel) noexcept;
+  /// Clears one voxel. kOutOfMap outside the grid.
   Status clear_voxel(const Voxel& voxel) noexcept;
-  /// Marks the voxel that holds each point (lower faces closed); points outside the grid are skipped. Returns how many
-  /// were inside through *inside where given. kNonFiniteInput where any point is not finite, marking none;
-  /// kInvalidArgument for null with count > 0.
+  /// Marks the voxel that holds each of `count` points, for example a sensor's point cloud. A point on a face belongs
+  /// to the voxel above it. Points outside the grid are skipped; `inside`, which may be null, gets the number of the
+  /// others. kNonFiniteInput where any point is not finite; kInvalidArgument where `world` is null and count > 0.
   Status mark_points(const Vec3* world, size_t count, size_t* inside = nullptr) noexcept;
 
-  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary: only the words near
-  /// obstacles that changed since the last time are made again, equal to making all. Does nothing where nothing
-  /// changed, or on a grid that is not bound. The revision stays: the blocked layer belongs to the obstacles' revision.
-  /// Planning on a grid whose obstacles changed since answers kInvalidArgument (field kNotInflated).
+  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It makes again only the
+  /// words near obstacles that changed; the result is the same as making all. It does nothing where nothing changed, or
+  /// on a grid that is not bound. Planning on a grid that needs it answers kInvalidArgument, field kNotInflated.
   void inflate() noexcept;
 
+  // Reading. What is read from a grid that is not bound has no meaning, except where a value is stated.
+
+  /// The spec of the last bind.
   const GridSpec& spec() const noexcept { return spec_; }
-  /// False before the first bind, and once the storage was bound anew through another grid or overwritten.
+  /// False before the first bind, and after the storage was bound through another grid or overwritten.
   bool bound() const noexcept { return words_ != nullptr && words_[kBinding] == binding_; }
-  /// True where the blocked layer is up to date.
+  /// True where the blocked layer is up to date, so that plans are possible.
   bool inflated() const noexcept { return bound() && words_[kInflated] == words_[kRevision]; }
-  /// Grows with every bind, and by one with every mark or clear that answered kOk, whichever copy it came through;
-  /// never begins again for the same grid or the same storage. 0 where the grid is not bound.
+  /// Grows by one with every mark or clear that answers kOk, through any copy, and by more with every bind. It never
+  /// falls for the same grid or the same storage. inflate() does not change it. 0 where the grid is not bound.
   uint64_t revision() const noexcept { return bound() ? words_[kRevision] : 0; }
-  /// All zero where the grid is not inflated.
+  /// What the grid holds now. All zero where the grid is not inflated.
   GridVersion version() const noexcept {
     return inflated() ? GridVersion{words_, binding_, words_[kRevision], words_[kContent]} : GridVersion{};
   }
 
+  /// True where the grid has such a voxel.
   bool inside(const Voxel& v) const noexcept {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < spec_.dims.x && v.y < spec_.dims.y && v.z < spec_.dims.z;
   }
-  /// Outside the grid nothing is an obstacle, and nothing is free.
+  /// True where the voxel is marked. False outside the grid.
   bool obstacle(const Voxel& v) const noexcept { return inside(v) && bit(obstacles_, v); }
+  /// True where the voxel was free at the last inflate(). False outside the grid.
   bool free(const Voxel& v) const noexcept { return inside(v) && !bit(blocked_, v); }
 
-  /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in obstacles, 1 in blocked.
+  // For the core's stages: rows and words. A row has bit x % 64 of word x / 64 for voxel x.
+
+  /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in the obstacle layer and 1 in the blocked
+  /// one.
   int32_t row_words() const noexcept { return row_words_; }
+  /// The rows of one y and z, which must be inside the grid: 1 is an obstacle, or blocked. The storage's; read only.
   const uint64_t* obstacle_row(int32_t y, int32_t z) const noexcept { return obstacles_ + row(y, z); }
   const uint64_t* blocked_row(int32_t y, int32_t z) const noexcept { return blocked_ + row(y, z); }
 
@@ -113,28 +136,30 @@ class Grid {
   size_t layer_words() const noexcept {
     return static_cast<size_t>(spec_.dims.z) * static_cast<size_t>(spec_.dims.y) * static_cast<size_t>(row_words_);
   }
-  /// A view whose blocked layer is `words` (layer_words() of them), taken as they are, rows as in this grid's.
+  /// A view of the same grid whose blocked layer is `words`, layer_words() of them, taken as they are.
   Grid with_blocked(uint64_t* words) const noexcept {
     Grid view = *this;
     view.blocked_ = words;
     view.contents_ = nullptr;
     return view;
   }
-  /// A number for each region of the blocked layer (64 voxels along x and along y, one plane) that tells its content:
-  /// where two numbers are equal, in one grid at two times or in two grids, so are the regions. Null for a view whose
-  /// blocked layer was given. Written by inflate().
+  /// A number for each region of the blocked layer, 64 voxels along x and along y in one plane. Regions with equal
+  /// numbers are equal, in one grid at two times or in two grids. inflate() writes them. Null for a view of
+  /// with_blocked().
   const uint64_t* contents() const noexcept { return contents_; }
 
-  /// Local frame (world minus origin).
+  // Frames.
+
+  /// A world point in the local frame: world minus origin, metres.
   Vec3 to_local(const Vec3& world) const noexcept;
-  /// The voxel of a local point: half-open cubes (a point within kLatticeTolerance below a face counts as on it), but
-  /// the boundary's upper faces belong to the last voxel. A point that the rounding of its world coordinates left
-  /// outside the boundary counts as on its face. Outside the grid for a point outside, never further than one voxel:
-  /// coordinates are clamped to -1 .. dims.
+  /// The voxel that holds a point of the local frame. A point on a voxel face, or below it by rounding, belongs to the
+  /// voxel above; on the boundary's upper face, to the last voxel inside. A point that is outside the boundary only by
+  /// rounding counts as on its face. For a point outside the grid the answer is outside too, clamped to -1 .. dims.
   Voxel voxel_of(const Vec3& local) const noexcept;
-  /// A voxel's centre, local frame.
+  /// The centre of a voxel, local frame, metres.
   Vec3 center(const Voxel& voxel) const noexcept;
-  /// The boundary in the local frame, within the grid; a face on the lattice but for rounding is on it exactly.
+  /// The boundary in the local frame, metres, clipped to the grid. A face that is on a voxel face but for rounding is
+  /// exactly on it.
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:

@@ -8,16 +8,25 @@
 
 namespace tern {
 
-/// What the front end found. Local frame (world minus grid origin), metres. Both chains begin at the exact
-/// start and end at the exact goal.
+/// The path through free space (the paper's Section 3.2), before and after it is shortened. All points are in the
+/// grid's local frame (world minus grid origin), in metres. Both chains begin at the exact start and end at the exact
+/// goal, not at voxel centres. Planner::path() gives it out for displays and logs.
 struct Path {
-  int raw_count;               ///< points of the jump-point path
-  Vec3 raw[kMaxJumpPoints];    ///< start, voxel centres of jump points, goal
-  double raw_length;           ///< length of that chain, metres
-  double grid_length;          ///< optimal cost between the two end voxels, in voxels (1, sqrt 2, sqrt 3 a step)
-  int count;                   ///< waypoints after the shortcut, 2 at least
-  Vec3 points[kMaxWaypoints];  ///< the shortcut path
-  double length;               ///< its length, metres
+  /// Points of the jump-point path, 2 .. kMaxJumpPoints.
+  int raw_count;
+  /// The jump-point path: the start, the centres of the voxels where the path turns, the goal.
+  Vec3 raw[kMaxJumpPoints];
+  /// Length of the jump-point path, metres.
+  double raw_length;
+  /// Cost of the search between the voxels of start and goal, in voxel edges: 1, sqrt 2 or sqrt 3 a step. It is the
+  /// least cost on the grid. 0 where start and goal share a voxel.
+  double grid_length;
+  /// Waypoints of the shortened path, 2 .. kMaxWaypoints.
+  int count;
+  /// The waypoints. Two neighbours are joined by a leg, a straight line through free space.
+  Vec3 points[kMaxWaypoints];
+  /// Length of the shortened path, metres.
+  double length;
 };
 
 }  // namespace tern

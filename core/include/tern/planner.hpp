@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The planner: a grid and a request in, a checked trajectory out. docs/architecture.md shows how.
 #ifndef TERN_PLANNER_HPP
 #define TERN_PLANNER_HPP
 
@@ -20,44 +22,63 @@ namespace tern {
 
 struct Work;
 
-/// A platform's monotonic tick counter; `context` is the caller's. Used for Report::stages[].ticks only: no result
-/// depends on it.
+/// A monotonic tick counter of the platform. `context` is the pointer that was given to Planner::set_clock. The ticks
+/// go into Report::stages and nowhere else: no plan depends on them.
 using ClockFn = uint64_t (*)(void* context);
 
-/// Grid and request in, checked trajectory out. The only facade; not thread-safe, but two planners over two
-/// workspaces are independent. Holds no state outside the workspace and itself.
+/// The planner. It works in memory that you give it and holds no state elsewhere. A planner is not thread-safe; two
+/// planners over two workspaces are independent. Construct one and keep it: it remembers what it found out about a map,
+/// and plans faster on the same map again. That changes no result.
+///
+/// Memory contract: the workspace, the grid and its storage, and everything that a call is given belong to the caller.
+/// The workspace must live as long as the planner. A grid must live, at the same address, until finish() ends the plan
+/// on it. Once a call has returned, the planner reads nothing of the request, trajectory or report that it was given.
 class Planner {
  public:
-  /// `memory`: at least kWorkspaceBytes bytes, any alignment, any content; the caller's, must outlive the planner,
-  /// which keeps there from plan to plan what it found out about the map: nobody else may write to it, another planner
-  /// least. Too small or null is answered by the first call with kInvalidArgument (field kWorkspace).
-  /// `configuration` is the caller's and stays away: where the caller's headers have other capacities than the library,
-  /// every plan is refused with kInvalidArgument (field kConfiguration).
+  /// `memory` is the workspace: `bytes` bytes, at least kWorkspaceBytes, with any alignment and any content. Nobody
+  /// else may write to it while the planner lives. Where it is null or too small, every plan answers kInvalidArgument,
+  /// field kWorkspace.
+  ///
+  /// Leave `configuration` at its default. It tells the library which capacities your program was compiled with. Where
+  /// they differ from the library's, every plan answers kInvalidArgument, field kConfiguration.
   Planner(void* memory, size_t bytes, uint64_t configuration = kConfigurationHash) noexcept;
 
-  /// Ticks for the report. Null (the default) reports no times.
+  /// The clock for Report::stages[].ticks. Null, the default: no times are reported. `context` is the caller's and is
+  /// passed to each call of `clock`. A clock that stands still or runs backwards does no harm.
   void set_clock(ClockFn clock, void* context) noexcept;
 
-  /// The next plan finds its map new, whatever it is. For measuring the first plan's time: it changes no result.
+  /// Makes the planner forget what it found out about maps. It changes no result. Use it to measure how long the first
+  /// plan on a map takes.
   void forget_map() noexcept;
 
-  /// Plans in one call. kOk: `trajectory` holds the checked plan. Anything else: `trajectory` is untouched.
-  /// `report` is always filled. The grid must be inflated.
+  /// Plans in one call. The grid must be inflated. With kOk `trajectory` is the plan, which passed the check. With any
+  /// other answer `trajectory` is as it was, so that you can go on flying what is in it. `report` is always filled.
   Status plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept;
 
-  /// The same in slices, bit for bit: begin, then step until it is no longer kRunning, then finish. The grid must stay
-  /// alive and unchanged between them (else kMapChanged). begin answers kRunning, or why the request is refused.
+  /// Begins a plan in slices: call begin() once, step() until it no longer answers kRunning, then finish(). The result
+  /// has the same bits as plan(). begin() checks the request and reads it, its fences and its previous plan; they may
+  /// change afterwards. It answers kRunning, or the reason why the request is refused.
+  ///
+  /// The grid must not change before finish(). Where it does, the next step() answers kMapChanged.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Spends at most `work` units: a fence, an expansion, a sight line, a segment's polyhedron, a segment's duration, an
-  /// iteration, a detour, a way to come to rest or a segment's check each.
+  /// Goes on with the plan for at most `work` units. kRunning: there is more to do. Any other answer is that of the
+  /// plan: call finish(). kInvalidArgument where no plan was begun.
+  ///
+  /// One unit is one of these: a node expanded or a line that joins an end to the grid, a line of sight or a trial of
+  /// tightening, a polyhedron, the duration of a
+  /// segment, an iteration of a quadratic programme, its assembly or its judgement, a polyhedron or a
+  /// segment checked, a fence, a detour, a way to come to rest, a segment of the previous plan.
   Status step(uint32_t work) noexcept;
-  /// Ends a plan, whatever its state: copies the trajectory out where step answered kOk, fills the report.
+  /// Ends the plan and fills `report`. With kOk it copies the plan to `trajectory`; with any other answer `trajectory`
+  /// is as it was. Called before step() is done, it gives the plan up and answers kInvalidArgument, field kCallOrder.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
 
-  /// The last plan's path and corridor, for displays and logs; null where that stage was not reached. Local frame of
-  /// the grid. Where the plan comes to rest first (Report::detours is 2) the path leads on from there, and the corridor
-  /// begins with the polyhedra of the stop. Valid until the next begin or plan.
+  /// The path of the last plan, in the grid's local frame, for displays and logs. Null where the plan has none. Where
+  /// the plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is
+  /// valid until the next begin() or plan().
   const Path* path() const noexcept;
+  /// The corridor of the last plan, likewise. Segment::polyhedron is an index into it. Where the plan stops first, it
+  /// begins with the polyhedra of that stop.
   const Corridor* corridor() const noexcept;
 
  private:

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What one call of the planner did: its answer, the reason for it, and the work that it took.
 #ifndef TERN_REPORT_HPP
 #define TERN_REPORT_HPP
 
@@ -11,65 +13,118 @@
 
 namespace tern {
 
-/// What one stage did. `bound` holds before the stage runs (contract C2): work <= bound always.
+/// What one stage did. All zero where the stage did not run.
 struct StageReport {
-  uint32_t work;   ///< units: expansions, sight lines, planes, segments timed, iterations, checks
-  uint32_t bound;  ///< the bound on it that follows from capacities, input sizes and budget
-  uint64_t ticks;  ///< of the caller's clock; 0 with no clock
+  /// Units of work done. What a unit is depends on the stage:
+  /// - kRequest: all keep-in fences together, or one keep-out fence, entered into the grid
+  /// - kSearch: a node taken off the open list, or a line that joins start or goal to the grid
+  /// - kShortcut: a line of sight, or a trial of tightening
+  /// - kCorridor: a half-space made, even if it was discarded later
+  /// - kTimes: a segment that got its first duration
+  /// - kTrajectory: an iteration of a quadratic programme
+  /// - kCheck: a polyhedron or a segment checked
+  uint32_t work;
+  /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).
+  uint32_t bound;
+  /// Time in ticks of the clock given to Planner::set_clock. 0 where timing_known is false.
+  uint64_t ticks;
 };
 
-/// Highest use of each capacity of config.hpp during the plan.
+/// The highest use of each capacity of config.hpp during the plan. Compare it with the capacity to choose capacities of
+/// your own. Where a capacity ran out, its value here is the capacity itself.
 struct HighWater {
+  /// Jump points that one search generated; of TERN_MAX_NODES.
   int32_t nodes;
+  /// Entries of the open list at one time; of TERN_MAX_OPEN.
   int32_t open;
+  /// Points of the jump-point path; of TERN_MAX_JUMP_POINTS.
   int32_t jump_points;
+  /// Legs of the path or segments of the trajectory, whichever is more; of TERN_MAX_SEGMENTS.
   int32_t segments;
-  int32_t planes;         ///< of the fullest polyhedron
-  int32_t local_boxes;    ///< around the busiest segment
-  int32_t active;         ///< of the largest working set
-  int32_t qp_iterations;  ///< of the longest quadratic programme
+  /// Half-spaces of the fullest polyhedron; of TERN_MAX_PLANES.
+  int32_t planes;
+  /// Boxes around the busiest segment; of TERN_MAX_LOCAL_BOXES.
+  int32_t local_boxes;
+  /// Rows in the largest active set; of TERN_MAX_ACTIVE.
+  int32_t active;
+  /// Iterations of the longest quadratic programme; of TERN_MAX_QP_ITERATIONS.
+  int32_t qp_iterations;
+  /// Quadratic programmes solved for one corridor; of TERN_MAX_QP_SOLVES.
   int32_t qp_solves;
 };
 
-/// What the trajectory is.
+/// What kind of plan the trajectory is. Every kind but kNone is a checked plan.
 enum class Quality : uint8_t {
+  /// There is no plan.
   kNone = 0,
-  kHover,      ///< start equals goal: one segment that stays
-  kStopAndGo,  ///< straight from waypoint to waypoint, at rest in each (contract C6)
-  kOptimised,  ///< minimum snap
-  kPrevious,   ///< the rest of Request::previous, as it was
+  /// Start equals goal, both at rest: one segment that stays there.
+  kHover,
+  /// Straight from waypoint to waypoint, coming to rest at each (contract C6). Report::optimiser says why it was not
+  /// optimised. Safe, but slower than an optimised plan.
+  kStopAndGo,
+  /// The optimiser's plan: minimum snap, traded against duration.
+  kOptimised,
+  /// The rest of Request::previous, which leads to the goal.
+  kPrevious,
 };
 
-/// All that can be said of one call of the planner.
+/// The whole answer to one call of Planner::plan or Planner::finish, which always fill it. Plain data without pointers.
 struct Report {
+  /// The answer; the same as the call's return value.
   Status status;
-  Stage stage;        ///< where the status arose
-  Field field;        ///< which input, for a caller's fault
-  bool raw_occupied;  ///< kStartOccupied / kGoalOccupied: inside an obstacle itself (else only too close)
+  /// The stage where `status` arose. For kOk: kCheck, the last stage.
+  Stage stage;
+  /// The field of the request or grid that is wrong. kNone where no single field is.
+  Field field;
+  /// Only for kStartOccupied and kGoalOccupied. True: the point lies inside an obstacle. False: it is outside, but
+  /// closer to one than the radius.
+  bool raw_occupied;
+  /// Only for kStartOccupied and kGoalOccupied: true where nearest_free has a value.
   bool has_nearest_free;
-  bool timing_known;  ///< a clock was given and did not misbehave
+  /// True where ticks were measured. False where no clock was given, or where it stood still or ran backwards.
+  bool timing_known;
+  /// What kind of plan the trajectory is; kNone unless `status` is kOk.
   Quality quality;
-  Status optimiser;   ///< why the optimiser stopped: kOk, or the reason for a fallback
-  Vec3 nearest_free;  ///< world frame: centre of the free voxel nearest to an occupied start or goal
+  /// How optimising ended. kOk: as it should, or it was never begun. kBudgetOptimise together with kOptimised: the
+  /// budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
+  /// optimised plan: kInfeasible, kNumerical, kIterationLimit, kWorkingSetFull, kBudgetOptimise, kSegmentsFull (no room
+  /// for so many segments), or kCheckFailed (the check refused the optimised plan).
+  Status optimiser;
+  /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
+  /// has_nearest_free is true; zero otherwise.
+  Vec3 nearest_free;
+  /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
   StageReport stages[kStageCount];
   HighWater high_water;
-  int32_t fence = kNoFence;  ///< kStartFenced / kGoalFenced: which of Request::fences, the first that is broken
+  /// Only for kStartFenced and kGoalFenced: the index in Request::fences of a fence that is broken. Keep-in fences are
+  /// looked at first, in the request's order, then keep-out fences. Else kNoFence.
+  int32_t fence = kNoFence;
 
-  // The corridor's half-spaces, of all polyhedra together.
-  int32_t half_spaces;            ///< that bound a polyhedron: eight rows each in the quadratic programme
-  int32_t half_spaces_redundant;  ///< that follow from those, and were set aside
+  /// Half-spaces that bound the polyhedra of the corridor, all polyhedra together. Each makes eight rows in the
+  /// quadratic programme.
+  int32_t half_spaces;
+  /// Redundant half-spaces of the corridor, likewise. They make no rows.
+  int32_t half_spaces_redundant;
 
-  /// Where an end moves too fast for the room around it on the path: 1, the path leads along its motion first; 2, the
-  /// plan comes to rest first, in any way there is room for, and flies on from there (a goal's motion: begins at rest);
-  /// 3, it flies Request::previous to its end first.
+  /// What the planner did for a start or goal in motion, where the polyhedron around it had no room for that motion:
+  /// - 0: nothing, there was no need or no way
+  /// - 1, a detour: the path first leads straight ahead to where the motion can stop
+  /// - 2, stop first: the plan comes to rest in any way there is room for and goes on from there; before a goal in
+  ///   motion, it begins that motion from rest. Or one curve leads straight from start to goal
+  /// - 3, previous plan: the plan goes on along Request::previous
   int32_t detours;
 
-  // The optimiser's last quadratic programme.
+  /// Unknowns of one quadratic programme, all axes together; 0 where none was solved.
   int32_t qp_variables;
+  /// Rows of the quadratic programme that had the most rows.
   int32_t qp_inequalities;
+  /// Rows that are active at the solution that the plan was made from; 0 unless `quality` is kOptimised.
   int32_t qp_active;
-  int32_t qp_iterations;  ///< of all quadratic programmes together
-  double kkt_residual;    ///< relative; see docs/qp.md
+  /// Iterations of all quadratic programmes together.
+  int32_t qp_iterations;
+  /// Largest relative KKT residual of that solution: stationarity, complementarity or violation. At most 1e-8;
+  /// docs/qp.md defines it. 0 unless `quality` is kOptimised.
+  double kkt_residual;
 };
 
 }  // namespace tern

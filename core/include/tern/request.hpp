@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What a plan is asked for. Everything is in the world frame and in SI units.
 #ifndef TERN_REQUEST_HPP
 #define TERN_REQUEST_HPP
 
@@ -11,66 +13,103 @@
 
 namespace tern {
 
-/// A boundary state: world frame, metres and seconds. Jerk at both ends of a plan is zero.
+/// The state at one end of a plan, world frame. All numbers must be finite (kNonFiniteInput). The position must lie in
+/// the grid's boundary (kOutOfMap), velocity and acceleration within the limits (kStartExceedsLimits,
+/// kGoalExceedsLimits). The jerk is zero at both ends of a plan, with one exception: a plan that goes on along
+/// Request::previous begins with the jerk of that plan.
 struct State {
-  Vec3 position;
-  Vec3 velocity;
-  Vec3 acceleration;
+  Vec3 position;      ///< m, the robot's centre
+  Vec3 velocity;      ///< m/s
+  Vec3 acceleration;  ///< m/s^2
 };
 
-/// What velocity and acceleration keep for all t: upper and lower limits per axis (z is up, so that climbing and
-/// sinking may differ) and, where given, the Euclidean norm of the horizontal vector (x, y). Magnitudes within
-/// [kMinLimit, kMaxLimit]. Where only v_max and a_max are given they hold both ways.
+/// Limits of velocity and acceleration. A plan keeps them for all t, to 3e-8 of each limit. They hold for each axis of
+/// the world frame separately, upwards and downwards, and for the horizontal norm where one is given. The Euclidean
+/// norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit], else the
+/// answer is kLimitsInvalid with the field.
 struct Limits {
-  Vec3 v_max;                 ///< m/s, > 0
-  Vec3 a_max;                 ///< m/s^2, > 0
-  Vec3 v_min{};               ///< m/s, < 0; an axis of 0 stands for -v_max
-  Vec3 a_min{};               ///< m/s^2, < 0; an axis of 0 stands for -a_max
-  double v_horizontal = 0.0;  ///< m/s, limit of sqrt(vx^2 + vy^2); 0: none
-  double a_horizontal = 0.0;  ///< m/s^2, likewise
+  /// m/s, > 0: the largest velocity along each axis.
+  Vec3 v_max;
+  /// m/s^2, > 0: the largest acceleration along each axis.
+  Vec3 a_max;
+  /// m/s, < 0: the lowest velocity along each axis, for example to sink slower than to climb. An axis of 0 means
+  /// -v_max.
+  Vec3 v_min{};
+  /// m/s^2, < 0: the lowest acceleration along each axis. An axis of 0 means -a_max.
+  Vec3 a_min{};
+  /// m/s: limit of sqrt(vx^2 + vy^2), on top of the limits of x and y. 0 means none.
+  double v_horizontal = 0.0;
+  /// m/s^2: limit of sqrt(ax^2 + ay^2), likewise. 0 means none.
+  double a_horizontal = 0.0;
 };
+/// Smallest and largest magnitude of a limit.
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;
 
-/// What duration is worth against smoothness: a plan minimises (integral of squared snap) + time_weight a^6 / v^4 T,
-/// where v and a are the largest limits of an axis and T is the duration (a^3 / v^2 is the scale of snap at the limits:
-/// the same weight means the same style of flight to slow and to fast vehicles). More is faster: 40, the default,
-/// flies the forests of docs/trajectory.md within a tenth of the fastest; 10 is gentle; 1000 is as fast as limits
-/// allow.
+/// What a second of flight is worth against smoothness. A plan minimises
+///
+///   (integral of squared snap) + time_weight * a^6 / v^4 * (duration),
+///
+/// where v and a are the largest limits of an axis. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4
+/// makes one weight mean one style of flight, for slow and for fast vehicles. A larger weight gives a faster plan: 10
+/// is gentle, 40 is the default, 1000 is nearly as fast as the limits allow. docs/trajectory.md has measurements.
 constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
 
-/// Work that a plan may spend, counted, never timed (contract C7). The stage bounds of config.hpp hold besides.
+/// How much work a plan may spend in each stage. Work is counted, never timed (contract C7), so that a budget gives the
+/// same plan on every machine. The default is no limit but the bounds of the stages (config.hpp). 0 is allowed.
 struct Budget {
-  uint32_t expansions = 0xFFFFFFFFu;   ///< nodes taken off the open list
-  uint32_t sight_lines = 0xFFFFFFFFu;  ///< steps of the shortcut, each a line of sight or a trial
-  uint32_t planes = 0xFFFFFFFFu;       ///< half-spaces made by the corridor
-  uint32_t iterations = 0xFFFFFFFFu;   ///< iterations of the quadratic programmes, all together
+  /// Search: nodes taken off the open list, and lines checked to join start and goal to the grid. Beyond it:
+  /// kBudgetSearch.
+  uint32_t expansions = 0xFFFFFFFFu;
+  /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
+  uint32_t sight_lines = 0xFFFFFFFFu;
+  /// Corridor: half-spaces made, including those that are discarded. Beyond it: kBudgetCorridor.
+  uint32_t planes = 0xFFFFFFFFu;
+  /// Trajectory: iterations of all quadratic programmes together. Beyond it the best plan so far is given out, or
+  /// stop-and-go where there is none yet; Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
+  uint32_t iterations = 0xFFFFFFFFu;
 };
 
-/// How the front end shortens the jump-point path. Any other number is refused (field kShortcut).
+/// How the jump-point path is shortened. Any other number is refused (kInvalidArgument, field kShortcut).
 enum class ShortcutMode : uint8_t {
-  kShortestChain = 0,  ///< the shortest chain of mutually visible waypoints; lines of sight never cut a corner
+  /// The shortest chain of points of the path in which each sees the next. A line of sight is the supercover of the
+  /// segment: every voxel that it touches is free.
+  kShortestChain = 0,
 };
 
-/// One planning query.
+/// One planning query. The caller owns it and everything that it points to. Planner::plan and Planner::begin read it
+/// while they run and keep no pointer into it.
 struct Request {
   State start{};
   State goal{};
   Limits limits{};
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
-  double time_weight = kDefaultTimeWeight;  ///< within [kMinTimeWeight, kMaxTimeWeight]
-  const Fence* fences = nullptr;            ///< geofences; the caller's, read while a plan begins
-  int32_t fence_count = 0;                  ///< 0 .. kMaxFences
+  /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
+  double time_weight = kDefaultTimeWeight;
+  /// Geofences: an array of `fence_count`, or null with fence_count 0.
+  const Fence* fences = nullptr;
+  /// 0 .. kMaxFences. Beyond it: kFencesFull.
+  int32_t fence_count = 0;
 
-  /// The plan that is being flown, or null; the caller's, read while a plan begins. `start` must then be what
-  /// evaluate(*previous, previous_time) gives, bit for bit. Where nothing new is found, the rest of it is flown on: to
-  /// its end, and from there to the goal if that is another one (Report::detours is 3). On an unchanged map, with the
-  /// same limits and fences, a plan is then found wherever `previous` has a millisecond left of its segment at hand.
+  /// For replanning in flight: the plan that is being flown, or null. The planner first looks for a new plan. Where it
+  /// finds none, it flies on along the rest of this one, if that is still free on the grid, and from its end to the
+  /// goal if that is another one. Report::detours is 3 for such a plan. Only where that fails too, it tries to stop
+  /// first.
+  ///
+  /// `start` must be what evaluate(*previous, previous_time) gives, bit for bit. Else the answer is kInvalidArgument,
+  /// field kPrevious.
+  ///
+  /// A plan is always found on an unchanged map with the same limits and fences, if `previous` was kOk, at least a
+  /// millisecond of its segment at previous_time is left, the goal is the same or can be reached from the previous one,
+  /// and budget and capacities suffice.
+  ///
+  /// It may be the same object that the new plan is written to: that object changes only once the new plan is kOk.
   const Trajectory* previous = nullptr;
-  double previous_time = 0.0;  ///< seconds, >= 0
+  /// Time since the beginning of `previous` at which the new plan begins. Seconds, >= 0, finite.
+  double previous_time = 0.0;
 };
 
 }  // namespace tern

@@ -1,5 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// Run self_test() before the first flight. It finds out whether this machine computes as Tern needs, and whether your
+// program and the library were compiled with the same capacities. docs/determinism.md explains the faults.
 #ifndef TERN_SELF_TEST_HPP
 #define TERN_SELF_TEST_HPP
 
@@ -10,7 +13,8 @@
 
 namespace tern {
 
-/// FNV-1a over whole numbers, in the order given.
+/// FNV-1a over whole numbers, in the order given. This and the next two functions make the configuration hash; use
+/// kConfigurationHash.
 constexpr uint64_t hash_of(uint64_t hash) noexcept {
   return hash;
 }
@@ -19,13 +23,13 @@ constexpr uint64_t hash_of(uint64_t hash, int64_t value, Rest... rest) noexcept 
   return hash_of((hash ^ static_cast<uint64_t>(value)) * 0x100000001B3u, rest...);
 }
 
-/// A constant as a whole number, exact: `part` is a power of two that leaves no fraction. Two factors, because one
-/// would be beyond 64 bits.
+/// `constant` * `part` * `of` as a whole number. It is exact where the factors are powers of two that leave no
+/// fraction. Two factors, because one of that size would not fit 64 bits.
 constexpr int64_t whole_of(double constant, int64_t part, int64_t of) noexcept {
   return static_cast<int64_t>(constant * static_cast<double>(part) * static_cast<double>(of));
 }
 
-/// The configuration hash where these are the values of the header's constants.
+/// The configuration hash that goes with these values of kLatticeTolerance and kSightMargin.
 constexpr uint64_t configuration_hash_of(double lattice_tolerance, double sight_margin) noexcept {
   return hash_of(0xCBF29CE484222325u, kMaxCells, kMaxDimension, kMaxNodes, kMaxOpen, kMaxJumpPoints, kMaxSegments,
                  kMaxPlanes, kMaxLocalBoxes, kMaxActive, kMaxQpIterations, kMaxQpSolves, kMaxFences, kMaxFencePlanes,
@@ -33,31 +37,35 @@ constexpr uint64_t configuration_hash_of(double lattice_tolerance, double sight_
                  whole_of(sight_margin, int64_t{1} << 57, 1));
 }
 
-/// A hash of every capacity of config.hpp and of its two floating-point constants, bit for bit: equal exactly where the
-/// headers were compiled with the same configuration, and with flags that leave constants alone.
+/// A hash of every capacity of config.hpp and of the bits of its two floating-point constants. Two programs have the
+/// same hash where they were compiled with the same capacities, and where no compiler flag changed the constants.
+/// Compare it with the library's, or let Planner and self_test() do so.
 constexpr uint64_t configuration_hash() noexcept {
   return configuration_hash_of(kLatticeTolerance, kSightMargin);
 }
 
-/// The same as a constant: each file that includes this has its own, whatever the others were compiled with.
+/// The same as a constant. Each source file has its own, so that it tells what that file was compiled with.
 constexpr uint64_t kConfigurationHash = configuration_hash();
 
-/// What a self-test found wrong, one bit each; 0 is healthy. Where a compiler flag does it, the fault is named after
-/// the flag to remove. A flag counts where it changes results: at -O0 some do not.
+/// What a self-test found wrong: a sum of these bits, 0 where all is well. A fault that a compiler flag causes is named
+/// after the flag; remove that flag. A flag is found only where it changes results, and at -O0 some do not.
 enum SelfTestFault : uint32_t {
-  kFaultFlushToZero = 1u << 0,      ///< denormals are flushed: some part of the program was linked with -ffast-math
-  kFaultRoundingMode = 1u << 1,     ///< not round-to-nearest-even
+  kFaultFlushToZero = 1u << 0,      ///< denormals are flushed to zero: the program was linked with -ffast-math
+  kFaultRoundingMode = 1u << 1,     ///< the thread's rounding mode is not round-to-nearest-even
   kFaultContraction = 1u << 2,      ///< a * b + c was fused: the core was compiled without -ffp-contract=off
   kFaultArithmetic = 1u << 3,       ///< NaN, infinity or sqrt do not behave as IEEE 754 says: -ffinite-math-only
   kFaultConfiguration = 1u << 4,    ///< the caller's headers and the library have different capacities
-  kFaultReciprocalMath = 1u << 5,   ///< a / b became a * (1 / b): the core was compiled with -freciprocal-math
-  kFaultNoSignedZeros = 1u << 6,    ///< -0 and +0 are taken for one: likewise, -fno-signed-zeros
-  kFaultAssociativeMath = 1u << 7,  ///< sums change their order: likewise, -fassociative-math
-  kFaultSinglePrecisionConstant = 1u << 8,  ///< 0.1 is 0.1f in the core or its caller: -fsingle-precision-constant
+  kFaultReciprocalMath = 1u << 5,   ///< a / b became a * (1 / b): -freciprocal-math
+  kFaultNoSignedZeros = 1u << 6,    ///< -0 and +0 count as the same: -fno-signed-zeros
+  kFaultAssociativeMath = 1u << 7,  ///< the order of sums was changed: -fassociative-math
+  kFaultSinglePrecisionConstant = 1u << 8,  ///< 0.1 means 0.1f in the core or the caller: -fsingle-precision-constant
 };
 
-/// Run once at start-up, and again in any thread that plans: the floating-point mode belongs to the thread.
-/// `hash` is the caller's configuration_hash(). kOk or kSelfTestFailed, with the faults in *faults where given.
+/// Tests the floating-point arithmetic of the calling thread, and compares `hash`, the caller's kConfigurationHash,
+/// with the library's. Run it at start-up in every thread that plans, because each thread has its own floating-point
+/// mode.
+///
+/// kOk, or kSelfTestFailed. `faults` gets the sum of SelfTestFault bits; it may be null.
 Status self_test(uint64_t hash, uint32_t* faults) noexcept;
 
 }  // namespace tern

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The answers to a call, and the words for them. docs/faults.md lists which input gets which answer.
 #ifndef TERN_STATUS_HPP
 #define TERN_STATUS_HPP
 
@@ -7,108 +9,145 @@
 
 namespace tern {
 
-/// What became of a call. Grouped by whose fault it is; the values are part of the ABI.
-/// Whatever is neither kOk nor kRunning leaves the caller's output untouched.
+/// The answer to a call, grouped by who can do something about it. The numbers are part of the ABI. Unless the answer
+/// is kOk or kRunning, the call leaves the caller's output as it was.
 enum class Status : uint8_t {
+  /// Success. From plan() and finish(): the trajectory is a plan that passed the check.
   kOk = 0,
-  kRunning = 1,  ///< a sliced plan has work left: call step() again
+  /// A plan in slices has work left. Call step() again.
+  kRunning = 1,
 
-  // The caller's: the request is wrong. Report::field says which field.
-  kNonFiniteInput = 10,      ///< NaN or infinity in a field
-  kInvalidArgument = 11,     ///< null, zero, beyond a capacity, or a call out of order
-  kLimitsInvalid = 12,       ///< a limit that is zero, negative, denormal or absurdly large, or a time weight that is
-  kOutOfMap = 13,            ///< start or goal outside the closed boundary
-  kStartExceedsLimits = 14,  ///< start velocity or acceleration above its limit
-  kGoalExceedsLimits = 15,   ///< goal velocity or acceleration above its limit
+  // 10 .. 29: the request or the call is wrong. Correct it. Report::field names the field.
 
-  // The world's: the request is right, the map has no answer.
-  kStartOccupied = 30,    ///< closer than the radius to an obstacle; Report::nearest_free has a way out
-  kGoalOccupied = 31,     ///< likewise for the goal
-  kNoPath = 32,           ///< the free voxels do not connect start and goal
-  kMapChanged = 33,       ///< the grid's revision changed between the slices of one plan
-  kCorridorBlocked = 34,  ///< an obstacle touches the segment that a polyhedron was asked for
-  kNoTrajectory = 35,     ///< from a moving start or to a moving goal, nothing within the limits was found
+  /// A number is NaN or infinite.
+  kNonFiniteInput = 10,
+  /// An argument is null, zero, out of range or beyond a capacity, or a call came out of order.
+  kInvalidArgument = 11,
+  /// A limit or the time weight is outside its range (tern/request.hpp), or a lower limit is positive.
+  kLimitsInvalid = 12,
+  /// Start or goal lies outside the grid's boundary. The boundary itself counts as inside. From mark_voxel and
+  /// clear_voxel: the voxel lies outside the grid.
+  kOutOfMap = 13,
+  /// The start's velocity or acceleration exceeds a limit by more than one part in 1e9. Clamp the state, or raise the
+  /// limit for this request.
+  kStartExceedsLimits = 14,
+  /// The goal's velocity or acceleration exceeds a limit, likewise.
+  kGoalExceedsLimits = 15,
 
-  kStartFenced = 36,  ///< start outside a keep-in, or nearer than the radius to a keep-out
-  kGoalFenced = 37,   ///< likewise for the goal
+  // 30 .. 49: the request is right, but the world has no answer to it. Choose another start, goal, radius or
+  // resolution, or wait.
 
-  // The configuration's: a capacity ran out. Each names the constant of config.hpp to raise.
-  kNodesFull = 50,        ///< TERN_MAX_NODES
-  kOpenFull = 51,         ///< TERN_MAX_OPEN
-  kJumpPointsFull = 52,   ///< TERN_MAX_JUMP_POINTS
-  kSegmentsFull = 53,     ///< TERN_MAX_SEGMENTS
-  kPlanesFull = 54,       ///< TERN_MAX_PLANES
-  kObstaclesFull = 55,    ///< TERN_MAX_LOCAL_BOXES
-  kWorkingSetFull = 56,   ///< TERN_MAX_ACTIVE (reported of the optimiser; the plan falls back)
-  kIterationLimit = 57,   ///< TERN_MAX_QP_ITERATIONS (reported of the optimiser; the plan falls back)
-  kFencesFull = 58,       ///< TERN_MAX_FENCES
-  kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES
-  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS
+  /// The start is closer to an obstacle than the radius, or no straight line leads from it to a free voxel near it.
+  /// Report::raw_occupied says whether it is inside an obstacle, Report::nearest_free has the nearest free voxel.
+  kStartOccupied = 30,
+  /// The goal is closer to an obstacle than the radius, likewise.
+  kGoalOccupied = 31,
+  /// At this resolution and radius, no chain of free voxels connects start and goal.
+  kNoPath = 32,
+  /// The grid changed between two slices of a plan. Begin the plan again.
+  kMapChanged = 33,
+  /// An obstacle or a fence is closer than the radius to a line that the corridor must hold. A finer grid may help.
+  kCorridorBlocked = 34,
+  /// Only for a start or goal in motion: no trajectory within the limits leaves or meets that motion here. Keep flying
+  /// the plan that you have (Request::previous), slow down earlier, or ask for a goal at rest.
+  kNoTrajectory = 35,
+  /// The start lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
+  kStartFenced = 36,
+  /// The goal lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
+  kGoalFenced = 37,
 
-  // Numerics: the solver's answer, or the machine, did not hold up.
-  kInfeasible = 70,      ///< the constraints contradict each other; proven by multipliers
-  kNumerical = 71,       ///< no accurate solution: a residual stayed above its tolerance
-  kCheckFailed = 72,     ///< the independent check refused the plan; please report it
-  kSelfTestFailed = 73,  ///< the machine or build does not compute as the contracts need
+  // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
+  // a coarser grid, or a goal that is nearer.
 
-  // The budget's: the caller's allowance of work ran out in that stage.
-  kBudgetSearch = 90,
-  kBudgetShortcut = 91,
-  kBudgetCorridor = 92,
-  kBudgetOptimise = 93,  ///< reported of the optimiser; the plan falls back to stop-and-go where it can
+  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points
+  kOpenFull = 51,        ///< TERN_MAX_OPEN: the search's open list is full
+  kJumpPointsFull = 52,  ///< TERN_MAX_JUMP_POINTS: the jump-point path has more points
+  kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS: the path needs more segments
+  kPlanesFull = 54,      ///< TERN_MAX_PLANES: a polyhedron needs more half-spaces
+  kObstaclesFull = 55,   ///< TERN_MAX_LOCAL_BOXES: there are too many obstacles around a segment
+  /// TERN_MAX_ACTIVE: too many rows are active at once. Only as Report::optimiser; the plan falls back to stop-and-go.
+  kWorkingSetFull = 56,
+  /// TERN_MAX_QP_ITERATIONS: a quadratic programme takes longer. Only as Report::optimiser; the plan falls back to
+  /// stop-and-go.
+  kIterationLimit = 57,
+  kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
+  kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
+  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences
+
+  // 70 .. 89: the solver or the machine did not hold up.
+
+  /// The constraints contradict each other, and the solver has a proof. Only as Report::optimiser; the plan falls back
+  /// to stop-and-go.
+  kInfeasible = 70,
+  /// No solution was accurate enough. Only as Report::optimiser; the plan falls back to stop-and-go.
+  kNumerical = 71,
+  /// The final check refused the plan and every fallback. This is a defect of Tern: please report it.
+  kCheckFailed = 72,
+  /// Only from self_test(): this machine or build does not compute as Tern needs. Do not fly with it. The faults that
+  /// self_test() gives out name the cause.
+  kSelfTestFailed = 73,
+
+  // 90 .. 99: the request's budget ran out. Allow more, or go on with what you have.
+
+  kBudgetSearch = 90,    ///< Budget::expansions
+  kBudgetShortcut = 91,  ///< Budget::sight_lines
+  kBudgetCorridor = 92,  ///< Budget::planes
+  /// Budget::iterations. Only as Report::optimiser: the plan is the best so far, or stop-and-go.
+  kBudgetOptimise = 93,
 };
 
-/// The stages of a plan, in the order that data flows through them.
+/// The stages of a plan, in the order in which data flows through them.
 enum class Stage : uint8_t {
-  kRequest = 0,  ///< validation of the request, before any stage
-  kSearch,       ///< jump point search
-  kShortcut,     ///< shortest chain of visible waypoints
-  kCorridor,     ///< a polyhedron a segment
-  kTimes,        ///< trapezoidal time allocation
-  kTrajectory,   ///< minimum snap by quadratic programmes
-  kCheck,        ///< the independent check
+  kRequest = 0,  ///< validation of the request and entering its fences, before any other stage
+  kSearch,       ///< jump point search (the paper's Section 3.2.1)
+  kShortcut,     ///< shortening the path (Section 3.2.3)
+  kCorridor,     ///< polyhedra along the path (Section 3.3.1)
+  kTimes,        ///< first durations by trapezoidal profiles (Section 3.3.2)
+  kTrajectory,   ///< minimum snap by quadratic programmes (Section 3.4)
+  kCheck,        ///< the independent check of the finished plan (contract C4)
 };
 constexpr int kStageCount = 7;
 
-/// The field of a request or grid that a status speaks of.
+/// The field of a request, a grid or a call that a status is about.
 enum class Field : uint8_t {
-  kNone = 0,
-  kStartPosition,
-  kStartVelocity,
-  kStartAcceleration,
-  kGoalPosition,
-  kGoalVelocity,
-  kGoalAcceleration,
-  kVMax,
-  kAMax,
-  kOrigin,
-  kCell,
-  kDimensions,
-  kBoundary,
-  kRadius,
-  kStorage,
-  kWorkspace,
-  kCallOrder,
-  kBox,
-  kVMin,
-  kAMin,
-  kVHorizontal,
-  kAHorizontal,
-  kTimeWeight,
-  kFences,
-  kShortcut,
-  kPrevious,
-  kNotInflated,    ///< the grid was marked, cleared or bound since its last inflate()
-  kConfiguration,  ///< the caller's headers and the library were compiled with different capacities
+  kNone = 0,           ///< no single field
+  kStartPosition,      ///< Request::start.position
+  kStartVelocity,      ///< Request::start.velocity
+  kStartAcceleration,  ///< Request::start.acceleration
+  kGoalPosition,       ///< Request::goal.position
+  kGoalVelocity,       ///< Request::goal.velocity
+  kGoalAcceleration,   ///< Request::goal.acceleration
+  kVMax,               ///< Limits::v_max
+  kAMax,               ///< Limits::a_max
+  kOrigin,             ///< GridSpec::origin: not finite, or too far away for cells of this size
+  kCell,               ///< GridSpec::cell
+  kDimensions,         ///< GridSpec::dims
+  kBoundary,           ///< GridSpec::boundary: not finite, lower > upper, or not inside the grid
+  kRadius,             ///< GridSpec::radius
+  kStorage,            ///< the grid's words: null or too few; or the grid is not bound to any
+  kWorkspace,          ///< the planner's memory: null, or less than kWorkspaceBytes
+  kCallOrder,          ///< finish() before begin(), or before step() was done
+  kBox,                ///< not used at present
+  kVMin,               ///< Limits::v_min
+  kAMin,               ///< Limits::a_min
+  kVHorizontal,        ///< Limits::v_horizontal
+  kAHorizontal,        ///< Limits::a_horizontal
+  kTimeWeight,         ///< Request::time_weight
+  kFences,             ///< Request::fences or fence_count, or a fence in it
+  kShortcut,           ///< Request::shortcut
+  kPrevious,           ///< Request::previous or previous_time: no trajectory, or it does not give `start` at that time
+  kNotInflated,        ///< the grid was bound, marked or cleared since its last inflate()
+  kConfiguration,      ///< the caller's headers and the library were compiled with different capacities
 };
 
-/// The status' name as plan files carry it, e.g. "no_path"; "unknown" for a value that is none.
+/// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and
+/// the next three return constant strings that are never null and need not be freed.
 const char* status_name(Status status) noexcept;
-/// One sentence: what it means and what to do.
+/// What the status means and, in many cases, what to do, as one line of English.
 const char* status_meaning(Status status) noexcept;
-/// The stage's name, e.g. "search".
+/// The stage's name, for example "search". "unknown" for a number that is no stage.
 const char* stage_name(Stage stage) noexcept;
-/// The field's name, e.g. "start velocity".
+/// The field's name, for example "start velocity". "unknown" for a number that is no field.
 const char* field_name(Field field) noexcept;
 
 }  // namespace tern

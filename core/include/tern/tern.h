@@ -1,9 +1,15 @@
 /* Copyright (c) 2026, the Tern authors
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Tern for C99. The same types as the C++ interface, under C names: in C++ they are aliases, in C they are declared
- * with the same layout, and tern_size_of() tells at run time what the library was compiled with. Units, frames, ranges
- * and ownership are as in the C++ headers, where every field is explained. Nothing here allocates, throws or blocks. */
+ * Tern for C99. The types are those of the C++ interface under C names. In C++ they are aliases; in C they are declared
+ * here with the same layout. The C++ headers, named below, explain every field: units, frames, ranges, ownership.
+ *
+ * In order: check tern_abi(), tern_size_of() and tern_self_test(). Bind a grid to storage of yours, mark obstacles,
+ * inflate it. Initialise a planner over a workspace of yours. Fill in a request, call tern_plan(), and fly the
+ * trajectory with tern_evaluate(). docs/integration.md has a program.
+ *
+ * Answers: a function that returns uint8_t returns a tern::Status; 0 is ok. A null pointer where none is allowed
+ * answers invalid_argument and changes nothing. Nothing here allocates, throws, blocks or reads a clock of its own. */
 #ifndef TERN_TERN_H
 #define TERN_TERN_H
 
@@ -12,10 +18,11 @@
 
 #include "tern/config.hpp"
 
-/* Grows with every incompatible change of a type or function below. */
+/* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
+ * tern_abi(). */
 #define TERN_ABI 4
 
-/* Storage for the two objects that C cannot see into; checked against the library at compile time of the core. */
+/* Size of tern_grid and tern_planner in words of 64 bits. The core asserts when it is compiled that they suffice. */
 #define TERN_GRID_WORDS 32
 #define TERN_PLANNER_WORDS 160
 
@@ -43,87 +50,112 @@ extern "C" {
 #else
 #include <stdbool.h>
 /* clang-format off */
+/* Points, voxels, boxes: tern/vec3.hpp. Metres; a box has lower <= upper on every axis. */
 typedef struct { double x, y, z; } tern_vec3;
 typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
+/* Where a grid lies, how fine it is, and the robot's radius: tern/grid.hpp. World frame, metres. */
 typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
+/* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2. */
 typedef struct { tern_vec3 position, velocity, acceleration; } tern_state;
+/* Limits per axis and of the horizontal norm: tern/request.hpp. m/s and m/s^2. */
 typedef struct {
-  tern_vec3 v_max, a_max, v_min, a_min; /* a lower limit of 0 stands for the upper one's opposite */
-  double v_horizontal, a_horizontal;    /* 0: none */
+  tern_vec3 v_max, a_max, v_min, a_min; /* upper ones > 0, lower ones < 0; a lower one of 0 means minus the upper one */
+  double v_horizontal, a_horizontal;    /* > 0; 0 means none */
 } tern_limits;
+/* Work that a plan may spend in each stage: tern/request.hpp. UINT32_MAX means no limit but the stage's own bound. */
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
+/* All points p with normal . p <= offset: tern/halfspace.hpp. */
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
+/* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces of the caller's, world frame. */
 typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
+/* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
+/* A query: tern/request.hpp. Fill it in after tern_request_init(). It and all that it points to are the caller's. */
 typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
-  uint8_t shortcut;   /* 0, the shortest chain: see tern::ShortcutMode; no other number */
-  double time_weight; /* tern_request_init sets the default */
-  const tern_fence* fences;
+  uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
+  double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
+  const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
-  const tern_trajectory* previous; /* the plan that is being flown, or null; see tern::Request */
-  double previous_time;
+  /* For replanning: the plan that is being flown, or null. `start` must be its state at previous_time, as tern_evaluate
+   * gives it. It may be the trajectory that the new plan is written to. See tern::Request. */
+  const tern_trajectory* previous;
+  double previous_time; /* seconds, >= 0 */
 } tern_request;
+/* A trajectory's state at one time: tern/trajectory.hpp. World frame; m, m/s, m/s^2, m/s^3, m/s^4. */
 typedef struct { tern_vec3 position, velocity, acceleration, jerk, snap; } tern_sample;
+/* Where the nose points, and what a controller flies: tern/flatness.hpp. */
 typedef struct { double cosine, sine, rate; } tern_yaw;
 typedef struct {
+  /* Thrust over mass, m/s^2; rotation from body to world, row by row; the same as (w, x, y, z). */
   double thrust, attitude[3][3], quaternion[4];
-  tern_vec3 body_rates;
-  uint8_t singularity;
+  tern_vec3 body_rates; /* rad/s, body frame */
+  uint8_t singularity;  /* tern::Singularity: 0 none, 1 free fall, 2 heading, 3 not finite */
 } tern_flat_state;
+/* What one stage did, and the highest use of each capacity: tern/report.hpp. */
 typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
+/* The answer to a call of the planner: tern/report.hpp. */
 typedef struct {
+  /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
   uint8_t status, stage, field;
+  /* An occupied start or goal is inside an obstacle; nearest_free has a value; the ticks were measured. */
   bool raw_occupied, has_nearest_free, timing_known;
+  /* 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan; a status: how optimising ended. */
   uint8_t quality, optimiser;
-  tern_vec3 nearest_free;
-  tern_stage_report stages[7];
+  tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
+  tern_stage_report stages[7]; /* request, search, shortcut, corridor, times, trajectory, check */
   tern_high_water high_water;
-  int32_t fence; /* of the request's fences, the one that start or goal breaks; -1: none */
-  int32_t half_spaces, half_spaces_redundant, detours;
+  int32_t fence; /* index of the fence that start or goal breaks; -1: none */
+  int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;
 } tern_report;
 #endif
 
-/* A grid view and a planner, each in place in the caller's storage. */
+/* A grid and a planner. Both are objects of the library in memory of yours; their contents are private. Do not copy a
+ * planner. A tern_grid may be copied once it is bound: it is a view, and all copies share the storage. */
 typedef struct { uint64_t opaque[TERN_GRID_WORDS]; } tern_grid;
 typedef struct { uint64_t opaque[TERN_PLANNER_WORDS]; } tern_planner;
 /* clang-format on */
 
-/* What tern_size_of() can be asked for. */
+/* What tern_size_of() can be asked for. All sizes are in bytes. */
 typedef enum {
-  TERN_SIZE_REQUEST = 0,
-  TERN_SIZE_TRAJECTORY,
-  TERN_SIZE_REPORT,
-  TERN_SIZE_GRID_SPEC,
-  TERN_SIZE_WORKSPACE, /* bytes that tern_planner_init needs */
-  TERN_SIZE_WORKSPACE_ALIGNMENT
+  TERN_SIZE_REQUEST = 0,        /* sizeof(tern_request) */
+  TERN_SIZE_TRAJECTORY,         /* sizeof(tern_trajectory) */
+  TERN_SIZE_REPORT,             /* sizeof(tern_report) */
+  TERN_SIZE_GRID_SPEC,          /* sizeof(tern_grid_spec) */
+  TERN_SIZE_WORKSPACE,          /* what tern_planner_init() needs */
+  TERN_SIZE_WORKSPACE_ALIGNMENT /* what the planner aligns it to by itself */
 } tern_size;
 
-/* The library's TERN_ABI, configuration hash and sizes: compare at start-up. */
+/* The library's TERN_ABI. Use the library only where it equals yours. */
 int32_t tern_abi(void);
+/* A hash of the capacities that the library was compiled with. tern_header_hash() is that of your program. */
 uint64_t tern_configuration_hash(void);
-size_t tern_size_of(int32_t what); /* a tern_size; 0 for any other number */
+/* A size in the library, `what` being a tern_size. 0 for any other number. Compare it with your sizeof. */
+size_t tern_size_of(int32_t what);
 
-/* The status' name ("ok", "no_path", ...) and one sentence on it. Every function below that answers uint8_t answers a
- * tern::Status; 0 is ok. Likewise the names of a report's stage and field. Any number has a name: "unknown" where it
- * is none of this version's. */
+/* Names and meanings of the numbers in a report: constant strings, never null, nothing to free. A number that this
+ * version does not know is "unknown". */
+/* "ok", "no_path", ... */
 const char* tern_status_name(uint8_t status);
+/* One line of English: what the status means and, in many cases, what to do. */
 const char* tern_status_meaning(uint8_t status);
+/* "request", "search", "shortcut", ... */
 const char* tern_stage_name(uint8_t stage);
+/* "start position", "v_max", ... */
 const char* tern_field_name(uint8_t field);
 
-/* What tern_self_test() found wrong, one bit each, as in tern/self_test.hpp. */
+/* What tern_self_test() found wrong, one bit each, as in tern/self_test.hpp. Remove the flag that is named. */
 typedef enum {
-  TERN_FAULT_FLUSH_TO_ZERO = 1 << 0,    /* denormals are flushed: the program was linked with -ffast-math */
+  TERN_FAULT_FLUSH_TO_ZERO = 1 << 0,    /* denormals are flushed to zero: linked with -ffast-math */
   TERN_FAULT_ROUNDING_MODE = 1 << 1,    /* not round-to-nearest-even */
   TERN_FAULT_CONTRACTION = 1 << 2,      /* a * b + c was fused: the core was compiled without -ffp-contract=off */
   TERN_FAULT_ARITHMETIC = 1 << 3,       /* NaN, infinity or sqrt are not IEEE 754's: -ffinite-math-only */
@@ -134,22 +166,34 @@ typedef enum {
   TERN_FAULT_SINGLE_PRECISION_CONSTANT = 1 << 8 /* core or caller: -fsingle-precision-constant */
 } tern_fault;
 
-/* Flush-to-zero, rounding mode, compiler flags, arithmetic, and `hash` against the library's configuration. `faults`,
- * a sum of tern_fault, may be null. */
+/* Tests the floating-point arithmetic of the calling thread, and compares `hash` with the library's configuration: pass
+ * tern_header_hash(). Run it at start-up in every thread that plans. ok or self_test_failed; `faults` gets the sum of
+ * tern_fault bits and may be null. */
 uint8_t tern_self_test(uint64_t hash, uint32_t* faults);
 
-/* Grid: words of storage (0 where the dimensions do not fit), then bind, mark, inflate. `words` stays the caller's and
- * must outlive the grid. A tern_grid may hold anything at its first bind; where another call can come before it, zero
- * the tern_grid, and that call answers kInvalidArgument. A bind that is refused leaves grid and words as they were. */
+/* The grid: tern::Grid, tern/grid.hpp. A tern_grid may hold anything before its first bind. Zero it where another call
+ * can come first: that call then answers invalid_argument. */
+/* Words of 64 bits that a grid of these dimensions needs as storage. 0 where a dimension is out of range. */
 size_t tern_grid_words(tern_voxel dims);
+/* Binds the grid to `words` and clears it. `words` is yours: at least tern_grid_words(spec->dims) words with any
+ * content; they must outlive the grid. ok, non_finite_input or invalid_argument; a bind that is refused leaves grid and
+ * words as they were. */
 uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* words, size_t word_count);
+/* Marks each voxel that the box meets as an obstacle. World frame, metres; parts outside the grid are ignored. ok,
+ * non_finite_input or invalid_argument. */
 uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);
+/* Clears the voxels that tern_grid_mark_box would mark, likewise. */
 uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
+/* Marks the voxel of each of `count` points, world frame, metres. Points outside the grid are skipped; `inside`, which
+ * may be null, gets the number of the others. `world` may be null where count is 0. ok, non_finite_input (nothing is
+ * marked) or invalid_argument. */
 uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, size_t count, size_t* inside);
+/* Makes the grid ready to be planned on. Call it once after any number of binds, marks and clears. ok, or
+ * invalid_argument for a grid that is not bound. */
 uint8_t tern_grid_inflate(tern_grid* grid);
 
-/* What tern_configuration_hash() answers where this header is compiled with the library's capacities. Whole numbers
- * alone: the last two are the bits of the core's floating-point constants. */
+/* A hash of the capacities that your program is compiled with; equal to tern_configuration_hash() where they are the
+ * library's. It computes with whole numbers alone. The last two stand for the core's floating-point constants. */
 static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,     TERN_MAX_OPEN,
                              TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,    TERN_MAX_LOCAL_BOXES,
@@ -160,30 +204,47 @@ static inline uint64_t tern_header_hash(void) {
   return hash;
 }
 
-/* Planner over `memory` (tern_size_of(TERN_SIZE_WORKSPACE) bytes, any alignment and content), the caller's. A caller
- * that was compiled with other capacities than the library is answered kInvalidArgument, here and by every plan (field
- * kConfiguration). Languages that do not read this header call the first with tern_configuration_hash(). */
+/* The planner: tern::Planner, tern/planner.hpp. Initialise a tern_planner before any other call with it. It is not
+ * thread-safe; two planners over two workspaces are independent. */
+/* Makes a planner over `memory`: `bytes` bytes, at least tern_size_of(TERN_SIZE_WORKSPACE), with any alignment and
+ * content. The memory is yours and must outlive the planner; nobody else may write to it. `configuration` is the hash
+ * of the capacities that the caller was compiled with. ok, or invalid_argument for memory that is null or too small, or
+ * for another configuration than the library's; every plan then answers the same. This function is for languages that
+ * do not read this header; pass tern_configuration_hash() there. */
 uint8_t tern_planner_init_for(tern_planner* planner, void* memory, size_t bytes, uint64_t configuration);
+/* The same with the capacities of this header: what a C program calls. */
 static inline uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes) {
   return tern_planner_init_for(planner, memory, bytes, tern_header_hash());
 }
+/* The clock for the ticks of a report, any monotonic counter; null for none. It is called with `context`, which is
+ * yours. No plan depends on it. */
 uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* context), void* context);
-/* A request with the default budget (no limit but the bounds) and time weight, and everything else zero. */
+/* Sets the default budget (no limit but the bounds of the stages) and time weight, and everything else to zero. Null is
+ * allowed and does nothing. */
 void tern_request_init(tern_request* request);
-/* The six half-spaces of a box, for a fence that is one. */
+/* Writes the six half-spaces of a box, for a fence that is one. In the frame of the box. Null does nothing. */
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]);
-/* One call, or begin / step / finish; see tern::Planner. `trajectory` is untouched unless the answer is 0. */
+/* Plans in one call. The grid must be inflated. With ok `trajectory` is the plan; with any other answer it is as it
+ * was. `report` is always filled, unless a pointer is null. */
 uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,
                   tern_trajectory* trajectory, tern_report* report);
+/* Begins a plan in slices, which has the same bits as that of tern_plan(). running, or why the request is refused. The
+ * grid must stay at its address, bound and unchanged, until tern_plan_finish(). The request may change at once. */
 uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request);
+/* Goes on for at most `work` units; tern/planner.hpp says what a unit is. running: call it again. Any other answer is
+ * that of the plan: call tern_plan_finish(). map_changed where the grid has changed since the begin. */
 uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
+/* Ends the plan and fills `report`. With ok `trajectory` is the plan; with any other answer it is as it was. Called too
+ * early, it gives the plan up and answers invalid_argument, field "call order". */
 uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report);
 
-/* The trajectory's duration in seconds, and its state at t seconds; total in all inputs, zeros for null. */
+/* The trajectory's duration in seconds. 0 for null. */
 double tern_duration(const tern_trajectory* trajectory);
+/* The trajectory's state at t seconds after its beginning, world frame. Before the beginning, and for NaN: the state
+ * there. Past the end: the goal's position at rest. Zeros for a null trajectory. */
 void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample);
-/* Thrust, attitude and body rates that fly a sample with that yaw; see tern/flatness.hpp. Total: null for a sample is
- * zeros, for a yaw yaw 0. */
+/* Thrust, attitude and body rates that fly a sample with that yaw; see tern/flatness.hpp. Every input has an answer. A
+ * null sample counts as all zero, a null yaw as yaw 0. */
 void tern_flat(const tern_sample* sample, const tern_yaw* yaw, tern_flat_state* state);
 
 #ifdef __cplusplus

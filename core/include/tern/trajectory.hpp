@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What the planner gives out, and how to fly it: Bezier segments of degree 7 (the paper's Section 3.4.1).
 #ifndef TERN_TRAJECTORY_HPP
 #define TERN_TRAJECTORY_HPP
 
@@ -8,41 +10,54 @@
 
 namespace tern {
 
+/// Degree of every segment (the paper's n), and its number of control points.
 constexpr int kDegree = 7;
 constexpr int kControlPoints = kDegree + 1;
 
-/// One Bezier segment of degree 7 (the paper's Section 3.4.1).
+/// One Bezier segment, B_j of the paper's Section 3.4.1. At time t after its beginning the position relative to
+/// Trajectory::origin is sum_i points[i] * C(7, i) u^i (1 - u)^(7 - i), with u = t / duration.
 struct Segment {
-  double duration;              ///< seconds, > 0
-  Vec3 points[kControlPoints];  ///< Bernstein coefficients over u = t / duration, relative to Trajectory::origin
-  int polyhedron;               ///< index of the corridor polyhedron that holds all of them
+  /// Seconds, > 0.
+  double duration;
+  /// Control points in flight order, metres, relative to Trajectory::origin, axes as in the world frame. The segment
+  /// begins at the first one, ends at the last one, and lies in their convex hull.
+  Vec3 points[kControlPoints];
+  /// Index of the polyhedron of the corridor that holds all the control points.
+  int polyhedron;
 };
 
-/// A point of a trajectory with its derivatives, world frame.
+/// Position at one time with its first four derivatives. World frame.
 struct Sample {
-  Vec3 position;
-  Vec3 velocity;
-  Vec3 acceleration;
-  Vec3 jerk;
-  Vec3 snap;
+  Vec3 position;      ///< m
+  Vec3 velocity;      ///< m/s
+  Vec3 acceleration;  ///< m/s^2
+  Vec3 jerk;          ///< m/s^3
+  Vec3 snap;          ///< m/s^4
 };
 
-/// A plan: segments joined with equal position, velocity, acceleration and jerk (C3).
+/// A plan: segments in flight order. Where two segments meet, position, velocity, acceleration and jerk agree; snap may
+/// jump. Plain data without pointers: copy it, store it, send it. The caller owns it.
 struct Trajectory {
-  int count;    ///< segments, 1 at least in a plan
-  Vec3 origin;  ///< what the control points are relative to, world frame: a planner's plan begins here
+  /// Segments in use, 1 .. kMaxSegments in a plan.
+  int count;
+  /// What the control points are relative to, world frame, metres. A plan's origin is its start position, so that the
+  /// control points keep their precision far from the world's origin.
+  Vec3 origin;
   Segment segments[kMaxSegments];
 };
 
-/// The sum of the segments' durations, seconds, added in order.
+/// Duration of the whole trajectory in seconds: the segments' durations, added in order. 0 for an empty trajectory.
 double duration(const Trajectory& trajectory) noexcept;
 
-/// State at time t (seconds from the start). Total in all inputs: NaN and times before 0 give the start; past the end
-/// the goal's position is held with zero derivatives; at a joint the later segment speaks. An empty trajectory gives
-/// zeros.
+/// The state of the trajectory at `t` seconds after its beginning. Every input has an answer:
+/// - `t` is NaN or negative: the state at the beginning.
+/// - `t` is at the end or past it: the goal's position with all derivatives zero, even where the goal is in motion.
+/// - `t` is where two segments meet: the later segment's state.
+/// - an empty trajectory: zeros.
+/// Takes time proportional to the number of segments. Safe to call from any thread.
 Sample evaluate(const Trajectory& trajectory, double t) noexcept;
 
-/// The integral over time of |snap|^2, summed over segments (the paper's Section 3.4.3), m^2/s^7.
+/// The integral of |snap|^2 over the whole trajectory, m^2/s^7: the objective of the paper's Section 3.4.3.
 double snap_cost(const Trajectory& trajectory) noexcept;
 
 }  // namespace tern

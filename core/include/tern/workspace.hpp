@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// The planner's memory. Its size is a constant that follows from the capacities of config.hpp.
 #ifndef TERN_WORKSPACE_HPP
 #define TERN_WORKSPACE_HPP
 
@@ -9,13 +11,15 @@
 
 namespace tern {
 
-/// Alignment of the planner's memory; a block that is not aligned is served from its first aligned byte.
+/// Alignment that the planner uses, in bytes. The memory that you give it needs no alignment: the planner begins at the
+/// first aligned byte, and kWorkspaceBytes has room for that.
 constexpr size_t kWorkspaceAlignment = 64;
 
 namespace workspace {
 
-// What each part takes, from the capacities: an upper bound, a tenth or so above the truth, that this header can state
-// without showing the core's own structures. The core asserts at compile time that it holds.
+// What each part of the workspace takes, in bytes. These are upper bounds, about a tenth above the sizes of the core's
+// structures, which no public header shows. The core asserts at compile time that the bounds hold. They are no
+// interface: use kWorkspaceBytes.
 constexpr size_t kNodes = kMaxNodes, kHeap = kMaxOpen, kCells = static_cast<size_t>(kMaxCells);
 constexpr size_t kJumps = kMaxJumpPoints, kSegments = kMaxSegments, kPlanes = kMaxPlanes;
 constexpr size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive;
@@ -26,29 +30,29 @@ constexpr size_t larger(size_t a, size_t b) {
 
 constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 
-/// Nodes with their hash slots, the open list's entries and bins, and a dominance record for each 64 voxels.
+/// The search: nodes with their hash slots, the open list, and a dominance record for each 64 voxels.
 constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
-/// A bit a voxel for the stops of scans in six directions, three bytes for each 64 voxels for how far scans have
-/// walked, and what the map was; from plan to plan.
+/// What the planner keeps of a map from plan to plan: jump stops, a bit a voxel for each of six directions, how far
+/// they are known, and which map they belong to.
 constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
-/// Fences as they are and as the stages use them, the blocked layer of a grid with fences, the normals tried for one of
-/// them.
+/// Fences: as they were given, as the stages use them, and the blocked layer of a grid with fences.
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
     kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxFenceWords) * 8 + 1024;
-/// Solid boxes with what merging and measuring them takes.
+/// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
-/// The quadratic programme's points and planes, and the dense factor of its working set.
+/// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory =
     kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
-/// Path, corridor and trajectory, which outlive the stages that made them.
+/// The results: path, corridor and trajectory, which outlive the stages that made them.
 constexpr size_t kResults =
     (kJumps + kSegments) * 24 + kSegments * 448 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
 
 }  // namespace workspace
 
-/// Bytes that a planner needs, a constant of the configuration: 101 KB for tiny, 5.0 MB for mcu, 119 MB for companion,
-/// nearly all of it the search's. TERN_WORKSPACE_BYTES overrides the estimate where unusual capacities defeat it.
+/// Bytes that a planner needs: 129 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
+/// trajectory take turns in one part of it. Where the core's assertion fails for capacities of your own, define
+/// TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
@@ -58,7 +62,7 @@ constexpr size_t kWorkspaceBytes =
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 
-/// A block of the right size for a static, a linker section or an arena.
+/// A block of the right size: make it static, or place it in a linker section or an arena. It is too large for a stack.
 struct alignas(kWorkspaceAlignment) Workspace {
   unsigned char bytes[kWorkspaceBytes];
 };
