@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Replans that the planner refused once: with the previous plan each has an answer.
+// Requests that the planner refused once. Each has an answer; most of the replans have it with the previous plan.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -22,7 +22,8 @@ TEST(HardReplans, HaveAnAnswer) {
       {2026, 45745},  {2026, 54805},  {2026, 91175},  {2026, 107337}, {2026, 107964}, {2026, 111095}, {2026, 111313},
       {2026, 132320}, {2026, 164891}, {2026, 178160}, {2026, 200181}, {2026, 210330}, {2026, 210405}, {2026, 213012},
       {2026, 234425}, {2026, 239986}, {2026, 253267}, {2026, 256337}, {2026, 267824}, {2026, 270855}, {2026, 276010},
-      {1, 3625},      {4, 23263},     {4, 24577},     {4, 38661},     {5, 11548},     {5, 85824},     {2026, 583035}};
+      {1, 3625},      {4, 23263},     {4, 24577},     {4, 38661},     {5, 11548},     {5, 85824},     {2026, 583035},
+      {2027, 104153}, {2027, 251588}, {2027, 469424}, {2027, 564764}, {2027, 729443}, {2027, 822562}, {2027, 951497}};
   const auto bench = std::make_unique<Bench>();
   Tallies tallies{};
   for (const Hard& hard : kHard) {
