@@ -6,8 +6,9 @@
 
 static double sent = 0.0;
 
-static void send(double thrust, const double (&quaternion)[4], const tern::Vec3& body_rates) {
-  sent = thrust + 0.0 * (quaternion[0] + body_rates.x);
+/// Stands for the link to the motors.
+static void send(double thrust, const double (&)[4], const tern::Vec3&) {
+  sent = thrust;
 }
 
 static void control(const tern::Trajectory& trajectory, double mass, double t) {

@@ -34,12 +34,12 @@ bool clear_of_pillar(const tern::Trajectory& plan) {
 void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::Trajectory& plan) {
   tern::Trajectory next;
   tern::Report report;
-  for (double t = kCycle; t < tern::duration(plan); t += kCycle) {  // t: where on the plan this cycle ends
+  for (double t = kCycle; t < tern::duration(plan); t += kCycle) {  // t: time on the plan when this cycle ends
     const tern::Sample at = tern::evaluate(plan, t);
     if (!look_around(grid, at.position)) continue;  // yours: mark what the sensors see
     grid.inflate();
     request.start = {at.position, at.velocity, at.acceleration};  // the new plan begins where this cycle ends
-    request.previous = &plan;                                     // whose rest is flown where nothing new is found
+    request.previous = &plan;                                     // the fallback: the rest of this plan
     request.previous_time = t;
     if (planner.plan(grid, request, next, report) != tern::Status::kOk) continue;
     plan = next;

@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """quoted.py PAGE COMMAND...: every line that the command prints must stand in the page, whatever its line breaks."""
 import pathlib
+import shlex
 import subprocess
 import sys
 
@@ -19,7 +20,7 @@ def main():
     missing = [line for line in lines if line not in text]
     for line in missing:
         print(f"{page} does not say: {line}")
-    print(f"{done.stderr}{len(lines)} lines printed, {len(missing)} of them not in {page.name}")
+    print(f"{shlex.join(command)}\n{done.stderr}{len(lines)} lines printed, {len(missing)} of them not in {page.name}")
     return 0 if done.returncode == 0 and lines and not missing else 1
 
 
