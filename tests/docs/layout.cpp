@@ -1,0 +1,30 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the companion's workspace holds, in megabytes, in the words of docs/architecture.md.
+#include "planner/layout.hpp"
+
+#include <cstddef>
+#include <cstdio>
+
+namespace {
+
+void print(const char* what, std::size_t bytes) {
+  std::printf("| %s | %.2f |\n", what, static_cast<double>(bytes) / 1e6);
+}
+
+}  // namespace
+
+int main() {
+  using tern::Layout;
+  print("`path`, `corridor`, `trajectory`", sizeof Layout::path + sizeof Layout::corridor + sizeof Layout::trajectory);
+  print("`ends`, `escapes`, `previous`", sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
+  print("`fences`, `asked_fences`, `fenced`, `fence_layer`",
+        sizeof Layout::fences + sizeof Layout::asked_fences + sizeof Layout::fenced + sizeof Layout::fence_layer);
+  print("`scans`", sizeof Layout::scans);
+  print("`stage.path`", sizeof Layout::stage.path);
+  print("`stage.corridor`", sizeof Layout::stage.corridor);
+  print("`stage.trajectory`", sizeof Layout::stage.trajectory);
+  print("`stage.check`", sizeof Layout::stage.check);
+  return 0;
+}
