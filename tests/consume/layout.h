@@ -26,7 +26,7 @@
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
   FIELD(tern_request, shortcut) FIELD(tern_request, time_weight) FIELD(tern_request, fences)                         \
-  FIELD(tern_request, fence_count)                                                                                   \
+  FIELD(tern_request, fence_count) FIELD(tern_request, previous) FIELD(tern_request, previous_time) \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
@@ -37,7 +37,7 @@
   FIELD(tern_flat_state, thrust) FIELD(tern_flat_state, attitude) FIELD(tern_flat_state, quaternion)                 \
   FIELD(tern_flat_state, body_rates) FIELD(tern_flat_state, singularity)                                             \
   FIELD(tern_stage_report, work) FIELD(tern_stage_report, bound) FIELD(tern_stage_report, ticks)                     \
-  FIELD(tern_high_water, nodes) FIELD(tern_high_water, heap) FIELD(tern_high_water, jump_points)                     \
+  FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
   FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \

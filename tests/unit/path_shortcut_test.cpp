@@ -13,7 +13,6 @@
 namespace {
 
 using tern::Path;
-using tern::ShortcutMode;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;

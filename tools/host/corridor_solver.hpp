@@ -26,7 +26,7 @@ struct CorridorAnswer {
 
 struct CorridorAnswers {
   CorridorAnswer cold;  ///< from the programme alone: factorisation and solve
-  CorridorAnswer warm;  ///< the start shifted, from the working set and factors of the cold solve
+  CorridorAnswer warm;  ///< the start shifted, from the active set of the cold solve
 };
 
 /// The solver's memory, on the heap once for many cases.

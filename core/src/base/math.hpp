@@ -21,6 +21,8 @@ using Matrix = Eigen::Matrix3d;
 inline Vector to_vector(const Vec3& v) { return Vector(v.x, v.y, v.z); }
 inline Vec3 to_vec3(const Vector& v) { return Vec3{v[0], v[1], v[2]}; }
 
+constexpr Vec3 kZero{0.0, 0.0, 0.0};
+
 inline double dot(const Vector& a, const Vector& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
 inline double dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
@@ -64,6 +66,12 @@ inline double axis(const Vec3& v, int a) {
 }
 inline double& axis(Vec3& v, int a) {
   return a == 0 ? v.x : (a == 1 ? v.y : v.z);
+}
+
+/// x^7: snap falls with it where a trajectory is stretched in time.
+inline double seventh_power(double x) {
+  const double cube = x * x * x;
+  return cube * cube * x;
 }
 
 /// Equal numbers; the signs of zeros do not count, and NaN equals nothing.

@@ -9,8 +9,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 /// A ramp's acceleration goes with the smooth step 3 u^2 - 2 u^3, whose integral over [0, 1] is 1/2 and whose second
 /// integral is 3/20: it gains the mean of both accelerations in speed, and these parts of them in way.
 constexpr double kFirstPart = 0.35;

@@ -7,8 +7,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 int segments_of(const Trajectory& trajectory) {
   return trajectory.count < kMaxSegments ? trajectory.count : kMaxSegments;
 }

@@ -8,8 +8,6 @@ namespace tern {
 namespace {
 
 constexpr Vec3 kUp{0.0, 0.0, 1.0};
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 struct Axes {
   Vec3 x;
   Vec3 y;

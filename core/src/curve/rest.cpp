@@ -8,8 +8,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 bool is_zero(const Vec3& v) {
   return !(dot(v, v) > 0.0);
 }

@@ -10,7 +10,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
 constexpr double kHalfRoot = 0.70710678118654752;  // sqrt(1 / 2)
 
 /// One of the swerves.

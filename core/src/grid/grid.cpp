@@ -5,6 +5,7 @@
 #include "tern/grid.hpp"
 
 #include "base/math.hpp"
+#include "base/verdict.hpp"
 #include "grid/changes.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
@@ -29,13 +30,6 @@ constexpr std::uint64_t kBindStep = std::uint64_t{1} << 32;
 
 /// World coordinates at the origin must tell this part of a cell apart, or "inside" has no meaning there.
 constexpr double kOriginResolution = 1e-3;
-
-struct Verdict {
-  Status status;
-  Field field;
-};
-
-constexpr Verdict kAccepted{Status::kOk, Field::kNone};
 
 Verdict invalid(Field field) {
   return {Status::kInvalidArgument, field};

@@ -4,9 +4,9 @@
 // Inflation, 64 voxels a word. A word of the blocked layer depends on obstacles nearby only, so that only words near
 // changed ones are made again. After bind() all have changed.
 #include "grid/changes.hpp"
+#include "grid/inflation_tile.hpp"
 #include "grid/lattice.hpp"
 #include "grid/stencil.hpp"
-#include "grid/tile.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -105,7 +105,7 @@ void copy(const std::uint64_t* from, std::int32_t count, std::uint64_t* __restri
 }
 
 /// Writes the patch's words of the tile into the blocked layer, whose row for the tile's first one is given.
-void store_tile(const Tile& tile, const Inside& inside, const IndexRange& words, std::int32_t row_words,
+void store_tile(const InflationTile& tile, const Inside& inside, const IndexRange& words, std::int32_t row_words,
                 std::uint64_t* row) {
   if (words.end - words.begin == row_words) {
     copy(tile.row(0), tile.rows * row_words, row);
@@ -144,7 +144,7 @@ struct Inflation {
     const std::int32_t row_words = grid.row_words();
     // Words so far beside the patch reach into it along x.
     const std::int32_t halo = (stencil.gap_x() + kBlockRows) / 64;
-    Tile tile;
+    InflationTile tile;
     tile.z = patch.z;
     tile.first = patch.words.begin < halo ? 0 : patch.words.begin - halo;
     tile.width = (patch.words.end + halo < row_words ? patch.words.end + halo : row_words) - tile.first;
@@ -152,7 +152,7 @@ struct Inflation {
     const std::int32_t tile_rows = kTileWords / tile.width;
     for (tile.y = patch.rows.begin; tile.y < patch.rows.end; tile.y += tile_rows) {
       tile.rows = patch.rows.end - tile.y < tile_rows ? patch.rows.end - tile.y : tile_rows;
-      make_tile(grid, stencil, tile);
+      make_inflation_tile(grid, stencil, tile);
       const std::size_t row = static_cast<std::size_t>(grid.obstacle_row(tile.y, tile.z) - grid.obstacle_row(0, 0));
       store_tile(tile, inside, patch.words, row_words, blocked + row);
     }

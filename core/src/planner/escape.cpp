@@ -57,7 +57,6 @@ bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, c
   const double way = distance(start.position, goal.position);
   escape.count = 0;
   if (!(speed > 0.0) || !(way > 0.0)) return false;
-  constexpr Vec3 kZero{0.0, 0.0, 0.0};
   Segment segment{};
   segment.duration = kParts[choice] * (way / speed);
   control_points({{start.position, start.velocity, start.acceleration, kZero}},

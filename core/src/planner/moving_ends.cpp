@@ -10,7 +10,7 @@
 #include "planner/detour.hpp"
 #include "planner/escape.hpp"
 #include "planner/layout.hpp"
-#include "planner/request.hpp"
+#include "planner/validate.hpp"
 #include "tern/planner.hpp"
 
 namespace tern {
@@ -18,8 +18,6 @@ namespace {
 
 /// Stops that a plan goes on from at most: from the first few there may be no path.
 constexpr std::uint32_t kEscapeTries = 3;
-
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "planner/layout.hpp"
-#include "planner/request.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {

@@ -6,7 +6,7 @@
 #include "check/tolerance.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
-#include "planner/request.hpp"
+#include "planner/validate.hpp"
 #include "tern/planner.hpp"
 
 namespace tern {

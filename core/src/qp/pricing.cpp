@@ -4,7 +4,7 @@
 
 #include "base/math.hpp"
 #include "qp/hessian.hpp"
-#include "qp/tile.hpp"
+#include "qp/point_tile.hpp"
 
 namespace tern::qp {
 namespace {
@@ -76,7 +76,7 @@ void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int 
   result.group = group;
   result.scan = solver.scans;
   if (begin >= end) return;
-  Tile tile;
+  PointTile tile;
   scan.numbers += fill(problem.points + begin, end - begin, solver, tile);
   const int plane_end = problem.groups[group].plane_end;
   if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, tile)) return;

@@ -8,8 +8,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 /// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
 /// below what is feasible costs more than to begin above.
 constexpr double kFirstSlack = 1.5;

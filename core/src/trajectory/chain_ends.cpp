@@ -9,8 +9,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 /// Lengths are looked at in this many steps of kEndStep before an end's duration is given up: a factor of 1e5.
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;

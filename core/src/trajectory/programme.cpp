@@ -31,11 +31,6 @@ double mean_duration(const Chain& chain) {
   return sum / chain.count;
 }
 
-double seventh_power(double t) {
-  const double cube = t * t * t;
-  return cube * cube * t;
-}
-
 /// Roots of the Hessian's diagonal: what the two segments at a joint add to it.
 void scale_joints(const Chain& chain, ProgrammeScale& scale) {
   for (int i = 0; i + 1 < chain.count; ++i) {

@@ -9,8 +9,6 @@
 namespace tern {
 namespace {
 
-constexpr Vec3 kZero{0.0, 0.0, 0.0};
-
 /// drift[k] = T dc_k/dT with the states at both ends held. Of c_k = sum_j kFirstEnd[k][j] T^j d_j that is k (c_k -
 /// c_(k - 1)), and the same from the other end.
 void drift_of(const Vec3* points, Vec3* drift) {

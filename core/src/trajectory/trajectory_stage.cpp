@@ -86,11 +86,6 @@ double fixed_snap(TrajectoryStage& stage) {
   return candidate_snap(stage);
 }
 
-double seventh_power(double x) {
-  const double cube = x * x * x;
-  return cube * cube * x;
-}
-
 /// Cost of a plan that is stretched by a factor: snap falls with its seventh power.
 double plan_cost(double snap, double rate, double duration, double factor) {
   return snap / seventh_power(factor) + rate * factor * duration;

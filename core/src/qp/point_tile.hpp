@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Up to eight points of a group, two in a register, and how far each is outside the group's planes.
-#ifndef TERN_QP_TILE_HPP
-#define TERN_QP_TILE_HPP
+#ifndef TERN_QP_POINT_TILE_HPP
+#define TERN_QP_POINT_TILE_HPP
 
 #include "base/math.hpp"
 #include "qp/rows.hpp"
@@ -13,7 +13,7 @@ namespace tern::qp {
 constexpr int kTilePairs = kQpTile / kPair;
 
 /// Coordinates of up to kQpTile points by axis, and their largest violations.
-struct Tile {
+struct PointTile {
   Pair x[kTilePairs];
   Pair y[kTilePairs];
   Pair z[kTilePairs];
@@ -22,7 +22,7 @@ struct Tile {
 
 /// Evaluates two points, as pair `at` of the tile, and returns the sum of their coordinates. Neighbours mostly depend
 /// on the same unknowns.
-inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& solver, int at, Tile& tile) {
+inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& solver, int at, PointTile& tile) {
   Pair sum_x = {first.offset.x, second.offset.x};
   Pair sum_y = {first.offset.y, second.offset.y};
   Pair sum_z = {first.offset.z, second.offset.z};
@@ -50,7 +50,7 @@ inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& s
 
 /// Evaluates `count` points; where they are odd in number the last is there twice. Returns 0 times their sum: 0 where
 /// all of them are numbers.
-inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, Tile& tile) {
+inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, PointTile& tile) {
   Pair total = both(0.0);
   for (int k = 0; k < count; k += kPair) {
     total += place(points[k], points[k + 1 < count ? k + 1 : k], solver, k / kPair, tile);
@@ -65,7 +65,7 @@ inline Pair outside(Pair at, const double* low, const double* high) {
 
 /// The largest violations of a group's box.
 template <int kPairs>
-void scan_box(const QpScreen& screen, const Tile& tile, Pair* worst) {
+void scan_box(const QpScreen& screen, const PointTile& tile, Pair* worst) {
   for (int i = 0; i < kPairs; ++i) {
     const Pair level =
         larger_of(outside(tile.x[i], screen.low[0], screen.high[0]), outside(tile.y[i], screen.low[1], screen.high[1]));
@@ -75,7 +75,7 @@ void scan_box(const QpScreen& screen, const Tile& tile, Pair* worst) {
 
 /// Raises `worst` to the violations of planes [begin, end).
 template <int kPairs>
-void scan_planes(const QpUnitPlanes& planes, int begin, int end, const Tile& tile, Pair* worst) {
+void scan_planes(const QpUnitPlanes& planes, int begin, int end, const PointTile& tile, Pair* worst) {
   for (int p = begin; p < end; ++p) {
     const Pair normal[kQpAxes] = {both(planes.normal[0][p]), both(planes.normal[1][p]), both(planes.normal[2][p])};
     const Pair upper = both(planes.offset[p]);
@@ -92,7 +92,7 @@ void scan_planes(const QpUnitPlanes& planes, int begin, int end, const Tile& til
 
 /// The largest violation of each point in the tile by planes [.., plane_end) of a group; true where one is positive.
 template <int kPairs>
-bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, Tile& tile) {
+bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, PointTile& tile) {
   Pair worst[kPairs];
   scan_box<kPairs>(screen, tile, worst);
   scan_planes<kPairs>(planes, screen.oblique, plane_end, tile, worst);
@@ -105,7 +105,7 @@ bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, Til
 }
 
 /// The same for a number of points, 1 .. kQpTile, that is known only now.
-inline bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count, Tile& tile) {
+inline bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count, PointTile& tile) {
   switch ((count + 1) / kPair) {
     case 1:
       return scan<1>(planes, screen, plane_end, tile);

@@ -3,7 +3,7 @@
 //
 // Blocked rows are gathered from the obstacle rows around them. Rows that are neighbours along y lie one after another
 // in a tile, so that each step of the gathering is one long OR that the compiler vectorises.
-#include "grid/tile.hpp"
+#include "grid/inflation_tile.hpp"
 
 #include "grid/lattice.hpp"
 
@@ -81,7 +81,7 @@ struct Pieces {
 };
 
 /// ORs the planes into the column's rows from index `first` on.
-void or_planes(const Grid& grid, const Tile& tile, std::int32_t first, const Pieces& pieces, Column& column) {
+void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, const Pieces& pieces, Column& column) {
   const std::int32_t planes = 2 * (column.gap_z_end - column.gap_z_begin) + (column.gap_z_begin == 0 ? 1 : 0);
   for (std::int32_t done = 0; done < planes; done += kSources) {
     const std::int32_t now = planes - done < kSources ? planes - done : kSources;
@@ -109,7 +109,7 @@ bool any_bit(const std::uint64_t* words, std::int32_t count) {
 }
 
 /// Fills a column whose planes and rows are set. Rows past the grid are empty.
-void gather_column(const Grid& grid, const Tile& tile, Column& column) {
+void gather_column(const Grid& grid, const InflationTile& tile, Column& column) {
   const std::int32_t past = grid.spec().dims.y - column.y;
   const IndexRange rows{column.y < 0 ? -column.y : 0, past < column.rows ? past : column.rows};
   column.any = false;
@@ -125,7 +125,7 @@ void gather_column(const Grid& grid, const Tile& tile, Column& column) {
 }
 
 /// Adds to each row of the tile the column's rows that are begin <= dy < end further: none where end <= begin.
-void add_span(const Column& column, std::int32_t begin, std::int32_t end, Tile& tile) {
+void add_span(const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (end <= begin) return;
   const std::uint64_t* rows = column.words + (tile.y + begin - column.y) * tile.width;
   for (std::int32_t left = end - begin; left > 0; left -= kSources) {
@@ -136,7 +136,7 @@ void add_span(const Column& column, std::int32_t begin, std::int32_t end, Tile& 
 }
 
 /// Adds the ring's part within begin <= dy < end, which the column holds.
-void add_ring(const Ring& ring, const Column& column, std::int32_t begin, std::int32_t end, Tile& tile) {
+void add_ring(const Ring& ring, const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (!column.any) return;
   if (ring.inner < 0) return add_span(column, begin, end, tile);
   add_span(column, begin, end < -ring.inner ? end : -ring.inner, tile);
@@ -149,7 +149,7 @@ bool holds(const Column& column, const Ring& ring) {
 
 /// Adds a ring to the tile: for a span of dy at a time, as long as a column holds. Where a column holds all rows that
 /// its planes ever reach, it stays for the next round.
-void gather_ring(const Grid& grid, const Stencil& stencil, const Ring& ring, Tile& tile, Column& column) {
+void gather_ring(const Grid& grid, const Stencil& stencil, const Ring& ring, InflationTile& tile, Column& column) {
   const std::int32_t longest = kColumnWords / tile.width - tile.rows + 1;
   const std::int32_t reach = stencil.reach(ring.gap_z_begin, 0);
   const bool stays = 2 * reach + 1 <= longest;
@@ -181,7 +181,7 @@ Ring next_ring(const Stencil& stencil, std::int32_t gap_x, std::int32_t gap_z) {
 }
 
 /// The two bits of each row that the rows around it could reach, made again from its own words.
-void part_rows(const Tile& tile, const std::uint64_t* from, std::uint64_t* to) {
+void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64_t* to) {
   constexpr std::uint64_t kLow = 1;
   constexpr std::uint64_t kHigh = std::uint64_t{1} << 63;
   for (std::int32_t r = 0; r < tile.rows; ++r) {
@@ -193,7 +193,7 @@ void part_rows(const Tile& tile, const std::uint64_t* from, std::uint64_t* to) {
 }
 
 /// Every bit of a row spreads to its two neighbours along x. All rows are spread as if they were one.
-void spread(Tile& tile) {
+void spread(InflationTile& tile) {
   const std::int32_t width = tile.width;
   const std::uint64_t* __restrict from = tile.words[tile.made] + 1;
   std::uint64_t* __restrict to = tile.words[1 - tile.made] + 1;
@@ -205,14 +205,14 @@ void spread(Tile& tile) {
 }
 
 /// Without a radius obstacles block themselves alone.
-void copy_rows(const Grid& grid, Tile& tile) {
+void copy_rows(const Grid& grid, InflationTile& tile) {
   for (std::int32_t r = 0; r < tile.rows; ++r) {
     const std::uint64_t* own = grid.obstacle_row(tile.y + r, tile.z) + tile.first;
     for (std::int32_t k = 0; k < tile.width; ++k) tile.words[0][1 + r * tile.width + k] = own[k];
   }
 }
 
-void clear_rows(Tile& tile) {
+void clear_rows(InflationTile& tile) {
   const std::int32_t end = tile.rows * tile.width + 2;
   for (std::int32_t k = 0; k < end; ++k) tile.words[0][k] = 0;
   tile.words[1][0] = tile.words[1][end - 1] = 0;
@@ -222,7 +222,7 @@ void clear_rows(Tile& tile) {
 
 /// Rows that reach furthest along x come first. Each round spreads all that came so far by one voxel, so that what came
 /// in the round of gap_x is spread gap_x + 1 times in the end.
-void make_tile(const Grid& grid, const Stencil& stencil, Tile& tile) noexcept {
+void make_inflation_tile(const Grid& grid, const Stencil& stencil, InflationTile& tile) noexcept {
   tile.made = 0;
   if (stencil.gap_x() < 0) return copy_rows(grid, tile);
   clear_rows(tile);

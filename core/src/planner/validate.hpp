@@ -1,19 +1,13 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TERN_PLANNER_REQUEST_HPP
-#define TERN_PLANNER_REQUEST_HPP
+#ifndef TERN_PLANNER_VALIDATE_HPP
+#define TERN_PLANNER_VALIDATE_HPP
 
+#include "base/verdict.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
-#include "tern/status.hpp"
 
 namespace tern {
-
-/// A refusal and the field that it speaks of.
-struct Verdict {
-  Status status;
-  Field field;
-};
 
 /// Looks at every field of a request before any stage runs, finite numbers first. World frame.
 Verdict validate(const Grid& grid, const Request& request) noexcept;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A piece of the blocked layer in the making: a window of consecutive rows and consecutive words.
-#ifndef TERN_GRID_TILE_HPP
-#define TERN_GRID_TILE_HPP
+#ifndef TERN_GRID_INFLATION_TILE_HPP
+#define TERN_GRID_INFLATION_TILE_HPP
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@ constexpr std::int32_t kMaxRowWords = (kMaxDimension + 63) / 64;
 constexpr std::int32_t kTileWords = kMaxRowWords > 160 ? kMaxRowWords : 160;
 
 /// Rows y .. y + rows - 1 of plane z, of each the `width` words from word `first` on: rows * width <= kTileWords.
-struct Tile {
+struct InflationTile {
   std::int32_t y;
   std::int32_t z;
   std::int32_t rows;
@@ -32,7 +32,7 @@ struct Tile {
 
 /// Fills the tile: each voxel that an obstacle blocks by the stencil. What lies beyond the window along x is not seen:
 /// the outermost gap_x + 1 voxels are right only where the window ends with the grid's own row.
-void make_tile(const Grid& grid, const Stencil& stencil, Tile& tile) noexcept;
+void make_inflation_tile(const Grid& grid, const Stencil& stencil, InflationTile& tile) noexcept;
 
 }  // namespace tern
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planner/request.hpp"
+#include "planner/validate.hpp"
 
 #include "base/bounds.hpp"
 #include "grid/lattice.hpp"
@@ -12,8 +12,6 @@ namespace {
 /// Relative excess of a boundary state over a limit that still counts as the limit: what the check grants a plan
 /// (kCheckRelative), of which this may be a state, and the rounding of its evaluation.
 constexpr double kLimitSlack = 4e-8;
-
-constexpr Verdict kAccepted{Status::kOk, Field::kNone};
 
 Verdict check_finite(const Request& request) {
   const struct {
