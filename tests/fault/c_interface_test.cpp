@@ -64,10 +64,10 @@ TEST(CInterface, UnknownShortcutIsRefused) {
   World world = open_world();
   for (int byte = 0; byte < 256; ++byte) {
     set_byte(world.request.shortcut, byte);
-    const Status expected = byte < 2 ? Status::kOk : Status::kInvalidArgument;
+    const Status expected = byte < 1 ? Status::kOk : Status::kInvalidArgument;
     EXPECT_EQ(world.plan(), expected) << byte;
-    EXPECT_EQ(world.report.field, byte < 2 ? Field::kNone : Field::kShortcut) << byte;
-    EXPECT_EQ(world.trajectory_untouched(), byte >= 2) << byte;
+    EXPECT_EQ(world.report.field, byte < 1 ? Field::kNone : Field::kShortcut) << byte;
+    EXPECT_EQ(world.trajectory_untouched(), byte >= 1) << byte;
   }
 }
 

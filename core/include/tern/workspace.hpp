@@ -50,7 +50,7 @@ constexpr size_t kResults =
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 129 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
+/// Bytes that a planner needs: 130 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
 /// trajectory take turns in one part of it. Where the core's assertion fails for capacities of your own, define
 /// TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
