@@ -18,7 +18,8 @@ void print(const char* what, std::size_t bytes) {
 int main() {
   using tern::Layout;
   print("`path`, `corridor`, `trajectory`", sizeof Layout::path + sizeof Layout::corridor + sizeof Layout::trajectory);
-  print("`ends`, `escapes`, `previous`", sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
+  print("`plan`, `ends`, `escapes`, `previous`",
+        sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
   print("`fences`, `asked_fences`, `fenced`, `fence_layer`",
         sizeof Layout::fences + sizeof Layout::asked_fences + sizeof Layout::fenced + sizeof Layout::fence_layer);
   print("`scans`", sizeof Layout::scans);

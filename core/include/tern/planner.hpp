@@ -20,7 +20,7 @@
 
 namespace tern {
 
-struct Work;
+class Plan;
 
 /// A monotonic tick counter of the platform. `context` is the pointer that was given to Planner::set_clock. The ticks
 /// go into Report::stages and nowhere else: no plan depends on them.
@@ -82,82 +82,12 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  enum class Phase : uint8_t {
-    kIdle,
-    kFences,
-    kPath,
-    kCorridor,
-    kTimes,
-    kTrajectory,
-    kDetour,
-    kPrevious,
-    kEscape,
-    kCheck,
-    kDone
-  };
-
-  Status end(Stage stage, Status status) noexcept;
-  Status refuse(Status status, Field field) noexcept;
-  Status run_phase(Work& work) noexcept;
-  void set_ends() noexcept;
-  Status accept_fences(const Request& request) noexcept;
-  const Grid& world() const noexcept;
-  Status run_fences(Work& work) noexcept;
-  Status run_path(Work& work) noexcept;
-  Status run_corridor(Work& work) noexcept;
-  void begin_times() noexcept;
-  Status run_times(Work& work) noexcept;
-  void begin_trajectory() noexcept;
-  Status run_trajectory(Work& work) noexcept;
-  Status run_detour(Work& work) noexcept;
-  Status run_check(Work& work) noexcept;
-  Stage stage_of_phase() const noexcept;
-  Status run_escape(Work& work) noexcept;
-  Status run_previous(Work& work) noexcept;
-  void begin_previous() noexcept;
-  void follow_previous() noexcept;
-  Vec3 start_jerk() const noexcept;
-  bool previous_may_help(Status status) const noexcept;
-  void begin_hulls() noexcept;
-  void count_planes(uint32_t planes) noexcept;
-  Status fail(Stage stage, Status status) noexcept;
-  Status fall_back(Status why) noexcept;
-  void report_trajectory() noexcept;
-  bool escape_may_help(Status status) const noexcept;
-  void begin_escape() noexcept;
-  bool arrives(Work& work) noexcept;
-  void rest_at_escapes() noexcept;
-  State asked_end(int end) const noexcept;
-  bool rests() const noexcept;
-  uint32_t searches() const noexcept;
-  uint32_t corridors() const noexcept;
-  uint32_t checks() const noexcept;
-  uint32_t escape_planes() const noexcept;
-  uint32_t before(Stage stage) const noexcept { return before_[static_cast<int>(stage)]; }
-  void count(Stage stage, uint32_t work, uint32_t budget, uint32_t bound) noexcept;
-  void enter(Phase phase) noexcept;
+  const Plan& plan_at_hand() const noexcept;
+  Plan& plan_at_hand() noexcept;
 
   void* workspace_;  // aligned; null where the memory or the configuration does not do
   bool same_configuration_;
-  const Grid* grid_ = nullptr;
-  ClockFn clock_ = nullptr;
-  void* clock_context_ = nullptr;
-  GridVersion version_{};  // of the map that is planned on
-  Phase phase_ = Phase::kIdle;
-  bool has_fences_ = false;
-  int32_t fences_blocked_ = 0;         // units of the fences' phase that are done
-  uint32_t before_[kStageCount] = {};  // work of each stage when the phase began
-  uint32_t escapes_ = 0;               // tried
-  int32_t arrivals_ = 0;               // tried
-  bool stop_and_go_ = false;           // the optimiser's plan was refused,
-  Status refused_ = Status::kOk;       // for this
-  Stage failed_stage_ = Stage::kRequest;
-  Status failed_status_ = Status::kOk;
-  bool has_path_ = false;
-  bool has_corridor_ = false;
-  Status status_ = Status::kInvalidArgument;
-  Request asked_{};  // as given; its fences are not read again
-  Report report_{};
+  bool refused_ = false;  // a plan was begun without a workspace
 };
 
 }  // namespace tern

@@ -9,6 +9,7 @@
 #include "fence/fences.hpp"
 #include "path/path_stage.hpp"
 #include "planner/escape.hpp"
+#include "planner/plan.hpp"
 #include "planner/previous.hpp"
 #include "tern/workspace.hpp"
 #include "times/times_stage.hpp"
@@ -37,6 +38,7 @@ struct TrajectoryMemory {
 /// What the workspace holds. Each stage's result outlives it, as do the stops of scans; the stages' own states never
 /// live at the same time and share one piece of memory.
 struct Layout {
+  Plan plan;
   Path path;
   Corridor corridor;
   Trajectory trajectory;

@@ -10,8 +10,8 @@
 #include "planner/detour.hpp"
 #include "planner/escape.hpp"
 #include "planner/layout.hpp"
+#include "planner/plan.hpp"
 #include "planner/validate.hpp"
-#include "tern/planner.hpp"
 
 namespace tern {
 namespace {
@@ -21,38 +21,38 @@ constexpr std::uint32_t kEscapeTries = 3;
 
 }  // namespace
 
-bool Planner::rests() const noexcept {
+bool Plan::rests() const noexcept {
   return at_rest(asked_.start) && at_rest(asked_.goal);
 }
 
-std::uint32_t Planner::searches() const noexcept {
+std::uint32_t Plan::searches() const noexcept {
   return rests() ? 1 : 1 + kEscapeTries;
 }
 
-std::uint32_t Planner::corridors() const noexcept {
+std::uint32_t Plan::corridors() const noexcept {
   return rests() ? 1 : 2 + kEscapeTries;
 }
 
 /// Each corridor's plan may be checked, the optimiser's first, then the fallback's; and the previous plan's rest.
-std::uint32_t Planner::checks() const noexcept {
+std::uint32_t Plan::checks() const noexcept {
   return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
 }
 
-std::uint32_t Planner::escape_planes() const noexcept {
+std::uint32_t Plan::escape_planes() const noexcept {
   return rests() ? 0 : 2u * static_cast<std::uint32_t>(kStoppingChoices) * kEscapePlanes;
 }
 
 /// The start (0) or the goal (1) as it was asked for, relative to the plan's origin.
-State Planner::asked_end(int end) const noexcept {
+State Plan::asked_end(int end) const noexcept {
   State state = end == 0 ? asked_.start : asked_.goal;
   state.position = end == 0 ? kZero : asked_.goal.position - asked_.start.position;
   return state;
 }
 
 /// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
-Status Planner::run_detour(Work& work) noexcept {
+Status Plan::run_detour(Work& work) noexcept {
   if (!work.take()) return Status::kRunning;
-  Layout& memory = layout(workspace_);
+  Layout& memory = *memory_;
   StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
   if (asked_.budget.sight_lines - shortcut.work < kDetourLines) return fail(Stage::kTrajectory, Status::kNoTrajectory);
   std::uint32_t lines = 0;
@@ -68,9 +68,9 @@ Status Planner::run_detour(Work& work) noexcept {
 
 /// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path
 /// begins.
-bool Planner::escape_may_help(Status status) const noexcept {
+bool Plan::escape_may_help(Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
-  const FlightEnds& ends = static_cast<const Layout*>(workspace_)->ends;
+  const FlightEnds& ends = memory_->ends;
   const double radius = world().spec().radius;
   switch (status) {
     case Status::kNoTrajectory:
@@ -91,8 +91,8 @@ bool Planner::escape_may_help(Status status) const noexcept {
 
 /// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
 /// about the request as it was.
-Status Planner::fail(Stage stage, Status status) noexcept {
-  if (escapes_ == 0 && layout(workspace_).previous.tries == 0) {
+Status Plan::fail(Stage stage, Status status) noexcept {
+  if (escapes_ == 0 && memory_->previous.tries == 0) {
     failed_stage_ = stage;
     failed_status_ = status;
   }
@@ -105,8 +105,8 @@ Status Planner::fail(Stage stage, Status status) noexcept {
   return Status::kOk;
 }
 
-void Planner::begin_escape() noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::begin_escape() noexcept {
+  Layout& memory = *memory_;
   begin_hulls();
   // Another try drops one end's way: the start's, where that moves.
   if (escapes_ > 0) {
@@ -117,8 +117,8 @@ void Planner::begin_escape() noexcept {
 }
 
 /// One unit is one duration. True where the goal's motion is met: the plan is whole.
-bool Planner::arrives(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+bool Plan::arrives(Work& work) noexcept {
+  Layout& memory = *memory_;
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
   if (at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
   while (arrivals_ < kArrivals && work.take()) {
@@ -136,8 +136,8 @@ bool Planner::arrives(Work& work) noexcept {
 }
 
 /// One unit is one choice of one end. With a way to rest for each end that moves the plan begins again between them.
-Status Planner::run_escape(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_escape(Work& work) noexcept {
+  Layout& memory = *memory_;
   GrowScratch& scratch = memory.stage.corridor.grow;
   if (arrives(work)) {
     report_.quality = Quality::kStopAndGo;
@@ -166,8 +166,8 @@ Status Planner::run_escape(Work& work) noexcept {
 }
 
 /// The plan's ends become the stops.
-void Planner::rest_at_escapes() noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::rest_at_escapes() noexcept {
+  Layout& memory = *memory_;
   FlightEnds& ends = memory.ends;
   const Box boundary = world().local_boundary();
   if (memory.escapes[0].count > 0) {

@@ -5,15 +5,15 @@
 #include "base/work.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
-#include "tern/planner.hpp"
+#include "planner/plan.hpp"
 
 namespace tern {
-Stage Planner::stage_of_phase() const noexcept {
+Stage Plan::stage_of_phase() const noexcept {
   switch (phase_) {
     case Phase::kFences:
       return Stage::kRequest;
     case Phase::kPath:
-      return static_cast<const Layout*>(workspace_)->stage.path.stage;
+      return memory_->stage.path.stage;
     case Phase::kCorridor:
       return Stage::kCorridor;
     case Phase::kTimes:
@@ -34,8 +34,8 @@ Stage Planner::stage_of_phase() const noexcept {
   return Stage::kRequest;
 }
 
-void Planner::enter(Phase phase) noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::enter(Phase phase) noexcept {
+  Layout& memory = *memory_;
   const Fences* const fences = has_fences_ ? &memory.fences : nullptr;
   phase_ = phase;
   for (int s = 0; s < kStageCount; ++s) before_[s] = report_.stages[s].work;
@@ -71,7 +71,7 @@ void Planner::enter(Phase phase) noexcept {
   }
 }
 
-Status Planner::run_phase(Work& work) noexcept {
+Status Plan::run_phase(Work& work) noexcept {
   const Stage stage = stage_of_phase();
   const std::uint64_t before = clock_ != nullptr ? clock_(clock_context_) : 0;
   Status status = Status::kRunning;

@@ -6,8 +6,8 @@
 #include "check/tolerance.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
+#include "planner/plan.hpp"
 #include "planner/validate.hpp"
-#include "tern/planner.hpp"
 
 namespace tern {
 namespace {
@@ -19,14 +19,14 @@ constexpr double kPreviousSlack = 0.9;
 }  // namespace
 
 /// The half-spaces of this plan so far, and what follows from capacities for a whole one.
-void Planner::count_planes(std::uint32_t planes) noexcept {
+void Plan::count_planes(std::uint32_t planes) noexcept {
   const std::uint32_t previous = asked_.previous != nullptr ? kPreviousPlanes : 0;
   count(Stage::kCorridor, planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes() + previous);
 }
 
 /// For polyhedra around hulls.
-void Planner::begin_hulls() noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::begin_hulls() noexcept {
+  Layout& memory = *memory_;
   GrowScratch& scratch = memory.stage.corridor.grow;
   reset_counters(scratch);
   scratch.planes_allowed = asked_.budget.planes - before(Stage::kCorridor);
@@ -34,15 +34,15 @@ void Planner::begin_hulls() noexcept {
 }
 
 /// A goal that is occupied stays so, whatever comes before it.
-bool Planner::previous_may_help(Status status) const noexcept {
-  const Previous& rest = static_cast<const Layout*>(workspace_)->previous;
+bool Plan::previous_may_help(Status status) const noexcept {
+  const Previous& rest = memory_->previous;
   if (rest.tries == kPreviousTries || rest.count == 0) return false;
   if (rest.meets_goal) return true;
   return rest.tries == 0 && status != Status::kGoalOccupied && !at_rest(asked_.start);
 }
 
-void Planner::begin_previous() noexcept {
-  Previous& rest = layout(workspace_).previous;
+void Plan::begin_previous() noexcept {
+  Previous& rest = memory_->previous;
   if (++rest.tries == kPreviousTries) cut_in_place(asked_.previous_time, rest);
   rest.flown = false;
   begin_hulls();
@@ -50,8 +50,8 @@ void Planner::begin_previous() noexcept {
 
 /// One unit is one segment of the rest. All of it is the whole plan where it meets the goal, else the start's way to
 /// rest.
-Status Planner::run_previous(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_previous(Work& work) noexcept {
+  Layout& memory = *memory_;
   Previous& rest = memory.previous;
   GrowScratch& scratch = memory.stage.corridor.grow;
   Escape& escape = memory.escapes[0];
@@ -79,8 +79,8 @@ Status Planner::run_previous(Work& work) noexcept {
 }
 
 /// The rest is the plan.
-void Planner::follow_previous() noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::follow_previous() noexcept {
+  Layout& memory = *memory_;
   memory.corridor.count = memory.trajectory.count = memory.previous.enclosed;
   memory.trajectory.origin = memory.previous.origin;
   report_.quality = Quality::kPrevious;
@@ -90,8 +90,8 @@ void Planner::follow_previous() noexcept {
   enter(Phase::kCheck);
 }
 
-Vec3 Planner::start_jerk() const noexcept {
-  const Previous& rest = static_cast<const Layout*>(workspace_)->previous;
+Vec3 Plan::start_jerk() const noexcept {
+  const Previous& rest = memory_->previous;
   return rest.flown ? rest.jerk : Vec3{0.0, 0.0, 0.0};
 }
 

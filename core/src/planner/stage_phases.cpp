@@ -8,7 +8,7 @@
 #include "planner/detour.hpp"
 #include "planner/escape.hpp"
 #include "planner/layout.hpp"
-#include "tern/planner.hpp"
+#include "planner/plan.hpp"
 #include "trajectory/relative_corridor.hpp"
 
 namespace tern {
@@ -24,15 +24,15 @@ void raise(std::int32_t& mark, std::int32_t value) {
 
 }  // namespace
 
-void Planner::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept {
+void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept {
   StageReport& entry = report_.stages[static_cast<int>(stage)];
   entry.work = before(stage) + work;
   entry.bound = least(budget, bound);
 }
 
 /// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
-Status Planner::run_fences(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_fences(Work& work) noexcept {
+  Layout& memory = *memory_;
   const Fences& fences = memory.fences;
   for (; fences_blocked_ <= fences.keep_out_count; ++fences_blocked_) {
     if (!work.take()) return Status::kRunning;
@@ -47,8 +47,8 @@ Status Planner::run_fences(Work& work) noexcept {
   return Status::kOk;
 }
 
-Status Planner::run_path(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_path(Work& work) noexcept {
+  Layout& memory = *memory_;
   PathStage& stage = memory.stage.path;
   const Status status = path_advance(stage, world(), work, memory.path);
   count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
@@ -67,8 +67,8 @@ Status Planner::run_path(Work& work) noexcept {
   return status;
 }
 
-Status Planner::run_corridor(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_corridor(Work& work) noexcept {
+  Layout& memory = *memory_;
   CorridorStage& stage = memory.stage.corridor;
   const Status status = corridor_advance(stage, world(), memory.path, work, memory.corridor);
   count_planes(stage.planes);
@@ -91,32 +91,32 @@ Status Planner::run_corridor(Work& work) noexcept {
 }
 
 /// The corridor in the plan's frame, cut into the chain.
-void Planner::begin_times() noexcept {
-  Layout& memory = layout(workspace_);
+void Plan::begin_times() noexcept {
+  Layout& memory = *memory_;
   const FlightEnds& ends = memory.ends;
   TrajectoryMemory& stages = memory.stage.trajectory;
   relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, stages.corridor);
   times_begin(stages.times, stages.corridor, {ends.start, ends.goal, asked_.limits}, stages.chain);
 }
 
-Status Planner::run_times(Work& work) noexcept {
-  TrajectoryMemory& stages = layout(workspace_).stage.trajectory;
+Status Plan::run_times(Work& work) noexcept {
+  TrajectoryMemory& stages = memory_->stage.trajectory;
   const Status status = times_advance(stages.times, stages.corridor, work, stages.chain);
   count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + 1) * kTimesBound);
   if (status == Status::kOk) enter(Phase::kTrajectory);
   return status;
 }
 
-void Planner::begin_trajectory() noexcept {
-  const FlightEnds& ends = layout(workspace_).ends;
-  TrajectoryMemory& stages = layout(workspace_).stage.trajectory;
+void Plan::begin_trajectory() noexcept {
+  const FlightEnds& ends = memory_->ends;
+  TrajectoryMemory& stages = memory_->stage.trajectory;
   const std::uint32_t iterations = stop_and_go_ ? 0 : asked_.budget.iterations - before(Stage::kTrajectory);
   const TrajectoryQuery query{ends.start, ends.goal, asked_.limits, asked_.time_weight, iterations};
   trajectory_begin(stages.stage, stages.corridor, query, stages.chain);
 }
 
-Status Planner::run_trajectory(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_trajectory(Work& work) noexcept {
+  Layout& memory = *memory_;
   TrajectoryStage& stage = memory.stage.trajectory.stage;
   const Status status = trajectory_advance(stage, memory.stage.trajectory.corridor, work, memory.trajectory);
   count(Stage::kTrajectory, stage.iterations, asked_.budget.iterations, corridors() * kTrajectoryBound);
@@ -139,8 +139,8 @@ Status Planner::run_trajectory(Work& work) noexcept {
   return status;
 }
 
-void Planner::report_trajectory() noexcept {
-  const TrajectoryStage& stage = layout(workspace_).stage.trajectory.stage;
+void Plan::report_trajectory() noexcept {
+  const TrajectoryStage& stage = memory_->stage.trajectory.stage;
   report_.quality = stage.quality;
   report_.optimiser = stop_and_go_ ? refused_ : stage.optimiser;
   report_.qp_variables = stage.variables;
@@ -152,15 +152,15 @@ void Planner::report_trajectory() noexcept {
 
 /// Flies the same corridor from stop to stop: what the optimiser made of it is refused. `why`: kCheckFailed, or
 /// kSegmentsFull where an escape leaves no room for so many segments.
-Status Planner::fall_back(Status why) noexcept {
+Status Plan::fall_back(Status why) noexcept {
   stop_and_go_ = true;
   refused_ = why;
   enter(Phase::kTimes);
   return Status::kOk;
 }
 
-Status Planner::run_check(Work& work) noexcept {
-  Layout& memory = layout(workspace_);
+Status Plan::run_check(Work& work) noexcept {
+  Layout& memory = *memory_;
   CheckStage& stage = memory.stage.check;
   const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr,
                          start_jerk()};

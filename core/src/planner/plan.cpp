@@ -1,0 +1,140 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/plan.hpp"
+
+#include "base/math.hpp"
+#include "base/work.hpp"
+#include "planner/layout.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// A clock that never moved, or moved backwards, measured nothing: no ticks are better than wrong ones.
+void settle_times(Report& report) {
+  std::uint64_t sum = 0;
+  for (const StageReport& stage : report.stages) sum |= stage.ticks;
+  report.timing_known = report.timing_known && sum != 0;
+  if (report.timing_known) return;
+  for (StageReport& stage : report.stages) stage.ticks = 0;
+}
+
+}  // namespace
+
+void Plan::set_clock(ClockFn clock, void* context) noexcept {
+  clock_ = clock;
+  clock_context_ = context;
+}
+
+Status Plan::refuse(Status status, Field field) noexcept {
+  report_.field = field;
+  return end(Stage::kRequest, status);
+}
+
+Status Plan::end(Stage stage, Status status) noexcept {
+  phase_ = Phase::kDone;
+  status_ = status;
+  report_.stage = stage;
+  const bool occupied = status == Status::kStartOccupied || status == Status::kGoalOccupied;
+  if (!occupied) report_.raw_occupied = report_.has_nearest_free = false;
+  if (status != Status::kOk) report_.quality = Quality::kNone;
+  return status;
+}
+
+const Grid& Plan::world() const noexcept {
+  return has_fences_ ? memory_->fenced : *grid_;
+}
+
+/// Reads the fences and holds start and goal against them; kRunning where all is well.
+Status Plan::accept_fences(const Request& request) noexcept {
+  has_fences_ = request.fence_count != 0;
+  fences_blocked_ = 0;
+  if (!has_fences_) return Status::kRunning;
+  Layout& memory = *memory_;
+  const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
+  if (loaded != Status::kOk) return refuse(loaded, Field::kFences);
+  if (!copy_fences(request.fences, request.fence_count, memory.asked_fences)) {
+    return refuse(Status::kFencePlanesFull, Field::kFences);
+  }
+  const double radius = grid_->spec().radius;
+  const Vec3& start = memory.ends.start_in_grid;
+  const Vec3& goal = memory.ends.goal_in_grid;
+  report_.fence = fence_broken(memory.fences, start, start, radius);
+  if (report_.fence != kNoFence) return refuse(Status::kStartFenced, Field::kStartPosition);
+  report_.fence = fence_broken(memory.fences, goal, goal, radius);
+  if (report_.fence != kNoFence) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
+  return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
+}
+
+/// The plan's frame has its origin in the start, in world coordinates as they were given.
+void Plan::set_ends() noexcept {
+  const Request local = to_local(*grid_, asked_);
+  FlightEnds& ends = memory_->ends;
+  ends.start_in_grid = local.start.position;
+  ends.goal_in_grid = local.goal.position;
+  ends.origin_in_grid = local.start.position;
+  ends.start = asked_.start;
+  ends.goal = asked_.goal;
+  ends.start.position = {0.0, 0.0, 0.0};
+  ends.goal.position = asked_.goal.position - asked_.start.position;
+  for (Escape& escape : memory_->escapes) escape.next = escape.count = 0;
+  cut_previous(*grid_, asked_, memory_->previous);
+}
+
+Status Plan::begin(const Grid& grid, const Request& request) noexcept {
+  report_ = Report{};
+  report_.timing_known = clock_ != nullptr;
+  has_path_ = false;
+  has_corridor_ = false;
+  escapes_ = 0;
+  arrivals_ = 0;
+  stop_and_go_ = false;
+  grid_ = &grid;
+  if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
+  const Verdict verdict = validate(grid, request);
+  if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
+  asked_ = request;
+  set_ends();
+  const Status fences = accept_fences(request);
+  if (fences != Status::kRunning) return fences;
+  version_ = grid.version();
+  status_ = Status::kRunning;
+  enter(has_fences_ ? Phase::kFences : Phase::kPath);
+  return status_;
+}
+
+Status Plan::step(std::uint32_t work) noexcept {
+  if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
+  Work slice{work};
+  // Phases follow one another, and once again after a detour; each ends the plan, ends the slice or enters the next.
+  while (phase_ != Phase::kDone) {
+    if (!grid_->version().equals(version_)) return end(stage_of_phase(), Status::kMapChanged);
+    if (run_phase(slice) == Status::kRunning && slice.left == 0) return Status::kRunning;
+  }
+  return status_;
+}
+
+Status Plan::finish(Trajectory& trajectory, Report& report) noexcept {
+  if (phase_ != Phase::kDone) {
+    if (phase_ == Phase::kIdle) report_ = Report{};
+    status_ = Status::kInvalidArgument;
+    report_.field = Field::kCallOrder;
+  }
+  phase_ = Phase::kIdle;
+  report_.status = status_;
+  settle_times(report_);
+  report = report_;
+  if (status_ == Status::kOk) trajectory = memory_->trajectory;
+  return status_;
+}
+
+const Path* Plan::path() const noexcept {
+  return has_path_ ? &memory_->path : nullptr;
+}
+
+const Corridor* Plan::corridor() const noexcept {
+  return has_corridor_ ? &memory_->corridor : nullptr;
+}
+
+}  // namespace tern
