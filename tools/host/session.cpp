@@ -30,6 +30,14 @@ tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence
   return request;
 }
 
+/// Firmware's memory is there before the planner runs. Here each page is taken from the system when first written,
+/// which would count as the time of the stage that writes it.
+std::unique_ptr<unsigned char[]> touched_memory(std::size_t bytes) {
+  std::unique_ptr<unsigned char[]> memory(new unsigned char[bytes]);
+  std::memset(memory.get(), 0, bytes);
+  return memory;
+}
+
 tern::Status refuse(PlanResult& result, tern::Status status) {
   result.report.status = status;
   result.report.stage = tern::Stage::kRequest;
@@ -50,11 +58,8 @@ double Timing::total() const {
 
 Session::Session(const Clock& clock)
     : clock_(clock),
-      memory_(new unsigned char[tern::kWorkspaceBytes + tern::kWorkspaceAlignment]),
+      memory_(touched_memory(tern::kWorkspaceBytes + tern::kWorkspaceAlignment)),
       planner_(memory_.get(), tern::kWorkspaceBytes + tern::kWorkspaceAlignment) {
-  // Firmware's memory is there before the planner runs; here each page is taken from the system when first written,
-  // which would count as the stage's time that writes it.
-  std::memset(memory_.get(), 0, tern::kWorkspaceBytes + tern::kWorkspaceAlignment);
   planner_.set_clock(clock_.read, clock_.context);
 }
 
