@@ -19,6 +19,12 @@ namespace {
 /// Stops that a plan goes on from at most: from the first few there may be no path.
 constexpr std::uint32_t kEscapeTries = 3;
 
+/// A capacity or the request's budget ran out.
+bool lacks_room(Status status) {
+  const bool capacity = status >= Status::kNodesFull && status < Status::kInfeasible;
+  return capacity || status >= Status::kBudgetSearch;
+}
+
 }  // namespace
 
 bool Plan::rests() const noexcept {
@@ -90,9 +96,10 @@ bool Plan::escape_may_help(Status status) const noexcept {
 }
 
 /// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
-/// about the request as it was.
+/// about the request as it was. But where a way on lacked only room or budget, that is the reason: with more there may
+/// be a plan.
 Status Plan::fail(Stage stage, Status status) noexcept {
-  if (escapes_ == 0 && memory_->previous.tries == 0) {
+  if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
     failed_status_ = status;
   }
