@@ -41,7 +41,7 @@
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 512, 2048)
 #endif
 
-/// Jump points that one search may generate, 48 bytes each. The six maps of the paper need some tens of thousands with
+/// Jump points that one search may generate, 40 bytes each. The six maps of the paper need some tens of thousands with
 /// voxels of 0.05 m. Beyond it: kNodesFull.
 #ifndef TERN_MAX_NODES
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
