@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "grid/distance.hpp"
+#include "grid/touching.hpp"
 
 namespace tern {
 namespace {
@@ -27,53 +28,13 @@ Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3&
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
 }
 
-Vec3 unit_axis(int a, double sign) {
-  Vec3 v{0.0, 0.0, 0.0};
-  axis(v, a) = sign;
-  return v;
-}
-
-/// e_a x u: at right angles to an edge of the box and to the segment.
-Vec3 edge_normal(int a, const Vec3& u) {
-  if (a == 0) return {0.0, -u.z, u.y};
-  if (a == 1) return {u.z, 0.0, -u.x};
-  return {-u.y, u.x, 0.0};
-}
-
-void offer_normal(const SegmentMargin& segment, const LocalBox& box, const Vec3& unit, Vec3& best, double& room) {
-  const double offered = room_along(segment, box, 0.0, unit);
-  if (offered <= room) return;
-  room = offered;
-  best = unit;
-}
-
-/// Segment and box touch, so that no closest pair has a direction: the separating axis among the box's faces and the
-/// products of its edges with the segment. A face wins a tie.
-Vec3 touching_normal(const SegmentMargin& segment, const LocalBox& box) {
-  Vec3 best = unit_axis(0, 1.0);
-  double room = room_along(segment, box, 0.0, best);
-  for (int a = 0; a < 3; ++a) {
-    offer_normal(segment, box, unit_axis(a, 1.0), best, room);
-    offer_normal(segment, box, unit_axis(a, -1.0), best, room);
-  }
-  const Vec3 along = segment.to - segment.from;
-  for (int a = 0; a < 3; ++a) {
-    const Vec3 normal = edge_normal(a, along);
-    const double norm = length(normal);
-    if (!(norm > segment.direction)) continue;  // the segment runs along this edge, or is a point
-    offer_normal(segment, box, (1.0 / norm) * normal, best, room);
-    offer_normal(segment, box, (-1.0 / norm) * normal, best, room);
-  }
-  return best;
-}
-
 /// The normal that leaves the segment the most room.
 Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
   const Box solid{{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);
-  if (gap < segment.direction) return touching_normal(segment, box);
+  if (gap < segment.direction) return separating_normal(segment.from, segment.to, solid, segment.direction);
   return (1.0 / gap) * across;
 }
 
