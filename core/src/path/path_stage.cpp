@@ -21,8 +21,8 @@ Status occupied(PathStage& stage, const Grid& grid, const Vec3& point, Status st
   return status;
 }
 
-/// Takes one unit of the search stage from the budget and from the slice. kOk if both had one left, else the status to
-/// return.
+/// Takes one unit of the search stage from the budget and from the slice. If one of them has none left, returns the
+/// status to answer with; otherwise kOk.
 Status take_expansion(PathStage& stage, Work& work) {
   if (stage.expansions >= stage.query.max_expansions) return Status::kBudgetSearch;
   if (!work.take()) return Status::kRunning;
@@ -30,8 +30,8 @@ Status take_expansion(PathStage& stage, Work& work) {
   return Status::kOk;
 }
 
-/// kOk once the end has joined the grid. If no candidate is left: kNoPath after a search that found no way, else that
-/// the end is occupied.
+/// kOk once the end has joined the grid. If no candidate is left: kNoPath after a search that found no way, otherwise
+/// kStartOccupied or kGoalOccupied.
 Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Status taken = take_expansion(stage, work);
@@ -112,8 +112,8 @@ Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out)
   return status;
 }
 
-/// Takes one unit of the shortcut stage from the budget and from the slice. kOk if both had one left, else the status
-/// to return.
+/// Takes one unit of the shortcut stage from the budget and from the slice. If one of them has none left, returns the
+/// status to answer with; otherwise kOk.
 Status take_sight_line(PathStage& stage, Work& work) {
   if (stage.sight_lines >= stage.query.max_sight_lines) return Status::kBudgetShortcut;
   if (!work.take()) return Status::kRunning;
