@@ -22,12 +22,12 @@ Vec3 piece_end(const CorridorStage& stage, const Path& path) {
   return from + share * (to - from);
 }
 
-/// Segments that the path still needs after the pieces at hand: one a leg, one a piece of this leg.
+/// Segments that the rest of the path needs: one for each piece left of this leg, and one for each later leg.
 std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
   return (legs_of(path) - stage.leg - 1) + (stage.pieces - stage.piece - 1);
 }
 
-/// Equal pieces of at most kLongLeg, as far as there is room beside one segment for each later leg.
+/// How many equal pieces of at most kLongLeg this leg is cut into: fewer if each later leg could not have a segment.
 std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
   const std::int32_t room = kMaxSegments - kKeptForEnds - stage.built - (legs_of(path) - stage.leg - 1);
@@ -45,7 +45,7 @@ void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg) {
   stage.ends[0] = piece_end(stage, path);
 }
 
-/// Cuts the piece at hand in its middle. `why` where it is a point or was halved often enough.
+/// Cuts the current piece in its middle. Returns `why` if the piece is a point or has been halved kMaxHalvings times.
 Status halve(CorridorStage& stage, const Path& path, Status why) {
   const Vec3& to = stage.ends[stage.pending - 1];
   if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) return why;
@@ -54,7 +54,7 @@ Status halve(CorridorStage& stage, const Path& path, Status why) {
   return Status::kRunning;
 }
 
-/// Turns to the next piece, whole; kOk past the last.
+/// Goes on to the next whole piece; kOk after the last.
 Status next_piece(CorridorStage& stage, const Path& path) {
   if (++stage.piece < stage.pieces) {
     stage.pending = 1;
@@ -66,14 +66,14 @@ Status next_piece(CorridorStage& stage, const Path& path) {
   return Status::kRunning;
 }
 
-/// True for the last piece of the last leg. Its polyhedron and that of the first piece stay as they are: a moving start
-/// or goal needs all the room that a polyhedron made for it has.
+/// True for the last piece of the last leg. Its polyhedron and that of the first piece are never merged with others: a
+/// moving start or goal needs all the room of a polyhedron made for it alone.
 bool is_last_piece(const CorridorStage& stage, const Path& path) {
   return stage.leg + 1 == legs_of(path) && stage.piece + 1 == stage.pieces;
 }
 
-/// Moves on past a finished polyhedron and past the pieces that it holds as well; kOk past the last. Half a piece is
-/// always built: else halvings would not be bounded by the polyhedra they make.
+/// Moves on past a finished polyhedron, and past the following pieces that it also contains; kOk after the last piece.
+/// Half a piece always gets its own polyhedron, so that the number of polyhedra bounds the number of halvings.
 Status move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron& finished) {
   stage.from = stage.ends[--stage.pending];
   if (stage.pending > 0) return Status::kRunning;
@@ -86,7 +86,7 @@ Status move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron
   return status;
 }
 
-/// Drops the polyhedra before the last one, but for the first, whose segments the last one holds as well.
+/// Drops polyhedra before the last one as long as the last one contains their segments too. The first polyhedron stays.
 void drop_held(Corridor& out, double margin) {
   while (out.count > 2) {
     const Polyhedron& last = out.polyhedra[out.count - 1];
@@ -99,7 +99,7 @@ void drop_held(Corridor& out, double margin) {
   }
 }
 
-/// Tries the piece at hand.
+/// Tries to build a polyhedron for the current piece.
 Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
   if (stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments) return Status::kSegmentsFull;
   const Vec3 to = stage.ends[stage.pending - 1];

@@ -15,11 +15,11 @@
 namespace tern {
 namespace {
 
-/// Least thickness of the ellipsoid that the first half-spaces are tangent to, in parts of the segment's half length.
+/// Least semi-axis of the ellipsoid that the first half-spaces are tangent to, as a share of the segment's half length.
 constexpr double kThickness = 0.3;
 
-/// The barrier's least distance to a plane, in voxels: less than the half of a tunnel's width, so that it blurs no
-/// shape.
+/// The least distance to a plane that the barrier uses, in voxels. It is less than half the width of a tunnel, so it
+/// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
 /// The box around the segment that the polyhedron stays in.
@@ -48,7 +48,7 @@ Status append_faces(const Box& box, GrowScratch& scratch, Polyhedron& out) {
   return Status::kOk;
 }
 
-/// The diagonal of the local box, from the first half-spaces.
+/// The diagonal of the local box, computed from the first six half-spaces.
 double box_diagonal(const Polyhedron& polyhedron) {
   const Halfspace* faces = polyhedron.planes;
   const Vec3 extent{faces[0].offset + faces[1].offset, faces[2].offset + faces[3].offset,
@@ -64,14 +64,14 @@ double least_slack_at(const Polyhedron& polyhedron, const Vec3& point) {
   return least;
 }
 
-/// Of the analytic centre and the segment's middle the one that is deeper inside: the first may lie outside where the
-/// polyhedron is thinner than the barrier's least slack, the second on a half-space that the segment touches.
+/// The analytic centre or the segment's middle, whichever is deeper inside. The centre may lie outside if the
+/// polyhedron is thinner than the barrier's least slack. The middle may lie on a plane that the segment touches.
 Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const SegmentMargin& segment) {
   const Vec3 middle = 0.5 * (segment.from + segment.to);
   return least_slack_at(polyhedron, center) < least_slack_at(polyhedron, middle) ? middle : center;
 }
 
-/// Fits the ellipsoid, makes the half-spaces, improves them.
+/// Fits the ellipsoid, makes the half-spaces and improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
   const int given = out.count;

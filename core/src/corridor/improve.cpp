@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// Half-spaces past the count are not worth copying.
+/// Copies only the half-spaces in use.
 void copy_planes(const Polyhedron& from, Polyhedron& to) {
   to.count = from.count;
   for (int p = 0; p < from.count; ++p) to.planes[p] = from.planes[p];
@@ -29,8 +29,8 @@ struct Largest {
   double size;
 };
 
-/// Makes the half-spaces around `ellipsoid`, keeps their polyhedron where it is larger, and leaves the ellipsoid inside
-/// it. kPlanesFull where they do not fit.
+/// Makes the half-spaces tangent to `ellipsoid`, and keeps their polyhedron if it is the largest so far. `ellipsoid`
+/// becomes the barrier's ellipsoid inside the new polyhedron. kPlanesFull if the half-spaces do not fit.
 Status try_tangents(const Enclosure& enclosure, GrowScratch& scratch, BarrierEllipsoid& ellipsoid, Largest& largest) {
   Polyhedron& trial = scratch.trial;
   trial.count = enclosure.given;

@@ -9,21 +9,22 @@
 namespace tern {
 namespace {
 
-/// How far the box, grown by the radius, lies beyond the segment along a normal; in units of the normal's length.
-/// Concave in the normal: a mean of two normals leaves at least the mean of what they leave.
+/// The room between the segment and the box grown by the radius, along a normal and in units of its length. It is a
+/// concave function of the normal: a mean of two normals leaves at least the mean of their rooms.
 double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const double far = larger(dot(normal, segment.from), dot(normal, segment.to));
   return support(normal, box) - far - radius * length(normal);
 }
 
-/// The plane with this normal that keeps the radius from the box. A segment that touches stays inside by rounding.
+/// The half-space with this normal that keeps the radius from the box. If the segment touches it, the half-space
+/// contains the segment in spite of rounding.
 Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const Vec3 unit = (1.0 / length(normal)) * normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
   return {unit, larger(support(unit, box) - radius - kHairline * segment.least, far)};
 }
 
-/// As plane_along, of a hull: the further point of the segment along `unit` is `far`.
+/// The same for a hull. `far` is how far the segment reaches along `unit`.
 Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3& unit, double far) {
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
 }
@@ -57,7 +58,7 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
   } else if (tangent_room >= margin) {
     out = plane_along(segment, box, radius, tangent);
   } else {
-    // Between the two normals, as near to the tangent as the margin lets it: see room_along.
+    // Between the two normals, as close to the tangent as the margin allows: see room_along.
     const double share = (margin - tangent_room) / (room - tangent_room);
     out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
   }

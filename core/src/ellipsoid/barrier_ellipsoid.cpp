@@ -8,10 +8,10 @@ namespace tern {
 namespace {
 
 constexpr int kBarrierSteps = 20;
-/// Newton decrement at which the centre is near enough for its ellipsoid.
+/// Newton decrement at which the point is close enough to the centre for its ellipsoid to be used.
 constexpr double kCentred = 1e-2;
 
-/// The barrier -sum log(slack): its gradient, and its Hessian as the metric's matrix.
+/// Returns the gradient of the barrier -sum log(slack), and stores its Hessian as the metric's matrix.
 Vec3 gradient_and_hessian(const Polyhedron& polyhedron, double least_slack, EllipsoidMetric& metric) {
   Vec3 gradient{0.0, 0.0, 0.0};
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
@@ -34,7 +34,8 @@ Vec3 gradient_and_hessian(const Polyhedron& polyhedron, double least_slack, Elli
   return gradient;
 }
 
-/// E^2 from E^-2 by cofactors; returns det(E^2). The box's faces keep the matrix well away from singular.
+/// Computes E^2 from E^-2 by cofactors and returns det(E^2). Because of the box's faces, the matrix is never near
+/// singular.
 double invert(EllipsoidMetric& metric) {
   const double(&m)[3][3] = metric.matrix;
   const double xx = m[1][1] * m[2][2] - m[1][2] * m[1][2];

@@ -9,10 +9,11 @@ namespace {
 
 constexpr double kFitTolerance = 1e-3;
 constexpr double kThinnest = 0.01;
-/// Shrinking steps of each of the two phases; each makes the axis shorter, and most fits need two or three.
+/// Shrinking steps in each of the two phases, at most. Each step shortens the axis; most fits need two or three.
 constexpr int kFitSteps = 16;
 
-/// The obstacles that may still meet the ellipsoid: it only shrinks, so none comes back. Counts those looked at.
+/// The obstacles that may still meet the ellipsoid. It only shrinks, so a dropped one never comes back. `checks` counts
+/// the obstacles looked at.
 struct Candidates {
   std::int32_t* index;
   int count;
@@ -40,7 +41,8 @@ Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double r
   return found;
 }
 
-/// Drops the candidates that the ellipsoid does not meet. True, with the contact met first, while some are left.
+/// Drops the candidates that the ellipsoid does not meet. Returns whether any are left; `first` is then the contact
+/// that the ellipsoid meets first.
 bool first_contact(const EllipsoidFrame& frame, const Obstacles& obstacles, Candidates& candidates, Contact& first) {
   const EllipsoidMetric metric = metric_of(frame);
   int kept = 0;
@@ -61,12 +63,14 @@ double square(double x) {
   return x * x;
 }
 
-/// What is left of the unit ball's square for the axes that shrink; 0 beyond the tips.
+/// Radius of the unit ball's cross-section where the other axes have used up `used` of the squared radius; 0 beyond the
+/// tips.
 double remaining(double used) {
   return used < 1.0 ? square_root(1.0 - used) : 0.0;
 }
 
-/// Shrinks y and z together: the ellipsoid stays round about the segment. y ends up towards the last contact.
+/// Shrinks y and z together, so the ellipsoid stays round about the segment. In the end, y points towards the last
+/// contact.
 void shrink_both(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates, double thinnest) {
   Contact contact{};
   for (int step = 0; step < kFitSteps && frame.semi_axis[1] > thinnest; ++step) {
@@ -82,7 +86,7 @@ void shrink_both(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates c
   }
 }
 
-/// Stretches z to the length of x and shrinks it again, no further than y: as round, the ellipsoid was free.
+/// Stretches z to the length of x and shrinks it again, but no further than y: the round ellipsoid was already clear.
 void stretch_z(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates) {
   frame.semi_axis[2] = frame.semi_axis[0];
   Contact contact{};
@@ -97,7 +101,7 @@ void stretch_z(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates can
   }
 }
 
-/// A hover: every direction counts the same.
+/// The ball for a hover, where no direction is special.
 EllipsoidFrame ball_about(const Vec3& center, double cell) {
   return {center, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {0.5 * cell, 0.5 * cell, 0.5 * cell}};
 }

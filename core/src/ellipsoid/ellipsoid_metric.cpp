@@ -7,7 +7,8 @@
 namespace tern {
 namespace {
 
-/// Steps of the fixed point between a grown box's normal and its nearest point, and when the normal has settled.
+/// Steps, at most, of the fixed-point iteration between a grown box's normal and its nearest point, and the change of
+/// the normal at which it has converged.
 constexpr int kNormalSteps = 3;
 constexpr double kNormalSettled = 1e-6;
 
@@ -36,7 +37,8 @@ void offer(Best& best, const EllipsoidMetric& metric, const double (&d)[3]) {
   best = {{d[0], d[1], d[2]}, value};
 }
 
-/// The edge where axis a is at d[a] and axis b at its bound: the remaining axis is a clamp.
+/// Offers the best point of the edge at `at_a` on axis a and `at_b` on axis b: along axis c, the free optimum is
+/// clamped.
 void offer_edge(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, int a, int b, int c, double at_a,
                 double at_b) {
   double d[3];
@@ -47,12 +49,13 @@ void offer_edge(Best& best, const EllipsoidMetric& metric, const Bounds& bounds,
   offer(best, metric, d);
 }
 
-/// The face where axis a is at `at`. Its free optimum is `at` times a column of E^2.
+/// Offers the best point of the face at `at` on axis a. The optimum on the whole plane is a multiple of column a of
+/// E^2.
 void offer_face(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, int a, double at) {
   const int b = a == 2 ? 0 : a + 1;
   const int c = a == 0 ? 2 : a - 1;
   const double step = at / metric.shape[a][a];
-  // No point of the face's whole plane is nearer than this.
+  // No point of the whole plane of the face is nearer than this.
   if (best.value >= 0.0 && at * step >= best.value) return;
   const double free_b = metric.shape[b][a] * step;
   const double free_c = metric.shape[c][a] * step;
@@ -130,7 +133,7 @@ double reach_along(const EllipsoidMetric& metric, const Vec3& normal) noexcept {
 
 Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept {
   Contact contact{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
-  // A box grown by a ball along a fixed normal is the box seen from a centre that has moved the other way.
+  // Along a fixed normal, growing the box by the radius is the same as moving the centre towards the box by the radius.
   Vec3 moved = metric.center;
   for (int step = 0; step < kNormalSteps; ++step) {
     const Vec3 offset = nearest_offset(metric, moved, box);

@@ -22,9 +22,9 @@ inline double support(const Vec3& normal, const Box& box) noexcept {
 /// overlap along it.
 double room_along(const Vec3& from, const Vec3& to, const Box& box, const Vec3& normal) noexcept;
 
-/// The unit normal along which the box lies furthest beyond the segment, among the box's faces and the products of its
-/// edges with the segment: for two solids that touch, one of these separates them. A face wins a tie. Products shorter
-/// than `direction` (direction_tolerance) are left out: the segment runs along that edge, or is a point.
+/// The best separating axis of a segment that touches the box, among the box's face normals and the cross products of
+/// its edges with the segment: the unit normal with the most room. A face wins a tie. Products shorter than `direction`
+/// (direction_tolerance) are left out: the segment runs along that edge, or is a point.
 Vec3 separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
 
 }  // namespace tern

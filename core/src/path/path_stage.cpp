@@ -21,7 +21,8 @@ Status occupied(PathStage& stage, const Grid& grid, const Vec3& point, Status st
   return status;
 }
 
-/// One unit of the search stage against its budget and the slice; kOk where it may be spent.
+/// Takes one unit of the search stage from the budget and from the slice. If one of them has none left, returns the
+/// status to answer with; otherwise kOk.
 Status take_expansion(PathStage& stage, Work& work) {
   if (stage.expansions >= stage.query.max_expansions) return Status::kBudgetSearch;
   if (!work.take()) return Status::kRunning;
@@ -29,7 +30,8 @@ Status take_expansion(PathStage& stage, Work& work) {
   return Status::kOk;
 }
 
-/// kOk when the end has joined the grid; kNoPath where it has in vain, everywhere.
+/// kOk once the end has joined the grid. If no candidate is left: kNoPath after a search that found no way, otherwise
+/// kStartOccupied or kGoalOccupied.
 Status advance_join(PathStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Status taken = take_expansion(stage, work);
@@ -47,8 +49,8 @@ void join_start(PathStage& stage, const Grid& grid) {
   stage.phase = PathPhase::kJoinStart;
 }
 
-/// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
-/// start's, at the goal's. kNoPath where none is left.
+/// After a search that found no way, chooses where the next one begins and ends. It tries the other candidates of the
+/// start first. Then it tries those of the goal, each with all candidates of the start. kNoPath if none is left.
 Status join_elsewhere(PathStage& stage, const Grid& grid) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return Status::kNoPath;
   if (join_others(stage.start, grid, stage.query.start, stage.query.start_moves)) {
@@ -60,7 +62,7 @@ Status join_elsewhere(PathStage& stage, const Grid& grid) {
   return Status::kOk;
 }
 
-/// A path that needs no grid: the points coincide, or share one free voxel.
+/// A path that needs no search: the points coincide, or lie in the same free voxel.
 void direct_path(PathStage& stage, Path& out) {
   out.raw_count = 2;
   out.raw[0] = stage.query.start;
@@ -82,8 +84,8 @@ void begin_shortcut(PathStage& stage, const Grid& grid, Path& out) {
   shortcut_begin(stage.shortcut, grid, out);
 }
 
-/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that is the exact point itself is left
-/// out.
+/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that equals the exact start or goal is
+/// left out.
 Status write_raw(PathStage& stage, const Grid& grid, Path& out) {
   const PathQuery& query = stage.query;
   out.raw_count = 0;
@@ -110,7 +112,8 @@ Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out)
   return status;
 }
 
-/// One unit of the shortcut stage against its budget and the slice; kOk where it may be spent.
+/// Takes one unit of the shortcut stage from the budget and from the slice. If one of them has none left, returns the
+/// status to answer with; otherwise kOk.
 Status take_sight_line(PathStage& stage, Work& work) {
   if (stage.sight_lines >= stage.query.max_sight_lines) return Status::kBudgetShortcut;
   if (!work.take()) return Status::kRunning;
@@ -118,7 +121,7 @@ Status take_sight_line(PathStage& stage, Work& work) {
   return Status::kOk;
 }
 
-/// kOk when the chain is complete, and the path tight where it is to be.
+/// kOk once the chain is complete and written to `out`; tightening comes next.
 Status advance_shortcut(PathStage& stage, const Grid& grid, Work& work, Path& out) {
   while (shortcut_needs_step(stage.shortcut, out)) {
     const Status taken = take_sight_line(stage, work);
@@ -142,7 +145,8 @@ Status advance_tighten(PathStage& stage, const Grid& grid, Work& work, Path& out
   return Status::kOk;
 }
 
-/// Joins both ends and searches, again where an end may join elsewhere. kOk with the raw path found.
+/// Joins both ends to the grid and searches. If there is no way, repeats this from other voxels that the ends can join.
+/// kOk once the raw path is found.
 Status find_raw_path(PathStage& stage, const Grid& grid, Work& work, Path& out) {
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
     Status status = Status::kOk;
@@ -189,7 +193,7 @@ Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) n
     begin_shortcut(stage, grid, out);
   } else if (stage.stage == Stage::kSearch) {
     const Status status = find_raw_path(stage, grid, work, out);
-    // The shortcut begins with the next call, so that a caller can time the two apart.
+    // The shortcut begins with the next call, so that a caller can time search and shortcut separately.
     return status == Status::kOk ? Status::kRunning : status;
   }
   if (stage.phase == PathPhase::kShortcut) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The path stage: from the exact start to the exact goal through free space, in few straight segments.
+// The path stage finds a path of few straight segments through free space, from the exact start to the exact goal.
 #ifndef TERN_PATH_PATH_STAGE_HPP
 #define TERN_PATH_PATH_STAGE_HPP
 
@@ -18,11 +18,13 @@
 
 namespace tern {
 
-/// Searches of a query at most: one, and others from where an end can join the grid besides. Eight voxels meet in a
-/// corner, each perhaps a pocket of its own. They are small, mostly: no search begins after kExpansionBound expansions.
+/// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
+/// corner, and each may lie in a separate pocket. Most pockets are small: no search begins after kExpansionBound
+/// expansions.
 constexpr std::uint32_t kJoinSearches = 4096;
 
-/// Bound on PathStage::expansions: those of all searches, and the lines that join both ends to the grid before each.
+/// Bound on PathStage::expansions: the expansions of all searches, plus the lines checked before each one to join both
+/// ends to the grid.
 constexpr std::uint32_t kSearchBound = 2 * kExpansionBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
 /// Bound on PathStage::sight_lines.
@@ -34,7 +36,7 @@ struct PathQuery {
   Vec3 goal;
   std::uint32_t max_expansions;    ///< Budget::expansions
   std::uint32_t max_sight_lines;   ///< Budget::sight_lines
-  const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
+  const Fences* fences = nullptr;  ///< both points obey them, and the grid's blocked layer includes them
   bool start_moves = false;        ///< a state in flight, see join_others
   bool goal_moves = false;
 };
@@ -48,8 +50,8 @@ struct PathStage {
   std::int32_t nodes_high;     ///< jump points generated
   std::int32_t open_high;      ///< most open at once
   std::int32_t raw_high;       ///< points of the jump-point path
-  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments where more would have been needed
-  bool raw_occupied;           ///< kStartOccupied / kGoalOccupied: the point is inside an obstacle, radius apart
+  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments if it needs more
+  bool raw_occupied;           ///< kStartOccupied / kGoalOccupied: the point itself is inside an obstacle
   bool has_nearest_free;
   Vec3 nearest_free;  ///< local frame: centre of the free voxel nearest to an occupied start or goal
   Stage stage;        ///< kSearch, then kShortcut
@@ -70,15 +72,16 @@ struct PathStage {
 /// The grid must be inflated and must not change until the stage ends. `map` as in search_begin.
 void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuery& query) noexcept;
 
-/// Returns kRunning once, with work left, between search and shortcut. One unit of work is one expansion, one line that
-/// joins an end to the grid, one step of the shortcut, which walks one line of sight at most, or one trial of
-/// tightening, which walks two lines at most. kRunning, or the end: kOk with `out` full; else kStartOccupied,
-/// kGoalOccupied, kNoPath, kNodesFull, kOpenFull, kJumpPointsFull, kSegmentsFull (the raw path in `out` is whole),
-/// kBudgetSearch or kBudgetShortcut, with `out` undefined otherwise. `out` must be the same object until then.
+/// Returns kRunning until the end, and once between search and shortcut although work is left. One unit of work is one
+/// expansion, one line that joins an end to the grid, one step of the shortcut (at most one line of sight), or one
+/// trial of tightening (at most two lines of sight). At the end: kOk with `out` filled in, or kStartOccupied,
+/// kGoalOccupied, kNoPath, kNodesFull, kOpenFull, kJumpPointsFull, kSegmentsFull, kBudgetSearch or kBudgetShortcut.
+/// `out` is then undefined, except that with kSegmentsFull its raw path is complete. Pass the same `out` in every call.
 ///
-/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
-/// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of
-/// the point's own voxel, or, where that voxel is not free, along a line that keeps the radius to a free voxel near it.
+/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The
+/// first and the last segment may come closer if the exact start or goal does. Such a segment leads straight to the
+/// centre of the point's own voxel or, if that voxel is not free, to a free voxel near it along a line that keeps the
+/// radius.
 Status path_advance(PathStage& stage, const Grid& grid, Work& work, Path& out) noexcept;
 
 }  // namespace tern
