@@ -75,7 +75,7 @@ Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const Segment
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
   const int given = out.count;
-  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining, scratch.checks);
+  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
@@ -128,7 +128,7 @@ Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowS
   if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
   const SegmentMargin segment{from, to, kSightMargin * cell, touching, direction_tolerance(grid.spec())};
-  double reach = larger(scratch.margin, kLocalMarginCells * cell);
+  double reach = larger(kLocalMargin, kLocalMarginCells * cell);
   Status status = Status::kPlanesFull;
   for (int level = 0; level < kBoxLevels; ++level) {
     status = grow_in_box(grid, segment, reach, scratch, out);

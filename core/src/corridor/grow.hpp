@@ -18,8 +18,9 @@
 
 namespace tern {
 
-/// The local box reaches so many voxels beyond the segment at least, where kLocalMargin is less. Where its obstacles or
-/// half-spaces do not fit their capacity it is halved, kBoxLevels sizes in all.
+/// How far the local box reaches beyond the segment, metres, and in voxels at least. Where its obstacles or half-spaces
+/// do not fit their capacity it is halved, kBoxLevels sizes in all.
+constexpr double kLocalMargin = 2.0;
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 

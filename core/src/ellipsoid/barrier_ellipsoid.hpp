@@ -9,7 +9,6 @@
 
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "tern/corridor.hpp"
-#include "tern/vec3.hpp"
 
 namespace tern {
 
@@ -22,7 +21,7 @@ struct BarrierEllipsoid {
 /// Damped Newton steps towards the analytic centre from `inside`, at most kBarrierSteps. Distances to planes count as
 /// `least_slack` (metres, > 0) at least, so that a point on a plane is a valid beginning. An early end costs size,
 /// never safety: the half-spaces made with a metric do not depend on what it is.
-BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vec3& inside, double least_slack) noexcept;
+BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack) noexcept;
 
 }  // namespace tern
 

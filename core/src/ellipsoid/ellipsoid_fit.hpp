@@ -28,12 +28,12 @@ constexpr double kPointLike = 1e-6;
 EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
 
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` gives a point-like segment's
-/// ball its size. `inside` is scratch for obstacles.count indices. `checks` grows by the obstacles looked at.
+/// ball its size. `inside` is scratch for obstacles.count indices.
 ///
 /// The paper shrinks until no obstacle is inside. Here one may stay inside by a thousandth of the ellipsoid's size, and
 /// no axis falls below a hundredth of the longest: what is stored with a polyhedron is inscribed in it afterwards.
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside, std::uint32_t& checks) noexcept;
+                             std::int32_t* inside) noexcept;
 
 /// The ellipsoid with no semi-axis below `share` of the first. A segment that grazes an obstacle has a needle for an
 /// ellipsoid; the tangents of a needle are all nearly parallel, and cut away space that no obstacle takes.

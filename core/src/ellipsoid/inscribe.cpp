@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/inscribe.hpp"
 
-#include "base/math.hpp"
-
 namespace tern {
 namespace {
 
@@ -13,10 +11,11 @@ void shrink_across(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
   double factor = 1.0;
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
-    const double room = plane.offset - dot(plane.normal, frame.center);
-    const double x = frame.semi_axis[0] * dot(plane.normal, frame.direction[0]);
-    const double y = frame.semi_axis[1] * dot(plane.normal, frame.direction[1]);
-    const double z = frame.semi_axis[2] * dot(plane.normal, frame.direction[2]);
+    const Vector normal = to_vector(plane.normal);
+    const double room = plane.offset - dot(normal, frame.center);
+    const double x = frame.semi_axis[0] * dot(normal, frame.direction.col(0));
+    const double y = frame.semi_axis[1] * dot(normal, frame.direction.col(1));
+    const double z = frame.semi_axis[2] * dot(normal, frame.direction.col(2));
     const double across = y * y + z * z;
     const double left = larger(room, 0.0) * room - x * x;
     if (left < factor * factor * across) factor = square_root(larger(left, 0.0) / across);
@@ -29,9 +28,9 @@ void shrink_ball(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
   double least = frame.semi_axis[0];
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
-    least = smaller(least, plane.offset - dot(plane.normal, frame.center));
+    least = smaller(least, plane.offset - dot(to_vector(plane.normal), frame.center));
   }
-  for (double& semi_axis : frame.semi_axis) semi_axis = larger(least, kSliver * semi_axis);
+  frame.semi_axis.fill(larger(least, kSliver * frame.semi_axis[0]));
 }
 
 }  // namespace
