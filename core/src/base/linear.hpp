@@ -15,6 +15,7 @@ namespace tern {
 
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
+using Vector2 = Eigen::Vector2d;
 
 // One line an operation.
 // clang-format off
