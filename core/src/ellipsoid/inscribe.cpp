@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/inscribe.hpp"
 
+#include "base/polyhedron.hpp"
+
 namespace tern {
 namespace {
 
@@ -25,12 +27,9 @@ void shrink_across(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
 }
 
 void shrink_ball(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
-  double least = frame.semi_axis[0];
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    least = smaller(least, plane.offset - dot(to_vector(plane.normal), frame.center));
-  }
-  frame.semi_axis.fill(larger(least, kSliver * frame.semi_axis[0]));
+  const double radius = frame.semi_axis[0];
+  const double room = room_at(polyhedron, to_vec3(frame.center));
+  frame.semi_axis.fill(larger(smaller(radius, room), kSliver * radius));
 }
 
 }  // namespace
