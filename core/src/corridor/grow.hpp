@@ -18,8 +18,9 @@
 
 namespace tern {
 
-/// The local box reaches at least this many voxels beyond the segment, even if kLocalMargin is less. If the obstacles
-/// or half-spaces exceed their capacity, this margin is halved. There are kBoxLevels sizes in all.
+/// How far the local box reaches beyond the segment: in metres, and at least this many voxels. If the obstacles or
+/// half-spaces exceed their capacity, this margin is halved. There are kBoxLevels sizes in all.
+constexpr double kLocalMargin = 2.0;
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 

@@ -13,14 +13,9 @@
 
 namespace tern {
 
-/// How far the local box reaches beyond the segment, metres.
-constexpr double kLocalMargin = 2.0;
-
 /// Scratch and counters of grow_polyhedron. The counters add up over calls: reset them before the first.
 struct GrowScratch {
   const Fences* fences;          ///< null: none
-  double margin;                 ///< kLocalMargin; benchmarks try others
-  std::uint32_t checks;          ///< obstacle boxes compared with an ellipsoid or a half-space so far
   std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
   std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
   std::int32_t planes_high;      ///< of the fullest polyhedron
@@ -33,11 +28,9 @@ struct GrowScratch {
   ExtractScratch extract;
 };
 
-/// Resets everything: counters of zero, no budget, no fences and the usual margin.
+/// Resets everything: counters of zero, no budget and no fences.
 inline void reset_counters(GrowScratch& scratch) noexcept {
   scratch.fences = nullptr;
-  scratch.margin = kLocalMargin;
-  scratch.checks = 0;
   scratch.planes = 0;
   scratch.planes_allowed = 0xFFFFFFFFu;
   scratch.planes_high = 0;

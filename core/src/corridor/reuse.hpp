@@ -6,14 +6,11 @@
 #ifndef TERN_CORRIDOR_REUSE_HPP
 #define TERN_CORRIDOR_REUSE_HPP
 
+#include "base/polyhedron.hpp"
 #include "tern/corridor.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
-
-/// True if `point` is inside every half-space with `margin` (metres, >= 0) to spare. The polyhedron is convex: if it
-/// contains its own segment and the far end of a neighbouring leg, it contains that leg.
-bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexcept;
 
 /// Gives the polyhedron a new segment, from `from` to `to`, which it must contain. The half-spaces stay. The ellipsoid
 /// becomes a round one along the new segment, inscribed again. If the new segment is a point, because the path came

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/tangent_planes.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 
 namespace tern {
 namespace {
@@ -21,7 +21,6 @@ bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
 /// Lists the boxes that no half-space cuts off yet, with the scale at which the ellipsoid meets each. Returns how many.
 int measure(const EllipsoidMetric& metric, const Obstacles& obstacles, const Polyhedron& out, GrowScratch& scratch) {
   int count = 0;
-  scratch.checks += static_cast<std::uint32_t>(obstacles.count);
   for (int i = 0; i < obstacles.count; ++i) {
     bool cut = false;
     for (int p = 0; p < out.count && !cut; ++p) cut = cut_off(out.planes[p], obstacles.boxes[i], obstacles.radius);
@@ -47,7 +46,6 @@ std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
 int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_t made_for, GrowScratch& scratch,
                  int count) {
   int kept = 0;
-  scratch.checks += static_cast<std::uint32_t>(count);
   for (int k = 0; k < count; ++k) {
     const std::int32_t i = scratch.remaining[k];
     if (i == made_for || cut_off(plane, obstacles.boxes[i], obstacles.radius)) continue;
@@ -64,7 +62,7 @@ Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles
   while (count > 0) {
     const std::int32_t nearest = nearest_remaining(scratch, count);
     const LocalBox& box = obstacles.boxes[nearest];
-    const Vec3 tangent = contact_of(metric, box, obstacles.radius).normal;
+    const Vec3 tangent = to_vec3(contact_of(metric, box, obstacles.radius).normal);
     Halfspace plane;
     Status status = separate(segment, box, obstacles.radius, tangent, plane);
     if (status == Status::kOk) status = append(plane, scratch, out);

@@ -3,6 +3,7 @@
 #include "curve/motion_limits.hpp"
 
 #include "base/math.hpp"
+#include "base/polyhedron.hpp"
 #include "curve/bezier.hpp"
 
 namespace tern {
@@ -25,9 +26,7 @@ bool within_limits(const Segment& segment, const Limits& limits, double toleranc
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {
   for (const Vec3& point : segment.points) {
-    for (int p = 0; p < polyhedron.count; ++p) {
-      if (dot(polyhedron.planes[p].normal, point) > polyhedron.planes[p].offset + kInsideTolerance) return false;
-    }
+    if (!holds(polyhedron, point, -kInsideTolerance)) return false;
   }
   return true;
 }

@@ -10,7 +10,6 @@
 
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "tern/corridor.hpp"
-#include "tern/vec3.hpp"
 
 namespace tern {
 
@@ -23,7 +22,7 @@ struct BarrierEllipsoid {
 /// Takes at most kBarrierSteps damped Newton steps from `inside` towards the analytic centre. A distance to a plane
 /// counts as at least `least_slack` (metres, > 0), so a point on a plane is a valid start. If the steps run out early,
 /// the ellipsoid is smaller, but nothing becomes unsafe: half-spaces are safe whatever metric they are made with.
-BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vec3& inside, double least_slack) noexcept;
+BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack) noexcept;
 
 }  // namespace tern
 

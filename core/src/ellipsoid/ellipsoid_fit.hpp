@@ -29,14 +29,13 @@ constexpr double kPointLike = 1e-6;
 EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
 
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` sets the size of the ball if the
-/// segment is a point. `inside` is scratch for obstacles.count indices. `checks` grows by the number of obstacles
-/// looked at.
+/// segment is a point. `inside` is scratch for obstacles.count indices.
 ///
 /// The paper shrinks until no obstacle is inside. Here, an obstacle may reach inside by a thousandth of the ellipsoid's
 /// size, and no axis falls below a hundredth of the longest. This is good enough, because the ellipsoid that is stored
 /// with a polyhedron is inscribed in it afterwards.
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside, std::uint32_t& checks) noexcept;
+                             std::int32_t* inside) noexcept;
 
 /// The ellipsoid with every semi-axis raised to at least `share` of the first. If a segment grazes an obstacle, its
 /// ellipsoid is a needle. The tangents of a needle are all nearly parallel, and they cut away free space.

@@ -80,7 +80,7 @@ struct Fineness {
 
 Status add_corners(const Facet& facet, const Surroundings& around, double same, Fences& fences, KeepOut& fence) {
   for (int k = 0; k < facet.count; ++k) {
-    const Vec3 corner = ((facet.foot + facet.at_u[k] * facet.u) + facet.at_v[k] * facet.v) + around.center;
+    const Vec3 corner = ((facet.foot + facet.corner[k][0] * facet.u) + facet.corner[k][1] * facet.v) + around.center;
     if (known_corner(fences, fence, corner, same)) continue;
     if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
     fences.corners[fences.corner_count++] = corner;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/hessian.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 
 namespace tern::qp {
 namespace {
@@ -115,12 +115,11 @@ void forward(const QpSolver& solver, const double* in, double* out) {
   for (int i = kQpAxes * n; i < solver.stride; ++i) out[i] = 0.0;
   for (int i = 0; i < n; ++i) {
     const double* column = solver.factor[i];
-    double* at = out + kQpAxes * i;
+    double* const at = out + kQpAxes * i;
+    const Vector solved = column[0] * vector_at(at);
+    vector_at(at) = solved;
     const int reach = reach_of(i, n);
-    for (int a = 0; a < kQpAxes; ++a) at[a] *= column[0];
-    for (int d = 1; d <= reach; ++d) {
-      for (int a = 0; a < kQpAxes; ++a) at[kQpAxes * d + a] -= column[d] * at[a];
-    }
+    for (int d = 1; d <= reach; ++d) vector_at(at + kQpAxes * d) -= column[d] * solved;
   }
 }
 
@@ -147,7 +146,7 @@ void unknowns_from(QpSolver& solver, const double* z) {
 
 int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
   const QpUnitPlanes& planes = solver.planes;
-  const double normal[kQpAxes] = {planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]};
+  const Vector normal(planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]);
   const int begin = kQpAxes * point.first;
   double window[kQpBand + 1] = {};
   for (int t = 0; t < point.terms; ++t) window[t] = point.coefficient[t];
@@ -156,7 +155,7 @@ int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
   for (int i = point.first; i < solver.unknowns; ++i) {
     const double* column = solver.factor[i];
     const double w = window[0] * column[0];
-    for (int a = 0; a < kQpAxes; ++a) solver.row[kQpAxes * i + a] = normal[a] * w;
+    vector_at(solver.row + kQpAxes * i) = w * normal;
     squared += w * w;
     for (int d = 1; d <= kQpBand; ++d) window[d - 1] = window[d] - column[d] * w;
     window[kQpBand] = 0.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/kkt.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 #include "qp/hessian.hpp"
 
 namespace tern::qp {
@@ -23,12 +23,9 @@ double right_side(const QpProblem& problem, const QpRow& row) {
 /// out += factor * a, interleaved.
 void add_gradient(const QpProblem& problem, const QpRow& row, double factor, double* out) {
   const QpPoint& point = problem.points[row.point];
-  const Vec3 normal = factor * problem.planes[row.plane].normal;
+  const Vector normal = factor * to_vector(problem.planes[row.plane].normal);
   for (int t = 0; t < point.terms; ++t) {
-    double* at = out + kQpAxes * (point.first + t);
-    at[0] += normal.x * point.coefficient[t];
-    at[1] += normal.y * point.coefficient[t];
-    at[2] += normal.z * point.coefficient[t];
+    vector_at(out + kQpAxes * (point.first + t)) += point.coefficient[t] * normal;
   }
 }
 
