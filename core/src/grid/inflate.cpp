@@ -19,21 +19,10 @@ struct Inside {
   std::uint64_t outside_x[kMaxRowWords];  ///< a row's bits outside
 };
 
-/// Bits from index `begin` up to `end` of a word that begins at index 64 k.
-std::uint64_t bits_in(const IndexRange& range, std::int32_t k) {
-  const std::int32_t begin = range.begin - 64 * k;
-  const std::int32_t end = range.end - 64 * k;
-  const std::uint64_t all = ~std::uint64_t{0};
-  if (begin >= end || begin >= 64 || end <= 0) return 0;
-  const std::uint64_t below = begin > 0 ? ~(all << begin) : 0;
-  const std::uint64_t above = end < 64 ? all << end : 0;
-  return ~(below | above);
-}
-
 Inside inside_of(const Grid& grid) {
   Inside inside;
   const IndexRange x = inside_boundary(grid, 0);
-  for (std::int32_t k = 0; k < grid.row_words(); ++k) inside.outside_x[k] = ~bits_in(x, k);
+  for (std::int32_t k = 0; k < grid.row_words(); ++k) inside.outside_x[k] = ~bits_met(x, k);
   inside.y = inside_boundary(grid, 1);
   inside.z = inside_boundary(grid, 2);
   return inside;
@@ -94,7 +83,7 @@ Patch take_patch(std::uint64_t* reached, std::int32_t end, std::int32_t k) {
   const std::int32_t begin = __builtin_ctzll(reached[k]);
   const std::uint64_t gaps = ~(reached[k] >> begin);
   const std::int32_t count = gaps == 0 ? kBlockRows : __builtin_ctzll(gaps);
-  const std::uint64_t run = bits_in({begin, begin + count}, 0);
+  const std::uint64_t run = bits_met({begin, begin + count}, 0);
   Patch patch{0, {begin, begin + count}, {k, k}};
   while (patch.words.end < end && (reached[patch.words.end] & run) == run) reached[patch.words.end++] &= ~run;
   return patch;
@@ -119,10 +108,6 @@ void store_tile(const InflationTile& tile, const Inside& inside, const IndexRang
     for (std::int32_t r = 0; r < tile.rows && inside.outside_x[k] != 0; ++r)
       row[r * row_words + k] |= inside.outside_x[k];
   }
-}
-
-IndexRange overlap(const IndexRange& a, const IndexRange& b) {
-  return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
 
 /// One inflation of a grid whose blocked layer is given.
@@ -153,13 +138,12 @@ struct Inflation {
     for (tile.y = patch.rows.begin; tile.y < patch.rows.end; tile.y += tile_rows) {
       tile.rows = patch.rows.end - tile.y < tile_rows ? patch.rows.end - tile.y : tile_rows;
       make_inflation_tile(grid, stencil, tile);
-      const std::size_t row = static_cast<std::size_t>(grid.obstacle_row(tile.y, tile.z) - grid.obstacle_row(0, 0));
-      store_tile(tile, inside, patch.words, row_words, blocked + row);
+      store_tile(tile, inside, patch.words, row_words, blocked + GridView::obstacles(grid).index(tile.y, tile.z));
     }
   }
 
   void make_block(const Changes& changes, const IndexRange& words, std::int32_t z, std::int32_t block) const {
-    const std::uint64_t rows_inside = bits_in(inside.y, block);
+    const std::uint64_t rows_inside = bits_met(inside.y, block);
     if (rows_inside == 0) return;
     std::uint64_t reached[kMaxRowWords];
     find_reached(changes, stencil, z, block, words, reached);

@@ -7,12 +7,12 @@
 
 #include <cstdint>
 
+#include "grid/bit_rows.hpp"
 #include "grid/stencil.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
 
-constexpr std::int32_t kMaxRowWords = (kMaxDimension + 63) / 64;
 /// Words of a tile: small enough for the stack and the first-level cache, and a row of the widest grid at least.
 constexpr std::int32_t kTileWords = kMaxRowWords > 160 ? kMaxRowWords : 160;
 
