@@ -57,6 +57,22 @@ inline std::uint64_t bits_met(const IndexRange& range, std::int32_t k) noexcept 
   return met.begin < met.end ? bits_within(met, k) : 0;
 }
 
+/// The middle one of three words after each bit has spread by `reach` < 64 to both sides.
+inline std::uint64_t spread_bits(std::uint64_t before, std::uint64_t own, std::uint64_t after,
+                                 std::int32_t reach) noexcept {
+  std::uint64_t up = own;
+  std::uint64_t down = own;
+  for (std::int32_t done = 0; done < reach;) {
+    const std::int32_t step = done + 1 < reach - done ? done + 1 : reach - done;
+    up |= up << step | before >> (64 - step);
+    before |= before << step;
+    down |= down >> step | after << (64 - step);
+    after |= after >> step;
+    done += step;
+  }
+  return up | down;
+}
+
 /// A layer's rows along x. Voxel x of a row is bit x % 64 of its word x / 64. Rows follow one another along y, and
 /// planes along z.
 struct BitRows {
