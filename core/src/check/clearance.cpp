@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/math.hpp"
 #include "check/check_stage.hpp"
+#include "grid/bit_rows.hpp"
 
 namespace tern {
 namespace {
@@ -112,11 +113,9 @@ Span uncut(const Grid& grid, const Cuts& cuts, const Range& block) {
 }
 
 bool has_obstacle(const std::uint64_t* row, const Span& span) {
-  for (std::int32_t x = span.begin; x < span.end; x = (x | 63) + 1) {
-    std::uint64_t word = row[x >> 6] >> (x & 63);
-    const std::int32_t left = span.end - x;
-    if (left < 64) word &= (std::uint64_t{1} << left) - 1;
-    if (word != 0) return true;
+  if (span.begin >= span.end) return false;
+  for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
+    if ((row[k] & bits_within({span.begin, span.end}, k)) != 0) return true;
   }
   return false;
 }

@@ -13,7 +13,7 @@ namespace {
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
   if (run.end <= run.begin) return;
-  std::uint64_t* row = layer.words + (view.blocked_row(y, z) - layer.words);
+  std::uint64_t* row = layer.words + GridView::blocked(view).index(y, z);
   for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
 }
 
@@ -90,11 +90,11 @@ IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
 }  // namespace
 
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
-  const std::size_t words = grid.layer_words();
+  const std::size_t words = GridView::layer_words(grid);
   if (words > static_cast<std::size_t>(kMaxFenceWords)) return Status::kFenceLayerFull;
-  const std::uint64_t* from = grid.blocked_row(0, 0);
+  const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
-  view = grid.with_blocked(layer.words);
+  view = GridView::with_blocked(grid, layer.words);
   return Status::kOk;
 }
 

@@ -69,10 +69,7 @@ bool row_free(const std::uint64_t* row, const IndexRange& range) {
   const std::int32_t first = range.begin >> 6;
   const std::int32_t last = (range.end - 1) >> 6;
   for (std::int32_t k = first; k <= last; ++k) {
-    std::uint64_t word = row[k];
-    if (k == first) word &= ~std::uint64_t{0} << (range.begin & 63);
-    if (k == last) word &= ~std::uint64_t{0} >> (63 - ((range.end - 1) & 63));
-    if (word != 0) return false;
+    if ((row[k] & bits_within(range, k)) != 0) return false;
   }
   return true;
 }
