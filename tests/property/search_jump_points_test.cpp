@@ -5,12 +5,12 @@
 // however the work was cut.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstring>
 #include <memory>
 
 #include "support/path_world.hpp"
 #include "support/reference_search.hpp"
+#include "support/walked_path.hpp"
 
 namespace {
 
@@ -24,32 +24,11 @@ using tern_test::random_world;
 using tern_test::ReferenceSearch;
 using tern_test::scaled;
 using tern_test::VoxelWorld;
-
-int sign(int v) {
-  return (v > 0) - (v < 0);
-}
-
-/// Walks a raw path move by move. Every leg goes straight along one of the 26 directions and cuts no corner; returns
-/// the path's cost, -1 where a move is not allowed.
-double walked_cost(const tern::Grid& grid, const ReferenceSearch& reference, const tern::Path& path) {
-  double cost = 0.0;
-  for (int k = 1; k < path.raw_count; ++k) {
-    Voxel at = grid.voxel_of(path.raw[k - 1]);
-    const Voxel to = grid.voxel_of(path.raw[k]);
-    const Voxel step{sign(to.x - at.x), sign(to.y - at.y), sign(to.z - at.z)};
-    while (at.x != to.x || at.y != to.y || at.z != to.z) {
-      if (!reference.allowed(at, step)) return -1.0;
-      at = {at.x + step.x, at.y + step.y, at.z + step.z};
-      cost += std::sqrt(step.x * step.x + step.y * step.y + step.z * step.z);
-    }
-  }
-  return cost;
-}
+using tern_test::walked_cost;
 
 void expect_same_path(const tern::Path& a, const tern::Path& b) {
-  ASSERT_EQ(a.raw_count, b.raw_count);
+  tern_test::expect_same_raw(a, b);
   ASSERT_EQ(a.count, b.count);
-  EXPECT_EQ(std::memcmp(a.raw, b.raw, sizeof(Vec3) * static_cast<std::size_t>(a.raw_count)), 0);
   EXPECT_EQ(std::memcmp(a.points, b.points, sizeof(Vec3) * static_cast<std::size_t>(a.count)), 0);
 }
 
