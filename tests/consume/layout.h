@@ -25,8 +25,9 @@
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
-  FIELD(tern_request, shortcut) FIELD(tern_request, time_weight) FIELD(tern_request, fences)                         \
-  FIELD(tern_request, fence_count) FIELD(tern_request, previous) FIELD(tern_request, previous_time) \
+  FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, time_weight)                         \
+  FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
+  FIELD(tern_request, previous_time)                                                                                 \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
@@ -46,7 +47,7 @@
   FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, half_spaces)                           \
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
-  FIELD(tern_report, kkt_residual)
+  FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)
 
 /* A field's place and size, and the size of the type that it is in. */
 typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;

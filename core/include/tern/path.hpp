@@ -19,7 +19,7 @@ struct Path {
   /// Length of the jump-point path, metres.
   double raw_length;
   /// Cost of the path that the search found between the voxels of start and goal, in voxel edges: 1, sqrt 2 or sqrt 3
-  /// per step. It is the least cost on the grid. 0 if start and goal share a voxel.
+  /// per step. With SearchMode::kOptimal it is the least cost on the grid. 0 if start and goal share a voxel.
   double grid_length;
   /// Waypoints of the shortened path, 2 .. kMaxWaypoints.
   int count;

@@ -17,7 +17,7 @@ namespace tern {
 struct StageReport {
   /// Units of work done. What a unit is depends on the stage:
   /// - kRequest: all keep-in fences together, or one keep-out fence, entered into the grid
-  /// - kSearch: a node taken off the open list, or a line that joins start or goal to the grid
+  /// - kSearch: a node, voxel or block taken off an open list, or a line that joins start or goal to the grid
   /// - kShortcut: a line of sight, or a trial of tightening
   /// - kCorridor: a half-space made, even if it was discarded later
   /// - kTimes: a segment that got its first duration
@@ -33,7 +33,8 @@ struct StageReport {
 /// The highest use of each capacity of config.hpp during the plan. Compare it with the capacity to choose capacities of
 /// your own. Where a capacity ran out, its value here is the capacity itself.
 struct HighWater {
-  /// Jump points that one search generated; of TERN_MAX_NODES.
+  /// Jump points that one search generated; of TERN_MAX_NODES. Those of the optimal search alone, and of the steps that
+  /// every search begins with.
   int32_t nodes;
   /// Entries of the open list at one time; of TERN_MAX_OPEN.
   int32_t open;
@@ -66,6 +67,16 @@ enum class Quality : uint8_t {
   kOptimised,
   /// The rest of Request::previous, which leads to the goal.
   kPrevious,
+};
+
+/// Which search found the path.
+enum class SearchUsed : uint8_t {
+  /// None did: there is no path, or none was needed between start and goal.
+  kNone = 0,
+  /// The guided search.
+  kGuided,
+  /// The optimal search.
+  kOptimal,
 };
 
 /// The whole answer to one call of Planner::plan or Planner::finish, which always fill it. Plain data without pointers.
@@ -125,6 +136,13 @@ struct Report {
   /// Largest relative KKT residual of that solution: stationarity, complementarity or violation. At most 1e-8;
   /// docs/qp.md defines it. 0 unless `quality` is kOptimised.
   double kkt_residual;
+
+  /// The cost of the path over the grid is at most so many times the least possible, but for rounding: its cost divided
+  /// by a proven lower bound. Mostly the path is much nearer to the optimum than that. 1 for the optimal search, and
+  /// where no search was needed; 0 without a path.
+  double search_bound;
+  /// Which search found the path.
+  SearchUsed search_used;
 };
 
 }  // namespace tern

@@ -60,8 +60,8 @@ constexpr double kMaxTimeWeight = 1e6;
 /// How much work a plan may spend in each stage. Work is counted, never timed (contract C7), so a budget gives the same
 /// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
-  /// Search: nodes taken off the open list, and lines checked to join start and goal to the grid. Beyond it:
-  /// kBudgetSearch.
+  /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
+  /// Beyond it: kBudgetSearch.
   uint32_t expansions = 0xFFFFFFFFu;
   /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
   uint32_t sight_lines = 0xFFFFFFFFu;
@@ -79,6 +79,16 @@ enum class ShortcutMode : uint8_t {
   kShortestChain = 0,
 };
 
+/// How the search looks for a way over the grid. Any other number is refused (kInvalidArgument, field kSearch). Either
+/// way kNoPath means that there is none.
+enum class SearchMode : uint8_t {
+  /// A way that is a few per cent dearer than the cheapest, in a fraction of the time. Report::search_bound says how
+  /// much dearer it can be. Where that search is led astray, the optimal one answers.
+  kFast = 0,
+  /// A cheapest way.
+  kOptimal = 1,
+};
+
 /// One planning query. The caller owns it and everything that it points to. Planner::plan and Planner::begin read it
 /// while they run and keep no pointer into it.
 struct Request {
@@ -87,6 +97,7 @@ struct Request {
   Limits limits{};
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
+  SearchMode search = SearchMode::kFast;
   /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
   double time_weight = kDefaultTimeWeight;
   /// Geofences: an array of `fence_count`, or null with fence_count 0.

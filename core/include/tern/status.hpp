@@ -99,7 +99,7 @@ enum class Status : uint8_t {
 /// The stages of a plan, in the order in which data flows through them.
 enum class Stage : uint8_t {
   kRequest = 0,  ///< validation of the request and entering its fences, before any other stage
-  kSearch,       ///< jump point search (the paper's Section 3.2.1)
+  kSearch,       ///< guided search, or jump point search (the paper's Section 3.2.1)
   kShortcut,     ///< shortening the path (Section 3.2.3)
   kCorridor,     ///< polyhedra along the path (Section 3.3.1)
   kTimes,        ///< first durations by trapezoidal profiles (Section 3.3.2)
@@ -138,6 +138,7 @@ enum class Field : uint8_t {
   kPrevious,           ///< Request::previous or previous_time: no trajectory, or it does not give `start` at that time
   kNotInflated,        ///< the grid was bound, marked or cleared since its last inflate()
   kConfiguration,      ///< the caller's headers and the library were compiled with different capacities
+  kSearch,             ///< Request::search
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 4
+#define TERN_ABI 5
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -78,6 +78,7 @@ typedef struct {
   tern_limits limits;
   tern_budget budget;
   uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
+  uint8_t search;           /* tern::SearchMode: 0 fast, 1 optimal; any other number is refused */
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
   const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
@@ -117,6 +118,8 @@ typedef struct {
   int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;
+  double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
+  uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
 } tern_report;
 #endif
 

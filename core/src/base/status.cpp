@@ -128,6 +128,7 @@ const char* field_name(Field field) noexcept {
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
     case Field::kShortcut: return "shortcut";
+    case Field::kSearch: return "search";
     case Field::kPrevious: return "previous plan";
     case Field::kNotInflated: return "grid not inflated";
     case Field::kConfiguration: return "configuration";

@@ -68,6 +68,7 @@ void direct_path(PathStage& stage, Path& out) {
   out.raw[0] = stage.query.start;
   out.raw[1] = stage.query.goal;
   out.grid_length = 0.0;
+  stage.search_bound = 1.0;
 }
 
 bool is_direct(const PathStage& stage, const Grid& grid) {
@@ -91,24 +92,35 @@ Status write_raw(PathStage& stage, const Grid& grid, Path& out) {
   out.raw_count = 0;
   if (!same(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
   const bool at_center = same(query.goal, grid.center(stage.goal.voxel));
-  const Status status = search_extract(stage.search, grid, at_center ? 0 : 1, out);
+  const Status status = voxel_search_extract(stage.search, grid, at_center ? 0 : 1, out);
   if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
   stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;
   return status;
 }
 
+/// A slice of the search, within the stage's budget.
+Status run_search(PathStage& stage, const Grid& grid, Work& work) {
+  const std::uint32_t most = least(work.left, stage.query.max_expansions - stage.expansions);
+  Work allowed{most};
+  const Status status = voxel_search_advance(stage.search, grid, allowed);
+  work.left -= most - allowed.left;
+  stage.expansions += most - allowed.left;
+  stage.nodes_high = larger_of(stage.nodes_high, stage.search.nodes_high);
+  stage.open_high = larger_of(stage.open_high, stage.search.open_high);
+  const bool spent = stage.expansions >= stage.query.max_expansions;
+  return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
+}
+
+/// kRunning with work left where the path has too many turns and another search may find one with fewer.
 Status advance_search(PathStage& stage, const Grid& grid, Work& work, Path& out) {
-  Status status = Status::kRunning;
-  while (status == Status::kRunning) {
-    const Status taken = take_expansion(stage, work);
-    if (taken != Status::kOk) return taken;
-    status = search_expand(stage.search, grid);
-    stage.nodes_high = larger_of(stage.nodes_high, static_cast<std::int32_t>(stage.search.store.count));
-    stage.open_high = larger_of(stage.open_high, stage.search.open.high);
-  }
+  Status status = run_search(stage, grid, work);
   if (status != Status::kOk) return status;
   status = write_raw(stage, grid, out);
-  if (status == Status::kOk) begin_shortcut(stage, grid, out);
+  if (status == Status::kJumpPointsFull && voxel_search_again(stage.search, grid)) return Status::kRunning;
+  if (status != Status::kOk) return status;
+  stage.search_used = search_used(stage.search);
+  stage.search_bound = search_bound(stage.search, out.grid_length);
+  begin_shortcut(stage, grid, out);
   return status;
 }
 
@@ -157,7 +169,7 @@ Status find_raw_path(PathStage& stage, const Grid& grid, Work& work, Path& out) 
     if (stage.phase == PathPhase::kJoinGoal) {
       status = advance_join(stage, grid, work, stage.goal, stage.query.goal);
       if (status == Status::kOk) {
-        search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel);
+        voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.search);
         stage.phase = PathPhase::kSearch;
       }
     }
@@ -181,6 +193,8 @@ void path_begin(PathStage& stage, ScanMap& map, const Grid& grid, const PathQuer
   stage.has_nearest_free = false;
   stage.nearest_free = {0.0, 0.0, 0.0};
   stage.stage = Stage::kSearch;
+  stage.search_used = SearchUsed::kNone;
+  stage.search_bound = 0.0;
   stage.failed = 0;
   stage.query = query;
   join_start(stage, grid);

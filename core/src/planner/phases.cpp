@@ -47,7 +47,8 @@ void Plan::enter(Phase phase) noexcept {
                             asked_.budget.sight_lines - before(Stage::kShortcut),
                             fences,
                             !at_rest(memory.ends.start),
-                            !at_rest(memory.ends.goal)};
+                            !at_rest(memory.ends.goal),
+                            asked_.search};
       return path_begin(memory.stage.path, memory.scans, world(), query);
     }
     case Phase::kCorridor:

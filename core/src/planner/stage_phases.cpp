@@ -57,6 +57,8 @@ Status Plan::run_path(Work& work) noexcept {
   raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
   raise(report_.high_water.segments, stage.segments_high);
+  report_.search_used = stage.search_used;
+  report_.search_bound = stage.search_bound;
   if (status == Status::kRunning) return status;
   report_.raw_occupied = stage.raw_occupied;
   report_.has_nearest_free = stage.has_nearest_free;

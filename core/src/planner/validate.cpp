@@ -96,6 +96,10 @@ bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
 }
 
+bool known(SearchMode mode) {
+  return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
+}
+
 /// In the local frame, on the boundary's face where only rounding put it beyond.
 Vec3 position_to_local(const Grid& grid, const Vec3& world) {
   Vec3 local = grid.to_local(world);
@@ -123,6 +127,7 @@ Verdict validate(const Grid& grid, const Request& request) noexcept {
     return {Status::kLimitsInvalid, Field::kTimeWeight};
   }
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
+  if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
   if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
