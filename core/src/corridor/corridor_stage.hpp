@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "corridor/grow.hpp"
 #include "tern/corridor.hpp"
@@ -36,6 +37,7 @@ constexpr std::uint32_t kCorridorBound = kCorridorTries * kGrowBound;
 
 /// Plain data; needs no initialisation before corridor_begin.
 struct CorridorStage {
+  Status status;             ///< why the stage failed; else kOk
   std::uint32_t planes;      ///< half-spaces made so far, discarded ones included; <= kCorridorBound and the budget
   std::int32_t planes_high;  ///< of the fullest polyhedron
   std::int32_t boxes_high;   ///< of the busiest local box
@@ -54,17 +56,17 @@ struct CorridorStage {
 void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
                     const Fences* fences = nullptr) noexcept;
 
-/// One unit of work is one polyhedron. kRunning, or the end: kOk with `out` full: polyhedron i holds its `from` and
+/// One unit of work is one polyhedron. kDone with `out` full: polyhedron i holds its `from` and
 /// `to` and ends exactly where i + 1 begins; the first begins at the path's first point, the last ends at its last.
 /// Those ends are waypoints, or ends of pieces of legs, in the path's order, but not all of them: a polyhedron that
 /// holds the piece after its own, or the beginning of the segment before it, with kSightMargin of a voxel to spare at
 /// that point, has the straight line to or from there for its segment. The first and
-/// the last piece of the path have polyhedra of their own. Else kCorridorBlocked, kOutOfMap,
+/// the last piece of the path have polyhedra of their own. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
 /// A path whose interior legs keep kSightMargin of a voxel from whatever is not free gives every pair of neighbours a
 /// common ball of radius kSightMargin * cell about their common point (less 1e-9 m of rounding).
-Status corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
+Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
 
 }  // namespace tern
 
