@@ -102,7 +102,7 @@ void count_reuse(const Map& map, const std::vector<Vec3>& line, Samples& samples
   std::copy(line.begin(), line.end(), path->points);
   corridor_begin(*stage, map.grid, *path, 0xFFFFFFFFu);
   tern::Work work{tern::kCorridorTries};
-  if (corridor_advance(*stage, map.grid, *path, work, *corridor) != Status::kOk) {
+  if (corridor_advance(*stage, map.grid, *path, work, *corridor) != tern::Progress::kDone) {
     ++samples.failed;
     return;
   }

@@ -51,12 +51,16 @@ TEST(CInterface, EveryByteHasNames) {
     EXPECT_GT(std::strlen(tern_status_meaning(value)), 0u) << byte;
     EXPECT_GT(std::strlen(tern_stage_name(value)), 0u) << byte;
     EXPECT_GT(std::strlen(tern_field_name(value)), 0u) << byte;
+    EXPECT_GT(std::strlen(tern_finding_name(value)), 0u) << byte;
   }
   EXPECT_GT(named, 30);
   EXPECT_STREQ(tern_status_name(200), "unknown");
   EXPECT_STREQ(tern_stage_name(200), "unknown");
   EXPECT_STREQ(tern_field_name(200), "unknown");
+  EXPECT_STREQ(tern_finding_name(200), "unknown");
   EXPECT_STREQ(tern_stage_name(1), "search");
+  EXPECT_STREQ(tern_stage_name(10), "escape");
+  EXPECT_STREQ(tern_finding_name(2), "obstacle");
   EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kShortcut)), "shortcut");
   EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kSearch)), "search");
 }

@@ -72,14 +72,14 @@ TEST(TinyGuide, TheOptimalSearchAnswersThen) {
     if (!random_free(world.grid, random, start)) continue;
     const Voxel goal{(start.x + random.integer(0, 6)) % 32, (start.y + random.integer(0, 6)) % 32, start.z};
     if (!world.grid.free(goal)) continue;
-    tern::PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    tern_test::PathQuery query{world.grid.center(start), world.grid.center(goal)};
     const Status optimal = runner.run(world.grid, query);
     query.search = tern::SearchMode::kFast;
     const Status fast = runner.run(world.grid, query);
     if (optimal == Status::kOk || optimal == Status::kNoPath) {
       ASSERT_TRUE(fast == optimal || fast == Status::kSegmentsFull) << "case " << k;
     }
-    fallen_back += runner.stage().search_used == tern::SearchUsed::kOptimal ? 1 : 0;
+    fallen_back += runner.search().search_used == tern::SearchUsed::kOptimal ? 1 : 0;
   }
   EXPECT_GT(fallen_back, 0);
 }

@@ -22,8 +22,8 @@ using tern_test::scaled;
 using tern_test::VoxelWorld;
 using tern_test::walled_world;
 
-tern::PathQuery fast_query(const VoxelWorld& world, const Voxel& start, const Voxel& goal) {
-  tern::PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
+tern_test::PathQuery fast_query(const VoxelWorld& world, const Voxel& start, const Voxel& goal) {
+  tern_test::PathQuery query{world.grid.center(start), world.grid.center(goal)};
   query.search = tern::SearchMode::kFast;
   return query;
 }
@@ -41,21 +41,21 @@ TEST(FastPath, VerdictsAreRightAndBoundsHold) {
     ReferenceSearch reference(world.grid);
     const double optimum = reference.cost(start, goal);
     const Status status = runner.run(world.grid, fast_query(world, start, goal));
-    ++used[static_cast<int>(runner.stage().search_used)];
-    ASSERT_LE(runner.stage().expansions, tern::kSearchBound);
+    ++used[static_cast<int>(runner.search().search_used)];
+    ASSERT_LE(runner.search().expansions, tern::kSearchBound);
     if (optimum < 0.0) {
       ASSERT_EQ(status, Status::kNoPath) << "case " << k;
-      ASSERT_EQ(runner.stage().search_used, SearchUsed::kNone);
+      ASSERT_EQ(runner.search().search_used, SearchUsed::kNone);
       ++none;
       continue;
     }
     ASSERT_TRUE(status == Status::kOk || status == Status::kSegmentsFull) << "case " << k;
     const double cost = runner.path().grid_length;
     ASSERT_NEAR(tern_test::walked_cost(world.grid, reference, runner.path()), cost, 1e-9) << "case " << k;
-    const double bound = runner.stage().search_bound;
+    const double bound = runner.search().search_bound;
     ASSERT_GE(bound, 1.0);
     ASSERT_LE(cost, bound * optimum + 1e-9) << "case " << k;
-    if (runner.stage().search_used == SearchUsed::kOptimal) {
+    if (runner.search().search_used == SearchUsed::kOptimal) {
       ASSERT_NEAR(cost, optimum, 1e-9) << "case " << k;
     }
   }
@@ -73,13 +73,13 @@ TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
     Voxel start{};
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    const tern::PathQuery query = fast_query(world, start, goal);
+    const tern_test::PathQuery query = fast_query(world, start, goal);
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 7u, 1000u}) {
       other.fill(static_cast<unsigned char>(slice));
       ASSERT_EQ(other.run(world.grid, query, slice), status);
-      ASSERT_EQ(other.stage().expansions, whole.stage().expansions);
-      ASSERT_EQ(other.stage().search_used, whole.stage().search_used);
+      ASSERT_EQ(other.search().expansions, whole.search().expansions);
+      ASSERT_EQ(other.search().search_used, whole.search().search_used);
       if (status == Status::kOk) tern_test::expect_same_raw(whole.path(), other.path());
     }
   }
@@ -96,16 +96,16 @@ TEST(FastPath, BudgetsEndTheSearchWhereverItIs) {
     Voxel start{};
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    tern::PathQuery query = fast_query(world, start, goal);
-    if (whole.run(world.grid, query) != Status::kOk || whole.stage().search_used != SearchUsed::kGuided) continue;
+    tern_test::PathQuery query = fast_query(world, start, goal);
+    if (whole.run(world.grid, query) != Status::kOk || whole.search().search_used != SearchUsed::kGuided) continue;
     ++guided;
-    const std::uint32_t needed = whole.stage().expansions;
+    const std::uint32_t needed = whole.search().expansions;
     for (const std::uint32_t budget : {0u, 1u, 96u, 97u, needed - 1}) {
       query.max_expansions = budget;
       ASSERT_EQ(whole.run(world.grid, query), Status::kBudgetSearch) << budget;
       ASSERT_EQ(sliced.run(world.grid, query, 3), Status::kBudgetSearch) << budget;
-      EXPECT_EQ(whole.stage().expansions, budget);
-      EXPECT_EQ(sliced.stage().expansions, budget);
+      EXPECT_EQ(whole.search().expansions, budget);
+      EXPECT_EQ(sliced.search().expansions, budget);
     }
     query.max_expansions = needed;
     EXPECT_EQ(whole.run(world.grid, query), Status::kOk);

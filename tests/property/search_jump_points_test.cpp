@@ -17,6 +17,7 @@ namespace {
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_free;
@@ -95,12 +96,12 @@ TEST(PathSearch, SlicesDoNotChangeThePath) {
     Voxel start{};
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    const tern::PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    const PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 2u, 7u}) {
       ASSERT_EQ(sliced.run(world.grid, query, slice), status);
-      ASSERT_EQ(sliced.stage().expansions, whole.stage().expansions);
-      ASSERT_EQ(sliced.stage().sight_lines, whole.stage().sight_lines);
+      ASSERT_EQ(sliced.search().expansions, whole.search().expansions);
+      ASSERT_EQ(sliced.shortcut().sight_lines, whole.shortcut().sight_lines);
       if (status == Status::kOk) expect_same_path(whole.path(), sliced.path());
     }
   }
@@ -119,7 +120,7 @@ TEST(PathSearch, MemoryMayBeginWithAnyBits) {
     for (const unsigned char byte : {0x00, 0x01, 0xA5, 0xFF}) {
       filled.fill(byte);
       ASSERT_EQ(filled.run(world.grid, start, goal), status);
-      ASSERT_EQ(filled.stage().expansions, reused.stage().expansions);
+      ASSERT_EQ(filled.search().expansions, reused.search().expansions);
       if (status == Status::kOk) expect_same_path(reused.path(), filled.path());
     }
   }
@@ -134,13 +135,13 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
     runner.run(world.grid, start, goal);
-    const tern::PathStage& stage = runner.stage();
+    const tern::SearchStage& stage = runner.search();
     // Each search that found no way is followed by another from elsewhere, where an end can join elsewhere.
     const unsigned searches = stage.failed + 1;
     EXPECT_LE(stage.expansions, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
     EXPECT_LE(stage.expansions, tern::kSearchBound);
     EXPECT_LE(stage.open_high, stage.nodes_high);
-    EXPECT_LE(stage.sight_lines, tern::kShortcutBound);
+    EXPECT_LE(runner.shortcut().sight_lines, tern::kShortcutBound);
   }
 }
 

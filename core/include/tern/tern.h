@@ -44,6 +44,7 @@ typedef tern::Sample tern_sample;
 typedef tern::Yaw tern_yaw;
 typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
+typedef tern::CheckReport tern_check_report;
 typedef tern::HighWater tern_high_water;
 typedef tern::Report tern_report;
 extern "C" {
@@ -102,6 +103,14 @@ typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
+/* What the check found wrong with a plan: tern/report.hpp. -1 where an index or a voxel has no value. */
+typedef struct {
+  uint8_t finding; /* tern_finding_name() */
+  int32_t segment, polyhedron, plane, fence;
+  int32_t derivative, axis; /* 0 position .. 3 jerk; 0 x, 1 y, 2 z, 3 the horizontal norm */
+  tern_voxel voxel;
+  double excess; /* by how much more than the check allows: m, m/s, m/s^2 or m/s^3 */
+} tern_check_report;
 /* The answer to a call of the planner: tern/report.hpp. */
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
@@ -112,9 +121,11 @@ typedef struct {
   /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. */
   uint8_t quality, optimiser;
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
-  tern_stage_report stages[7]; /* request, search, shortcut, corridor, times, trajectory, check */
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape */
+  tern_stage_report stages[11];
   tern_high_water high_water;
   int32_t fence; /* index of the fence that start or goal breaks; -1: none */
+  tern_check_report check; /* only where status or optimiser is check_failed */
   int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;
@@ -156,6 +167,8 @@ const char* tern_status_meaning(uint8_t status);
 const char* tern_stage_name(uint8_t stage);
 /* "start position", "v_max", ... */
 const char* tern_field_name(uint8_t field);
+/* "obstacle", "velocity", ...: what the check refuses a plan for. */
+const char* tern_finding_name(uint8_t finding);
 
 /* What tern_self_test() found wrong, one bit each, as in tern/self_test.hpp. Remove the flag that is named. */
 typedef enum {

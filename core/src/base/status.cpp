@@ -97,6 +97,25 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kTimes: return "times";
     case Stage::kTrajectory: return "trajectory";
     case Stage::kCheck: return "check";
+    case Stage::kFences: return "fences";
+    case Stage::kDetour: return "detour";
+    case Stage::kPrevious: return "previous";
+    case Stage::kEscape: return "escape";
+  }
+  return "unknown";
+}
+
+const char* finding_name(Finding finding) noexcept {
+  switch (finding) {
+    case Finding::kNone: return "none";
+    case Finding::kMalformed: return "malformed";
+    case Finding::kObstacle: return "obstacle";
+    case Finding::kOutside: return "outside";
+    case Finding::kVelocity: return "velocity";
+    case Finding::kAcceleration: return "acceleration";
+    case Finding::kJoint: return "joint";
+    case Finding::kFence: return "fence";
+    case Finding::kBoundary: return "boundary state";
   }
   return "unknown";
 }

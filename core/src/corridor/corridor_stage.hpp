@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "corridor/grow.hpp"
 #include "tern/corridor.hpp"
@@ -36,6 +37,7 @@ constexpr std::uint32_t kCorridorBound = kCorridorTries * kGrowBound;
 
 /// Plain data; needs no initialisation before corridor_begin.
 struct CorridorStage {
+  Status status;             ///< why the stage failed; else kOk
   std::uint32_t planes;      ///< half-spaces made so far, discarded ones included; <= kCorridorBound and the budget
   std::int32_t planes_high;  ///< of the fullest polyhedron
   std::int32_t boxes_high;   ///< of the busiest local box
@@ -54,11 +56,10 @@ struct CorridorStage {
 void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
                     const Fences* fences = nullptr) noexcept;
 
-/// One unit of work is one attempt at a polyhedron. Returns kRunning until the end. Then returns kOk with `out` filled
-/// in, or kCorridorBlocked, kOutOfMap, kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor with `out`
-/// undefined.
+/// One unit of work is one attempt at a polyhedron. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
+/// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
-/// With kOk, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
+/// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
 /// of that piece with kSightMargin of a voxel to spare; its segment is then the straight line to or from there. The
@@ -66,7 +67,7 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 ///
 /// If the interior legs of the path keep kSightMargin of a voxel from everything that is not free, any two neighbours
 /// share a ball of radius kSightMargin * cell around their common point (less 1e-9 m of rounding).
-Status corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
+Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
 
 }  // namespace tern
 

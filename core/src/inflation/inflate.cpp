@@ -50,6 +50,7 @@ struct WindowRows {
   }
 };
 
+/// Runs of consecutive rows.
 std::int32_t count_runs(std::uint64_t rows) {
   std::int32_t runs = 0;
   for (std::uint64_t begins = rows & ~(rows << 1); begins != 0; begins &= begins - 1) ++runs;

@@ -27,12 +27,12 @@ double way(const Polyhedron& polyhedron) {
 }
 
 /// Metres that it takes to reach the limit speed and stop again.
-double comfortable_length(const Polyhedron& polyhedron, const Limits& limits) {
+double comfortable_length(const Polyhedron& polyhedron, const MotionLimits& limits) {
   const LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
   return line.speed * line.speed / line.acceleration;
 }
 
-int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits, int index, double whole) {
+int split_of(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, int index, double whole) {
   const Polyhedron& polyhedron = corridor.polyhedra[index];
   const double length = way(polyhedron);
   const bool at_moving_end = (index == 0 && moves(chain.start)) || (index + 1 == corridor.count && moves(chain.goal));
@@ -45,7 +45,7 @@ int split_of(const Chain& chain, const Corridor& corridor, const Limits& limits,
 }
 
 /// The most that each polyhedron may be split for the sum to fit.
-int fitting_split(const Chain& chain, const Corridor& corridor, const Limits& limits, double whole) {
+int fitting_split(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, double whole) {
   for (int most = kMaxSplit; most > 1; --most) {
     int sum = 0;
     for (int i = 0; i < corridor.count; ++i) {
@@ -74,7 +74,7 @@ double least_end_time(const Chain& chain, const Bounds& acceleration, int i) {
 }
 
 /// Cruising along the segment's way, with the trapezoid's ramps at the chain's ends only.
-double time_of(const Chain& chain, const Corridor& corridor, const Limits& limits, int i) {
+double time_of(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, int i) {
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
   double time = 0.0;
   if (chain.length[i] > 0.0) {
@@ -84,7 +84,7 @@ double time_of(const Chain& chain, const Corridor& corridor, const Limits& limit
     if (i + 1 == chain.count) time += ramp_time(chain.goal, line);
     time = smaller(time, trapezoid_time(chain.length[i], line));
   }
-  time = larger(time, least_end_time(chain, acceleration_bounds(limits), i));
+  time = larger(time, least_end_time(chain, limits.acceleration, i));
   return larger(kMinDuration, kFirstSlack * time);
 }
 
@@ -107,12 +107,12 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
   stage.timed = 0;
 }
 
-Status times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
+Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
-    if (!work.take()) return Status::kRunning;
+    if (!work.take()) return Progress::kMore;
     chain.duration[stage.timed] = time_of(chain, corridor, stage.limits, stage.timed);
   }
-  return Status::kOk;
+  return Progress::kDone;
 }
 
 }  // namespace tern

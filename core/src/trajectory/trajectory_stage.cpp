@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/trajectory_stage.hpp"
 
-#include "base/bounds.hpp"
-#include "base/work.hpp"
-#include "curve/bezier.hpp"
-#include "curve/hermite.hpp"
-#include "curve/motion_limits.hpp"
+#include "base/math.hpp"
 #include "curve/rest.hpp"
 #include "trajectory/chain_ends.hpp"
+#include "trajectory/plan_cost.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 
 namespace tern {
 namespace {
 
-/// Passes of the stage's loop: three a programme, and the last ones.
+/// Passes of the stage's loop at most: three a programme, and the last ones.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
 /// Iterations of a programme after which its bound is looked at, again and again.
@@ -23,19 +20,6 @@ constexpr std::uint32_t kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
-}
-
-double largest_reach(const Bounds& bounds) {
-  const double wide = larger(bounds.upper.x, bounds.upper.y);
-  return larger(bounds.upper.z, bounds.horizontal > 0.0 ? smaller(wide, bounds.horizontal) : wide);
-}
-
-/// The weight with its unit: flying at limits v and a takes times of v / a and jerks and snaps that go with them.
-double snap_rate(const Limits& limits, double weight) {
-  const double v = largest_reach(velocity_bounds(limits));
-  const double a = largest_reach(acceleration_bounds(limits));
-  const double snap = (a / v) * (a / v) * a;
-  return weight * (snap * snap);
 }
 
 bool stays(const Corridor& corridor) {
@@ -58,22 +42,8 @@ int most(int a, int b) {
   return a < b ? b : a;
 }
 
-Segment candidate(const TrajectoryStage& stage, int index) {
-  Segment segment{};
-  segment.duration = stage.chain.duration[index];
-  segment.polyhedron = stage.chain.polyhedron[index];
-  for (int k = 0; k < kControlPoints; ++k) segment.points[k] = stage.points[index][k];
-  return segment;
-}
-
-/// Snap of the segments that stage.points holds.
-double candidate_snap(const TrajectoryStage& stage) {
-  double snap = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    const Curve curve = snap_of(candidate(stage, i));
-    snap += integral_of_product(curve, curve, stage.chain.duration[i]);
-  }
-  return snap;
+Candidate candidate_of(const TrajectoryStage& stage) {
+  return {stage.chain, stage.points};
 }
 
 /// Snap of the chain with all unknowns zero, once there is a plan to compare with.
@@ -83,17 +53,7 @@ double fixed_snap(TrajectoryStage& stage) {
     for (int i = 0; i < stage.problem.unknowns; ++i) stage.solution.x[a][i] = 0.0;
   }
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
-  return candidate_snap(stage);
-}
-
-/// Cost of a plan that is stretched by a factor: snap falls with its seventh power.
-double plan_cost(double snap, double rate, double duration, double factor) {
-  return snap / seventh_power(factor) + rate * factor * duration;
-}
-
-/// The factor of least cost: where 7 snap s^-8 = rate duration.
-double cheapest_stretch(double snap, double rate, double duration) {
-  return square_root(square_root(square_root(7.0 * snap / (rate * duration))));
+  return snap_of(candidate_of(stage));
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
@@ -164,37 +124,19 @@ bool solve(TrajectoryStage& stage, Work& work) {
 /// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
 /// where that costs less.
 double best_stretch(const TrajectoryStage& stage, double snap) {
-  double factor = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    factor = larger(factor, kMinDuration / stage.chain.duration[i]);
-    factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
-  }
+  const double factor = stretch_to_limits(candidate_of(stage), stage.query.limits);
   return larger(factor, cheapest_stretch(snap, stage.refinement.rate, chain_duration(stage.chain)));
-}
-
-bool keeps_everything(const TrajectoryStage& stage, const Corridor& corridor, double factor) {
-  for (int i = 0; i < stage.chain.count; ++i) {
-    Segment segment = candidate(stage, i);
-    segment.duration *= factor;
-    if (!inside(segment, corridor.polyhedra[segment.polyhedron])) return false;
-    if (!within_limits(segment, stage.query.limits)) return false;
-  }
-  return true;
 }
 
 double relative_residual(const QpSolution& solution) {
   return larger(larger(solution.stationarity, solution.complementarity), larger(solution.violation, 0.0));
 }
 
-void keep_best(TrajectoryStage& stage, double factor) {
-  stage.best.found = true;
+void keep_best(TrajectoryStage& stage) {
+  keep(candidate_of(stage), stage.round.factor, stage.best);
   stage.best.cost = stage.round.cost;
   stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
-  for (int i = 0; i < stage.chain.count; ++i) {
-    stage.best.duration[i] = factor * stage.chain.duration[i];
-    for (int k = 0; k < kControlPoints; ++k) stage.best.points[i][k] = stage.points[i][k];
-  }
 }
 
 /// A solution's plan, where it keeps what it should; a solution that does not is as good as none.
@@ -202,14 +144,14 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
-  const double snap = candidate_snap(stage);
+  const double snap = snap_of(candidate_of(stage));
   Round& round = stage.round;
   round.factor = rests(stage.query) ? best_stretch(stage, snap) : 1.0;
   round.cost = plan_cost(snap, stage.refinement.rate, chain_duration(stage.chain), round.factor);
-  round.accepted = keeps_everything(stage, corridor, round.factor);
+  round.accepted = keeps_everything(candidate_of(stage), round.factor, corridor, stage.query.limits);
   if (!round.accepted) stage.solve_status = Status::kNumerical;
   if (!round.accepted || (stage.best.found && !(round.cost < stage.best.cost))) return;
-  keep_best(stage, round.factor);
+  keep_best(stage);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
@@ -233,31 +175,30 @@ void judge(TrajectoryStage& stage, const Corridor& corridor) {
   stage.phase = TrajectoryPhase::kPropose;
 }
 
-Status give_out(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+/// Where there is nothing better, from stop to stop.
+Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+  const TrajectoryQuery& query = stage.query;
+  const Status status = stop_and_go(corridor, query.start, query.goal, query.limits, out);
+  stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
+  return conclude(status, stage.status);
+}
+
+Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
   if (stays(corridor) && rests(stage.query)) {
     stage.quality = Quality::kHover;
     hover(stage.query.start.position, out);
-    return Status::kOk;
+    return Progress::kDone;
   }
-  if (!stage.best.found) {
-    const TrajectoryQuery& query = stage.query;
-    const Status status = stop_and_go(corridor, query.start, query.goal, query.limits, out);
-    stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
-    return status;
-  }
+  if (!stage.best.found) return fall_back(stage, corridor, out);
   stage.quality = Quality::kOptimised;
   stage.active = stage.best.active;
   stage.kkt_residual = stage.best.kkt_residual;
-  out.count = stage.chain.count;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    out.segments[i].duration = stage.best.duration[i];
-    out.segments[i].polyhedron = stage.chain.polyhedron[i];
-    for (int k = 0; k < kControlPoints; ++k) out.segments[i].points[k] = stage.best.points[i][k];
-  }
-  return Status::kOk;
+  give_out(stage.best, stage.chain, out);
+  return Progress::kDone;
 }
 
 void clear_results(TrajectoryStage& stage) {
+  stage.status = Status::kOk;
   stage.quality = Quality::kNone;
   stage.optimiser = Status::kOk;
   stage.iterations = 0;
@@ -290,25 +231,25 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.phase = TrajectoryPhase::kPropose;
 }
 
-Status trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept {
-  for (int pass = 0; pass < kPasses; ++pass) {
+Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept {
+  for (int pass = 0; pass < kPasses && stage.phase != TrajectoryPhase::kFinish; ++pass) {
     switch (stage.phase) {
       case TrajectoryPhase::kPropose:
-        if (!work.take()) return Status::kRunning;
+        if (!work.take()) return Progress::kMore;
         propose(stage, corridor);
         break;
       case TrajectoryPhase::kSolve:
-        if (!solve(stage, work)) return Status::kRunning;
+        if (!solve(stage, work)) return Progress::kMore;
         break;
       case TrajectoryPhase::kJudge:
-        if (!work.take()) return Status::kRunning;
+        if (!work.take()) return Progress::kMore;
         judge(stage, corridor);
         break;
       case TrajectoryPhase::kFinish:
-        return give_out(stage, corridor, out);
+        break;
     }
   }
-  return Status::kRunning;
+  return finish(stage, corridor, out);
 }
 
 }  // namespace tern
