@@ -177,11 +177,13 @@ struct Inflation {
     }
   }
 
-  void run(const Changes& changes) const {
+  /// Makes what changes reach in the planes of `wanted`.
+  void run(const Changes& changes, const IndexRange& wanted) const {
     const ChangeExtent extent = changes.extent();
     const std::int32_t far_z = stencil.gap_z() + 1;
     const std::int32_t far_blocks = stencil.gap_z() < 0 ? 0 : (stencil.reach(0, 0) + kBlockRows - 1) / kBlockRows;
-    const IndexRange planes = overlap(inside.z, {extent.planes.begin - far_z, extent.planes.end + far_z});
+    const IndexRange reached = overlap(inside.z, {extent.planes.begin - far_z, extent.planes.end + far_z});
+    const IndexRange planes = overlap(reached, wanted);
     const IndexRange blocks =
         overlap({0, changes.blocks()}, {extent.blocks.begin - far_blocks, extent.blocks.end + far_blocks});
     for (std::int32_t z = planes.begin; z < planes.end; ++z) {
@@ -192,14 +194,17 @@ struct Inflation {
 
 }  // namespace
 
+void Grid::inflate_planes(std::int32_t begin, std::int32_t end) noexcept {
+  const Changes changes(spec_.dims, changes_);
+  if (!changes.any()) return;
+  const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_, words_[kContent], contents_};
+  inflation.run(changes, {begin, end});
+}
+
 void Grid::inflate() noexcept {
   if (!bound()) return;
-  Changes changes(spec_.dims, changes_);
-  if (changes.any()) {
-    const Inflation inflation{*this, Stencil(spec_), inside_of(*this), blocked_, words_[kContent], contents_};
-    inflation.run(changes);
-    changes.clear();
-  }
+  inflate_planes(0, spec_.dims.z);
+  Changes(spec_.dims, changes_).clear();
   words_[kInflated] = words_[kRevision];
 }
 
