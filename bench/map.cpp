@@ -41,9 +41,10 @@ std::vector<Tree> forest() {
   return trees;
 }
 
-/// Distance along a ray to the nearest tree or the ground; infinite where it meets none.
+/// Distance along a ray to the nearest tree, the ground or the background.
 double cast(const std::vector<Tree>& trees, const Vec3& eye, const Vec3& ray) {
-  double nearest = ray.z < 0.0 ? -eye.z / ray.z : INFINITY;
+  // Something is behind it all: a sky without returns would leave nothing to do.
+  double nearest = ray.z < 0.0 ? -eye.z / ray.z : 40.0;
   const double a = ray.x * ray.x + ray.y * ray.y;
   for (const Tree& tree : trees) {
     const double x = eye.x - tree.x, y = eye.y - tree.y;

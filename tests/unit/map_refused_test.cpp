@@ -64,7 +64,7 @@ TEST(MapRefused, Specs) {
   expect_refused(Field::kSlack, invalid, [](MapSpec& s) { s.slack = -1; });
   expect_refused(Field::kPixels, invalid, [](MapSpec& s) { s.pixels = 0; });
   expect_refused(Field::kPixels, Status::kPixelsFull, [](MapSpec& s) { s.pixels = tern::kMaxPixels + 1; });
-  expect_refused(Field::kPixels, Status::kPixelsFull, [](MapSpec& s) { s.pixels = 6 * 15 * 15 - 1; });
+  expect_refused(Field::kPixels, Status::kPixelsFull, [](MapSpec& s) { s.pixels = 6 * 12 * 12 - 1; });
   expect_refused(Field::kPrior, Status::kPriorFull, [](MapSpec& s) { s.prior_count = tern::kMaxPriorBoxes + 1; });
   expect_refused(Field::kPrior, invalid, [](MapSpec& s) { s.prior_count = 1; });
   expect_refused(Field::kDimensions, invalid, [](MapSpec& s) { s.dims.y = 0; });

@@ -49,7 +49,7 @@ struct MapSpec {
   int64_t age;
   /// Voxels by which the centre that follow() is given may be off the window's middle before the window moves; >= 0.
   int32_t slack;
-  /// Pixels of the largest image: width * height. With scans, 6 * (3 / scan_pixel)^2 where that is more.
+  /// Pixels of the largest image: width * height. With scans, 6 * (2.5 / scan_pixel)^2 where that is more.
   int32_t pixels;
 
   /// Obstacles known beforehand: `prior_count` boxes of yours, which must outlive the map and not change. Each is

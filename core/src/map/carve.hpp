@@ -7,9 +7,12 @@
 
 #include <cstdint>
 
-#include "map/map_state.hpp"
+#include "map/look.hpp"
 
 namespace tern {
+
+/// Rows and planes of a block, which is one word long along x.
+constexpr std::int32_t kBlock = 8;
 
 /// A word for each row of a block: [plane][row].
 struct BlockWords {
@@ -18,7 +21,8 @@ struct BlockWords {
 
 /// Adds to `free` the wanted voxels that the view saw whole, and maybe others that it saw whole. `first` is the block's
 /// lowest voxel. From cubes of 8 voxels downwards: one that is decided as a whole is not divided.
-void carve(const View& view, const Voxel& first, const BlockWords& wanted, BlockWords& free) noexcept;
+void carve(const View& view, const Looker& looker, const Voxel& first, const BlockWords& wanted,
+           BlockWords& free) noexcept;
 
 }  // namespace tern
 

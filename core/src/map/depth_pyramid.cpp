@@ -29,16 +29,6 @@ void halve(const Depth* upper, const Depth* lower, std::int32_t width, Depth* __
   if (width % 2 != 0) to[width / 2] = pick(upper[width - 1], lower[width - 1]);
 }
 
-template <typename Pick>
-Depth reduce(const Depth* level, std::int32_t width, const PixelBox& box, std::int32_t shift, Pick pick) {
-  Depth result = level[static_cast<std::ptrdiff_t>(box.v0 >> shift) * width + (box.u0 >> shift)];
-  for (std::int32_t v = box.v0 >> shift; v <= box.v1 >> shift; ++v) {
-    const Depth* row = level + static_cast<std::ptrdiff_t>(v) * width;
-    for (std::int32_t u = box.u0 >> shift; u <= box.u1 >> shift; ++u) result = pick(result, row[u]);
-  }
-  return result;
-}
-
 }  // namespace
 
 DepthPyramid::DepthPyramid(std::int32_t width, std::int32_t height, Depth* entries) noexcept
@@ -70,23 +60,6 @@ void DepthPyramid::make_row(std::int32_t level, std::int32_t row) const noexcept
   const Depth* most = most_[level - 1] + from;
   halve(least, least + next, below, least_[level] + to, lesser);
   halve(most, most + next, below, most_[level] + to, greater);
-}
-
-std::int32_t DepthPyramid::level_for(const PixelBox& box) const noexcept {
-  const std::int32_t across = box.u1 - box.u0;
-  const std::int32_t down = box.v1 - box.v0;
-  const std::int32_t span = across > down ? across : down;
-  std::int32_t level = 0;
-  while (level < levels_ && (2 << level) < span) ++level;
-  return level;
-}
-
-Depth DepthPyramid::least(const PixelBox& box, std::int32_t level) const noexcept {
-  return reduce(least_[level], width(level), box, level, lesser);
-}
-
-Depth DepthPyramid::most(const PixelBox& box, std::int32_t level) const noexcept {
-  return reduce(most_[level], width(level), box, level, greater);
 }
 
 }  // namespace tern

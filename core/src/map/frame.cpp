@@ -3,7 +3,6 @@
 //
 // A depth image: what is refused, where its view lies, and how what it saw enters the map.
 #include "base/math.hpp"
-#include "map/carve.hpp"
 #include "map/evidence.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -132,6 +131,7 @@ Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t 
   frame.views[0] = view_of(*state_, view, axes, frame.origin);
   frame.view_count = 1;
   frame.box = reach(frame.views[0], state_->spec.range, state_->route.spec());
+  state_->prepare_views();
   state_->age_to(t);
   state_->begin(Task::kPixels);
   return Status::kRunning;
@@ -167,13 +167,10 @@ void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64
   GridWords(safe).store(y, z, k, blocked | unseen);
 }
 
-void MapState::mark_hit(const Voxel& v) noexcept {
-  const VoxelBox& box = frame.box;
-  if (v.x < box.x.begin || v.x >= box.x.end || v.y < box.y.begin || v.y >= box.y.end || v.z < box.z.begin ||
-      v.z >= box.z.end) {
-    return;
-  }
-  hit[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
+void MapState::prepare_views() noexcept {
+  // Both the camera and the voxels are in the window, or at most a block beside it.
+  const double extent = 2.0 * spec.cell * (spec.dims.x + spec.dims.y + spec.dims.z + 128);
+  for (int v = 0; v < frame.view_count; ++v) frame.lookers[v] = Looker(frame.views[v], extent);
 }
 
 void MapState::enter_block(std::int64_t index) noexcept {
@@ -194,7 +191,7 @@ void MapState::enter_block(std::int64_t index) noexcept {
     }
   }
   for (int v = 0; v < frame.view_count; ++v) {
-    carve(frame.views[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
+    carve(frame.views[v], frame.lookers[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
   }
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);

@@ -10,7 +10,9 @@
 
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
+#include "map/carve.hpp"
 #include "map/depth_pyramid.hpp"
+#include "map/look.hpp"
 #include "map/view.hpp"
 #include "tern/map.hpp"
 
@@ -20,10 +22,7 @@ namespace tern {
 constexpr int kFaces = 6;
 /// A face's half width as a tangent. 1 would be enough to cover all directions; the rest is an overlap, so that a cube
 /// near an edge lies wholly in one of two faces.
-constexpr double kFaceTangent = 1.5;
-
-/// Rows and planes of a block, which is one word long along x.
-constexpr std::int32_t kBlock = 8;
+constexpr double kFaceTangent = 1.25;
 
 /// What a job does next.
 enum class Task : std::uint8_t {
@@ -39,6 +38,11 @@ enum class Task : std::uint8_t {
   kSlide,  ///< planes
 };
 
+/// One comparison: what is below the range counts as very large.
+inline bool within(const IndexRange& range, std::int32_t index) noexcept {
+  return static_cast<std::uint32_t>(index - range.begin) < static_cast<std::uint32_t>(range.end - range.begin);
+}
+
 /// A frame or scan in work.
 struct Frame {
   DepthView image;     ///< copied; its numbers are the caller's
@@ -47,6 +51,7 @@ struct Frame {
   Vec3 origin;        ///< of the sensor, in the window's local frame
   Vec3 world_origin;  ///< the same in the world
   View views[kFaces];
+  Looker lookers[kFaces];  ///< of the views
   int view_count;
   VoxelBox box;             ///< voxels that may change; blocks that it meets are looked up
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; the second one where the first one wraps
@@ -115,11 +120,18 @@ class MapState {
   void move_origin() noexcept;
 
   /// Marks a local point's voxel as hit by the frame in work; a point outside the frame's box marks nothing.
-  void mark_hit(const Voxel& voxel) noexcept;
+  void mark_hit(const Voxel& v) noexcept {
+    const VoxelBox& box = frame.box;
+    if (within(box.x, v.x) && within(box.y, v.y) && within(box.z, v.z)) {
+      hit[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
+    }
+  }
   /// Writes a word of what blocks, and of what is blocked or unseen, into the grids.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
   /// Marks the prior's boxes in plane z of the route grid, but for the voxels that were kept.
   void mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
+  /// Readies the frame's views to be looked through.
+  void prepare_views() noexcept;
   /// Inflates both grids at once.
   void inflate() noexcept;
   /// Takes the time of a frame, and finds what has aged by then.

@@ -17,7 +17,7 @@ constexpr std::uint16_t kSaturated = 65535;
 /// How the numbers of an image become depths.
 struct Scale {
   float unit, min, max;
-  float keep(float z) const { return z >= min && z < max && z > 0.0f ? z : 0.0f; }
+  float keep(float z) const { return ((z >= min) & (z < max) & (z > 0.0f)) != 0 ? z : 0.0f; }
 };
 
 /// Depths in metres; 0 where a pixel says nothing.

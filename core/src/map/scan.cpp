@@ -35,25 +35,21 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   return view;
 }
 
-/// The pixel on one axis of a face; outside 0 .. count - 1 for a point beside the face.
-std::int32_t pixel(const View& view, double across, double ahead) {
-  return floor_index(view.fx * (across / ahead) + (view.cx + 0.5), -1, view.width);
-}
-
 /// Lowers the depth of the pixel that a direction falls into on each face that it meets.
 void lower(const Frame& frame, const Vec3& ray, double margin) {
+  const View& any = frame.views[0];
   for (int a = 0; a < 3; ++a) {
     const double along = axis(ray, a);
     const double ahead = absolute(along);
-    if (!(ahead > 0.0)) continue;
-    const View& view = frame.views[2 * a + (along > 0.0 ? 0 : 1)];
-    const std::int32_t u = pixel(view, axis(ray, (a + 1) % 3), ahead);
-    const std::int32_t v = pixel(view, axis(ray, (a + 2) % 3), ahead);
-    if (u < 0 || v < 0 || u >= view.width || v >= view.height) continue;
+    const double across = axis(ray, (a + 1) % 3);
+    const double down = axis(ray, (a + 2) % 3);
+    if (!(absolute(across) < kFaceTangent * ahead && absolute(down) < kFaceTangent * ahead)) continue;
+    const double scale = any.fx / ahead;
+    const std::int32_t u = floor_index(across * scale + (any.cx + 0.5), 0, any.width - 1);
+    const std::int32_t v = floor_index(down * scale + (any.cx + 0.5), 0, any.width - 1);
     // An error along the beam moves the point by no more along the axis.
-    const double free = (ahead - margin) * view.units - 1.0;
-    const Depth depth = static_cast<Depth>(floor_index(free, 0, kDepthUnits));
-    Depth& least = view.pyramid.row(v)[u];
+    const Depth depth = static_cast<Depth>(floor_index((ahead - margin) * any.units - 1.0, 0, kDepthUnits));
+    Depth& least = frame.views[2 * a + (along > 0.0 ? 0 : 1)].pyramid.row(v)[u];
     if (depth < least) least = depth;
   }
 }
@@ -88,6 +84,7 @@ Status RollingMap::begin_scan(const Vec3* points, size_t count, const Vec3& orig
   frame.view_count = kFaces;
   for (int f = 0; f < kFaces; ++f) frame.views[f] = face_view(*state_, f, frame.origin);
   frame.box = ball_box(frame.origin, state_->spec.range, state_->route.spec());
+  state_->prepare_views();
   state_->age_to(t);
   state_->begin(Task::kClearFaces);
   return Status::kRunning;
