@@ -39,7 +39,7 @@ TEST(MapC, EqualsTheMapInCpp) {
   for (float& z : image.z) z = 2.05f;
   const tern_pose pose{{1.0, 1.0, 1.0}, {0.5, -0.5, 0.5, -0.5}};
   const tern_vec3 point{1.5, 1.2, 0.7};
-  const tern_box box{point, {1.7, 1.3, 0.9}};
+  const tern_box box{point, {1.7, 1.9, 0.9}};
 
   ASSERT_EQ(tern_map_assume_free(&map, &pose.position, 0.5), kOk);
   ASSERT_EQ(tern_map_mark_box(&map, &box), kOk);
@@ -48,7 +48,7 @@ TEST(MapC, EqualsTheMapInCpp) {
   finish(map);
   ASSERT_EQ(tern_map_begin_scan(&map, &point, 1, &pose.position, 6), kRunning);
   finish(map);
-  ASSERT_EQ(tern_map_follow(&map, &point), kRunning);
+  ASSERT_EQ(tern_map_follow(&map, &box.upper), kRunning);
   finish(map);
 
   ASSERT_EQ(owned.map.assume_free(pose.position, 0.5), tern::Status::kOk);
@@ -58,7 +58,7 @@ TEST(MapC, EqualsTheMapInCpp) {
   tern_test::finish(owned.map);
   ASSERT_EQ(owned.map.begin_scan(&point, 1, pose.position, 6), tern::Status::kRunning);
   tern_test::finish(owned.map);
-  ASSERT_EQ(owned.map.follow(point), tern::Status::kRunning);
+  ASSERT_EQ(owned.map.follow(box.upper), tern::Status::kRunning);
   tern_test::finish(owned.map);
 
   for (int x = 0; x < 70; ++x) {
