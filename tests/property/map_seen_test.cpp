@@ -75,6 +75,7 @@ Real free_depth(const MapSpec& spec, Image& image, const Seen& seen) {
 struct Counts {
   long long shown = 0;
   long long could_be = 0;
+  long long hits = 0;
 };
 
 /// A pose that is off by as much as the margins allow: what the map is told, where the camera is at `pose`.
@@ -95,6 +96,42 @@ Pose wrong_pose(Random& random, const MapSpec& spec, const Pose& pose) {
   return wrong;
 }
 
+/// The voxel of a pixel's point, as the map is told the pose; outside the window where the point is too near to a face
+/// of its voxel to tell, or hits nothing.
+Voxel hit_voxel(const MapSpec& spec, Image& image, const Pose& told, int u, int v) {
+  const Voxel none{-1, -1, -1};
+  const Real z = image.at(u, v);
+  if (!(z > 0) || !(z >= image.view.min) || !(z < image.view.max) || z > spec.range) return none;
+  const Real c[3] = {(u - Real{image.view.cx}) / image.view.fx * z, (v - Real{image.view.cy}) / image.view.fy * z, z};
+  const Real q0 = told.quaternion[0], x = told.quaternion[1], y = told.quaternion[2], w = told.quaternion[3];
+  const Real p[3] = {(1 - 2 * (y * y + w * w)) * c[0] + 2 * (x * y - q0 * w) * c[1] + 2 * (x * w + q0 * y) * c[2],
+                     2 * (x * y + q0 * w) * c[0] + (1 - 2 * (x * x + w * w)) * c[1] + 2 * (y * w - q0 * x) * c[2],
+                     2 * (x * w - q0 * y) * c[0] + 2 * (y * w + q0 * x) * c[1] + (1 - 2 * (x * x + y * y)) * c[2]};
+  const Real cells[3] = {(told.position.x - spec.origin.x + p[0]) / spec.cell,
+                         (told.position.y - spec.origin.y + p[1]) / spec.cell,
+                         (told.position.z - spec.origin.z + p[2]) / spec.cell};
+  for (const Real at : cells) {
+    if (std::abs(at - std::round(at)) < 1e-3L) return none;
+  }
+  const auto whole = [](Real at) { return static_cast<int>(std::floor(at)); };
+  return {whole(cells[0]), whole(cells[1]), whole(cells[2])};
+}
+
+/// Every pixel that hits something inside the window blocks its voxel.
+int expect_hits_block(const MapSpec& spec, Image& image, const Pose& told, const tern::RollingMap& map) {
+  int hits = 0;
+  for (int v = 0; v < image.view.height; ++v) {
+    for (int u = 0; u < image.view.width; ++u) {
+      const Voxel voxel = hit_voxel(spec, image, told, u, v);
+      if (!map.route().inside(voxel)) continue;
+      ++hits;
+      EXPECT_TRUE(map.route().obstacle(voxel)) << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+      EXPECT_TRUE(map.safe().obstacle(voxel));
+    }
+  }
+  return hits;
+}
+
 /// Enters one random frame into a new map, and looks at each voxel of it.
 Counts expect_free_means_seen(Random& random, const MapSpec& spec) {
   OwnedMap owned(spec);
@@ -107,9 +144,11 @@ Counts expect_free_means_seen(Random& random, const MapSpec& spec) {
   Pose pose{
       {inside(spec.origin.x, spec.dims.x), inside(spec.origin.y, spec.dims.y), inside(spec.origin.z, spec.dims.z)}, {}};
   tern_test::random_quaternion(random, pose.quaternion);
-  EXPECT_EQ(owned.map.begin_frame(image.view, wrong_pose(random, spec, pose), 0), Status::kRunning);
+  const Pose told = wrong_pose(random, spec, pose);
+  EXPECT_EQ(owned.map.begin_frame(image.view, told, 0), Status::kRunning);
   EXPECT_EQ(tern_test::finish(owned.map), Status::kOk);
   Counts counts;
+  counts.hits = expect_hits_block(spec, image, told, owned.map);
   for (int z = 0; z < spec.dims.z; ++z) {
     for (int y = 0; y < spec.dims.y; ++y) {
       for (int x = 0; x < spec.dims.x; ++x) {
@@ -145,9 +184,11 @@ TEST(MapSeen, EveryShownVoxelWasInFrontOfAllItsPixels) {
     const Counts counts = expect_free_means_seen(random, random_spec(random));
     sum.shown += counts.shown;
     sum.could_be += counts.could_be;
+    sum.hits += counts.hits;
   }
   // Not so careful that it sees little, though half of the frames allow for a wrong pose.
   EXPECT_GT(sum.shown, sum.could_be / 2);
+  EXPECT_GT(sum.hits, 1000);
   RecordProperty("shown", std::to_string(sum.shown));
   RecordProperty("could_be", std::to_string(sum.could_be));
 }

@@ -104,6 +104,7 @@ void MapState::read_points(std::int64_t index) noexcept {
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
   const std::size_t end = begin + (left < kPiecePoints ? left : kPiecePoints);
+  const double per_cell = 1.0 / spec.cell;
   for (std::size_t k = begin; k < end; ++k) {
     if (!finite(frame.points[k])) continue;
     const Vec3 ray = frame.points[k] - frame.world_origin;
@@ -115,7 +116,9 @@ void MapState::read_points(std::int64_t index) noexcept {
       continue;
     }
     lower(frame, ray, margin);
-    mark_hit(route.voxel_of(frame.origin + ray));
+    const Vec3 cells = per_cell * (frame.origin + ray);
+    mark_hit({floor_index(cells.x, -1, spec.dims.x), floor_index(cells.y, -1, spec.dims.y),
+              floor_index(cells.z, -1, spec.dims.z)});
   }
 }
 
