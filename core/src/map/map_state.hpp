@@ -120,7 +120,7 @@ class MapState {
   void move_origin() noexcept;
 
   /// Marks a local point's voxel as hit by the frame in work; a point outside the frame's box marks nothing.
-  void mark_hit(const Voxel& v) noexcept {
+  void mark_hit(const Voxel& v) const noexcept {
     const VoxelBox& box = frame.box;
     if (within(box.x, v.x) && within(box.y, v.y) && within(box.z, v.z)) {
       hit[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
