@@ -105,17 +105,17 @@ class MapState {
   /// Begins a task, or the first one after it that has pieces.
   void begin(Task first) noexcept;
   /// Voxels of a block that the frame may change; an empty range along x where it changes none.
-  VoxelBox block_at(std::int64_t piece) const noexcept;
+  VoxelBox block_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
-  // The pieces; each file has its own.
-  void read_pixels(std::int32_t row) noexcept;
-  void clear_face_row(std::int32_t row) noexcept;
-  void close_face_row(std::int32_t row) noexcept;
-  void read_points(std::int64_t piece) noexcept;
-  void make_pyramid_row(std::int64_t piece) noexcept;
-  void enter_block(std::int64_t piece) noexcept;
-  void slide_plane(std::int32_t piece) noexcept;
+  // The pieces, by index; each file has its own. v is an image row.
+  void read_pixels(std::int32_t v) noexcept;
+  void clear_face_row(std::int32_t index) noexcept;
+  void close_face_row(std::int32_t index) noexcept;
+  void read_points(std::int64_t index) const noexcept;
+  void make_pyramid_row(std::int64_t index) noexcept;
+  void enter_block(std::int64_t index) noexcept;
+  void slide_plane(std::int32_t index) noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
 

@@ -100,7 +100,7 @@ void MapState::close_face_row(std::int32_t index) noexcept {
   for (std::int32_t u = 0; u < face; ++u) row[u] = row[u] == kNoPoint ? Depth{0} : row[u];
 }
 
-void MapState::read_points(std::int64_t index) noexcept {
+void MapState::read_points(std::int64_t index) const noexcept {
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
   const std::size_t end = begin + (left < kPiecePoints ? left : kPiecePoints);
