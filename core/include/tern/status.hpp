@@ -28,7 +28,7 @@ enum class Status : uint8_t {
   /// Start or goal lies outside the grid's boundary. The boundary itself counts as inside. From mark_voxel and
   /// clear_voxel: the voxel lies outside the grid.
   kOutOfMap = 13,
-  /// The start's velocity or acceleration exceeds a limit by more than one part in 1e9. Clamp the state, or raise the
+  /// The start's velocity or acceleration exceeds a limit by more than 4e-8 of it. Clamp the state, or raise the
   /// limit for this request.
   kStartExceedsLimits = 14,
   /// The goal's velocity or acceleration exceeds a limit, likewise.
