@@ -228,7 +228,7 @@ Progress Plan::run_check(Work& work) noexcept {
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);
   if (progress != Progress::kFailed) return progress;
-  report_.check = stage.found;
+  report_.check = stage;
   if (report_.quality == Quality::kOptimised && report_.detours < kEscaped) {
     fall_back(stage.status);
   } else {
