@@ -53,15 +53,7 @@ std::vector<int> knowledge(const OwnedMap& owned) {
 void expect_as_new(const Grid& grid) {
   OwnedGrid fresh(grid.spec());
   ASSERT_EQ(fresh.status, Status::kOk);
-  const Voxel dims = grid.spec().dims;
-  for (int z = 0; z < dims.z; ++z) {
-    for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) {
-        if (grid.obstacle({x, y, z})) fresh.grid.mark_voxel({x, y, z});
-      }
-    }
-  }
-  fresh.grid.inflate();
+  tern_test::copy_obstacles(grid, fresh.grid);
   ASSERT_TRUE(grid.inflated());
   const std::size_t count = tern::GridView::layer_words(grid);
   const auto equal = [&](const std::uint64_t* a, const std::uint64_t* b) { return std::equal(a, a + count, b); };

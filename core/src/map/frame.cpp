@@ -108,7 +108,7 @@ void MapState::age_to(std::int64_t t) noexcept {
 
 bool MapState::forgets(std::int32_t layer) const noexcept {
   const IndexRange* f = frame.forgotten;
-  return (layer >= f[0].begin && layer < f[0].end) || (layer >= f[1].begin && layer < f[1].end);
+  return contains(f[0], layer) || contains(f[1], layer);
 }
 
 Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t t) noexcept {
@@ -150,9 +150,7 @@ VoxelBox MapState::block_at(std::int64_t index) const noexcept {
   const std::int32_t z = static_cast<std::int32_t>(index / row_words() / blocks_y) * kBlock;
   VoxelBox block{{x, x + 64}, overlap({y, y + kBlock}, {0, spec.dims.y}), overlap({z, z + kBlock}, {0, spec.dims.z})};
   if (forgets(z / kBlock)) return block;
-  const bool met = overlap(block.x, frame.box.x).begin < overlap(block.x, frame.box.x).end &&
-                   overlap(block.y, frame.box.y).begin < overlap(block.y, frame.box.y).end &&
-                   overlap(block.z, frame.box.z).begin < overlap(block.z, frame.box.z).end;
+  const bool met = meets(block.x, frame.box.x) && meets(block.y, frame.box.y) && meets(block.z, frame.box.z);
   if (!met) block.x.end = block.x.begin;
   return block;
 }

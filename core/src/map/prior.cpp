@@ -3,32 +3,17 @@
 //
 // What the map is told and does not see: boxes known beforehand, points, and a ball that is free.
 #include "base/math.hpp"
+#include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 
 namespace tern {
 namespace {
 
-/// The window's voxels of one axis whose interior [lower, upper] meets, by the rules of Grid::mark_box.
-IndexRange voxels_met(const GridSpec& window, double lower, double upper, int a) {
-  const std::int32_t count = axis(window.dims, a);
-  const double origin = axis(window.origin, a);
-  std::int32_t begin = floor_index((lower - origin) / window.cell + world_tolerance(window, lower), -1, count + 1);
-  std::int32_t end = ceil_index((upper - origin) / window.cell - world_tolerance(window, upper), -1, count + 1);
-  if (end <= begin) {
-    if (begin == count) begin = count - 1;
-    end = begin + 1;
-  }
-  return {begin < 0 ? 0 : begin, end > count ? count : end};
-}
-
+/// The window's voxels whose interior the box meets.
 VoxelBox voxels_met(const GridSpec& window, const Box& box) {
   return {voxels_met(window, box.lower.x, box.upper.x, 0), voxels_met(window, box.lower.y, box.upper.y, 1),
           voxels_met(window, box.lower.z, box.upper.z, 2)};
-}
-
-bool valid(const Box& box) {
-  return box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z;
 }
 
 /// Calls visit(y, z, k, bits) for each word of a box that is not empty along x.
@@ -79,13 +64,13 @@ std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first,
 }  // namespace
 
 void MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
-  const bool plane_kept = z >= kept.z.begin && z < kept.z.end;
+  const bool plane_kept = contains(kept.z, z);
   for (std::int32_t p = 0; p < spec.prior_count; ++p) {
     VoxelBox met = voxels_met(route.spec(), spec.prior[p]);
     if (z < met.z.begin || z >= met.z.end) continue;
     met.z = {z, z + 1};
     visit_words(met, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
-      const bool row_kept = plane_kept && y >= kept.y.begin && y < kept.y.end;
+      const bool row_kept = plane_kept && contains(kept.y, y);
       if (row_kept) bits &= ~bits_met(kept.x, k);
       GridWords(route).store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)] | bits);
     });
@@ -117,7 +102,7 @@ Status RollingMap::assume_free(const Vec3& center, double radius) noexcept {
 Status RollingMap::mark_box(const Box& world) noexcept {
   if (state_ == nullptr || busy()) return Status::kInvalidArgument;
   if (!finite(world.lower) || !finite(world.upper)) return Status::kNonFiniteInput;
-  if (!valid(world)) return Status::kInvalidArgument;
+  if (!valid_box(world)) return Status::kInvalidArgument;
   MapState& state = *state_;
   visit_words(voxels_met(state.route.spec(), world),
               [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t bits) {

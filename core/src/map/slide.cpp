@@ -11,8 +11,6 @@ namespace {
 
 /// The window's lower voxel is at most so far from the spec's origin.
 constexpr double kMaxBase = 1 << 28;
-/// As bind() asks of a grid's origin: part of a cell that world coordinates must resolve.
-constexpr double kOriginResolution = 1e-3;
 
 /// How far the window must move on one axis; along x by whole words.
 std::int32_t shift_for(double cells, std::int32_t count, std::int32_t slack, bool words) {
@@ -35,10 +33,6 @@ VoxelBox kept_box(const Voxel& by, const Voxel& dims) {
   const VoxelBox box{kept_range(by.x, dims.x), kept_range(by.y, dims.y), kept_range(by.z, dims.z)};
   const bool any = box.x.end > 0 && box.y.end > 0 && box.z.end > 0;
   return any ? box : VoxelBox{{0, 0}, {0, 0}, {0, 0}};
-}
-
-bool holds(const IndexRange& range, std::int32_t index) {
-  return index >= range.begin && index < range.end;
 }
 
 /// One layer of the map on its way.
@@ -76,7 +70,7 @@ struct Layer {
   }
 
   void move_plane(std::int32_t z, const Voxel& by) const {
-    if (!holds(kept.z, z)) return clear(z, 0, state.spec.dims.y);
+    if (!contains(kept.z, z)) return clear(z, 0, state.spec.dims.y);
     if (by.x == 0) {
       move_rows(z, by);
     } else {
@@ -97,17 +91,13 @@ struct Stale {
   const Voxel& dims;
 
   static bool at(std::int32_t by, const IndexRange& kept, std::int32_t count, std::int32_t index) {
-    if (!holds(kept, index)) return true;
+    if (!contains(kept, index)) return true;
     return (by > 0 && index == 0) || (by < 0 && index == count - 1);
   }
   bool row(std::int32_t y, std::int32_t z) const {
     return by.x != 0 || at(by.y, kept.y, dims.y, y) || at(by.z, kept.z, dims.z, z);
   }
 };
-
-bool resolves(double world, double cell) {
-  return absolute(world) * kWorldRounding <= kOriginResolution * cell;
-}
 
 }  // namespace
 
@@ -124,7 +114,7 @@ Status RollingMap::follow(const Vec3& center) noexcept {
   Voxel by{};
   for (int a = 0; a < 3; ++a) {
     const double cells = axis(local, a) / spec.cell;
-    if (!(absolute(cells + axis(state.base, a)) < kMaxBase) || !resolves(axis(center, a), spec.cell)) {
+    if (!(absolute(cells + axis(state.base, a)) < kMaxBase) || !resolves_cells(axis(center, a), spec.cell)) {
       return Status::kOutOfMap;
     }
     axis(by, a) = shift_for(cells, axis(spec.dims, a), spec.slack, a == 0);

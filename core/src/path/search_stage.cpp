@@ -9,10 +9,6 @@
 namespace tern {
 namespace {
 
-std::int32_t larger_of(std::int32_t a, std::int32_t b) {
-  return a < b ? b : a;
-}
-
 Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
   stage.raw_occupied = !point_clear(grid, point, 0.0);
   Voxel voxel{};
@@ -99,8 +95,8 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   const Status status = voxel_search_advance(stage.search, grid, allowed);
   work.left -= most - allowed.left;
   stage.expansions += most - allowed.left;
-  stage.nodes_high = larger_of(stage.nodes_high, stage.search.nodes_high);
-  stage.open_high = larger_of(stage.open_high, stage.search.open_high);
+  raise(stage.nodes_high, stage.search.nodes_high);
+  raise(stage.open_high, stage.search.open_high);
   const bool spent = stage.expansions >= stage.query.max_expansions;
   return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
 }
