@@ -8,7 +8,7 @@ import re
 import sys
 
 ORDER = ["base", "grid", "inflation", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor", "curve",
-         "times", "qp", "trajectory", "check", "proof", "planner"]
+         "times", "qp", "trajectory", "check", "proof", "planner", "flight"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"},
           "proof": {"base", "grid", "proof"}}

@@ -1,0 +1,295 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One plan, from the copy of the route to the commit. When it begins is known beforehand; late results are dropped.
+#include "base/math.hpp"
+#include "flight/branch.hpp"
+#include "flight/flight_state.hpp"
+
+namespace tern {
+namespace {
+
+/// Units of the planner that are paid for together.
+constexpr std::uint32_t kPlanSlice = 32;
+/// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
+constexpr double kEarlier = 1e-6;
+/// Brakes tried from each branch: sharp ones need the least room.
+constexpr int kShapes[kBranchShapes] = {7, 5, 3};
+
+/// Ticks from the beginning of a plan to the instant when it takes over.
+std::int64_t lead_ticks(const FlightSpec& spec) {
+  const std::uint32_t half = spec.work_per_tick / 2;
+  return std::int64_t{spec.plan_work / half} + 2;
+}
+
+}  // namespace
+
+/// A unit of a proof is a piece of a curve.
+Progress FlightState::prove(Work& work) noexcept {
+  const std::uint32_t before = proof.report().work;
+  const Status status = proof.step(work.left);
+  work.left -= proof.report().work - before;
+  return status == Status::kRunning ? Progress::kMore : Progress::kDone;
+}
+
+/// Nothing to plan for, or nothing to plan on.
+void FlightState::begin_cycle() noexcept {
+  if (!has_goal || parked || has_next || stopping || watching || map.busy()) return;
+  takeover = time + lead_ticks(spec) * spec.tick;
+  deadline = takeover - spec.tick;
+  ++report.asked;
+  const bool careful = idle_cycles % 2 == 0;
+  route.begin(map, sample_at(takeover).position, careful ? spec.near : 0.0);
+  keeps = false;
+  job = Job::kCopy;
+}
+
+void FlightState::advance(Work& work) noexcept {
+  note_rest();
+  if (job != Job::kIdle && time > deadline) {
+    ++report.dropped;
+    give_up();
+  }
+  const bool in_time = job != Job::kIdle && takeover < contact;
+  const bool threatened = threat && !evaded && !in_time;
+  if (job != Job::kEvade && !watching && map.safe().bound() && (stopping || threatened)) begin_evade();
+  if (job == Job::kIdle) begin_cycle();
+  // A cycle has at most as many steps as jobs and candidates.
+  constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;
+  Progress progress = Progress::kDone;
+  for (int step = 0; step < kSteps && progress == Progress::kDone && job != Job::kIdle; ++step) {
+    progress = run_job(work);
+  }
+}
+
+// One line a job: a table.
+// clang-format off
+Progress FlightState::run_job(Work& work) noexcept {
+  switch (job) {
+    case Job::kIdle: return Progress::kMore;
+    case Job::kCopy: return run_copy(work);
+    case Job::kKeep: return run_keep(work);
+    case Job::kPlan: return run_plan(work);
+    case Job::kWait: return run_wait();
+    case Job::kReach: return run_reach(work);
+    case Job::kBranch: return run_branch(work);
+    case Job::kConfirm: return run_confirm(work);
+    case Job::kEvade: return run_evade(work);
+  }
+  return Progress::kMore;
+}
+// clang-format on
+
+/// The rest of the plan that is flown is a candidate as long as the vehicle is still on it at the takeover.
+Progress FlightState::run_copy(Work& work) noexcept {
+  if (route.advance(map, work) == Progress::kMore) return Progress::kMore;
+  const double from = seconds_between(now.begin, takeover);
+  job = Job::kKeep;
+  const bool candidate = now.goal == goal_number && from < now.branch;
+  if (!candidate || proof.begin(route.grid(), now.wished, from, nullptr, Beyond::kEmpty) != Status::kRunning) {
+    begin_plan();
+  }
+  return Progress::kDone;
+}
+
+Progress FlightState::run_keep(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  keeps = proof.report().end == ProofEnd::kProven;
+  begin_plan();
+  return Progress::kDone;
+}
+
+/// From where the vehicle will be, once its jerk has gone to zero.
+void FlightState::begin_plan() noexcept {
+  start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
+  settle = settle_time(start, limits);
+  if (keeps && keeps_aim(start.d[0])) {
+    aim = now.aim;
+    aims_at_goal = now.to_goal;
+  } else {
+    choose_aim(start.d[0]);
+  }
+  moved_aim = false;
+  ask_planner();
+}
+
+void FlightState::ask_planner() noexcept {
+  const JointState from = settled(start, settle);
+  Request request{};
+  request.start = {from.d[0], from.d[1], from.d[2]};
+  request.goal.position = aim;
+  request.limits = spec.limits;
+  request.time_weight = spec.time_weight;
+  planner->begin(route.grid(), request);
+  job = Job::kPlan;
+}
+
+/// An aim in an obstacle moves to the nearest free point, once. False where that leads nowhere.
+bool FlightState::move_aim(const Report& found) noexcept {
+  if (found.status != Status::kGoalOccupied || !found.has_nearest_free || moved_aim) return false;
+  moved_aim = true;
+  aim = found.nearest_free;
+  if (is_nearest()) return false;
+  aims_at_goal = false;
+  ask_planner();
+  return true;
+}
+
+Progress FlightState::run_plan(Work& work) noexcept {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    if (work.left < kPlanSlice) return Progress::kMore;
+    status = planner->step(kPlanSlice);
+    work.left -= kPlanSlice;
+  }
+  Report found;
+  report.plan = planner->finish(plan, found);
+  if (!move_aim(found)) choose_draft(report.plan == Status::kOk);
+  return Progress::kDone;
+}
+
+/// The rest of the plan that is flown wins unless the new one leads elsewhere or arrives earlier.
+void FlightState::choose_draft(bool planned) noexcept {
+  extends = false;
+  const bool composed = planned && compose();
+  if (keeps) {
+    const double rest = duration(now.wished) - seconds_between(now.begin, takeover);
+    const bool better = composed && (!same(aim, now.aim) || duration(draft.wished) < rest - kEarlier);
+    extends = !better;
+  }
+  if (extends) draft = now;
+  if (!extends && !composed) {
+    ++report.failed;
+    return give_up();
+  }
+  job = Job::kWait;
+}
+
+/// The planner's trajectory behind the segment that takes the jerk to zero. False where there is no room for that.
+bool FlightState::compose() noexcept {
+  if (plan.count == kMaxSegments) return false;
+  Trajectory& wished = draft.wished;
+  wished.origin = plan.origin;
+  wished.count = 0;
+  JointState from = start;
+  from.d[0] = start.d[0] - plan.origin;
+  JointState to = settled(start, settle);
+  to.d[0] = kZero;
+  append_between(from, to, settle, wished);
+  for (int i = 0; i < plan.count; ++i) wished.segments[wished.count++] = plan.segments[i];
+  draft.begin = takeover;
+  draft.branch = 0.0;
+  draft.aim = aim;
+  draft.to_goal = aims_at_goal;
+  draft.goal = goal_number;
+  return true;
+}
+
+/// From here on the map stands still.
+Progress FlightState::run_wait() noexcept {
+  if (map.busy()) return Progress::kMore;
+  const Status begun = proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid);
+  job = Job::kReach;
+  if (begun != Status::kRunning) give_up();
+  return Progress::kDone;
+}
+
+double FlightState::start_of_proof() const noexcept {
+  return larger(0.0, seconds_between(draft.begin, takeover));
+}
+
+Progress FlightState::run_reach(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  reached = proof.report().until;
+  look_at = evaluate(draft.wished, reached).position;
+  if (proof.report().end == ProofEnd::kProven) {
+    draft.flown = draft.wished;
+    draft.branch = reached;
+    commit();
+    return Progress::kDone;
+  }
+  branch = -1;
+  job = Job::kBranch;
+  next_branch();
+  return Progress::kDone;
+}
+
+/// A branch that is no later than the one that is flown already would change nothing; from rest it must lead somewhere.
+double FlightState::earliest_branch() const noexcept {
+  return extends ? now.branch : 2.0 * 1e-9 * static_cast<double>(spec.tick);
+}
+
+/// A hop of less than a voxel from rest is no progress.
+bool FlightState::leads_on() const noexcept {
+  const Trajectory& flown = draft.flown;
+  const Vec3 end = flown.origin + flown.segments[flown.count - 1].points[kDegree];
+  return !rests() || distance(end, start.d[0]) >= map.safe().spec().cell;
+}
+
+/// The candidates: from the last proven instant back, each with its brakes.
+bool FlightState::make_branch() noexcept {
+  const double earliest = earliest_branch();
+  const int from_last = branch / kBranchShapes;
+  const double at = reached - (reached - earliest) * from_last / kBranches;
+  if (!(at > earliest)) return false;
+  draft.branch = at;
+  take_first_part(draft.wished, at, draft.flown);
+  const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
+  if (!append_stop(joint, limits, kShapes[branch % kBranchShapes], draft.flown)) return false;
+  if (!leads_on()) return false;
+  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
+}
+
+void FlightState::next_branch() noexcept {
+  while (++branch < kBranches * kBranchShapes) {
+    if (make_branch()) return;
+  }
+  ++report.failed;
+  give_up();
+}
+
+Progress FlightState::run_branch(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  if (proof.report().end != ProofEnd::kProven) {
+    next_branch();
+    return Progress::kDone;
+  }
+  job = Job::kConfirm;
+  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
+  return Progress::kDone;
+}
+
+Progress FlightState::run_confirm(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  if (proof.report().end == ProofEnd::kProven) {
+    commit();
+  } else {
+    job = Job::kBranch;
+    next_branch();
+  }
+  return Progress::kDone;
+}
+
+/// An extension has the same bits up to the branch that is flown, and so replaces it in place. A new plan takes over at
+/// its beginning.
+void FlightState::commit() noexcept {
+  job = Job::kIdle;
+  ++report.committed;
+  idle_cycles = 0;
+  is_looking = false;
+  watching = threat = false;
+  watched = map.revision();
+  if (extends) {
+    now = draft;
+  } else {
+    next = draft;
+    has_next = true;
+  }
+}
+
+void FlightState::give_up() noexcept {
+  job = Job::kIdle;
+  note_idle();
+}
+
+}  // namespace tern
