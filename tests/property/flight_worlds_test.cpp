@@ -19,7 +19,7 @@ using tern_test::Scene;
 
 TEST(FlightWorlds, ForestsAreCrossed) {
   int arrived = 0;
-  const int flights = tern_test::scaled(6);
+  const int flights = tern_test::scaled(40);
   for (int k = 0; k < flights; ++k) {
     Random random(static_cast<std::uint64_t>(900 + k));
     FlightSettings settings;
@@ -32,6 +32,8 @@ TEST(FlightWorlds, ForestsAreCrossed) {
                 static_cast<int>(reason), 1e-9 * static_cast<double>(flown.time), flown.position().x,
                 flown.position().y, flown.least_clearance, flown.report.asked, flown.report.committed,
                 flown.report.dropped, flown.report.failed);
+    const GridSpec& w = flown.owned.map.safe().spec();
+    std::printf("window x %.1f..%.1f y %.1f z %.1f plan %s look %.2f %.2f %.2f yaw %.2f\n", w.boundary.lower.x, w.boundary.upper.x, w.boundary.lower.y, w.boundary.lower.z, status_name(flown.report.plan), flown.flight.command(flown.time).look_at.x, flown.flight.command(flown.time).look_at.y,flown.flight.command(flown.time).look_at.z, flown.yaw);
     arrived += reason == FlightReason::kArrived ? 1 : 0;
   }
   EXPECT_EQ(arrived, flights);

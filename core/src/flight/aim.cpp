@@ -19,10 +19,9 @@ constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
 constexpr double kHalfRoot = 0.70710678118654752;    // sqrt(1 / 2)
 
-/// How far a window's middle may be off the vehicle after it followed: along x it moves by whole words.
-Vec3 slack_of(const Grid& window, std::int32_t slack) {
-  const double cells = slack + 1.0;
-  return window.spec().cell * Vec3{cells + kWordBits, cells, cells};
+/// How far a window's middle may be off the vehicle after it moved: a voxel, and along x half a word and the slack.
+Vec3 offset_after_move(const RollingMap& map) {
+  return map.safe().spec().cell * Vec3{kWordBits / 2 + map.slack() + 1.0, 1.0, 1.0};
 }
 
 /// How far a plan leads away from a point from `t` on, along an axis.
@@ -72,11 +71,11 @@ bool FlightState::keeps_aim(const Vec3& from) const noexcept {
 void FlightState::follow_window() noexcept {
   const GridSpec& window = map.safe().spec();
   const Vec3 center = sample_at(time).position;
-  const Vec3 slack = slack_of(map.safe(), map.slack());
+  const Vec3 offset = offset_after_move(map);
   const Course& course = has_next ? next : now;
   for (int a = 0; a < 3; ++a) {
     const double half = 0.5 * (axis(window.boundary.upper, a) - axis(window.boundary.lower, a));
-    const double room = half - axis(slack, a) - window.radius - window.cell;
+    const double room = half - axis(offset, a) - window.radius - window.cell;
     if (reach_along(course.flown, seconds_between(course.begin, time), center, a) > room) return;
   }
   map.follow(center);
@@ -127,8 +126,12 @@ bool FlightState::is_nearest() noexcept {
 
 /// At the goal, there is nothing left to plan.
 void FlightState::note_rest() noexcept {
-  if (!has_goal || parked || !rests() || !now.to_goal || now.goal != goal_number) return;
-  if (now.branch >= duration(now.wished)) park(FlightReason::kArrived);
+  if (has_goal && !parked && rests() && reaches_goal()) park(FlightReason::kArrived);
+}
+
+/// What is flown ends at the goal.
+bool FlightState::reaches_goal() const noexcept {
+  return now.to_goal && now.goal == goal_number && now.branch >= duration(now.wished);
 }
 
 }  // namespace tern

@@ -13,6 +13,10 @@ namespace {
 constexpr std::uint32_t kPlanSlice = 32;
 /// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
+/// Where plans from rest fail, they are tried in turn with the unseen nearby solid; the same but for voxels next to the
+/// vehicle, which may leave it no voxel to begin at; and with the unseen free.
+constexpr int kAttempts = 3;
+constexpr double kHoleVoxels = 2.0;
 /// Brakes tried from each branch: sharp ones need the least room.
 constexpr int kShapes[kBranchShapes] = {7, 5, 3};
 
@@ -37,9 +41,12 @@ void FlightState::begin_cycle() noexcept {
   if (!has_goal || parked || has_next || stopping || watching || map.busy()) return;
   takeover = time + lead_ticks(spec) * spec.tick;
   deadline = takeover - spec.tick;
+  if (reaches_goal() && takeover >= rest_begins()) return;
   ++report.asked;
-  const bool careful = idle_cycles % 2 == 0;
-  route.begin(map, sample_at(takeover).position, careful ? spec.near : 0.0);
+  const GridSpec& window = map.route().spec();
+  const double near = idle_cycles % kAttempts < 2 ? spec.near : 0.0;
+  const double hole = idle_cycles % kAttempts == 1 ? window.radius + kHoleVoxels * window.cell : 0.0;
+  route.begin(map, sample_at(takeover).position, near, hole);
   keeps = false;
   job = Job::kCopy;
 }

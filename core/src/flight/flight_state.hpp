@@ -24,7 +24,7 @@ constexpr int kBranchShapes = 3;
 /// Ticks that getting out of the way may take before it begins.
 constexpr int kEvadeTicks = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
-constexpr int kPatience = 2;
+constexpr int kPatience = 3;
 constexpr int kDirections = 8;
 
 /// A committed plan, or one that may become it.
@@ -125,6 +125,7 @@ class FlightState {
   void note_idle() noexcept;
   void park(FlightReason why) noexcept;
   bool is_nearest() noexcept;
+  bool reaches_goal() const noexcept;
   void note_rest() noexcept;
 
   // cycle.cpp

@@ -24,6 +24,12 @@ std::uint32_t units_for(std::int64_t words, std::int32_t unit) {
   return static_cast<std::uint32_t>((words + unit - 1) / unit);
 }
 
+/// Along one axis, in voxels; none for a reach of 0.
+IndexRange voxels_around(double center, double reach, std::int32_t count) {
+  if (!(reach > 0.0)) return {0, 0};
+  return {floor_index(center - reach, 0, count), ceil_index(center + reach, 0, count)};
+}
+
 }  // namespace
 
 Status RouteCopy::bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept {
@@ -32,7 +38,7 @@ Status RouteCopy::bind(const RollingMap& map, std::uint64_t* words, std::size_t 
   return status;
 }
 
-void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near) noexcept {
+void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, double hole) noexcept {
   const GridSpec& spec = map.route().spec();
   if (!same(spec.origin, grid_.spec().origin)) {  // the window slid
     const GridWords words(grid_);
@@ -42,9 +48,8 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near) no
   }
   const Vec3 local = center - spec.origin;
   for (int a = 0; a < 3; ++a) {
-    const std::int32_t count = axis(spec.dims, a);
-    near_[a] = {floor_index((axis(local, a) - near) / spec.cell, 0, count),
-                ceil_index((axis(local, a) + near) / spec.cell, 0, count)};
+    near_[a] = voxels_around(axis(local, a) / spec.cell, near / spec.cell, axis(spec.dims, a));
+    hole_[a] = voxels_around(axis(local, a) / spec.cell, hole / spec.cell, axis(spec.dims, a));
   }
   row_ = plane_ = 0;
   paid_ = 0;
@@ -55,11 +60,13 @@ void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const std::int32_t rows_along_y = grid_.spec().dims.y;
   const std::int32_t y = row % rows_along_y;
   const std::int32_t z = row / rows_along_y;
+  const bool in_hole = contains(hole_[1], y) && contains(hole_[2], z);
   const bool is_near = contains(near_[1], y) && contains(near_[2], z);
   const std::uint64_t* const hit = route.obstacle_row(y, z);
   const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
-    const std::uint64_t unseen = is_near ? solid[k] & bits_met(near_[0], k) : 0;
+    std::uint64_t unseen = is_near ? solid[k] & bits_met(near_[0], k) : 0;
+    if (in_hole) unseen &= ~bits_met(hole_[0], k);
     GridWords(grid_).store(y, z, k, hit[k] | unseen);
   }
 }

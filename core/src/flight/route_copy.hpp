@@ -20,8 +20,8 @@ class RouteCopy {
  public:
   /// Storage of grid_words(dims).
   Status bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept;
-  /// Begins to copy. Within `near` of `center` along each axis, the unseen is solid.
-  void begin(const RollingMap& map, const Vec3& center, double near) noexcept;
+  /// Begins to copy. From `hole` to `near` away from `center` along some axis, the unseen is solid.
+  void begin(const RollingMap& map, const Vec3& center, double near, double hole) noexcept;
   /// The map must not change before it is done. A unit is 64 words copied, or 16 inflated.
   Progress advance(const RollingMap& map, Work& work) noexcept;
 
@@ -33,6 +33,7 @@ class RouteCopy {
   std::uint32_t price() const noexcept;
 
   Grid grid_;
+  IndexRange hole_[3];
   IndexRange near_[3];      ///< voxels along x, y and z
   std::int32_t row_ = 0;    ///< next to copy
   std::int32_t plane_ = 0;  ///< next to inflate
