@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "support/flown.hpp"
 
@@ -17,26 +19,178 @@ using tern_test::forest;
 using tern_test::Random;
 using tern_test::Scene;
 
+/// Says how a flight went that should have gone otherwise.
+std::string story(const Flown& flown) {
+  char text[200];
+  std::snprintf(text, sizeof text, "t %.2f at (%.2f %.2f %.2f), reason %d, mode %d, asked %u committed %u failed %u",
+                1e-9 * static_cast<double>(flown.time), flown.position().x, flown.position().y, flown.position().z,
+                static_cast<int>(flown.report.reason), static_cast<int>(flown.report.mode), flown.report.asked,
+                flown.report.committed, flown.report.failed);
+  return text;
+}
+
 TEST(FlightWorlds, ForestsAreCrossed) {
-  int arrived = 0;
-  const int flights = tern_test::scaled(40);
-  for (int k = 0; k < flights; ++k) {
+  for (int k = 0; k < tern_test::scaled(12); ++k) {
     Random random(static_cast<std::uint64_t>(900 + k));
     FlightSettings settings;
-    settings.v = k % 2 == 0 ? 3.0 : 5.0;
+    const double speeds[] = {3.0, 5.0, 8.0};
+    settings.v = speeds[k % 3];
+    settings.a = settings.v > 5.0 ? 8.0 : 6.0;
     Flown flown(forest(random, 30.0, 20.0, 1.0 / 25.0), settings);
     ASSERT_EQ(flown.started, Status::kOk);
     ASSERT_EQ(flown.flight.set_goal({30.0, 0.0, 1.5}), Status::kOk);
-    const FlightReason reason = flown.fly(60.0);
-    std::printf("flight %d: reason %d t %.2f x %.2f y %.2f clear %.3f asked %u committed %u dropped %u failed %u\n", k,
-                static_cast<int>(reason), 1e-9 * static_cast<double>(flown.time), flown.position().x,
-                flown.position().y, flown.least_clearance, flown.report.asked, flown.report.committed,
-                flown.report.dropped, flown.report.failed);
-    const GridSpec& w = flown.owned.map.safe().spec();
-    std::printf("window x %.1f..%.1f y %.1f z %.1f plan %s look %.2f %.2f %.2f yaw %.2f\n", w.boundary.lower.x, w.boundary.upper.x, w.boundary.lower.y, w.boundary.lower.z, status_name(flown.report.plan), flown.flight.command(flown.time).look_at.x, flown.flight.command(flown.time).look_at.y,flown.flight.command(flown.time).look_at.z, flown.yaw);
-    arrived += reason == FlightReason::kArrived ? 1 : 0;
+    EXPECT_EQ(flown.fly(60.0), FlightReason::kArrived) << k << ": " << story(flown);
+    EXPECT_NEAR(flown.position().x, 30.0, 1e-9);
+    EXPECT_EQ(flown.report.dropped, 0u);
   }
-  EXPECT_EQ(arrived, flights);
+}
+
+/// The tracking error is part of the radius: body 0.25 and 0.10.
+TEST(FlightWorlds, TrackingErrorWithinTheMarginDoesNoHarm) {
+  for (int k = 0; k < tern_test::scaled(4); ++k) {
+    Random random(static_cast<std::uint64_t>(930 + k));
+    FlightSettings settings;
+    settings.v = 5.0;
+    settings.tracking = 0.1;
+    Flown flown(forest(random, 30.0, 20.0, 1.0 / 25.0), settings);
+    flown.flight.set_goal({30.0, 0.0, 1.5});
+    EXPECT_EQ(flown.fly(60.0), FlightReason::kArrived) << k << ": " << story(flown);
+  }
+}
+
+TEST(FlightWorlds, LostFramesCostOnlyTime) {
+  for (const double drop : {0.5, 0.9}) {
+    Random random(950);
+    FlightSettings settings;
+    settings.v = 5.0;
+    Flown flown(forest(random, 30.0, 20.0, 1.0 / 30.0), settings);
+    flown.drop = drop;
+    flown.flight.set_goal({30.0, 0.0, 1.5});
+    EXPECT_EQ(flown.fly(90.0), FlightReason::kArrived) << drop << ": " << story(flown);
+  }
+}
+
+TEST(FlightWorlds, WithoutFramesFromSomeInstantItComesToRest) {
+  Random random(951);
+  FlightSettings settings;
+  settings.v = 8.0;
+  settings.a = 8.0;
+  Flown flown(forest(random, 60.0, 20.0, 1.0 / 30.0), settings);
+  flown.flight.set_goal({60.0, 0.0, 1.5});
+  flown.fly(2.5);
+  EXPECT_EQ(flown.report.mode, FlightMode::kFly);
+  flown.frames = false;
+  EXPECT_EQ(flown.fly(60.0), FlightReason::kNoProgress) << story(flown);
+}
+
+/// A tree behind a wall's end, where it is seen late.
+TEST(FlightWorlds, HiddenCornerIsTurnedWithoutContact) {
+  for (const double v : {4.0, 6.0, 8.0}) {
+    FlightSettings settings;
+    settings.v = v;
+    settings.a = 8.0;
+    Scene scene;
+    scene.boxes.push_back({{8.0, -3.0, 0.0}, {8.5, 10.0, 4.0}});
+    scene.cylinders.push_back({9.6, -3.4, 0.3, 5.0});
+    scene.cylinders.push_back({9.4, -1.5, 0.3, 5.0});
+    Flown flown(scene, settings);
+    flown.flight.set_goal({16.0, 3.0, 1.5});
+    EXPECT_EQ(flown.fly(60.0), FlightReason::kArrived) << v << ": " << story(flown);
+  }
+}
+
+TEST(FlightWorlds, GoalInAnObstacleIsApproached) {
+  FlightSettings settings;
+  Scene scene;
+  scene.cylinders.push_back({10.0, 0.0, 0.5, 5.0});
+  Flown flown(scene, settings);
+  flown.flight.set_goal({10.0, 0.0, 1.5});
+  EXPECT_EQ(flown.fly(60.0), FlightReason::kNearest) << story(flown);
+  EXPECT_LT(std::hypot(flown.position().x - 10.0, flown.position().y), 2.0);
+}
+
+TEST(FlightWorlds, WalledInItSaysSo) {
+  FlightSettings settings;
+  Scene scene;
+  scene.boxes.push_back({{-3.0, 3.0, 0.0}, {3.0, 3.5, 6.0}});
+  scene.boxes.push_back({{-3.0, -3.5, 0.0}, {3.0, -3.0, 6.0}});
+  scene.boxes.push_back({{3.0, -3.5, 0.0}, {3.5, 3.5, 6.0}});
+  scene.boxes.push_back({{-3.5, -3.5, 0.0}, {-3.0, 3.5, 6.0}});
+  Flown flown(scene, settings);
+  flown.flight.set_goal({10.0, 0.0, 1.5});
+  EXPECT_EQ(flown.fly(60.0), FlightReason::kNoProgress) << story(flown);
+}
+
+TEST(FlightWorlds, GoalsMayMoveEveryTickOrMakeNoSense) {
+  Random random(960);
+  FlightSettings settings;
+  settings.v = 5.0;
+  Flown flown(forest(random, 30.0, 20.0, 1.0 / 30.0), settings);
+  EXPECT_EQ(flown.flight.set_goal({NAN, 0.0, 0.0}), Status::kNonFiniteInput);
+  for (int k = 0; k < 1500 && !testing::Test::HasFatalFailure(); ++k) {
+    const double far = random.chance(0.2) ? 1e6 : 30.0;
+    const Vec3 goal{random.real(-far, far), random.real(-far, far), random.real(-3.0, 6.0)};
+    EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    EXPECT_EQ(flown.flight.set_goal({goal.x, INFINITY, goal.z}), Status::kNonFiniteInput);
+    flown.tick();
+  }
+  EXPECT_EQ(flown.flight.set_goal({20.0, 0.0, 1.5}), Status::kOk);
+  flown.fly(60.0);
+  EXPECT_NE(flown.report.reason, FlightReason::kNone) << story(flown);
+}
+
+TEST(FlightWorlds, StopBringsItToRestSoon) {
+  Random random(970);
+  FlightSettings settings;
+  settings.v = 5.0;
+  Flown flown(forest(random, 60.0, 20.0, 1.0 / 40.0), settings);
+  flown.flight.set_goal({60.0, 0.0, 1.5});
+  flown.fly(3.0);
+  const double speed = flown.flight.command(flown.time).sample.velocity.x;
+  EXPECT_GT(speed, 2.0);
+  EXPECT_EQ(flown.flight.stop(), Status::kOk);
+  EXPECT_EQ(flown.fly(2.0), FlightReason::kNoGoal) << story(flown);
+}
+
+/// Something comes into the tube: the vehicle brakes, and no later than it can.
+TEST(FlightWorlds, ThingsThatComeIntoTheWayAreBrakedFor) {
+  FlightSettings settings;
+  settings.v = 5.0;
+  Flown flown(Scene{}, settings);
+  flown.flight.set_goal({40.0, 0.0, 1.5});
+  flown.fly(2.5);
+  const Vec3 p = flown.position();
+  flown.scene.cylinders.push_back({p.x + 4.5, 0.0, 0.3, 5.0});
+  bool threatened = false;
+  for (int k = 0; k < 1500 && !testing::Test::HasFatalFailure(); ++k) {
+    flown.tick();
+    threatened = threatened || flown.report.mode == FlightMode::kThreat;
+  }
+  EXPECT_TRUE(threatened);
+  EXPECT_EQ(flown.report.reason, FlightReason::kArrived) << story(flown);
+}
+
+/// Contract F5: the same input gives the same bits. And F3: how much work a tick may do decides when, not what is safe.
+TEST(FlightWorlds, SameInputSameCommands) {
+  std::uint64_t hashes[2];
+  for (std::uint64_t& hash : hashes) {
+    Random random(980);
+    Flown flown(forest(random, 20.0, 20.0, 1.0 / 25.0), FlightSettings{});
+    flown.flight.set_goal({20.0, 0.0, 1.5});
+    EXPECT_EQ(flown.fly(30.0), FlightReason::kArrived);
+    hash = flown.hash;
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(FlightWorlds, LittleWorkATickStillFliesSafely) {
+  Random random(981);
+  FlightSettings settings;
+  settings.work_per_tick = 1000;
+  Flown flown(forest(random, 20.0, 20.0, 1.0 / 30.0), settings);
+  flown.flight.set_goal({20.0, 0.0, 1.5});
+  flown.fly(60.0);
+  EXPECT_NE(flown.report.reason, FlightReason::kNone) << story(flown);
 }
 
 }  // namespace

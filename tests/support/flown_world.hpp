@@ -81,20 +81,28 @@ struct Scene {
   }
 };
 
-/// A level depth camera of 90 by 74 degrees.
+/// A level depth camera of 90 by 74 degrees. A pixel has the least depth of its corners, so that it is free to that
+/// depth all over, as the map demands of a sensor: no tree is narrower than a pixel.
 class LevelCamera {
  public:
-  LevelCamera() : image(160, 120, 80.0) {}
+  LevelCamera() : image(160, 120, 80.0), corners(161 * 121) {}
 
   void render(const Scene& scene, const tern::Vec3& eye, double yaw) {
     const double c = std::cos(yaw);
     const double s = std::sin(yaw);
-    for (int v = 0; v < image.view.height; ++v) {
-      for (int u = 0; u < image.view.width; ++u) {
-        const double right = (u - image.view.cx) / image.view.fx;
-        const double down = (v - image.view.cy) / image.view.fy;
+    const int width = image.view.width;
+    for (int v = 0; v <= image.view.height; ++v) {
+      for (int u = 0; u <= width; ++u) {
+        const double right = (u - 0.5 - image.view.cx) / image.view.fx;
+        const double down = (v - 0.5 - image.view.cy) / image.view.fy;
         const tern::Vec3 along{c + right * s, s - right * c, -down};
-        image.at(u, v) = static_cast<float>(scene.hit(eye, along, 30.0));
+        corners[static_cast<std::size_t>(v * (width + 1) + u)] = static_cast<float>(scene.hit(eye, along, 30.0));
+      }
+    }
+    for (int v = 0; v < image.view.height; ++v) {
+      for (int u = 0; u < width; ++u) {
+        const float* const top = &corners[static_cast<std::size_t>(v * (width + 1) + u)];
+        image.at(u, v) = std::min(std::min(top[0], top[1]), std::min(top[width + 1], top[width + 2]));
       }
     }
     const double w = std::cos(0.5 * yaw);
@@ -104,6 +112,7 @@ class LevelCamera {
   }
 
   Image image;
+  std::vector<float> corners;
   tern::Pose pose{};
 };
 

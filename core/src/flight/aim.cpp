@@ -10,8 +10,6 @@
 namespace tern {
 namespace {
 
-/// Voxels that an aim keeps from the window's faces, besides the radius.
-constexpr double kAimVoxels = 2.0;
 /// A new aim is chosen where less than this part of the horizon is left.
 constexpr double kAimRest = 0.6;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
@@ -113,15 +111,29 @@ void FlightState::park(FlightReason why) noexcept {
   reason = why;
 }
 
-/// The aim was occupied, and the nearest free point is where the vehicle is. If the goal itself is in an obstacle that
-/// was seen, this is as near as it gets; otherwise something unseen is in between.
+/// True where the vehicle will rest, and the nearest free point to an aim in an obstacle is no nearer than where it is.
+/// If the goal itself is in an obstacle that was seen, this is as near as it gets; otherwise something unseen is in
+/// between.
 bool FlightState::is_nearest() noexcept {
   const Grid& seen = map.route();
-  if (!rests() || distance(aim, now.aim) > kAimVoxels * seen.spec().cell) return false;
+  const double slack = kAimVoxels * seen.spec().cell;
+  if (!rests_at_takeover() || distance(start.d[0], goal) > distance(aim, goal) + slack) return false;
   if (seen.bound() && aims_at_goal && !point_clear(seen, seen.to_local(goal), seen.spec().radius)) {
     park(FlightReason::kNearest);
   }
   return true;
+}
+
+/// A new plan is about to be committed. Those that do not lead nearer to the goal are counted, so that no vehicle flies
+/// to and fro for ever.
+void FlightState::note_progress() noexcept {
+  const double left = distance(start.d[0], goal);
+  if (nearest < 0.0 || left < nearest - map.safe().spec().cell) {
+    nearest = left;
+    fruitless = 0;
+  } else if (++fruitless > kFruitless) {
+    park(FlightReason::kNoProgress);
+  }
 }
 
 /// At the goal, there is nothing left to plan.

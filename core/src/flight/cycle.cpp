@@ -41,7 +41,7 @@ void FlightState::begin_cycle() noexcept {
   if (!has_goal || parked || has_next || stopping || watching || map.busy()) return;
   takeover = time + lead_ticks(spec) * spec.tick;
   deadline = takeover - spec.tick;
-  if (reaches_goal() && takeover >= rest_begins()) return;
+  if (reaches_goal() && rests_at_takeover()) return;
   ++report.asked;
   const GridSpec& window = map.route().spec();
   const double near = idle_cycles % kAttempts < 2 ? spec.near : 0.0;
@@ -116,7 +116,7 @@ void FlightState::begin_plan() noexcept {
   } else {
     choose_aim(start.d[0]);
   }
-  moved_aim = false;
+  moved_aim = beside_goal = false;
   ask_planner();
 }
 
@@ -137,6 +137,9 @@ bool FlightState::move_aim(const Report& found) noexcept {
   moved_aim = true;
   aim = found.nearest_free;
   if (is_nearest()) return false;
+  const double slack = kAimVoxels * map.route().spec().cell;
+  if (keeps && now.beside_goal && distance(now.aim, goal) <= distance(aim, goal) + slack) aim = now.aim;
+  beside_goal = aims_at_goal || (keeps && now.beside_goal);
   aims_at_goal = false;
   ask_planner();
   return true;
@@ -165,10 +168,7 @@ void FlightState::choose_draft(bool planned) noexcept {
     extends = !better;
   }
   if (extends) draft = now;
-  if (!extends && !composed) {
-    ++report.failed;
-    return give_up();
-  }
+  if (!extends && !composed) return fail();
   job = Job::kWait;
 }
 
@@ -188,6 +188,7 @@ bool FlightState::compose() noexcept {
   draft.branch = 0.0;
   draft.aim = aim;
   draft.to_goal = aims_at_goal;
+  draft.beside_goal = beside_goal;
   draft.goal = goal_number;
   return true;
 }
@@ -212,7 +213,11 @@ Progress FlightState::run_reach(Work& work) noexcept {
   if (proof.report().end == ProofEnd::kProven) {
     draft.flown = draft.wished;
     draft.branch = reached;
-    commit();
+    if (leads_on()) {
+      commit();
+    } else {
+      fail();
+    }
     return Progress::kDone;
   }
   branch = -1;
@@ -230,7 +235,7 @@ double FlightState::earliest_branch() const noexcept {
 bool FlightState::leads_on() const noexcept {
   const Trajectory& flown = draft.flown;
   const Vec3 end = flown.origin + flown.segments[flown.count - 1].points[kDegree];
-  return !rests() || distance(end, start.d[0]) >= map.safe().spec().cell;
+  return !rests_at_takeover() || draft.to_goal || distance(end, start.d[0]) >= map.safe().spec().cell;
 }
 
 /// The candidates: from the last proven instant back, each with its brakes.
@@ -251,8 +256,7 @@ void FlightState::next_branch() noexcept {
   while (++branch < kBranches * kBranchShapes) {
     if (make_branch()) return;
   }
-  ++report.failed;
-  give_up();
+  fail();
 }
 
 Progress FlightState::run_branch(Work& work) noexcept {
@@ -280,6 +284,7 @@ Progress FlightState::run_confirm(Work& work) noexcept {
 /// An extension has the same bits up to the branch that is flown, and so replaces it in place. A new plan takes over at
 /// its beginning.
 void FlightState::commit() noexcept {
+  if (!extends && job != Job::kEvade) note_progress();
   job = Job::kIdle;
   ++report.committed;
   idle_cycles = 0;
@@ -292,6 +297,11 @@ void FlightState::commit() noexcept {
     next = draft;
     has_next = true;
   }
+}
+
+void FlightState::fail() noexcept {
+  ++report.failed;
+  give_up();
 }
 
 void FlightState::give_up() noexcept {

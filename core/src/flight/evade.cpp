@@ -29,7 +29,7 @@ bool FlightState::make_evasion() noexcept {
   draft.begin = takeover;
   draft.branch = 0.0;
   draft.goal = goal_number;
-  draft.to_goal = false;
+  draft.to_goal = draft.beside_goal = false;
   draft.flown.count = 0;
   draft.flown.origin = evaluate(course.flown, seconds_between(course.begin, takeover)).position;
   const JointState at = joint_at(course.flown, seconds_between(course.begin, takeover), draft.flown.origin);
@@ -71,6 +71,7 @@ void FlightState::end_evade() noexcept {
   commit();
   threat = true;
   contact = best;
+  contact_speed = length(evaluate(draft.flown, best_until).velocity);
 }
 
 }  // namespace tern

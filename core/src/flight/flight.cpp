@@ -107,7 +107,8 @@ Status Flight::set_goal(const Vec3& goal) noexcept {
   state.has_goal = true;
   ++state.goal_number;
   state.parked = state.stopping = state.is_looking = false;
-  state.idle_cycles = 0;
+  state.idle_cycles = state.fruitless = 0;
+  state.nearest = -1.0;
   state.reason = FlightReason::kNone;
   return Status::kOk;
 }
@@ -140,7 +141,7 @@ void FlightState::take_over() noexcept {
 }
 
 FlightMode FlightState::mode() const noexcept {
-  if (threat) return FlightMode::kThreat;
+  if (threat || alarmed) return FlightMode::kThreat;
   if (rests()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -172,8 +173,8 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode();
   report.reason = reason;
   report.work = spent;
-  report.contact_time = threat ? contact : 0;
-  report.contact_speed = threat ? length(sample_at(contact).velocity) : 0.0;
+  report.contact_time = report.mode == FlightMode::kThreat ? contact : 0;
+  report.contact_speed = report.mode == FlightMode::kThreat ? contact_speed : 0.0;
 }
 
 Status Flight::tick(int64_t t, FlightReport& report) noexcept {
@@ -181,6 +182,7 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
   if (state_ == nullptr || t < state_->time) return Status::kInvalidArgument;
   FlightState& state = *state_;
   state.time = t;
+  state.alarmed = false;
   state.take_over();
   Work work{state.spec.work_per_tick};
   state.step_map(work);

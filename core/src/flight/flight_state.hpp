@@ -26,6 +26,11 @@ constexpr int kEvadeTicks = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
 constexpr int kPatience = 3;
 constexpr int kDirections = 8;
+/// Voxels that an aim keeps from the window's faces, besides the radius; and by which one must be nearer to the goal to
+/// count as nearer.
+constexpr double kAimVoxels = 2.0;
+/// New plans that may be committed without coming nearer to the goal than before.
+constexpr int kFruitless = 300;
 
 /// A committed plan, or one that may become it.
 struct Course {
@@ -34,7 +39,8 @@ struct Course {
   double branch;       ///< seconds since the beginning up to which both are the same
   std::int64_t begin;  ///< nanoseconds
   Vec3 aim;            ///< where `wished` ends
-  bool to_goal;        ///< the aim is the goal
+  bool to_goal;        ///< the aim is the goal,
+  bool beside_goal;    ///< or the nearest free point to it
   std::uint32_t goal;  ///< number of the goal that it was made for
 };
 
@@ -82,7 +88,8 @@ class FlightState {
   double settle;     ///< seconds until the start's jerk is zero; there the planner begins
   Vec3 aim;
   bool aims_at_goal;
-  bool moved_aim;     ///< the nearest free point took the aim's place
+  bool moved_aim;     ///< the nearest free point took the aim's place,
+  bool beside_goal;   ///< which was the goal
   bool keeps;         ///< the rest of the plan that is flown is free on the route
   bool extends;       ///< `draft` goes on along the plan that is flown
   double reached;     ///< until when `draft` is proven
@@ -95,11 +102,15 @@ class FlightState {
   bool watching;
   std::uint64_t watched;  ///< the map's revision; 0: none
   bool threat;
-  bool evaded;  ///< it was tried on this map
+  bool alarmed;  ///< in this tick
+  bool evaded;   ///< it was tried on this map
   std::int64_t contact;
+  double contact_speed;  ///< m/s, along what was flown when the threat was found
 
   // At rest.
   int idle_cycles;
+  int fruitless;   ///< new plans since the vehicle was nearest to the goal
+  double nearest;  ///< metres to the goal; negative: not known yet
   bool is_looking;
   std::int64_t look_since;
   Vec3 look_at;
@@ -110,6 +121,8 @@ class FlightState {
   const Course& course_at(std::int64_t t) const noexcept;
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
+  /// Where nothing new takes over before.
+  bool rests_at_takeover() const noexcept { return takeover >= rest_begins(); }
   void take_over() noexcept;
   FlightMode mode() const noexcept;
   bool reads_map() const noexcept;
@@ -124,6 +137,7 @@ class FlightState {
   int sector_at(std::int64_t t) const noexcept;
   void note_idle() noexcept;
   void park(FlightReason why) noexcept;
+  void note_progress() noexcept;
   bool is_nearest() noexcept;
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
@@ -149,6 +163,7 @@ class FlightState {
   Progress run_branch(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
   void commit() noexcept;
+  void fail() noexcept;
   void give_up() noexcept;
   double start_of_proof() const noexcept;
   Progress prove(Work& work) noexcept;

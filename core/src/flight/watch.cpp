@@ -26,8 +26,10 @@ void FlightState::run_watch(Work& work) noexcept {
   threat = watch.report().end != ProofEnd::kProven;
   evaded = false;
   if (!threat) return;
+  alarmed = true;
   const Course& course = has_next ? next : now;
   contact = course.begin + nanoseconds(watch.report().until);
+  contact_speed = length(evaluate(course.flown, watch.report().until).velocity);
   if (!has_next) return;
   has_next = false;  // what is flown until then may still be proven
   watched = 0;
