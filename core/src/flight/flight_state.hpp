@@ -142,7 +142,7 @@ class FlightState {
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
 
-  // cycle.cpp
+  // cycle.cpp: a plan
   void begin_cycle() noexcept;
   void advance(Work& work) noexcept;
   Progress run_job(Work& work) noexcept;
@@ -154,6 +154,10 @@ class FlightState {
   Progress run_plan(Work& work) noexcept;
   void choose_draft(bool planned) noexcept;
   bool compose() noexcept;
+  Progress prove(Work& work) noexcept;
+
+  // prove_draft.cpp: what of it is flown
+  double start_of_proof() const noexcept;
   Progress run_wait() noexcept;
   Progress run_reach(Work& work) noexcept;
   double earliest_branch() const noexcept;
@@ -165,8 +169,6 @@ class FlightState {
   void commit() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
-  double start_of_proof() const noexcept;
-  Progress prove(Work& work) noexcept;
 
   // evade.cpp
   void begin_evade() noexcept;
