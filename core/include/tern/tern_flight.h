@@ -89,9 +89,8 @@ void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
 size_t tern_flight_words(tern_voxel dims);
 /* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
  * limits_invalid or start_occupied. */
-uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
-                          tern_planner* planner, uint64_t* words, size_t word_count, const tern_vec3* position,
-                          int64_t t);
+uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
+                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
 /* Comes to rest and forgets the goal. */

@@ -13,8 +13,8 @@ namespace tern {
 /// The box around the points.
 Box box_around(const Vec3* points, int count) noexcept;
 
-/// True only where the hull of the points keeps `distance` > 0 from the closed box. The answer may be false although the
-/// hull keeps it, but hardly where the points lie nearly on a line.
+/// True only where the hull of the points keeps `distance` > 0 from the closed box. The answer may be false although
+/// the hull keeps it, but hardly where the points lie nearly on a line.
 bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept;
 
 /// The same for all obstacle cubes. `found` gets the first voxel for which it is false. Reads the voxels within the
