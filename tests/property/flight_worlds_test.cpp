@@ -183,6 +183,52 @@ TEST(FlightWorlds, SameInputSameCommands) {
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
+/// When the committed plan comes to rest: the first instant with its last position and no speed.
+std::int64_t arrival(const Flown& flown) {
+  const Vec3 end = flown.flight.rest_position();
+  std::int64_t low = flown.time;
+  std::int64_t high = flown.time + 60000000000;
+  while (high - low > 10) {
+    const std::int64_t t = low + (high - low) / 2;
+    const Sample s = flown.flight.command(t).sample;
+    const bool rests = s.velocity.x == 0.0 && s.velocity.y == 0.0 && s.velocity.z == 0.0 && s.position.x == end.x &&
+                       s.position.y == end.y && s.position.z == end.z;
+    (rests ? high : low) = t;
+  }
+  return high;
+}
+
+/// Contract F4: on a map that does not change, with a goal that does not, no replan arrives later.
+TEST(FlightWorlds, ReplansNeverArriveLater) {
+  for (int k = 0; k < tern_test::scaled(8); ++k) {
+    Random random(static_cast<std::uint64_t>(990 + k));
+    FlightSettings settings;
+    settings.v = 5.0;
+    settings.assumed = 13.0;
+    Flown flown(Scene{}, settings);
+    for (int b = 0; b < 12; ++b) {
+      const double x = random.real(1.5, 8.0);
+      const double y = random.real(-4.0, 4.0);
+      const Box box{{x, y, 0.0}, {x + 0.4, y + 0.4, 3.6}};
+      ASSERT_EQ(flown.owned.map.mark_box(box), Status::kOk);
+      flown.scene.boxes.push_back(box);
+    }
+    flown.frames = false;
+    Vec3 goal{7.5, random.real(-3.0, 3.0), 1.5};
+    while (flown.scene.clearance(goal) < 0.7) goal = {random.real(6.0, 8.5), random.real(-3.0, 3.0), 1.5};
+    ASSERT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    for (int t = 0; t < 30; ++t) flown.tick();
+    std::int64_t before = arrival(flown);
+    while (flown.time + 20000000 < before && !testing::Test::HasFatalFailure()) {
+      flown.tick();
+      const std::int64_t after = arrival(flown);
+      EXPECT_LE(after, before + 1020) << k << ": " << story(flown);
+      before = after;
+    }
+    EXPECT_EQ(flown.fly(5.0), FlightReason::kArrived) << k << ": " << story(flown);
+  }
+}
+
 TEST(FlightWorlds, LittleWorkATickStillFliesSafely) {
   Random random(981);
   FlightSettings settings;

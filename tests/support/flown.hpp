@@ -27,6 +27,9 @@ struct FlightSettings {
   tern::Vec3 start{0.0, 0.0, 1.5};
   double assumed = 1.2;
   std::uint32_t work_per_tick = 4000;
+  double noise = 0.0;     ///< of a depth, part of it
+  double outliers = 0.0;  ///< part of the pixels that show a random depth
+  int hits = 1;
 };
 
 class Flown {
@@ -56,6 +59,8 @@ class Flown {
     map.pose_margin = 0.0;
     map.depth_margin = 0.02;
     map.slack = 8;
+    map.hits = s.hits;
+    map.depth_margin += 10.0 * s.noise;
     return map;
   }
 
@@ -121,7 +126,17 @@ class Flown {
     // The image that is entered must stay: the next one is rendered once that is done.
     if (ticks % 3 == 0 && frames && !waiting && !owned.map.busy() && !random.chance(drop)) {
       shown.render(scene, truth(), yaw);
+      disturb(shown.image);
       waiting = true;
+    }
+  }
+
+  /// Noise within the map's margin, and pixels that are wrong altogether.
+  void disturb(Image& image) {
+    if (settings.noise <= 0.0 && settings.outliers <= 0.0) return;
+    for (float& z : image.z) {
+      z *= static_cast<float>(1.0 + random.real(-settings.noise, settings.noise));
+      if (random.chance(settings.outliers)) z = static_cast<float>(random.real(0.3, 10.0));
     }
   }
 
