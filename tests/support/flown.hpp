@@ -30,6 +30,7 @@ struct FlightSettings {
   double noise = 0.0;     ///< of a depth, part of it
   double outliers = 0.0;  ///< part of the pixels that show a random depth
   int hits = 1;
+  bool centers = false;  ///< a pixel has the depth of its centre, not its least one
 };
 
 class Flown {
@@ -125,6 +126,7 @@ class Flown {
     }
     // The image that is entered must stay: the next one is rendered once that is done.
     if (ticks % 3 == 0 && frames && !waiting && !owned.map.busy() && !random.chance(drop)) {
+      shown.centers = settings.centers;
       shown.render(scene, truth(), yaw);
       disturb(shown.image);
       waiting = true;
