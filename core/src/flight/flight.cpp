@@ -170,8 +170,9 @@ void FlightState::step_map(Work& work) noexcept {
   if (!map.busy()) follow_window();
   if (!map.busy()) return;
   const std::uint32_t share = work.left / 2;
-  map.step(share);
   work.left -= share;
+  // Before the next frame comes: there may always be one waiting.
+  if (map.step(share) == Status::kOk) follow_window();
 }
 
 void FlightState::finish_report(std::uint32_t spent) noexcept {

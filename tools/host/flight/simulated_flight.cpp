@@ -177,6 +177,8 @@ class Simulation {
       if (!noise_.chance(s.dropout)) waiting_.push_back(take_frame(world_, truth(), yaw_, time_, noise_));
     }
     const std::int64_t latency = std::llround(1e9 * s.sensor_latency);
+    // Of those that have arrived, only the last one counts.
+    while (waiting_.size() > 1 && waiting_[1].taken + latency <= time_) waiting_.pop_front();
     if (map_.busy() || waiting_.empty() || waiting_.front().taken + latency > time_) return;
     entered_ = std::move(waiting_.front());
     waiting_.pop_front();
