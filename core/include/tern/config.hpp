@@ -92,7 +92,7 @@
 /// memory; it bounds the time. After the last one, the best plan so far is given out, or stop-and-go where there is
 /// none.
 #ifndef TERN_MAX_QP_SOLVES
-#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 24, 24)
+#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48)
 #endif
 
 /// Geofences of one request. Beyond it: kFencesFull.

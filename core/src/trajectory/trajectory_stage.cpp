@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/trajectory_stage.hpp"
 
-#include "base/bounds.hpp"
+#include "base/math.hpp"
 #include "base/work.hpp"
 #include "curve/bezier.hpp"
 #include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
+#include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
@@ -23,19 +24,6 @@ constexpr std::uint32_t kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
-}
-
-double largest_reach(const Bounds& bounds) {
-  const double wide = larger(bounds.upper.x, bounds.upper.y);
-  return larger(bounds.upper.z, bounds.horizontal > 0.0 ? smaller(wide, bounds.horizontal) : wide);
-}
-
-/// The weight with its unit: flying at limits v and a takes times of v / a and jerks and snaps that go with them.
-double snap_rate(const Limits& limits, double weight) {
-  const double v = largest_reach(velocity_bounds(limits));
-  const double a = largest_reach(acceleration_bounds(limits));
-  const double snap = (a / v) * (a / v) * a;
-  return weight * (snap * snap);
 }
 
 bool stays(const Corridor& corridor) {
@@ -86,16 +74,6 @@ double fixed_snap(TrajectoryStage& stage) {
   return candidate_snap(stage);
 }
 
-/// Cost of a plan that is stretched by a factor: snap falls with its seventh power.
-double plan_cost(double snap, double rate, double duration, double factor) {
-  return snap / seventh_power(factor) + rate * factor * duration;
-}
-
-/// The factor of least cost: where 7 snap s^-8 = rate duration.
-double cheapest_stretch(double snap, double rate, double duration) {
-  return square_root(square_root(square_root(7.0 * snap / (rate * duration))));
-}
-
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
   if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
     stage.phase = TrajectoryPhase::kFinish;
@@ -112,17 +90,14 @@ void propose(TrajectoryStage& stage, const Corridor& corridor) {
   stage.phase = TrajectoryPhase::kSolve;
 }
 
-/// True where no solution of the programme can be worth more than the best plan: the cost that its lower bound on snap
-/// allows, stretched as suits it best.
+/// True where no solution of the programme can improve on the best plan: not even with the snap of its lower bound.
 bool hopeless(const TrajectoryStage& stage) {
   if (!stage.best.found) return false;
   const double bound = qp_lower_bound(stage.solver);
   if (!(bound > -kQpNoBound)) return false;
   const double snap = larger(0.0, stage.scale.snap_per_cost * bound + stage.fixed_snap);
-  const double rate = stage.refinement.rate;
-  const double duration = chain_duration(stage.chain);
-  const double factor = rests(stage.query) ? cheapest_stretch(snap, rate, duration) : 1.0;
-  return plan_cost(snap, rate, duration, factor) >= stage.best.cost;
+  Offer offer{snap, chain_duration(stage.chain), 0.0, 1.0, 0.0};
+  return !improves(stage.refinement, offer);
 }
 
 void note_iterations(TrajectoryStage& stage, std::uint32_t used) {
@@ -161,15 +136,14 @@ bool solve(TrajectoryStage& stage, Work& work) {
   return true;
 }
 
-/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
-/// where that costs less.
-double best_stretch(const TrajectoryStage& stage, double snap) {
+/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly.
+double least_stretch(const TrajectoryStage& stage) {
   double factor = 0.0;
   for (int i = 0; i < stage.chain.count; ++i) {
     factor = larger(factor, kMinDuration / stage.chain.duration[i]);
     factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
   }
-  return larger(factor, cheapest_stretch(snap, stage.refinement.rate, chain_duration(stage.chain)));
+  return factor;
 }
 
 bool keeps_everything(const TrajectoryStage& stage, const Corridor& corridor, double factor) {
@@ -186,13 +160,12 @@ double relative_residual(const QpSolution& solution) {
   return larger(larger(solution.stationarity, solution.complementarity), larger(solution.violation, 0.0));
 }
 
-void keep_best(TrajectoryStage& stage, double factor) {
+void keep_best(TrajectoryStage& stage) {
   stage.best.found = true;
-  stage.best.cost = stage.round.cost;
   stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
   for (int i = 0; i < stage.chain.count; ++i) {
-    stage.best.duration[i] = factor * stage.chain.duration[i];
+    stage.best.duration[i] = stage.chain.duration[i];
     for (int k = 0; k < kControlPoints; ++k) stage.best.points[i][k] = stage.points[i][k];
   }
 }
@@ -202,14 +175,15 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
-  const double snap = candidate_snap(stage);
   Round& round = stage.round;
-  round.factor = rests(stage.query) ? best_stretch(stage, snap) : 1.0;
-  round.cost = plan_cost(snap, stage.refinement.rate, chain_duration(stage.chain), round.factor);
-  round.accepted = keeps_everything(stage, corridor, round.factor);
-  if (!round.accepted) stage.solve_status = Status::kNumerical;
-  if (!round.accepted || (stage.best.found && !(round.cost < stage.best.cost))) return;
-  keep_best(stage, round.factor);
+  const double least = stage.refinement.elastic ? least_stretch(stage) : 1.0;
+  round.offer = Offer{candidate_snap(stage), chain_duration(stage.chain), least, 1.0, 0.0};
+  const bool better = improves(stage.refinement, round.offer);
+  const bool holds = keeps_everything(stage, corridor, round.offer.stretch);
+  if (!holds) stage.solve_status = Status::kNumerical;
+  round.better = better && holds;
+  if (!round.better) return;
+  keep_best(stage);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
@@ -221,11 +195,11 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor) {
   stage.has_fallback = true;
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
-  refinement_begin(stage.refinement, stage.chain, stage.refinement.rate);
+  refinement_begin(stage.refinement, stage.chain, stage.refinement.unit, query.time_weight, rests(query));
 }
 
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
-  stage.round.accepted = false;
+  stage.round.better = false;
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   refinement_next(stage.refinement, stage.round, stage.chain);
@@ -250,7 +224,7 @@ Status give_out(TrajectoryStage& stage, const Corridor& corridor, Trajectory& ou
   stage.kkt_residual = stage.best.kkt_residual;
   out.count = stage.chain.count;
   for (int i = 0; i < stage.chain.count; ++i) {
-    out.segments[i].duration = stage.best.duration[i];
+    out.segments[i].duration = stage.refinement.best.stretch * stage.best.duration[i];
     out.segments[i].polyhedron = stage.chain.polyhedron[i];
     for (int k = 0; k < kControlPoints; ++k) out.segments[i].points[k] = stage.best.points[i][k];
   }
@@ -286,7 +260,8 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
     return;
   }
   stage.chain = chain;
-  refinement_begin(stage.refinement, stage.chain, snap_rate(query.limits, query.time_weight));
+  refinement_begin(stage.refinement, stage.chain, time_unit(chain, corridor, query.limits), query.time_weight,
+                   rests(query));
   stage.phase = TrajectoryPhase::kPropose;
 }
 

@@ -41,8 +41,7 @@ enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kFinish };
 /// The best plan so far: its control points, the other arrays are shared with the candidate.
 struct BestPlan {
   bool found;
-  double cost;  ///< snap + rate * duration
-  double duration[kMaxSegments];
+  double duration[kMaxSegments];  ///< before the refinement's stretch
   Vec3 points[kMaxSegments][kControlPoints];
   int active;
   double kkt_residual;
