@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     }
     std::fputs(tern_bench::table_row(family, samples).c_str(), stdout);
     csv << tern_bench::csv_row(family, samples);
-    append_checks(all, samples);
+    append_voxels(all, samples);
   }
   std::fputs(tern_bench::savings(all).c_str(), stdout);
   return 0;

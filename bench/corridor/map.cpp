@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "corridor/grow_scratch.hpp"
+#include "corridor/grow.hpp"
 #include "volume.hpp"
 
 namespace tern_bench {

@@ -40,16 +40,10 @@ Status grow_timed(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratc
   return status;
 }
 
-/// The same segment with a box as wide as the map: what is looked at where nothing bounds it.
-void count_checks(const Map& map, const Polyhedron& polyhedron, GrowScratch& scratch, Samples& samples) {
-  const auto other = std::make_unique<Polyhedron>();
-  samples.checks.push_back(scratch.checks);
+/// What a search over voxels looks at in the local box, and where nothing bounds it.
+void count_voxels(const Map& map, const Polyhedron& polyhedron, Samples& samples) {
   samples.voxels.push_back(count_surface(map, around(polyhedron.from, polyhedron.to, tern::kLocalMargin)));
   samples.voxels_without.push_back(static_cast<double>(map.surface.size()));
-  reset_counters(scratch);
-  scratch.margin = 1e4;
-  grow_polyhedron(map.grid, polyhedron.from, polyhedron.to, scratch, *other);
-  samples.checks_without.push_back(scratch.checks);
 }
 
 /// Grows one segment and notes all but what belongs to `segment` or `polyline` records alone. False where it fails.
@@ -108,7 +102,7 @@ void count_reuse(const Map& map, const std::vector<Vec3>& line, Samples& samples
   std::copy(line.begin(), line.end(), path->points);
   corridor_begin(*stage, map.grid, *path, 0xFFFFFFFFu);
   tern::Work work{tern::kCorridorTries};
-  if (corridor_advance(*stage, map.grid, *path, work, *corridor) != Status::kOk) {
+  if (corridor_advance(*stage, map.grid, *path, work, *corridor) != tern::Progress::kDone) {
     ++samples.failed;
     return;
   }
@@ -126,7 +120,7 @@ void measure_case(const CorridorCase& c, Samples& samples) {
     if (!measure_segment(*map, segment[0], segment[1], *scratch, *polyhedron, samples)) continue;
     samples.volume.push_back(volume(bounding_planes(*polyhedron)));
     samples.paper_volume.push_back(paper_volume(*map, segment[0], segment[1]));
-    count_checks(*map, *polyhedron, *scratch, samples);
+    count_voxels(*map, *polyhedron, samples);
   }
   for (const std::vector<Vec3>& line : c.polylines) {
     measure_polyline(*map, line, *scratch, samples);

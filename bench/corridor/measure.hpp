@@ -16,7 +16,6 @@ struct Samples {
   std::vector<double> microseconds, planes_made, planes;  ///< of all segments
   std::vector<double> volume, line_volume;                ///< of `segment` records, of the legs of `polyline` records
   std::vector<double> paper_volume, paper_line_volume;    ///< the same by the paper's method
-  std::vector<double> checks, checks_without;             ///< obstacle boxes looked at, with and without a local box
   std::vector<double> voxels, voxels_without;             ///< surface voxels in the local box, in the map
   std::vector<double> overlap;  ///< a joint of a polyline each: radius of the ball that both polyhedra hold
   double unsafe = 0.0;          ///< inside obstacle voxels, all polyhedra together

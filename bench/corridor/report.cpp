@@ -61,8 +61,8 @@ std::string table_row(const std::string& family, const Samples& s) {
 
 std::string csv_header() {
   return "family,median_us,p99_us,max_us,planes_made,planes,all_planes_made,all_planes,segment_volume_m3,"
-         "polyline_volume_m3,paper_segment_volume_m3,paper_polyline_volume_m3,least_overlap_m,unsafe_m3,checks,"
-         "checks_without_box,voxels,voxels_without_box,polyhedra,legs,failed\n";
+         "polyline_volume_m3,paper_segment_volume_m3,paper_polyline_volume_m3,least_overlap_m,unsafe_m3,"
+         "voxels,voxels_without_box,polyhedra,legs,failed\n";
 }
 
 std::string csv_row(const std::string& family, const Samples& s) {
@@ -71,8 +71,8 @@ std::string csv_row(const std::string& family, const Samples& s) {
   for (const double figure :
        {median(s.microseconds), quantile(s.microseconds, 0.99), quantile(s.microseconds, 1.0), median(s.planes_made),
         median(s.planes), sum(s.planes_made), sum(s.planes), median(s.volume), median(s.line_volume),
-        median(s.paper_volume), median(s.paper_line_volume), least(s.overlap), s.unsafe, median(s.checks),
-        median(s.checks_without), median(s.voxels), median(s.voxels_without)}) {
+        median(s.paper_volume), median(s.paper_line_volume), least(s.overlap), s.unsafe, median(s.voxels),
+        median(s.voxels_without)}) {
     row << ',' << figure;
   }
   row << ',' << s.polyhedra << ',' << s.legs << ',' << s.failed << '\n';
@@ -80,13 +80,10 @@ std::string csv_row(const std::string& family, const Samples& s) {
 }
 
 std::string savings(const Samples& all) {
-  return saving("obstacle boxes checked", all.checks, all.checks_without) +
-         saving("surface voxels a search", all.voxels, all.voxels_without);
+  return saving("surface voxels a search", all.voxels, all.voxels_without);
 }
 
-void append_checks(Samples& all, const Samples& more) {
-  append(all.checks, more.checks);
-  append(all.checks_without, more.checks_without);
+void append_voxels(Samples& all, const Samples& more) {
   append(all.voxels, more.voxels);
   append(all.voxels_without, more.voxels_without);
 }

@@ -19,7 +19,7 @@ std::string csv_row(const std::string& family, const Samples& samples);
 std::string savings(const Samples& all);
 
 /// Adds what `savings` needs of `more`.
-void append_checks(Samples& all, const Samples& more);
+void append_voxels(Samples& all, const Samples& more);
 
 }  // namespace tern_bench
 

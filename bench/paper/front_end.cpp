@@ -106,32 +106,39 @@ TimedRoute paper_astar(const PaperMap& map, const tern_host::Scenario& scenario,
   return timed;
 }
 
-TernFrontEnd::TernFrontEnd() : stage_(new tern::PathStage), scans_(new tern::ScanMap), path_(new tern::Path) {}
+TernFrontEnd::TernFrontEnd()
+    : search_(new tern::SearchStage),
+      shortcut_(new tern::ShortcutStage),
+      scans_(new tern::ScanMap),
+      path_(new tern::Path) {}
 
 TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions) {
   TernRoutes routes;
   const tern::Grid& grid = world.grid();
-  const tern::PathQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position), kNoBudget,
-                              kNoBudget};
+  const tern::SearchQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position),
+                                kNoBudget};
   double searching = std::numeric_limits<double>::infinity();
   double shortening = searching;
-  routes.status = tern::Status::kRunning;
   for (int k = 0; k < repetitions; ++k) {
-    // The first call ends between search and shortcut, the second with the path.
     tern::Work work{kNoBudget};
     const double begin = thread_time();
     // Each repetition finds the map new, as the peers do.
     tern::scan_forget(*scans_);
-    tern::path_begin(*stage_, *scans_, grid, query);
-    routes.status = tern::path_advance(*stage_, grid, work, *path_);
+    tern::search_begin(*search_, *scans_, grid, query);
+    const tern::Progress searched = tern::search_advance(*search_, grid, work, *path_);
     const double between = thread_time();
-    if (routes.status == tern::Status::kRunning) routes.status = tern::path_advance(*stage_, grid, work, *path_);
+    routes.status = search_->status;
+    if (searched == tern::Progress::kDone) {
+      tern::shortcut_begin(*shortcut_, grid, kNoBudget, *path_);
+      tern::shortcut_advance(*shortcut_, grid, work, *path_);
+      routes.status = shortcut_->status;
+    }
     searching = std::min(searching, between - begin);
     shortening = std::min(shortening, thread_time() - between);
   }
   const bool found = routes.status == tern::Status::kOk;
-  routes.jump_points = {{found, {}, stage_->expansions}, searching};
-  routes.shortened = {{found, {}, stage_->expansions}, searching + shortening};
+  routes.jump_points = {{found, {}, search_->expansions}, searching};
+  routes.shortened = {{found, {}, search_->expansions}, searching + shortening};
   if (found) {
     routes.jump_points.route.points = world_points(world, path_->raw, path_->raw_count);
     routes.shortened.route.points = world_points(world, path_->points, path_->count);

@@ -11,7 +11,8 @@
 #include "baselines/route.hpp"
 #include "host/scenario.hpp"
 #include "paper/world.hpp"
-#include "path/path_stage.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
 
 namespace tern_bench {
 
@@ -40,14 +41,15 @@ struct TernRoutes {
   tern::Status status;
 };
 
-/// Tern's path stage with the memory it needs.
+/// Tern's search and shortcut stages with the memory they need.
 class TernFrontEnd {
  public:
   TernFrontEnd();
   TernRoutes run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions);
 
  private:
-  std::unique_ptr<tern::PathStage> stage_;
+  std::unique_ptr<tern::SearchStage> search_;
+  std::unique_ptr<tern::ShortcutStage> shortcut_;
   std::unique_ptr<tern::ScanMap> scans_;
   std::unique_ptr<tern::Path> path_;
 };

@@ -47,12 +47,12 @@ std::vector<LimitRow> Prober::rows(const tern::Corridor& corridor, const tern::L
   tern::times_advance(times, corridor, all, chain);
   tern::trajectory_begin(*stage_, corridor, query, chain);
   std::vector<LimitRow> rows;
-  tern::Status status = tern::Status::kRunning;
-  while (status == tern::Status::kRunning) {
+  tern::Progress progress = tern::Progress::kMore;
+  while (progress == tern::Progress::kMore) {
     const bool judges = stage_->phase == tern::TrajectoryPhase::kJudge;
     durations_.assign(stage_->chain.duration, stage_->chain.duration + stage_->chain.count);
     tern::Work unit{1};
-    status = tern::trajectory_advance(*stage_, corridor, unit, *plan_);
+    progress = tern::trajectory_advance(*stage_, corridor, unit, *plan_);
     if (judges && stage_->solve_status == tern::Status::kOk) collect(rows);
   }
   return rows;

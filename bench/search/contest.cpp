@@ -41,13 +41,30 @@ tern::Status run_tern(tern::Search& search, tern::ScanMap& scans, const tern::Gr
   return status;
 }
 
+tern::Status run_fast(tern::VoxelSearch& search, tern::ScanMap& scans, const tern::Grid& grid, const Query& query,
+                      tern::Path& path) {
+  tern::scan_forget(scans);
+  tern::voxel_search_begin(search, scans, grid, query.start, query.goal, tern::SearchMode::kFast);
+  tern::Work work{0xFFFFFFFFu};
+  const tern::Status status = tern::voxel_search_advance(search, grid, work);
+  path.raw_count = 0;
+  return status == tern::Status::kOk ? tern::voxel_search_extract(search, grid, 0, path) : status;
+}
+
 }  // namespace
 
 Contest::Contest(std::string set, int repetitions)
-    : repetitions_(repetitions), search_(new tern::Search), scans_(new tern::ScanMap) {
+    : repetitions_(repetitions),
+      search_(new tern::Search),
+      scans_(new tern::ScanMap),
+      fast_(new tern::VoxelSearch),
+      fast_scans_(new tern::ScanMap),
+      path_(new tern::Path) {
   // A planner's memory is there before its first query, like the arrays of the A*: no query pays for its pages.
   std::memset(static_cast<void*>(search_.get()), 0xA5, sizeof(tern::Search));
   std::memset(static_cast<void*>(scans_.get()), 0xA5, sizeof(tern::ScanMap));
+  std::memset(static_cast<void*>(fast_.get()), 0xA5, sizeof(tern::VoxelSearch));
+  std::memset(static_cast<void*>(fast_scans_.get()), 0xA5, sizeof(tern::ScanMap));
   tern::scan_forget(*scans_);
   outcome_.set = std::move(set);
   outcome_.least_ratio = std::numeric_limits<double>::infinity();
@@ -56,6 +73,22 @@ Contest::Contest(std::string set, int repetitions)
 void Contest::add(const World& world, const std::vector<Query>& queries) {
   PlainAStar astar(world.grid);
   for (const Query& query : queries) add_query(world.grid, astar, query);
+}
+
+void Contest::add_fast(const tern::Grid& grid, const Query& query, bool found, tern::Cost optimum) {
+  double time = std::numeric_limits<double>::infinity();
+  tern::Status status = tern::Status::kOk;
+  for (int k = 0; k < repetitions_; ++k) {
+    time = std::min(time, timed([&] { status = run_fast(*fast_, *fast_scans_, grid, query, *path_); }));
+  }
+  if (status != (found ? tern::Status::kOk : tern::Status::kNoPath)) ++outcome_.wrong;
+  if (!found) return;
+  const double least = static_cast<double>(optimum) / static_cast<double>(tern::kStraightCost);
+  const double excess = optimum > 0 ? path_->grid_length / least - 1.0 : 0.0;
+  if (excess < -1e-9) ++outcome_.wrong;
+  outcome_.fast.times.push_back(time);
+  outcome_.excess += excess;
+  outcome_.most_excess = std::max(outcome_.most_excess, excess);
 }
 
 void Contest::add_query(const tern::Grid& grid, PlainAStar& astar, const Query& query) {
@@ -71,6 +104,7 @@ void Contest::add_query(const tern::Grid& grid, PlainAStar& astar, const Query& 
     tern_time = std::min(tern_time, tern_once);
     if (k == 0) tern_first = tern_once;
   }
+  add_fast(grid, query, found, found ? astar.cost() : 0);
   if (!found && status == tern::Status::kNoPath) {
     ++outcome_.unsolved;
     return;

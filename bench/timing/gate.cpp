@@ -89,6 +89,7 @@ void report_case(const Case& input, tern::Status status, const tern::Report& rep
   row(input, "inflate", cost.inflate, 0, 0);
   for (int s = 1; s < tern::kStageCount; ++s) {
     const tern::StageReport& stage = report.stages[s];
+    if (stage.bound == 0) continue;  // did not run
     row(input, tern::stage_name(static_cast<tern::Stage>(s)), stage.ticks, stage.work, stage.bound);
   }
   row(input, "plan", cost.plan, 0, 0);

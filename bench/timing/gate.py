@@ -17,7 +17,8 @@ HEADROOM = 1.10
 SLACK = 0.70
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
-STAGES = ["mark", "inflate", "search", "shortcut", "corridor", "times", "trajectory", "check", "plan"]
+STAGES = ["mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "detour",
+          "previous", "escape", "plan"]
 UNITS = ["path unit", "corridor unit", "trajectory unit"]
 
 
@@ -88,7 +89,8 @@ def thousands(count):
 
 def print_table(rows, budgets, stages):
     """Thousands of instructions, a line a scenario; then per stage the worst, its part of its budget, its work and the
-    bound on that."""
+    bound on that. Stages that no scenario has are left out."""
+    stages = [stage for stage in stages if any(stage == of for _, of in rows)]
     names = list(dict.fromkeys(scenario for scenario, _ in rows))
     width = max(len(name) for name in names + ["worst / budget"])
     column = max(12, 2 + max(len(stage) for stage in stages))

@@ -114,10 +114,13 @@ bool proves(const tern::Trajectory& plan, double t) {
   return false;
 }
 
-/// Whether the grid promises a plan to the new goal by way of the first one.
+/// Whether the grid promises a plan to the new goal by way of the first one. From rest it promises no more than to any
+/// request, which is judged already.
 bool is_promised(const World& world, const Map& map, const Ask& ask, const Ask& next) {
-  return ask.fences.empty() && share_one(reachable(world, map.component, world.local(ask.request.goal.position)),
-                                         reachable(world, map.component, world.local(next.request.goal.position)));
+  const tern::State& start = next.request.start;
+  return ask.fences.empty() && !(is_zero(start.velocity) && is_zero(start.acceleration)) &&
+         share_one(reachable(world, map.component, world.local(ask.request.goal.position)),
+                   reachable(world, map.component, world.local(next.request.goal.position)));
 }
 
 void ask_with_previous(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& next,

@@ -25,8 +25,9 @@
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
-  FIELD(tern_request, shortcut) FIELD(tern_request, time_weight) FIELD(tern_request, fences)                         \
-  FIELD(tern_request, fence_count) FIELD(tern_request, previous) FIELD(tern_request, previous_time) \
+  FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, time_weight)                         \
+  FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
+  FIELD(tern_request, previous_time)                                                                                 \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
@@ -37,16 +38,20 @@
   FIELD(tern_flat_state, thrust) FIELD(tern_flat_state, attitude) FIELD(tern_flat_state, quaternion)                 \
   FIELD(tern_flat_state, body_rates) FIELD(tern_flat_state, singularity)                                             \
   FIELD(tern_stage_report, work) FIELD(tern_stage_report, bound) FIELD(tern_stage_report, ticks)                     \
+  FIELD(tern_check_report, finding) FIELD(tern_check_report, segment) FIELD(tern_check_report, polyhedron)           \
+  FIELD(tern_check_report, plane) FIELD(tern_check_report, fence) FIELD(tern_check_report, derivative)               \
+  FIELD(tern_check_report, axis) FIELD(tern_check_report, voxel) FIELD(tern_check_report, excess)                    \
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
   FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \
   FIELD(tern_report, has_nearest_free) FIELD(tern_report, timing_known) FIELD(tern_report, quality)                  \
   FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free) FIELD(tern_report, stages)                          \
-  FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, half_spaces)                           \
+  FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, check)                                 \
+  FIELD(tern_report, half_spaces)                                                                                    \
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
-  FIELD(tern_report, kkt_residual)
+  FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)
 
 /* A field's place and size, and the size of the type that it is in. */
 typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;

@@ -23,7 +23,8 @@ int main() {
   print("`fences`, `asked_fences`, `fenced`, `fence_layer`",
         sizeof Layout::fences + sizeof Layout::asked_fences + sizeof Layout::fenced + sizeof Layout::fence_layer);
   print("`scans`", sizeof Layout::scans);
-  print("`stage.path`", sizeof Layout::stage.path);
+  print("`stage.search`", sizeof Layout::stage.search);
+  print("`stage.shortcut`", sizeof Layout::stage.shortcut);
   print("`stage.corridor`", sizeof Layout::stage.corridor);
   print("`stage.trajectory`", sizeof Layout::stage.trajectory);
   print("`stage.check`", sizeof Layout::stage.check);

@@ -51,13 +51,18 @@ TEST(CInterface, EveryByteHasNames) {
     EXPECT_GT(std::strlen(tern_status_meaning(value)), 0u) << byte;
     EXPECT_GT(std::strlen(tern_stage_name(value)), 0u) << byte;
     EXPECT_GT(std::strlen(tern_field_name(value)), 0u) << byte;
+    EXPECT_GT(std::strlen(tern_finding_name(value)), 0u) << byte;
   }
   EXPECT_GT(named, 30);
   EXPECT_STREQ(tern_status_name(200), "unknown");
   EXPECT_STREQ(tern_stage_name(200), "unknown");
   EXPECT_STREQ(tern_field_name(200), "unknown");
+  EXPECT_STREQ(tern_finding_name(200), "unknown");
   EXPECT_STREQ(tern_stage_name(1), "search");
+  EXPECT_STREQ(tern_stage_name(10), "escape");
+  EXPECT_STREQ(tern_finding_name(2), "obstacle");
   EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kShortcut)), "shortcut");
+  EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kSearch)), "search");
 }
 
 TEST(CInterface, UnknownShortcutIsRefused) {
@@ -68,6 +73,16 @@ TEST(CInterface, UnknownShortcutIsRefused) {
     EXPECT_EQ(world.plan(), expected) << byte;
     EXPECT_EQ(world.report.field, byte < 1 ? Field::kNone : Field::kShortcut) << byte;
     EXPECT_EQ(world.trajectory_untouched(), byte >= 1) << byte;
+  }
+}
+
+TEST(CInterface, UnknownSearchIsRefused) {
+  World world = open_world();
+  for (int byte = 0; byte < 256; ++byte) {
+    set_byte(world.request.search, byte);
+    EXPECT_EQ(world.plan(), byte < 2 ? Status::kOk : Status::kInvalidArgument) << byte;
+    EXPECT_EQ(world.report.field, byte < 2 ? Field::kNone : Field::kSearch) << byte;
+    EXPECT_EQ(world.trajectory_untouched(), byte >= 2) << byte;
   }
 }
 

@@ -90,8 +90,9 @@ TEST_F(FencesFault, AFenceInTheWayIsFlownAround) {
   box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
   ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}}), Status::kOk);
   EXPECT_GT(world_.trajectory.count, 1);
-  EXPECT_GT(world_.report.stages[0].work, 0u);
-  EXPECT_LE(world_.report.stages[0].work, world_.report.stages[0].bound);
+  const tern::StageReport& fences = world_.report.stages[static_cast<int>(tern::Stage::kFences)];
+  EXPECT_GT(fences.work, 0u);
+  EXPECT_LE(fences.work, fences.bound);
 }
 
 TEST_F(FencesFault, RefusalsNameTheFences) {
@@ -114,6 +115,7 @@ TEST_F(FencesFault, SlicesGiveTheSameBits) {
   box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
   const Halfspace ceiling{{0.1, 0.0, 1.0}, 1.9};
   ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}}), Status::kOk);
+  EXPECT_EQ(world_.report.stages[static_cast<int>(tern::Stage::kFences)].work, 2u);
   const tern::Trajectory whole = world_.trajectory;
   const std::vector<Fence> fences{{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}};
   world_.request.fences = fences.data();

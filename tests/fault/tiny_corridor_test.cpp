@@ -29,8 +29,9 @@ class TinyCorridor : public ::testing::Test {
     for (const Vec3& p : points) path_->points[path_->count++] = p;
     corridor_begin(*stage_, world.grid, *path_, 0xFFFFFFFFu);
     Work work{tern::kCorridorTries};
-    const Status status = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
-    EXPECT_NE(status, Status::kRunning) << "more tries than the stated bound";
+    const tern::Progress progress = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
+    EXPECT_NE(progress, tern::Progress::kMore) << "more tries than the stated bound";
+    const Status status = stage_->status;
     EXPECT_LE(stage_->planes, tern::kCorridorBound);
     EXPECT_LE(stage_->planes_high, tern::kMaxPlanes);
     EXPECT_LE(stage_->boxes_high, tern::kMaxLocalBoxes);
@@ -145,10 +146,11 @@ TEST_F(TinyCorridor, HalvingRunsOutOfSegments) {
 
 TEST_F(TinyCorridor, MoreLegsThanSegments) {
   const World world({40, 40, 8}, 0.1, 0.0);
-  path_->count = tern::kMaxSegments + 2;  // what no path stage hands over
+  path_->count = tern::kMaxSegments + 2;  // what no shortcut stage hands over
   corridor_begin(*stage_, world.grid, *path_, 1000);
   Work work{100};
-  EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, work, *corridor_), Status::kSegmentsFull);
+  EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, work, *corridor_), tern::Progress::kFailed);
+  EXPECT_EQ(stage_->status, Status::kSegmentsFull);
 }
 
 TEST_F(TinyCorridor, ALongLegTakesNoMoreSegmentsThanThereAre) {

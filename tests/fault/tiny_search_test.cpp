@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// F09 for the path stage: every capacity runs out in a build where that is cheap, says its own name, and its high-water
-// mark is the capacity.
+// F09 for the search and shortcut stages: every capacity runs out in a build where that is cheap, says its own name,
+// and its high-water mark is the capacity.
 #include <gtest/gtest.h>
 
 #include "support/path_world.hpp"
@@ -12,6 +12,7 @@ namespace {
 
 using tern::Status;
 using tern::Voxel;
+using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::VoxelWorld;
@@ -35,22 +36,22 @@ Status run_serpentine(PathRunner& runner, int walls) {
 TEST(TinySearch, SegmentsThenWaypointsRunOut) {
   PathRunner runner;
   ASSERT_EQ(run_serpentine(runner, 1), Status::kOk);
-  EXPECT_EQ(runner.stage().segments_high, runner.path().count - 1);
+  EXPECT_EQ(runner.shortcut().segments_high, runner.path().count - 1);
   int segments_full = 0;
   int jump_points_full = 0;
   for (int walls = 2; walls <= 8; ++walls) {
     const Status status = run_serpentine(runner, walls);
     if (status == Status::kSegmentsFull) {
-      EXPECT_EQ(runner.stage().segments_high, tern::kMaxSegments);
-      EXPECT_EQ(runner.stage().stage, tern::Stage::kShortcut);
+      EXPECT_EQ(runner.shortcut().segments_high, tern::kMaxSegments);
+      EXPECT_EQ(runner.last(), tern::Stage::kShortcut);
       EXPECT_GT(runner.path().count, tern::kMaxWaypoints);
       EXPECT_LE(runner.path().raw_count, tern::kMaxJumpPoints);
       EXPECT_EQ(jump_points_full, 0) << "longer mazes need more points";
       ++segments_full;
     }
     if (status == Status::kJumpPointsFull) {
-      EXPECT_EQ(runner.stage().raw_high, tern::kMaxJumpPoints);
-      EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
+      EXPECT_EQ(runner.search().raw_high, tern::kMaxJumpPoints);
+      EXPECT_EQ(runner.last(), tern::Stage::kSearch);
       ++jump_points_full;
     }
     if (status == Status::kOk) {
@@ -72,11 +73,11 @@ TEST(TinySearch, NodesRunOut) {
     world.grid.clear_voxel({29, 29, 0});
     world.grid.inflate();
     const Status status = runner.run(world.grid, Voxel{0, 0, 0}, Voxel{29, 29, 0});
-    EXPECT_LE(runner.stage().nodes_high, tern::kMaxNodes);
-    EXPECT_LE(runner.stage().open_high, tern::kMaxOpen);
+    EXPECT_LE(runner.search().nodes_high, tern::kMaxNodes);
+    EXPECT_LE(runner.search().open_high, tern::kMaxOpen);
     if (status != Status::kNodesFull) continue;
-    EXPECT_EQ(runner.stage().nodes_high, tern::kMaxNodes);
-    EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
+    EXPECT_EQ(runner.search().nodes_high, tern::kMaxNodes);
+    EXPECT_EQ(runner.last(), tern::Stage::kSearch);
     ++full;
   }
   EXPECT_GT(full, 0);
@@ -94,8 +95,8 @@ TEST(TinySearch, HeapRunsOut) {
     world.grid.inflate();
     const Status status = runner.run(world.grid, Voxel{0, 0, 0}, Voxel{23, 23, 23});
     if (status != Status::kOpenFull) continue;
-    EXPECT_EQ(runner.stage().open_high, tern::kMaxOpen);
-    EXPECT_LE(runner.stage().nodes_high, tern::kMaxNodes);
+    EXPECT_EQ(runner.search().open_high, tern::kMaxOpen);
+    EXPECT_LE(runner.search().nodes_high, tern::kMaxNodes);
     ++full;
   }
   EXPECT_GT(full, 0);
@@ -134,11 +135,11 @@ TEST(TinySearch, OverflowIsTheSameInEverySlice) {
       world.grid.mark_voxel({random.integer(1, 18), random.integer(1, 18), random.integer(0, 5)});
     }
     world.grid.inflate();
-    const tern::PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({19, 19, 5}), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    const PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({19, 19, 5}), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     ASSERT_EQ(sliced.run(world.grid, query, 1), status);
-    ASSERT_EQ(sliced.stage().expansions, whole.stage().expansions);
-    ASSERT_EQ(sliced.stage().nodes_high, whole.stage().nodes_high);
+    ASSERT_EQ(sliced.search().expansions, whole.search().expansions);
+    ASSERT_EQ(sliced.search().nodes_high, whole.search().nodes_high);
   }
 }
 

@@ -3,11 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """symbols.py NM ARCHIVE [SYMBOL...]: contract C1 on the archive itself. Every undefined symbol must be the archive's own,
 on the allow-list or one of the further ones given (a 32-bit processor's integer helpers), and there must be no writable
-data."""
+data. Nor a function of Eigen's: the linker could take the caller's instead, compiled with the caller's flags (C3)."""
 import subprocess
 import sys
 
 ALLOWED = {"memcpy", "memset", "memmove", "memcmp", "sqrt", "_GLOBAL_OFFSET_TABLE_"}
+# Mangled names of namespace Eigen: functions, const member functions, local data.
+EIGEN = ("_ZN5Eigen", "_ZNK5Eigen", "_ZZN5Eigen", "_ZGVN5Eigen")
 
 
 def main():
@@ -26,13 +28,16 @@ def main():
             if kind in "BbDdGgSsC":
                 writable.add(name)
     foreign = sorted(undefined - defined - allowed)
+    shared = sorted(name for name in defined if name.startswith(EIGEN))
+    for name in shared:
+        print(f"{name} is a function of Eigen's that was not inlined")
     for name in foreign:
         print(f"needs {name}, which is not on the allow-list")
     for name in sorted(writable):
         print(f"{name} is writable global data")
     used = sorted((undefined - defined) & allowed)
     print(f"{len(defined)} symbols defined; from outside: {', '.join(used) or 'nothing'}")
-    return 1 if foreign or writable or not defined else 0
+    return 1 if foreign or shared or writable or not defined else 0
 
 
 sys.exit(main())

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/check_stage.hpp"
+#include "support/proven_clear.hpp"
 #include "support/random.hpp"
 #include "support/world.hpp"
 
@@ -86,7 +86,7 @@ TEST(PolyhedronClear, IsItsDefinition) {
     }
     const double least = least_cut(world, polyhedron);
     if (std::fabs(least + tern::kCheckDistance) < 1e-9) continue;  // a tie
-    ASSERT_EQ(polyhedron_clear(world.grid, polyhedron), least > -tern::kCheckDistance) << i << ' ' << least;
+    ASSERT_EQ(tern_test::proven_clear(world.grid, polyhedron), least > -tern::kCheckDistance) << i << ' ' << least;
     (least > -tern::kCheckDistance ? clear : touched) += 1;
   }
   EXPECT_GT(clear, scaled(1500) / 4);
@@ -105,9 +105,9 @@ TEST(PolyhedronClear, SeesOneVoxelThatAPlaneJustMisses) {
     polyhedron.count = 1;
     polyhedron.planes[0] = {{n.x / length, n.y / length, n.z / length}, 0.0};
     polyhedron.planes[0].offset = cut_off_by(world, polyhedron, v);
-    EXPECT_TRUE(polyhedron_clear(world.grid, polyhedron)) << i;
+    EXPECT_TRUE(tern_test::proven_clear(world.grid, polyhedron)) << i;
     polyhedron.planes[0].offset += 2e-7;
-    EXPECT_FALSE(polyhedron_clear(world.grid, polyhedron)) << i;
+    EXPECT_FALSE(tern_test::proven_clear(world.grid, polyhedron)) << i;
   }
 }
 

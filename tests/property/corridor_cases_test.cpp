@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "check/check_stage.hpp"
 #include "corridor/grow.hpp"
 #include "support/corridor_case.hpp"
 #include "support/corridor_reference.hpp"
+#include "support/proven_clear.hpp"
 #include "support/random.hpp"
 
 namespace tern_test {
@@ -65,7 +65,7 @@ void expect_case_solved(const CorridorCase& c, Random& random, std::size_t strid
     ASSERT_NO_FATAL_FAILURE(expect_holds_segment(world.grid, *polyhedron, clearance));
     ASSERT_NO_FATAL_FAILURE(expect_ellipsoid(*polyhedron, clearance));
     ASSERT_NO_FATAL_FAILURE(expect_no_redundancy(*polyhedron));
-    ASSERT_TRUE(polyhedron_clear(world.grid, *polyhedron));
+    ASSERT_TRUE(tern_test::proven_clear(world.grid, *polyhedron));
     if (i % (8 * stride) == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_clear(*polyhedron, near, 0.0, random));
     }

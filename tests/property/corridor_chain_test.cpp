@@ -102,7 +102,8 @@ class CorridorChain : public ::testing::Test {
   Status run(const tern::Grid& grid, const Path& path) {
     corridor_begin(*stage_, grid, path, 0xFFFFFFFFu);
     Work work{0xFFFFFFFFu};
-    return corridor_advance(*stage_, grid, path, work, *corridor_);
+    corridor_advance(*stage_, grid, path, work, *corridor_);
+    return stage_->status;
   }
 
   void expect_sound(const tern::Grid& grid, const std::vector<Box>& cubes) {

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "base/math.hpp"
-#include "check/check_stage.hpp"
 #include "corridor/hull_polyhedron.hpp"
 #include "support/corridor_reference.hpp"
+#include "support/proven_clear.hpp"
 
 namespace tern_test {
 namespace {
@@ -75,7 +75,7 @@ class HullPolyhedron : public testing::Test {
       }
       ASSERT_GE(best, world.grid.spec().radius - 2e-9);
     }
-    ASSERT_TRUE(polyhedron_clear(world.grid, out_));
+    ASSERT_TRUE(tern_test::proven_clear(world.grid, out_));
   }
 
   std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();

@@ -99,6 +99,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
   const auto fences = std::make_unique<tern::Fences>();
   const auto asked = std::make_unique<tern::AskedFences>();
   const auto scratch = std::make_unique<tern::FenceScratch>();
+  tern::CheckReport found;
   int refused = 0;
   for (int i = 0; i < scaled(1500); ++i) {
     Case c(random);
@@ -108,7 +109,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
     ASSERT_TRUE(copy_fences(&c.fence, 1, *asked));
     if (fences->keep_out_count == 0) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;
-      ASSERT_TRUE(keep_outs_clear(grid, beyond({1.0, 0.0, 0.0}, 1e3), *asked, *scratch)) << "case " << i;
+      ASSERT_TRUE(keep_outs_clear(grid, beyond({1.0, 0.0, 0.0}, 1e3), *asked, *scratch, found)) << "case " << i;
       continue;
     }
     const std::vector<Point> inside = points_inside(c.exact, c.corners);
@@ -121,11 +122,11 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
       }
       // A hundredth of the tolerance is left: the hull is larger than the keep-out by more than a proof loses.
       const double wanted = support - radius + 0.99 * tern::kCheckDistance;
-      ASSERT_TRUE(keep_outs_clear(grid, beyond(normal, wanted), *asked, *scratch)) << "case " << i << ", " << k;
+      ASSERT_TRUE(keep_outs_clear(grid, beyond(normal, wanted), *asked, *scratch, found)) << "case " << i << ", " << k;
       if (inside.empty()) continue;
       const auto too_near = static_cast<double>(least_along(normal, inside) - shift) - radius;
       ASSERT_FALSE(
-          keep_outs_clear(grid, beyond(normal, too_near + 1.01 * tern::fence_tolerance(grid)), *asked, *scratch))
+          keep_outs_clear(grid, beyond(normal, too_near + 1.01 * tern::fence_tolerance(grid)), *asked, *scratch, found))
           << "case " << i << ", " << k;
       ++refused;
     }

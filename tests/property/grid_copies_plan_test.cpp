@@ -21,6 +21,7 @@ namespace {
 
 using tern::Grid;
 using tern::GridSpec;
+using tern::GridView;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
@@ -177,7 +178,7 @@ class GridCopiesPlan : public ::testing::Test {
           for (int y = block * tern::kBlockRows; y < (block + 1) * tern::kBlockRows && y < grid.spec().dims.y; ++y)
             words.push_back(grid.blocked_row(y, z)[word]);
           const int index = regions.at(z, block, word);
-          const auto [known, is_new] = held.emplace(std::make_pair(index, grid.contents()[index]), words);
+          const auto [known, is_new] = held.emplace(std::make_pair(index, GridView::contents(grid)[index]), words);
           if (!is_new) ++met_again;
           ASSERT_EQ(known->second, words) << "plane " << z;
         }

@@ -5,18 +5,19 @@
 // however the work was cut.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstring>
 #include <memory>
 
 #include "support/path_world.hpp"
 #include "support/reference_search.hpp"
+#include "support/walked_path.hpp"
 
 namespace {
 
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_free;
@@ -24,32 +25,11 @@ using tern_test::random_world;
 using tern_test::ReferenceSearch;
 using tern_test::scaled;
 using tern_test::VoxelWorld;
-
-int sign(int v) {
-  return (v > 0) - (v < 0);
-}
-
-/// Walks a raw path move by move. Every leg goes straight along one of the 26 directions and cuts no corner; returns
-/// the path's cost, -1 where a move is not allowed.
-double walked_cost(const tern::Grid& grid, const ReferenceSearch& reference, const tern::Path& path) {
-  double cost = 0.0;
-  for (int k = 1; k < path.raw_count; ++k) {
-    Voxel at = grid.voxel_of(path.raw[k - 1]);
-    const Voxel to = grid.voxel_of(path.raw[k]);
-    const Voxel step{sign(to.x - at.x), sign(to.y - at.y), sign(to.z - at.z)};
-    while (at.x != to.x || at.y != to.y || at.z != to.z) {
-      if (!reference.allowed(at, step)) return -1.0;
-      at = {at.x + step.x, at.y + step.y, at.z + step.z};
-      cost += std::sqrt(step.x * step.x + step.y * step.y + step.z * step.z);
-    }
-  }
-  return cost;
-}
+using tern_test::walked_cost;
 
 void expect_same_path(const tern::Path& a, const tern::Path& b) {
-  ASSERT_EQ(a.raw_count, b.raw_count);
+  tern_test::expect_same_raw(a, b);
   ASSERT_EQ(a.count, b.count);
-  EXPECT_EQ(std::memcmp(a.raw, b.raw, sizeof(Vec3) * static_cast<std::size_t>(a.raw_count)), 0);
   EXPECT_EQ(std::memcmp(a.points, b.points, sizeof(Vec3) * static_cast<std::size_t>(a.count)), 0);
 }
 
@@ -116,12 +96,12 @@ TEST(PathSearch, SlicesDoNotChangeThePath) {
     Voxel start{};
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
-    const tern::PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    const PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 2u, 7u}) {
       ASSERT_EQ(sliced.run(world.grid, query, slice), status);
-      ASSERT_EQ(sliced.stage().expansions, whole.stage().expansions);
-      ASSERT_EQ(sliced.stage().sight_lines, whole.stage().sight_lines);
+      ASSERT_EQ(sliced.search().expansions, whole.search().expansions);
+      ASSERT_EQ(sliced.shortcut().sight_lines, whole.shortcut().sight_lines);
       if (status == Status::kOk) expect_same_path(whole.path(), sliced.path());
     }
   }
@@ -140,7 +120,7 @@ TEST(PathSearch, MemoryMayBeginWithAnyBits) {
     for (const unsigned char byte : {0x00, 0x01, 0xA5, 0xFF}) {
       filled.fill(byte);
       ASSERT_EQ(filled.run(world.grid, start, goal), status);
-      ASSERT_EQ(filled.stage().expansions, reused.stage().expansions);
+      ASSERT_EQ(filled.search().expansions, reused.search().expansions);
       if (status == Status::kOk) expect_same_path(reused.path(), filled.path());
     }
   }
@@ -155,13 +135,13 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     Voxel goal{};
     if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
     runner.run(world.grid, start, goal);
-    const tern::PathStage& stage = runner.stage();
+    const tern::SearchStage& stage = runner.search();
     // Each search that found no way is followed by another from elsewhere, where an end can join elsewhere.
     const unsigned searches = stage.failed + 1;
     EXPECT_LE(stage.expansions, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
     EXPECT_LE(stage.expansions, tern::kSearchBound);
     EXPECT_LE(stage.open_high, stage.nodes_high);
-    EXPECT_LE(stage.sight_lines, tern::kShortcutBound);
+    EXPECT_LE(runner.shortcut().sight_lines, tern::kShortcutBound);
   }
 }
 

@@ -24,11 +24,12 @@ class RandomCorridors : public testing::Test {
     std::memset(static_cast<void*>(stage_.get()), 0xA5, sizeof(TrajectoryStage));
     tern_test::begin_trajectory(*stage_, corridor_, query);
     Work work{kUnlimited};
-    return trajectory_advance(*stage_, corridor_, work, plan_);
+    trajectory_advance(*stage_, corridor_, work, plan_);
+    return stage_->status;
   }
   void expect_good(const TrajectoryQuery& query) const {
     expect_inside();
-    expect_limits(query.limits);
+    expect_limits();
     expect_joints();
     expect_ends(query);
     expect_cost();
@@ -49,14 +50,14 @@ class RandomCorridors : public testing::Test {
     double v = 0.0;
     double a = 0.0;
   };
-  Use sampled_use(const Limits& limits) const {
+  Use sampled_use() const {
     Use use;
     const double end = duration(plan_);
     const int steps = 60 * plan_.count;
     for (int i = 0; i <= steps; ++i) {
       const Sample s = evaluate(plan_, end * i / steps);
-      use.v = std::fmax(use.v, part(s.velocity, limits.v_max, limits.v_min, limits.v_horizontal));
-      use.a = std::fmax(use.a, part(s.acceleration, limits.a_max, limits.a_min, limits.a_horizontal));
+      use.v = std::fmax(use.v, part(s.velocity, limits_.v_max, limits_.v_min, limits_.v_horizontal));
+      use.a = std::fmax(use.a, part(s.acceleration, limits_.a_max, limits_.a_min, limits_.a_horizontal));
     }
     return use;
   }
@@ -68,8 +69,8 @@ class RandomCorridors : public testing::Test {
         std::fmax(std::fmax(side(v.x, most.x, least.x), side(v.y, most.y, least.y)), side(v.z, most.z, least.z));
     return horizontal > 0.0 ? std::fmax(box, std::hypot(v.x, v.y) / horizontal) : box;
   }
-  void expect_limits(const Limits& limits) const {
-    const Use use = sampled_use(limits);
+  void expect_limits() const {
+    const Use use = sampled_use();
     EXPECT_LE(use.v, 1.0 + 1e-8);
     EXPECT_LE(use.a, 1.0 + 1e-8);
   }
@@ -110,11 +111,11 @@ class RandomCorridors : public testing::Test {
     }
     EXPECT_NEAR(snap_cost(plan_), sum, 1e-3 * sum + 1e-9);
   }
-  TrajectoryQuery query_at_rest(tern_test::Random& random) const {
+  TrajectoryQuery query_at_rest(tern_test::Random& random) {
     TrajectoryQuery query{};
     query.start.position = corridor_.polyhedra[0].from;
     query.goal.position = corridor_.polyhedra[corridor_.count - 1].to;
-    query.limits = tern_test::random_limits(random);
+    query.limits = limits_ = tern_test::random_limits(random);
     query.time_weight = kDefaultTimeWeight;
     query.max_iterations = kUnlimited;
     return query;
@@ -122,6 +123,7 @@ class RandomCorridors : public testing::Test {
 
   std::unique_ptr<TrajectoryStage> stage_ = std::make_unique<TrajectoryStage>();
   Corridor corridor_{};
+  Limits limits_{};  ///< of the query, as the request has them
   Trajectory plan_{};
 };
 
@@ -151,10 +153,10 @@ TEST_F(RandomCorridors, MovingEndsAreMetWhereThereIsAPlan) {
   for (int i = 0; i < cases; ++i) {
     corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 1.0);
     TrajectoryQuery query = query_at_rest(random);
-    query.start.velocity = part_of(random, query.limits.v_max, 0.5);
-    query.start.acceleration = part_of(random, query.limits.a_max, 0.4);
-    if (random.chance(0.5)) query.goal.velocity = part_of(random, query.limits.v_max, 0.4);
-    if (random.chance(0.3)) query.goal.acceleration = part_of(random, query.limits.a_max, 0.4);
+    query.start.velocity = part_of(random, limits_.v_max, 0.5);
+    query.start.acceleration = part_of(random, limits_.a_max, 0.4);
+    if (random.chance(0.5)) query.goal.velocity = part_of(random, limits_.v_max, 0.4);
+    if (random.chance(0.3)) query.goal.acceleration = part_of(random, limits_.a_max, 0.4);
     const Status status = plan(query);
     ASSERT_TRUE(status == Status::kOk || status == Status::kNoTrajectory);
     if (status != Status::kOk) continue;
@@ -170,7 +172,7 @@ TEST_F(RandomCorridors, MoreWeightIsNeverSlower) {
   for (int i = 0; i < tern_test::scaled(60); ++i) {
     corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.3);
     TrajectoryQuery query = query_at_rest(random);
-    if (i % 3 == 0) query.start.velocity = part_of(random, query.limits.v_max, 0.5);
+    if (i % 3 == 0) query.start.velocity = part_of(random, limits_.v_max, 0.5);
     double last = 0.0;
     for (const double weight : {40.0, 90.0, 100.0, 180.0, 200.0, 300.0, 450.0, 500.0, 900.0, 1e3, 5e3, 1e4, 1e6}) {
       query.time_weight = weight;
@@ -190,11 +192,11 @@ TEST_F(RandomCorridors, UnevenLimitsHoldAndAreReached) {
   for (int i = 0; i < tern_test::scaled(300); ++i) {
     corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.05);
     TrajectoryQuery query = query_at_rest(random);
-    query.limits = tern_test::random_uneven_limits(random);
+    query.limits = limits_ = tern_test::random_uneven_limits(random);
     query.time_weight = kMaxTimeWeight;
     ASSERT_EQ(plan(query), Status::kOk) << i;
     expect_good(query);
-    const Use use = sampled_use(query.limits);
+    const Use use = sampled_use();
     EXPECT_GE(std::fmax(use.v, use.a), 0.95) << i;
   }
 }
@@ -206,7 +208,7 @@ TEST_F(RandomCorridors, UnevenLimitsHoldFromMovingStarts) {
   for (int i = 0; i < cases; ++i) {
     corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 1.0);
     TrajectoryQuery query = query_at_rest(random);
-    query.limits = tern_test::random_uneven_limits(random);
+    query.limits = limits_ = tern_test::random_uneven_limits(random);
     query.start.velocity = part_of(random, {0.5, 0.5, 0.3}, 0.6);
     query.goal.velocity = part_of(random, {0.5, 0.5, 0.3}, 0.6);
     const Status status = plan(query);
@@ -245,10 +247,10 @@ TEST_F(RandomCorridors, SlicesGiveTheSameBits) {
     const Trajectory whole = plan_;
     std::memset(static_cast<void*>(&plan_), 0, sizeof(plan_));
     tern_test::begin_trajectory(*stage_, corridor_, query);
-    Status status = Status::kRunning;
-    while (status == Status::kRunning) {
+    Progress progress = Progress::kMore;
+    while (progress == Progress::kMore) {
       Work work{static_cast<std::uint32_t>(random.integer(1, 20))};
-      status = trajectory_advance(*stage_, corridor_, work, plan_);
+      progress = trajectory_advance(*stage_, corridor_, work, plan_);
     }
     EXPECT_EQ(std::memcmp(&whole, &plan_, sizeof(plan_)), 0);
   }

@@ -10,7 +10,7 @@ namespace tern_test {
 
 /// The times stage, run to its end.
 inline void make_chain(const tern::Corridor& corridor, const tern::State& start, const tern::State& goal,
-                       const tern::Limits& limits, tern::Chain& chain) {
+                       const tern::MotionLimits& limits, tern::Chain& chain) {
   tern::TimesStage stage;
   tern::Work work{0xFFFFFFFFu};
   tern::times_begin(stage, corridor, {start, goal, limits}, chain);

@@ -9,7 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "path/path_stage.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
 #include "support/random.hpp"
 
 namespace tern_test {
@@ -58,41 +59,75 @@ inline std::unique_ptr<tern::ScanMap> garbage_scans(unsigned char byte = 0xA5) {
   return scans;
 }
 
-/// Runs the path stage in memory that starts as garbage.
+/// What a path is asked for: the search stage's query, and the budget of the shortcut stage.
+struct PathQuery {
+  tern::Vec3 start;
+  tern::Vec3 goal;
+  std::uint32_t max_expansions = 0xFFFFFFFFu;
+  std::uint32_t max_sight_lines = 0xFFFFFFFFu;
+  const tern::Fences* fences = nullptr;
+  bool start_moves = false;
+  bool goal_moves = false;
+  tern::SearchMode search = tern::SearchMode::kOptimal;
+};
+
+/// Runs the search stage and the shortcut stage in memory that starts as garbage.
 class PathRunner {
  public:
-  PathRunner() : stage_(new tern::PathStage), path_(new tern::Path) { fill(0xA5); }
+  PathRunner() : search_(new tern::SearchStage), shortcut_(new tern::ShortcutStage), path_(new tern::Path) {
+    fill(0xA5);
+  }
 
   void fill(unsigned char byte) {
-    std::memset(static_cast<void*>(stage_.get()), byte, sizeof *stage_);
+    std::memset(static_cast<void*>(search_.get()), byte, sizeof *search_);
+    std::memset(static_cast<void*>(shortcut_.get()), byte, sizeof *shortcut_);
     std::memset(static_cast<void*>(path_.get()), byte, sizeof *path_);
     scans_ = garbage_scans(byte);
   }
 
   /// Runs a query to its end in slices of `slice` units.
-  tern::Status run(const tern::Grid& grid, const tern::PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
-    tern::path_begin(*stage_, *scans_, grid, query);
-    tern::Status status = tern::Status::kRunning;
-    while (status == tern::Status::kRunning) {
-      tern::Work work{slice};
-      status = tern::path_advance(*stage_, grid, work, *path_);
-    }
-    return status;
+  tern::Status run(const tern::Grid& grid, const PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
+    last_ = tern::Stage::kSearch;
+    shortcut_->sight_lines = 0;  // stays so where the search fails
+    tern::search_begin(*search_, *scans_, grid,
+                       {query.start, query.goal, query.max_expansions, query.fences, query.start_moves,
+                        query.goal_moves, query.search});
+    const auto search = [&](tern::Work& work) { return tern::search_advance(*search_, grid, work, *path_); };
+    if (run_in_slices(search, slice) == tern::Progress::kFailed) return search_->status;
+    last_ = tern::Stage::kShortcut;
+    tern::shortcut_begin(*shortcut_, grid, query.max_sight_lines, *path_);
+    const auto shorten = [&](tern::Work& work) { return tern::shortcut_advance(*shortcut_, grid, work, *path_); };
+    return run_in_slices(shorten, slice) == tern::Progress::kFailed ? shortcut_->status : tern::Status::kOk;
   }
 
   tern::Status run(const tern::Grid& grid, const tern::Vec3& start, const tern::Vec3& goal) {
-    return run(grid, {start, goal, 0xFFFFFFFFu, 0xFFFFFFFFu});
+    return run(grid, PathQuery{start, goal});
   }
 
   tern::Status run(const tern::Grid& grid, const tern::Voxel& start, const tern::Voxel& goal) {
     return run(grid, grid.center(start), grid.center(goal));
   }
 
-  const tern::PathStage& stage() const { return *stage_; }
+  const tern::SearchStage& search() const { return *search_; }
+  const tern::ShortcutStage& shortcut() const { return *shortcut_; }
+  /// The stage that ended the last run.
+  tern::Stage last() const { return last_; }
   const tern::Path& path() const { return *path_; }
 
  private:
-  std::unique_ptr<tern::PathStage> stage_;
+  template <typename Advance>
+  static tern::Progress run_in_slices(const Advance& advance, std::uint32_t slice) {
+    tern::Progress progress = tern::Progress::kMore;
+    while (progress == tern::Progress::kMore) {
+      tern::Work work{slice};
+      progress = advance(work);
+    }
+    return progress;
+  }
+
+  tern::Stage last_ = tern::Stage::kSearch;
+  std::unique_ptr<tern::SearchStage> search_;
+  std::unique_ptr<tern::ShortcutStage> shortcut_;
   std::unique_ptr<tern::Path> path_;
   std::unique_ptr<tern::ScanMap> scans_;
 };

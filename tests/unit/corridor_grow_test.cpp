@@ -6,9 +6,9 @@
 
 #include <memory>
 
-#include "check/check_stage.hpp"
 #include "corridor/grow.hpp"
 #include "support/corridor_reference.hpp"
+#include "support/proven_clear.hpp"
 #include "support/random.hpp"
 
 namespace tern_test {
@@ -35,7 +35,7 @@ class CorridorGrow : public ::testing::Test {
     expect_clear(polyhedron_, cubes, world.grid.spec().radius, random_);
     expect_holds_segment(world.grid, polyhedron_, clearance);
     expect_ellipsoid(polyhedron_, clearance - world.grid.spec().radius);
-    EXPECT_TRUE(polyhedron_clear(world.grid, polyhedron_)) << "the independent check must agree";
+    EXPECT_TRUE(tern_test::proven_clear(world.grid, polyhedron_)) << "the independent check must agree";
   }
 
   /// The largest n.p over the polyhedron.

@@ -42,9 +42,9 @@ class CorridorStageTest : public ::testing::Test {
     corridor_begin(*stage_, world.grid, *path_, max_planes);
     for (std::uint32_t i = 0; i <= tern::kCorridorTries; ++i) {
       Work work{slice};
-      const Status status = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
+      const tern::Progress progress = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
       EXPECT_LE(stage_->planes, tern::kCorridorBound);
-      if (status != Status::kRunning) return status;
+      if (progress != tern::Progress::kMore) return stage_->status;
     }
     return Status::kRunning;
   }
@@ -195,7 +195,7 @@ TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
   corridor_begin(*stage_, world.grid, *path_, 100);
   for (int i = 0; i < 5; ++i) {
     Work none{0};
-    EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, none, *corridor_), Status::kRunning);
+    EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, none, *corridor_), tern::Progress::kMore);
   }
   EXPECT_EQ(stage_->planes, 0u);
 }

@@ -67,11 +67,11 @@ TEST(Gauge, TakesTheLimitOfEachSideAndOfTheHorizontalNorm) {
 TEST(Bounds, ALowerLimitOfZeroIsTheUpperOnesOpposite) {
   Limits limits{{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
   limits.v_min.z = -0.5;
-  const Bounds velocity = velocity_bounds(limits);
+  const Bounds velocity = MotionLimits(limits).velocity;
   expect_near(velocity.lower, {-1.0, -2.0, -0.5}, 0.0);
   expect_near(velocity.upper, {1.0, 2.0, 3.0}, 0.0);
-  expect_near(acceleration_bounds(limits).lower, {-4.0, -5.0, -6.0}, 0.0);
-  const Bounds reversed = velocity_bounds(backwards(limits));
+  expect_near(MotionLimits(limits).acceleration.lower, {-4.0, -5.0, -6.0}, 0.0);
+  const Bounds reversed = backwards(MotionLimits(limits)).velocity;
   expect_near(reversed.lower, {-1.0, -2.0, -3.0}, 0.0);
   expect_near(reversed.upper, {1.0, 2.0, 0.5}, 0.0);
 }

@@ -111,6 +111,17 @@ TEST_F(Clear, RadiusZeroMayTouchAndNotEnter) {
   EXPECT_FALSE(tern::segment_clear(grid, {0.5, 1.5, 1.5}, {4.5, 1.5, 1.5}, 0.0));
 }
 
+TEST_F(Clear, AnEdgeIsTouchedAsDeepAsAFace) {
+  const auto along_edge = [&](double depth) {
+    const double sum = 4.0 - std::sqrt(2.0) * depth;
+    return tern::segment_clear(grid, {0.0, sum, 1.5}, {sum, 0.0, 1.5}, 0.0);
+  };
+  EXPECT_TRUE(along_edge(0.9e-9));
+  EXPECT_FALSE(along_edge(1.1e-9));
+  EXPECT_TRUE(tern::segment_clear(grid, {2.0 - 0.9e-9, 0.0, 1.5}, {2.0 - 0.9e-9, 4.0, 1.5}, 0.0));
+  EXPECT_FALSE(tern::segment_clear(grid, {2.0 - 1.1e-9, 0.0, 1.5}, {2.0 - 1.1e-9, 4.0, 1.5}, 0.0));
+}
+
 TEST_F(Clear, NeighboursLeaveNoGapForRadiusZero) {
   for (const Voxel beside : {Voxel{2, 1, 1}, Voxel{1, 2, 1}, Voxel{1, 1, 2}}) {
     OwnedGrid pair(whole_grid({5, 5, 5}, 1.0, 0.5));

@@ -12,6 +12,7 @@
 
 namespace {
 
+using tern::GridView;
 using tern::Regions;
 using tern::Voxel;
 using tern_test::OwnedGrid;
@@ -21,7 +22,7 @@ using tern_test::whole_grid;
 constexpr Voxel kDims{150, 140, 9};
 
 std::vector<std::uint64_t> numbers(const tern::Grid& grid) {
-  return {grid.contents(), grid.contents() + Regions(grid.spec().dims).count()};
+  return {GridView::contents(grid), GridView::contents(grid) + Regions(grid.spec().dims).count()};
 }
 
 /// The words of a region.
@@ -83,7 +84,7 @@ TEST(GridRegions, EqualNumbersMeanEqualWords) {
       for (int block = 0; block < regions.blocks; ++block) {
         for (int word = 0; word < regions.words; ++word) {
           const int k = regions.at(z, block, word);
-          const bool same = first.grid.contents()[k] == second.grid.contents()[k];
+          const bool same = GridView::contents(first.grid)[k] == GridView::contents(second.grid)[k];
           ++(same ? equal : different);
           if (same) {
             ASSERT_EQ(words(first.grid, z, block, word), words(second.grid, z, block, word)) << "round " << round;
@@ -132,7 +133,8 @@ TEST(GridRegions, AnotherRadiusIsAnotherContent) {
     world->grid.mark_voxel({70, 70, 4});
     world->grid.inflate();
   }
-  for (int k = 0; k < Regions(kDims).count(); ++k) EXPECT_NE(narrow.grid.contents()[k], wide.grid.contents()[k]);
+  for (int k = 0; k < Regions(kDims).count(); ++k)
+    EXPECT_NE(GridView::contents(narrow.grid)[k], GridView::contents(wide.grid)[k]);
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Exact ends, occupied ends, degenerate maps and budgets of the path stage.
+// Exact ends, occupied ends, degenerate maps and budgets of the search and shortcut stages.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "grid/distance.hpp"
-#include "path/path_stage.hpp"
 #include "support/path_world.hpp"
 
 namespace {
@@ -16,6 +15,7 @@ using tern::Path;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_free;
@@ -81,7 +81,7 @@ TEST(PathEnds, BlockedVoxelWithAClearPointIsServed) {
   const Path& path = runner.path();
   ASSERT_EQ(path.count, 3);
   expect_point(path.points[1], {2.5, 2.5, 2.5});
-  EXPECT_GE(runner.stage().expansions, 2u);
+  EXPECT_GE(runner.search().expansions, 2u);
   ASSERT_EQ(runner.run(world.grid, Vec3{6.5, 2.5, 2.5}, Vec3{1.35, 2.5, 2.5}), Status::kOk);
   expect_point(runner.path().points[1], {2.5, 2.5, 2.5});
   // Both ends the same clear point of a voxel that is not free.
@@ -125,13 +125,13 @@ TEST(PathEnds, OccupiedEndsSayWhichAndWhereToGo) {
   world.block({0, 0, 0}, {0, 4, 4});
   PathRunner runner;
   ASSERT_EQ(runner.run(world.grid, Vec3{0.5, 2.5, 2.5}, Vec3{6.5, 2.5, 2.5}), Status::kStartOccupied);
-  EXPECT_TRUE(runner.stage().raw_occupied);
-  ASSERT_TRUE(runner.stage().has_nearest_free);
-  expect_point(runner.stage().nearest_free, {2.5, 2.5, 2.5});
+  EXPECT_TRUE(runner.search().raw_occupied);
+  ASSERT_TRUE(runner.search().has_nearest_free);
+  expect_point(runner.search().nearest_free, {2.5, 2.5, 2.5});
   ASSERT_EQ(runner.run(world.grid, Vec3{6.5, 2.5, 2.5}, Vec3{1.1, 2.5, 2.5}), Status::kGoalOccupied);
-  EXPECT_FALSE(runner.stage().raw_occupied);
-  expect_point(runner.stage().nearest_free, {2.5, 2.5, 2.5});
-  EXPECT_EQ(runner.stage().stage, tern::Stage::kSearch);
+  EXPECT_FALSE(runner.search().raw_occupied);
+  expect_point(runner.search().nearest_free, {2.5, 2.5, 2.5});
+  EXPECT_EQ(runner.last(), tern::Stage::kSearch);
 }
 
 TEST(PathEnds, EnclosedGoal) {
@@ -140,7 +140,7 @@ TEST(PathEnds, EnclosedGoal) {
   PathRunner runner;
   EXPECT_EQ(runner.run(world.grid, Voxel{0, 0, 0}, Voxel{6, 6, 6}), Status::kNoPath);
   EXPECT_EQ(runner.run(world.grid, Voxel{6, 6, 6}, Voxel{0, 0, 0}), Status::kNoPath);
-  EXPECT_LE(runner.stage().expansions, 1u);
+  EXPECT_LE(runner.search().expansions, 1u);
 }
 
 TEST(PathEnds, FullMapAndOneVoxelMap) {
@@ -148,7 +148,7 @@ TEST(PathEnds, FullMapAndOneVoxelMap) {
   full.block({0, 0, 0}, {2, 2, 2});
   PathRunner runner;
   EXPECT_EQ(runner.run(full.grid, Voxel{0, 0, 0}, Voxel{2, 2, 2}), Status::kStartOccupied);
-  EXPECT_FALSE(runner.stage().has_nearest_free);
+  EXPECT_FALSE(runner.search().has_nearest_free);
   VoxelWorld one({1, 1, 1});
   ASSERT_EQ(runner.run(one.grid, Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 1.0, 1.0}), Status::kOk);
   EXPECT_EQ(runner.path().count, 2);
@@ -182,19 +182,19 @@ TEST(PathEnds, EveryBudgetEndsInItsStageOrGivesTheSamePath) {
     Voxel a{};
     Voxel b{};
     if (!random_free(world.grid, random, a) || !random_free(world.grid, random, b)) continue;
-    tern::PathQuery query{world.grid.center(a), world.grid.center(b), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    PathQuery query{world.grid.center(a), world.grid.center(b), 0xFFFFFFFFu, 0xFFFFFFFFu};
     if (whole.run(world.grid, query) != Status::kOk) continue;
-    const std::uint32_t expansions = whole.stage().expansions;
-    const std::uint32_t lines = whole.stage().sight_lines;
+    const std::uint32_t expansions = whole.search().expansions;
+    const std::uint32_t lines = whole.shortcut().sight_lines;
     for (std::uint32_t n = 0; n <= expansions; ++n) {
       query.max_expansions = n;
       ASSERT_EQ(cut.run(world.grid, query), n < expansions ? Status::kBudgetSearch : Status::kOk);
-      ASSERT_LE(cut.stage().expansions, n);
+      ASSERT_LE(cut.search().expansions, n);
     }
     for (std::uint32_t n = 0; n <= lines; ++n) {
       query.max_sight_lines = n;
       ASSERT_EQ(cut.run(world.grid, query), n < lines ? Status::kBudgetShortcut : Status::kOk);
-      ASSERT_LE(cut.stage().sight_lines, n);
+      ASSERT_LE(cut.shortcut().sight_lines, n);
     }
     ASSERT_EQ(cut.path().count, whole.path().count);
     for (int i = 0; i < whole.path().count; ++i) expect_point(cut.path().points[i], whole.path().points[i]);

@@ -17,6 +17,7 @@ using tern::JoinState;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::VoxelWorld;
 
@@ -82,11 +83,11 @@ class ThreePockets : public testing::Test {
 
 TEST_F(ThreePockets, AreTriedOneAfterTheOther) {
   EXPECT_EQ(runner_.run(world_.grid, kCorner, kOutside), Status::kNoPath);
-  EXPECT_GE(runner_.stage().failed, 3u);
+  EXPECT_GE(runner_.search().failed, 3u);
   EXPECT_EQ(runner_.run(world_.grid, kOutside, kCorner), Status::kNoPath);
   world_.clear({2, 3, 4}).clear({1, 3, 4});  // the last one's way out
   ASSERT_EQ(runner_.run(world_.grid, kCorner, kOutside), Status::kOk);
-  EXPECT_EQ(runner_.stage().failed, 2u);
+  EXPECT_EQ(runner_.search().failed, 2u);
   EXPECT_TRUE(inside(runner_.path().points[1], {3, 3, 4}) || inside(runner_.path().points[1], {2, 3, 4}));
   expect_clear(world_, runner_.path());
   ASSERT_EQ(runner_.run(world_.grid, kOutside, kCorner), Status::kOk);
@@ -95,9 +96,9 @@ TEST_F(ThreePockets, AreTriedOneAfterTheOther) {
 
 TEST_F(ThreePockets, CountAgainstTheBudget) {
   world_.clear({2, 3, 4}).clear({1, 3, 4});
-  tern::PathQuery query{kCorner, kOutside, ~0u, ~0u};
+  PathQuery query{kCorner, kOutside, ~0u, ~0u};
   ASSERT_EQ(runner_.run(world_.grid, query), Status::kOk);
-  const std::uint32_t needed = runner_.stage().expansions;
+  const std::uint32_t needed = runner_.search().expansions;
   for (query.max_expansions = 0; query.max_expansions < needed; ++query.max_expansions) {
     ASSERT_EQ(runner_.run(world_.grid, query), Status::kBudgetSearch) << query.max_expansions;
   }
@@ -117,7 +118,7 @@ TEST_F(Pockets, NoWayWhereTheGoalIsSealedAltogether) {
   world_.block({0, 0, 0}, {2, 2, 2}).clear({1, 1, 1});
   EXPECT_EQ(runner_.run(world_.grid, kCorner, Vec3{1.5, 1.5, 1.5}), Status::kNoPath);
   EXPECT_EQ(runner_.run(world_.grid, Vec3{1.5, 1.5, 1.5}, kCorner), Status::kNoPath);
-  EXPECT_LE(runner_.stage().expansions, tern::kSearchBound);
+  EXPECT_LE(runner_.search().expansions, tern::kSearchBound);
 }
 
 TEST_F(Pockets, SlicesOfOneFindTheSamePath) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "host/figures.hpp"
+#include "host/finding_text.hpp"
 #include "host/peaks.hpp"
 #include "support/random.hpp"
 
@@ -116,7 +117,8 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["corridor"].size(), 1u);
   EXPECT_EQ(plan["corridor"][0]["ellipsoid"]["E"].size(), 3u);
   EXPECT_EQ(plan["qp"]["iterations"], 17);
-  for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization"}) {
+  for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization", "check",
+                            "fences", "detour", "previous", "escape"}) {
     EXPECT_TRUE(plan["timing_us"][stage].is_number()) << stage;
   }
   EXPECT_EQ(plan["timing_us"]["total"], 3.75);
@@ -147,7 +149,53 @@ TEST(PlanFile, FailureCarriesStatusDetailAndThePartsReached) {
   EXPECT_NE(detail.find("goal position"), std::string::npos) << detail;
   EXPECT_NE(detail.find("(1.5, 2.5, 3.5)"), std::string::npos) << detail;
   EXPECT_NE(detail.find("too close"), std::string::npos) << detail;
-  for (const char* part : {"search", "corridor", "segments", "cost", "qp"}) EXPECT_FALSE(plan.contains(part)) << part;
+  for (const char* part : {"search", "corridor", "segments", "cost", "qp", "check"})
+    EXPECT_FALSE(plan.contains(part)) << part;
+}
+
+TEST(PlanFile, SaysWhatTheCheckFound) {
+  PlanResult result = awkward_result(5);
+  result.report.quality = tern::Quality::kStopAndGo;
+  result.report.optimiser = Status::kCheckFailed;
+  tern::CheckReport& check = result.report.check;
+  check.finding = tern::Finding::kObstacle;
+  check.polyhedron = 2;
+  check.plane = 5;
+  check.voxel = {20, 9, 0};
+  check.excess = 0.125;
+  const json plan = json::parse(tern_host::plan_json(result));
+  const std::string detail = plan["detail"];
+  const char* const words = "polyhedron 2 is too near to the obstacle in voxel (20, 9, 0) at half-space 5 by 0.125 m";
+  EXPECT_NE(detail.find(words), std::string::npos) << detail;
+  EXPECT_EQ(plan["check"]["finding"], "obstacle");
+  EXPECT_EQ(plan["check"]["polyhedron"], 2);
+  EXPECT_EQ(plan["check"]["halfspace"], 5);
+  EXPECT_EQ(plan["check"]["voxel"], json({20, 9, 0}));
+  EXPECT_EQ(plan["check"]["excess"], 0.125);
+  EXPECT_TRUE(plan["check"]["segment"].is_null());
+}
+
+/// The clause for a finding about a derivative of segment 3.
+std::string clause(tern::Finding finding, int derivative, int axis) {
+  tern::CheckReport check;
+  check.finding = finding;
+  check.segment = 3;
+  check.derivative = derivative;
+  check.axis = axis;
+  check.excess = 0.5;
+  return tern_host::describe_finding(check);
+}
+
+TEST(PlanFile, FindingsInWords) {
+  EXPECT_EQ(clause(tern::Finding::kVelocity, 1, 3),
+            "velocity of segment 3 in the horizontal norm is beyond its limit by 0.5 m/s");
+  EXPECT_EQ(clause(tern::Finding::kJoint, 3, 2),
+            "jerk of segment 3 on the z axis jumps from the segment before by 0.5 m/s^3");
+  EXPECT_EQ(clause(tern::Finding::kBoundary, 0, 0),
+            "position of segment 3 on the x axis misses the state that was asked for by 0.5 m");
+  EXPECT_EQ(clause(tern::Finding::kOutside, -1, 1), "segment 3 is outside the boundary on the y axis by 0.5 m");
+  EXPECT_EQ(clause(tern::Finding::kMalformed, -1, -1), "segment 3 is malformed");
+  EXPECT_EQ(tern_host::describe_finding({}), "");
 }
 
 TEST(PlanFile, InvalidUtf8InANameStaysJson) {

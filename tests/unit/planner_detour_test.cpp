@@ -34,7 +34,7 @@ class Detour : public testing::Test {
     request_.start.position = path_->points[0];
     request_.goal.position = path_->points[path_->count - 1];
   }
-  bool take() { return tern::take_detour(world_.grid, nullptr, request_, *path_, lines_); }
+  bool take() { return tern::take_detour(world_.grid, nullptr, request_, request_.limits, *path_, lines_); }
 
   World world_;
   Request request_{};
@@ -129,6 +129,9 @@ TEST(DetourPlan, IsReportedAndBounded) {
   EXPECT_EQ(world.report.detours, 1);
   EXPECT_EQ(world.planner.path()->points[1].x, 1.2);
   EXPECT_LT(world.planner.path()->points[1].y, 1.4);
+  const std::uint32_t lines = world.report.stages[static_cast<int>(tern::Stage::kDetour)].work;
+  EXPECT_GT(lines, 0u);
+  EXPECT_LE(lines, tern::kDetourLines);
   for (const tern::StageReport& stage : world.report.stages) EXPECT_LE(stage.work, stage.bound);
 }
 
@@ -156,6 +159,19 @@ TEST(DetourPlan, KeepsTheBudgetsOverBothAttempts) {
   world.request.budget.planes = full.stages[static_cast<int>(tern::Stage::kCorridor)].work - 1;
   EXPECT_EQ(world.replan(), Status::kNoTrajectory);
   EXPECT_TRUE(world.trajectory_untouched());
+}
+
+TEST(DetourPlan, SharesTheBudgetOfSightLinesWithTheShortcut) {
+  World world = sideways();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const std::uint32_t shortcut = world.report.stages[static_cast<int>(tern::Stage::kShortcut)].work;
+  world.request.budget.sight_lines = shortcut + tern::kDetourLines;
+  ASSERT_EQ(world.replan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, 1);
+  world.request.budget.sight_lines = shortcut + tern::kDetourLines - 1;
+  world.replan();
+  EXPECT_NE(world.report.detours, 1);
+  EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
 }
 
 TEST(DetourPlan, NoneAtRest) {

@@ -35,6 +35,7 @@ class EscapePlan : public testing::Test {
   void expect_escaped() {
     ASSERT_EQ(world_.plan(), Status::kOk);
     EXPECT_EQ(world_.report.detours, tern::kEscaped);
+    EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
     for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
     const double end = tern::duration(world_.trajectory);
     const int steps = 4000;

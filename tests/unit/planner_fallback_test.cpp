@@ -36,6 +36,15 @@ class Fallback : public testing::Test {
     return status;
   }
   void spoil() { layout().trajectory.segments[0].points[4].z += 100.0; }
+  /// What spoil() leads to.
+  void expect_found() const {
+    const tern::CheckReport& found = world_.report.check;
+    EXPECT_EQ(found.finding, tern::Finding::kOutside);
+    EXPECT_EQ(found.segment, 0);
+    EXPECT_EQ(found.plane, -1);
+    EXPECT_EQ(found.axis, 2);
+    EXPECT_NEAR(found.excess, 100.0, 2.0);
+  }
   Status run() {
     Status status = Status::kRunning;
     while (status == Status::kRunning) status = world_.planner.step(1);
@@ -55,6 +64,7 @@ TEST_F(Fallback, UnspoiltPlansAreOptimised) {
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
   EXPECT_EQ(world_.report.optimiser, Status::kOk);
+  EXPECT_EQ(world_.report.check.finding, tern::Finding::kNone);
 }
 
 TEST_F(Fallback, FliesFromStopToStopWhatTheCheckRefused) {
@@ -67,6 +77,7 @@ TEST_F(Fallback, FliesFromStopToStopWhatTheCheckRefused) {
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kStopAndGo);
   EXPECT_EQ(world_.report.optimiser, Status::kCheckFailed);
+  expect_found();
   for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
   // The very plan that no iteration at all leads to.
   ASSERT_EQ(world_.trajectory.count, stops.count);
@@ -85,6 +96,7 @@ TEST_F(Fallback, EndsWhereStopAndGoIsRefusedAsWell) {
   spoil();
   EXPECT_EQ(run(), Status::kCheckFailed);
   EXPECT_EQ(world_.report.stage, tern::Stage::kCheck);
+  expect_found();
   EXPECT_EQ(world_.report.quality, Quality::kNone);
   EXPECT_TRUE(world_.trajectory_untouched());
 }
@@ -104,6 +116,24 @@ TEST_F(Fallback, TheNextPlanBeginsAfresh) {
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
   EXPECT_EQ(world_.report.optimiser, Status::kOk);
+  EXPECT_EQ(world_.report.check.finding, tern::Finding::kNone);
+}
+
+TEST_F(Fallback, SaysWhichObstacleAPolyhedronMeets) {
+  begin();
+  // All that is left of it ends 0.1 m before the wall, which begins at x = 2.9. Stop-and-go has the same corridor.
+  tern::Polyhedron& polyhedron = layout().corridor.polyhedra[0];
+  polyhedron.count = 1;
+  polyhedron.redundant = 0;
+  polyhedron.planes[0] = {{1.0, 0.0, 0.0}, 2.8};
+  ASSERT_EQ(run(), Status::kCheckFailed);
+  const tern::CheckReport& found = world_.report.check;
+  EXPECT_EQ(found.finding, tern::Finding::kObstacle);
+  EXPECT_EQ(found.polyhedron, 0);
+  EXPECT_EQ(found.segment, -1);
+  EXPECT_EQ(found.plane, 0);
+  EXPECT_TRUE(same(found.voxel, {29, 0, 0}));
+  EXPECT_NEAR(found.excess, 0.1, 2e-9);
 }
 
 }  // namespace

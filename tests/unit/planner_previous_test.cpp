@@ -66,6 +66,7 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
     ASSERT_EQ(world_.replan(), Status::kOk) << part;
     EXPECT_EQ(world_.report.quality, Quality::kPrevious);
     EXPECT_EQ(world_.report.detours, tern::kFollowed);
+    EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
     for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
     expect_same_flight(time);
   }

@@ -34,7 +34,7 @@ class Times : public testing::Test {
   void begin(const State& start, const State& goal, const Limits& limits = kTwo) {
     tern::times_begin(stage_, *corridor_, {start, goal, limits}, *chain_);
   }
-  Status advance(std::uint32_t units) {
+  tern::Progress advance(std::uint32_t units) {
     Work work{units};
     return tern::times_advance(stage_, *corridor_, work, *chain_);
   }
@@ -48,7 +48,7 @@ TEST_F(Times, RampsAtBothEndsAndCruisingBetween) {
   // 30 m in three legs of 10 m. One needs 2 m to reach 2 m/s and stop again: its pieces are 2.5 times that at most.
   for (int i = 0; i < 3; ++i) leg({10.0 * i, 0.0, 0.0}, {10.0 * (i + 1), 0.0, 0.0});
   begin(first(), last());
-  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
   ASSERT_EQ(chain_->count, 6);
   for (int i = 0; i < 6; ++i) {
     EXPECT_EQ(chain_->polyhedron[i], i / 2);
@@ -62,7 +62,7 @@ TEST_F(Times, AShortLegTakesItsTriangleAtMost) {
   leg({0.0, 0.0, 0.0}, {0.02, 0.0, 0.0});
   leg({0.02, 0.0, 0.0}, {4.0, 0.0, 0.0});
   begin(first(), last());
-  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
   // The ramp to 1.4 m/s alone would take 0.35 s, more than 2 sqrt(x / a).
   EXPECT_EQ(chain_->polyhedron[1], 1);
   EXPECT_NEAR(chain_->duration[0], kSlack * 2.0 * std::sqrt(0.02 / 2.0), 1e-12);
@@ -72,7 +72,7 @@ TEST_F(Times, ALimitBeyondReachIsNoneAtAll) {
   leg({0.0, 0.0, 0.0}, {10.0, 0.0, 0.0});
   for (const double v : {2.5, 5.0, 20.0, 1000.0}) {
     begin(first(), last(), {{v, v, v}, {2.0, 2.0, 2.0}});
-    ASSERT_EQ(advance(100), Status::kOk);
+    ASSERT_EQ(advance(100), tern::Progress::kDone);
     // A lone leg is three pieces. There is room for half of sqrt(2 m/s^2 * 10 m).
     ASSERT_EQ(chain_->count, 3);
     const double speed = 0.5 * std::sqrt(20.0);
@@ -88,7 +88,7 @@ TEST_F(Times, NoLengthTakesTheLeastDuration) {
   leg({4.0, 0.0, 0.0}, {4.0, 0.0, 0.0});
   leg({4.0, 0.0, 0.0}, {4.0, 4.0, 0.0});
   begin(first(), last());
-  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
   bool found = false;
   for (int i = 0; i < chain_->count; ++i) {
     if (chain_->polyhedron[i] != 1) continue;
@@ -103,7 +103,7 @@ TEST_F(Times, AMovingEndLeavesTimeToBrake) {
   State start = first();
   start.velocity = {2.0, 0.0, 0.0};
   begin(start, last());
-  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
   ASSERT_EQ(chain_->count, 3);
   // Braking takes 1 s; 0.4 of it, with the slack.
   EXPECT_NEAR(chain_->duration[0], kSlack * 0.4, 1e-12);
@@ -112,11 +112,11 @@ TEST_F(Times, AMovingEndLeavesTimeToBrake) {
 TEST_F(Times, SlicesEndWhereAWholeRunDoes) {
   for (int i = 0; i < 5; ++i) leg({3.0 * i, 0.1 * i * i, 0.0}, {3.0 * (i + 1), 0.1 * (i + 1) * (i + 1), 0.0});
   begin(first(), last());
-  ASSERT_EQ(advance(100), Status::kOk);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
   const Chain whole = *chain_;
   begin(first(), last());
   int slices = 1;
-  while (advance(1) == Status::kRunning) ++slices;
+  while (advance(1) == tern::Progress::kMore) ++slices;
   EXPECT_EQ(slices, whole.count);
   EXPECT_LE(static_cast<std::uint32_t>(stage_.timed), tern::kTimesBound);
   for (int i = 0; i < whole.count; ++i) EXPECT_EQ(chain_->duration[i], whole.duration[i]);
@@ -125,7 +125,7 @@ TEST_F(Times, SlicesEndWhereAWholeRunDoes) {
 TEST_F(Times, MorePiecesThanFitBecomeFewer) {
   for (int i = 0; i < tern::kMaxSegments; ++i) leg({40.0 * i, 0.0, 0.0}, {40.0 * (i + 1), 0.0, 0.0});
   begin(first(), last());
-  ASSERT_EQ(advance(0xFFFFFFFFu), Status::kOk);
+  ASSERT_EQ(advance(0xFFFFFFFFu), tern::Progress::kDone);
   EXPECT_EQ(chain_->count, tern::kMaxSegments);
 }
 

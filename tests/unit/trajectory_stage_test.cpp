@@ -37,10 +37,12 @@ struct Flight {
     std::memset(static_cast<void*>(stage.get()), fill, sizeof(TrajectoryStage));
     std::memset(static_cast<void*>(&plan), 0, sizeof(plan));
     tern_test::begin_trajectory(*stage, corridor, query);
-    do {
+    Progress progress = Progress::kMore;
+    while (progress == Progress::kMore) {
       Work work{slice};
-      status = trajectory_advance(*stage, corridor, work, plan);
-    } while (status == Status::kRunning);
+      progress = trajectory_advance(*stage, corridor, work, plan);
+    }
+    status = stage->status;
   }
   bool same_plan(const Flight& other) const { return std::memcmp(&plan, &other.plan, sizeof(plan)) == 0; }
 };
@@ -207,7 +209,7 @@ TEST(TrajectoryStage, NoWorkIsNoProgress) {
   Trajectory plan{};
   plan.count = 77;
   Work work{0};
-  EXPECT_EQ(trajectory_advance(*stage, corridor, work, plan), Status::kRunning);
+  EXPECT_EQ(trajectory_advance(*stage, corridor, work, plan), Progress::kMore);
   EXPECT_EQ(stage->solves, 0);
   EXPECT_EQ(plan.count, 77);
 }

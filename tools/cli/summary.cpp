@@ -54,10 +54,14 @@ std::string corridor_line(const PlanResult& result) {
 
 std::string timing_line(const tern_host::Timing& timing) {
   const auto entry = [](const char* name, double us) { return std::string(name) + " " + fixed(us, 0) + "  "; };
+  std::string others;
+  for (const Stage stage : {Stage::kFences, Stage::kDetour, Stage::kPrevious, Stage::kEscape}) {
+    if (timing.of(stage) > 0.0) others += entry(tern::stage_name(stage), timing.of(stage));
+  }
   return "  time (us)   " + entry("inflate", timing.inflate) + entry("search", timing.of(Stage::kSearch)) +
          entry("shortcut", timing.of(Stage::kShortcut)) + entry("corridor", timing.of(Stage::kCorridor)) +
          entry("times", timing.of(Stage::kTimes)) + entry("optimise", timing.of(Stage::kTrajectory)) +
-         entry("check", timing.of(Stage::kCheck)) + "total " + fixed(timing.total(), 0) + "\n";
+         entry("check", timing.of(Stage::kCheck)) + others + "total " + fixed(timing.total(), 0) + "\n";
 }
 
 std::string clearance_line(double clearance, std::size_t fences) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/finding_text.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -97,6 +98,10 @@ Json timing_json(const Timing& timing) {
           {"time_allocation", timing.of(tern::Stage::kTimes)},
           {"optimization", timing.of(tern::Stage::kTrajectory)},
           {"check", timing.of(tern::Stage::kCheck)},
+          {"fences", timing.of(tern::Stage::kFences)},
+          {"detour", timing.of(tern::Stage::kDetour)},
+          {"previous", timing.of(tern::Stage::kPrevious)},
+          {"escape", timing.of(tern::Stage::kEscape)},
           {"total", timing.total()}};
 }
 
@@ -115,6 +120,28 @@ bool is_occupied(tern::Status status) {
   return status == tern::Status::kStartOccupied || status == tern::Status::kGoalOccupied;
 }
 
+/// A number that is not -1 only where it has a value.
+Json index_json(int index) {
+  return index < 0 ? Json(nullptr) : Json(index);
+}
+
+Json check_json(const tern::CheckReport& check) {
+  const tern::Voxel& voxel = check.voxel;
+  return {{"finding", tern::finding_name(check.finding)},
+          {"segment", index_json(check.segment)},
+          {"polyhedron", index_json(check.polyhedron)},
+          {"halfspace", index_json(check.plane)},
+          {"fence", index_json(check.fence)},
+          {"voxel", voxel.x < 0 ? Json(nullptr) : Json({voxel.x, voxel.y, voxel.z})},
+          {"derivative", index_json(check.derivative)},
+          {"axis", index_json(check.axis)},
+          {"excess", check.excess}};
+}
+
+std::string finding_text(const tern::CheckReport& check) {
+  return check.finding == tern::Finding::kNone ? "" : "; the check found: " + describe_finding(check);
+}
+
 std::string describe_failure(const tern::Report& report) {
   std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
@@ -123,15 +150,15 @@ std::string describe_failure(const tern::Report& report) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
   }
   if (report.has_nearest_free) text += "; the nearest free cell is at " + point_text(report.nearest_free);
-  return text;
+  return text + finding_text(report.check);
 }
 
 }  // namespace
 
 std::string describe_status(const tern::Report& report) {
   if (report.status != tern::Status::kOk) return describe_failure(report);
-  const std::string reason =
-      std::string(tern::status_name(report.optimiser)) + ", " + tern::status_meaning(report.optimiser);
+  const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
+                             tern::status_meaning(report.optimiser) + finding_text(report.check);
   if (report.quality == tern::Quality::kStopAndGo)
     return "from stop to stop, because the optimiser ended with " + reason;
   if (report.optimiser != tern::Status::kOk) return "the optimiser ended with " + reason;
@@ -157,6 +184,7 @@ std::string plan_json(const PlanResult& result) {
     plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
     plan["qp"] = qp_json(result.report);
   }
+  if (result.report.check.finding != tern::Finding::kNone) plan["check"] = check_json(result.report.check);
   plan["timing_us"] = timing_json(result.timing);
   return plan.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

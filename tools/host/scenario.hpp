@@ -42,6 +42,7 @@ struct Scenario {
   tern::State goal{};
   tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite
   double time_weight = tern::kDefaultTimeWeight;
+  tern::SearchMode search = tern::SearchMode::kFast;
   double resolution = 0.1;
   double radius = 0.25;
   Place boundary_place;    ///< for errors that show only once the grid is laid out

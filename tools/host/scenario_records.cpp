@@ -71,6 +71,10 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") return add_fence(words, place);
+  if (key == "search") {
+    if (has_search_) throw ScenarioError(place, "'search' is given twice" + first_given(search_place_));
+    return set_search(words, place);
+  }
   Setting* const setting = find(key);
   if (setting == nullptr) throw ScenarioError(place, "unknown record " + quote(key));
   if (setting->given) {
@@ -81,10 +85,11 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
 
 void ScenarioBuilder::override_setting(const std::string& key, const std::vector<std::string>& values,
                                        const Place& place) {
-  Setting* const setting = find(key);
-  if (setting == nullptr) throw ScenarioError(place, "unknown or not a setting: " + quote(key));
   std::vector<std::string> words{key};
   words.insert(words.end(), values.begin(), values.end());
+  if (key == "search") return set_search(words, place);
+  Setting* const setting = find(key);
+  if (setting == nullptr) throw ScenarioError(place, "unknown or not a setting: " + quote(key));
   assign(*setting, numbers(words, place), place);
 }
 
@@ -97,6 +102,14 @@ void ScenarioBuilder::add_boundary(const std::vector<std::string>& words, const 
   scenario_.boundary = box(values, words.front(), place);
   scenario_.boundary_place = place;
   has_boundary_ = true;
+}
+
+void ScenarioBuilder::set_search(const std::vector<std::string>& words, const Place& place) {
+  const bool known = words.size() == 2 && (words[1] == "fast" || words[1] == "optimal");
+  if (!known) throw ScenarioError(place, "'search' is 'fast' or 'optimal'");
+  scenario_.search = words[1] == "fast" ? tern::SearchMode::kFast : tern::SearchMode::kOptimal;
+  has_search_ = true;
+  search_place_ = place;
 }
 
 void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {

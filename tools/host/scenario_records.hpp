@@ -43,12 +43,15 @@ class ScenarioBuilder {
   Setting* find(const std::string& key);
   void add_boundary(const std::vector<std::string>& words, const Place& place);
   void add_fence(const std::vector<std::string>& words, const Place& place);
+  void set_search(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
   void check_ranges() const;
 
   Scenario scenario_;
   bool has_boundary_ = false;
+  bool has_search_ = false;
+  Place search_place_;
   std::vector<Setting> settings_;
 };
 

@@ -27,6 +27,7 @@ tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence
   request.goal = scenario.goal;
   request.limits = scenario.limits;
   request.time_weight = scenario.time_weight;
+  request.search = scenario.search;
   return request;
 }
 

@@ -58,7 +58,7 @@ def chapter(results):
     colliding = [str(m) for m in TABLE_7 if float(of[m, "polynomial"]["clearance_m"]) < RADIUS - 1e-4]
     breaking = [str(m) for m in TABLE_7 if max(float(of[m, "polynomial"]["v_peak"]), float(of[m, "polynomial"]["a_peak"])) > 1.001 * LIMIT]
     turned = [str(m) for m in TABLE_7 if measured[m] < 0 and str(m) in colliding]
-    exception = (f" Where the corridor presses on the curve (Map {', '.join(turned)}) the sign turns: the polynomial has less snap because it\n  flies through walls there."
+    exception = (f" Where the corridor constrains the curve most (Map {', '.join(turned)}), the sign is reversed: there, the polynomial has less snap because\n  it flies through walls."
                  if turned else "")
     time_ratio = mean(float(of[m, "Bezier"]["time_ms"]) / float(of[m, "polynomial"]["time_ms"]) for m in TABLE_7)
     mended_ratio = [float(of[m, "polynomial mended"]["time_ms"]) / float(of[m, "Bezier"]["time_ms"]) for m in TABLE_7]
@@ -72,12 +72,11 @@ def chapter(results):
 - **Polynomial**: degree 7, through every waypoint of Tern's corridor, continuous to jerk, with the least snap. It has
   a closed form: one linear system.
 - **Polynomial, collisions mended**: made safe as the paper describes. Solve, and look for collisions along the curve.
-  Put a waypoint into the middle of each segment that has one, and halve its time. Solve again.
-- **Bézier, same times**: what the paper optimises. One segment a polyhedron, the same durations (the trapezoid rule
-  of Section 3.3.2), control points inside the corridor. It need not pass the waypoints, and it has no limits.
-- **Tern**: the plan that Tern gives out, with refined durations and limits that hold for all t.
+  Split each segment that has one in its middle, with a waypoint there and half of the time on each side. Solve again.
+- **Bézier, same times**: what the paper optimises. It has one segment per polyhedron, the same durations (the trapezoid rule of Section 3.3.2), and its control points are inside the corridor. It need not pass through the waypoints, and it has no limits on velocity and acceleration.
+- **Tern**: the plan that Tern returns, with refined durations and limits that hold for all t.
 
-All from rest to rest, 2 m/s and 2 m/s² an axis, radius 0.1 m. ✗ marks what breaks a limit or comes nearer than the radius. *Slowed* is the same
+All flights go from rest to rest, with 2 m/s and 2 m/s² per axis and a radius of 0.1 m. ✗ marks a value that breaks a limit or the radius. *Slowed* is the same
 path flown so slowly (or fast) that its peaks are exactly at the limits. Snap is the integral of |snap|² in m²/s⁷.
 
 Measured on: {results.machine(PART, 'back_end.csv')}.
@@ -92,12 +91,9 @@ Measured on: {results.machine(PART, 'back_end.csv')}.
 - The paper's text says 40–55 % less snap on all maps; its table says {percent(min(printed.values()), 0)} on Map 2. It says 30–45 % less time; its table says
   {percent(min(faster.values()), 0)} to {percent(max(faster.values()), 0)}.
 - **Absolute snap** cannot be compared: it changes with the seventh power of time, and the paper states neither its durations nor its limits.
-- **Safety.** The polynomial comes too near to a block on Maps {", ".join(colliding)} and breaks a limit on Maps {", ".join(breaking)}. Wherever ✗ stands, the trapezoid's times are too short for the curve, the Bézier included. Constraints on control
+- **Safety.** The polynomial comes too near to a block on Maps {", ".join(colliding)} and breaks a limit on Maps {", ".join(breaking)}. Wherever there is a ✗ for a limit, the times of the trapezoid rule are too short for the curve, also for the Bézier. Constraints on control
   points keep it in the corridor. To keep the limits, the durations must change, and the paper does not say how.
   Tern's refinement does that, and its plans have no ✗.
-- **Times.** One linear system is cheaper than a quadratic programme: the Bézier takes {time_ratio:.1f} times as long as the bare polynomial in the mean. The polynomial is slow because of what follows: with a look for
-  collisions every 10 ms of flight, it takes {min(mended_ratio):.0f} to {max(mended_ratio):.0f} times as long as the
-  one programme, which needs no such look. The paper's ratio is in between.
-- **Tern's plans** trade duration against snap by one weight ([trajectory](trajectory.md)). Judge them by both columns. Against the mended polynomial
-  slowed to the limits they take {listed(quicker)} less time on Maps 1 to 6 (negative: more), with {ratios(price)} times its snap{": less of both on Maps " + ", ".join(both) if both else ""}.
+- **Times.** One linear system is cheaper than a quadratic programme: the Bézier takes {time_ratio:.1f} times as long as the bare polynomial in the mean. The polynomial is slow because it must then be tested for collisions. With one test every 10 ms of flight, it takes {min(mended_ratio):.0f} to {max(mended_ratio):.0f} times as long as the one programme, which needs no such tests. The paper's ratio is in between.
+- **Tern's plans** trade duration against snap by one weight ([trajectory](trajectory.md)). Judge them by both columns. Compared with the mended polynomial slowed to the limits, they take {listed(quicker)} less time on Maps 1 to 6 (negative: more), with {ratios(price)} times its snap{": less of both on Maps " + ", ".join(both) if both else ""}.
 """

@@ -51,7 +51,7 @@ def chapter(results):
                          for m in TABLE_6)
     return f"""## Safe corridors: Table 6, Figures 15 to 17
 
-We wrote the paper's construction from its Section 3.3.1 and ran it on the paper's own path. Its obstacles are the
+We implemented the construction of the paper's Section 3.3.1 and ran it on the paper's own path. Its obstacles are the
 centres of surface voxels of its own grid. It runs with and without a bounding box 2 m around each segment. Tern's
 construction runs on Tern's path. A *check* is one look at one obstacle point. Tern has no such count, because it
 first merges voxels into solid boxes.
@@ -70,14 +70,11 @@ leave half a voxel inside the polyhedron.
 
 ### Corridor width over passage width
 
-Section 4.5 gives ratios of 1.4–1.8 on Maps 1–4 and 2.1–2.6 on Maps 5–6, without a definition. Along one line, the
-ratio of a safe corridor cannot exceed 1: the corridor would reach into an obstacle. So we give two ratios. The first
-is corridor over passage, the mean over lines across the path (nine places a segment, eight directions). The second
+Section 4.5 gives ratios of 1.4–1.8 on Maps 1–4 and 2.1–2.6 on Maps 5–6, without a definition. Along one line, the ratio of a safe corridor cannot exceed 1, because the corridor would then reach into an obstacle. So we give two ratios. The first is the width of the corridor over that of the passage, as the mean over lines across the path (nine places a segment, eight directions). The second
 is, for each segment, the widest corridor over the narrowest passage; it can exceed 1.
 
 {width_table(of)}
-The first ratio says how much of the room a polyhedron uses. The last column says that no polyhedron reaches into what
-is not free; this is sampled and independent of Tern's own check. The second ratio is about as large as the paper's
+The first ratio shows how much of the room a polyhedron uses. The last column shows that no polyhedron reaches into space that is not free; this is measured by sampling, and independent of Tern's own check. The second ratio is about as large as the paper's
 figures, but it follows the shapes of the passages rather than their density.
 
 ### What Section 4.5 calls limits
@@ -98,6 +95,6 @@ Non-convex obstacles (4 × 4 × 3 m, radius 0.2 m):
   Each loop has a bound that is known before it runs ([corridor](corridor.md)), so it cannot fail to converge.
 - Narrow passages depend on the voxel size. A voxel is free only if *every* point of it is, so a slit must be as wide
   as the robot and up to two voxels more. With a robot 0.2 m wide, a slit of 0.3 m is found with voxels of 0.05 m or
-  less, a slit of 0.24 m with voxels of 0.02 m. Narrower slits are answered with `no_path` without delay.
+  less, a slit of 0.24 m with voxels of 0.02 m. For narrower slits, the answer is `no_path`, without delay.
 - Overhangs and non-convex shapes need no special treatment: to the corridor they are many boxes.
 """

@@ -93,11 +93,11 @@ def sampling_notes(rows):
         shorter = [r["map"] for r in last if float(r["length_m"]) < tern[r["map"]]]
         all_found = all(r["found"] == r["runs"] for r in last)
         where = "Maps " + ", ".join(shorter) if len(shorter) > 1 else "Map " + shorter[0] if shorter else "no map"
-        lines.append(f"- {method.replace('*', chr(92) + '*')} has its first path after {min(first):.1f} to {max(first):.0f} ms in the mean, not after seconds; "
-                     f"after {float(mine[-1]['state'][:-2]):g} s it is shorter than Tern's on {where}"
+        lines.append(f"- {method.replace('*', chr(92) + '*')} finds its first path after {min(first):.1f} to {max(first):.0f} ms in the mean, not after seconds; "
+                     f"after {float(mine[-1]['state'][:-2]):g} s its path is shorter than Tern's on {where}"
                      + ("" if all_found else ", and some seeds have none") + ".\n")
-    lines.append("- The paper's 3 to 7 s for both are those of its implementation, not of the methods. A sampling planner is not bound to the "
-                 "lattice and keeps no margin to the voxels, which is how it can be shorter than an optimal grid path.\n")
+    lines.append("- The paper's 3 to 7 s for both come from its implementation, not from the methods. The path of a sampling planner is not "
+                 "bound to the lattice and keeps no margin from the voxels, so it can be shorter than an optimal grid path.\n")
     return "".join(lines)
 
 
@@ -112,7 +112,7 @@ length of the last jump, and it closes nodes when it generates them. Its line of
 A*, plain JPS and Tern search the grid of the scenarios. It has voxels of 0.1 m; a voxel is free if each of its points
 keeps 0.1 m from every block. RRT* and PRM (OMPL, default settings, 20 seeds) plan among the free voxels of that grid.
 
-Lengths count from the exact start to the exact goal. *Clearance* is the least distance of the path from a block.
+Lengths are measured from the exact start to the exact goal. *Clearance* is the least distance of the path from a block.
 Times are processor time for the search alone, the least of seven runs. For RRT* and PRM they are wall-clock times:
 mean and standard deviation over the seeds that found a path.
 
@@ -126,21 +126,20 @@ mean and standard deviation over the seeds that found a path.
     length, points = reductions()
     ratios = comparison(rows)
     text += f"""
-- On Maps 1 and 2, JPS–Bresenham has the printed length to the last digit; on Map 1, so has JPS. This is how we know
-  which search is behind the table: an optimal search cannot give these lengths. On Map 2, our JPS length is the
+- On Maps 1 and 2, the length of JPS–Bresenham agrees with the printed one to the last digit; on Map 1, so does that of JPS. This tells us which search is behind the table: an optimal search cannot give these lengths. On Map 2, our JPS length is the
   figure that the paper prints for *RRT\\**
-  (14.9452): two cells of the table seem to have changed places, and 14.6572 would be RRT\\*'s.
+  (14.9452): two cells of the table seem to be swapped, so that 14.6572 would be the length of RRT\\*.
 - The paper gives no start and goal for Maps 3 to 6. Ours are fitted to its lengths
-  ([bench/maps](../bench/maps/README.md)). Only rough sizes can be compared there.
-- The paper's text says 4–10 % shorter than JPS; its own table says {percent(min(length))} to {percent(max(length))}, {percent(mean(length))} in
-  the mean. It says 52 % fewer waypoints than JPS; its table says {percent(mean(points), 0)}.
+  ([bench/maps](../bench/maps/README.md)). On these maps, the figures can only be compared roughly.
+- The paper's text says that JPS–Bresenham is 4–10 % shorter than JPS; its own table says {percent(min(length))} to {percent(max(length))}, {percent(mean(length))} in
+  the mean. The text says that it has 52 % fewer waypoints than JPS; the table says {percent(mean(points), 0)}.
 - The paper says that JPS–Bresenham is shortest of all. A plain A* on a finer grid is shorter, because the greedy
   search is not optimal. Tern's paths are {percent(min(ratios['length']))} to {percent(max(ratios['length']))} shorter
   than those of the paper's kind, on voxels half as wide. They have {mean(ratios['points']):.1f} waypoints fewer in
   the mean, and they keep the radius everywhere.
 - Times: the paper's were measured in MATLAB. The greedy search is fast because its voxels are twice as wide, and
   because it never improves a path. On the same grid Tern's search is {min(ratios['search']):.1f} to {max(ratios['search']):.0f} times as fast as the plain A*.
-- Plain JPS is no faster than plain A* on most maps: unlimited jumps walk through all of the free space. Tern's search is fast for two more reasons: it scans 64 voxels at a time, and it bounds the sweeps
+- Plain JPS is no faster than plain A* on most maps: its unlimited jumps scan all of the free space. Tern's search is fast for two more reasons: it scans 64 voxels at a time, and it bounds the sweeps
 ([search](search.md)).
 {sampling_notes(rows)}"""
     return text

@@ -70,9 +70,9 @@ def chapter(results):
     solved = sum(int(by[c, "Tern"]["solved"]) for c in TABLE_5)
     return f"""## Random maps: Table 5
 
-Three sizes × two densities × 50 seeds. The paper does not print its maps. Ours have cuboids of 0.6 to 2.4 m until their union fills 10 % or 30 % of the
+Three sizes × two densities × 50 seeds. The paper does not print its maps. We fill ours with cuboids of 0.6 to 2.4 m until the union of these takes up 10 % or 30 % of the
 volume. (This is before inflation; the paper does not say.) Start and goal are further apart than 30 % of the width.
-Everything runs on voxels of 0.2 m and keeps 0.1 m. All cuboids lie on the lattice, so the paper's grid and Tern's are
+All methods use voxels of 0.2 m and keep 0.1 m from the cuboids. All cuboids lie on the lattice, so the paper's grid and Tern's are
 the same set of voxels. As in the paper, the means are over the maps that all methods solved. *Too close* counts paths
 that come nearer to a block than 0.1 m.
 
@@ -90,9 +90,8 @@ six configurations), and those measured here:
 {table(["JPS–Bresenham", "paper's text", "paper's table", "measured, the paper's kind", "measured, Tern"], reduction_rows(rows))}
 ### What agrees, and what does not
 
-- Shortening reduces length and waypoints of the greedy JPS about as much as the paper says. The 18.3 % against A* do not
-  follow from the paper's own table.
-- Lengths and waypoints are about as large as printed for all three methods, although the maps differ. The paper's A*
+- Shortening reduces length and waypoints of the greedy JPS about as much as the paper says. The paper's own table does not support the 18.3 % against A*.
+- For all three methods, lengths and waypoints are close to the printed ones, although the maps differ. The paper's A*
   is *longer* than its JPS, which is impossible for an optimal A* over the same moves. Six neighbours for A* and 26
   for the greedy JPS explain it.
 - The paper's JPS is not optimal: it is {percent(min(excess))} to {percent(max(excess))} longer than plain JPS on the same voxels. Tern's paths are
@@ -100,8 +99,7 @@ six configurations), and those measured here:
 - The greedy search closes nodes when it generates them, so it can miss the goal. The second table counts the maps on
   which it finds nothing although there is a path. Tern finds one on each of them. Its search was as short as A*'s on
   every map (last column).
-- {unsafe} of {solved} JPS–Bresenham paths come nearer to a block than the 0.1 m that the grid was made for. On cuboids that lie on the lattice, its sampled line of sight has a whole voxel to spare. On the maps of Table 4,
-  whose faces lie anywhere, it has not.
+- {unsafe} of {solved} JPS–Bresenham paths come nearer to a block than the 0.1 m that the grid was made for. On cuboids that lie on the lattice, its sampled line of sight has a whole voxel to spare. On the maps of Table 4, where faces can lie anywhere, it has no such reserve.
 - The cost of A* does not explode. A plain A* needs milliseconds where the paper prints 114 s (Large-Low). Tern is {min(speed):.1f} to
-  {max(speed):.1f} times as fast as the plain A* in the mean, and its margin grows with the longest query.
+  {max(speed):.1f} times as fast as the plain A* in the mean, and its lead grows for the longest query.
 """

@@ -38,14 +38,13 @@ def chapter(results):
     tern = of["Tern"]
     text = f"""## Whole planners: Table 8 and Figure 24
 
-Random forests of 20 × 20 × 4 m at 10 to 30 % density, voxels of 0.1 m, radius 0.25 m, 2 m/s and 2 m/s² an axis, from rest to rest; maps
-whose start and goal are not connected are left out ({tern['unsolvable']} of {int(tern['maps']) + int(tern['unsolvable'])}). The paper compares with Fast-Planner and EGO-Planner. Here is one baseline *of that kind*, written for this page; it
+Random forests of 20 × 20 × 4 m at 10 to 30 % density, voxels of 0.1 m, radius 0.25 m, 2 m/s and 2 m/s² per axis, from rest to rest; maps whose start and goal are not connected are left out ({tern['unsolvable']} of {int(tern['maps']) + int(tern['unsolvable'])}). The paper compares with Fast-Planner and EGO-Planner. Here is one baseline *of that kind*, written for this page; it
 is not their code. It begins with a uniform cubic B-spline along a plain A* path. L-BFGS (NLopt) then moves the
 control points to minimise a smoothness cost plus penalties for collision, speed and acceleration. If the curve still
 hits something, the weight on collision is raised fivefold, up to three times. Its distances are exact, which is
 better than a distance field on a grid.
 
-- *Unhurried* begins with 1.5 times the time that the way takes at the limit speed, *brisk* with exactly that time.
+- *Unhurried* begins with 1.5 times the time that the path takes at the limit speed, *brisk* with exactly that time.
 - *Slowed* flies the brisk curve so slowly that its sampled peaks keep the limits. Soft constraints need this
   correction. It works from rest to rest only: for a start in motion it would change the start.
 
@@ -65,11 +64,11 @@ Measured on: {results.machine(PART, 'planners.csv')}.
     brisk, slow, slowed = of["soft brisk"], of["soft unhurried"], of["soft brisk slowed"]
     return text + f"""- **Success.** The paper: 99 % for hard constraints, 95 and 96 % for soft ones, from "ten" runs each. Ten runs cannot give 99, 95 or 96 %. Here: Tern
   {share(tern, 'success')} of {tern['maps']}, the soft B-spline {share(slow, 'success')} unhurried and {share(brisk, 'success')} brisk. Flights that fail exceed the limits ({brisk['beyond']} of {brisk['maps']}
-  brisk ones) or hit something ({brisk['hits']} brisk, {slow['hits']} unhurried): a penalty is no constraint. This confirms the paper's point.
-- **But slowing down afterwards** brings it to {share(slowed, 'success')} at {number(slowed['duration_s_mean'], 2)} s a flight, against Tern's {number(tern['duration_s_mean'], 2)} s. In open forests and from rest, a soft planner with this correction is a good planner. But it has no guarantee: until
+  brisk ones) or hit something ({brisk['hits']} brisk, {slow['hits']} unhurried): a penalty is not a constraint. This confirms the paper's point.
+- **But slowing down afterwards** brings it to {share(slowed, 'success')} at {number(slowed['duration_s_mean'], 2)} s per flight, against Tern's {number(tern['duration_s_mean'], 2)} s. In open forests and from rest, a soft planner with this correction is a good planner. But it has no guarantee: until
 the last sample is checked, it does not know whether the curve is safe.
 - **Cost.** Snap is not defined for a cubic spline, so the integral of |jerk|² is compared. It falls with the fifth power of time: unhurried flights
-  take {number(slow['duration_s_mean'], 2)} s and cost little. Medians of the slowed B-spline ({number(slowed['duration_s_mean'], 2)} s) and of Tern ({number(tern['duration_s_mean'], 2)} s) are {number(slowed['cost_median'], 1)} and {number(tern['cost_median'], 1)}.
+  take {number(slow['duration_s_mean'], 2)} s and cost little. The medians of the slowed B-spline ({number(slowed['duration_s_mean'], 2)} s) and of Tern ({number(tern['duration_s_mean'], 2)} s) are {number(slowed['cost_median'], 1)} and {number(tern['cost_median'], 1)}.
 - **Peak acceleration.** Tern's largest is {number(tern['a_peak_max'], 3)} m/s², the brisk B-spline's {number(brisk['a_peak_max'], 3)}: as in the paper's Figure 24.
 - **Time.** Medians: Tern {milliseconds(tern['time_ms_median'])} ms, brisk B-spline {milliseconds(brisk['time_ms_median'])} ms; means {milliseconds(tern['time_ms_mean'])} and {milliseconds(brisk['time_ms_mean'])} ms. The paper's three methods are all near 400 ms.
 - Tern fell back to stop-and-go on {tern['stop_and_go']} of {tern['maps']} maps and had no plan on {tern['failed']}.

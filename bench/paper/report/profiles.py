@@ -15,11 +15,11 @@ def chapter(results):
                          for r in plans)
     return f"""## Profiles: Figure 8, and each plan against its limits
 
-Figure 8's numbers (30 m, 10 m/s, 1 s to reach it) through Tern's time allocation: {number(trapezoid['duration_s'], 3)} s and
+With the numbers of Figure 8 (30 m, 10 m/s, 1 s to reach that speed), Tern's time allocation gives {number(trapezoid['duration_s'], 3)} s and
 {number(trapezoid['distance_m'], 3)} m, as in the paper: T = x/v + v/a = 3 + 1.
 
 {picture('trapezoid.svg', 'Figure 8: trapezoidal profile')}
-Each plan's position, velocity, acceleration and jerk over time, and the hodographs in the plane of their two busiest axes. The limits hold for each axis. Jerk has no limit, but it is continuous. Peaks of the axes, sampled:
+The figures show position, velocity, acceleration and jerk of each plan over time, and the hodographs in the plane of their two busiest axes. The limits hold for each axis. Jerk has no limit, but it is continuous. The table has the sampled peaks of the axes:
 
 {table(["map", "duration s", "peak v, m/s (limit 2)", "peak a, m/s² (limit 2)", "peak jerk, m/s³"], body)}
 {pictures}

@@ -36,7 +36,7 @@ sight skips turning points too. K + 2 is an upper bound that is rarely met.
 ### Complexity of the shortcut
 
 The paper: O(W · D) for W points and lines of D voxels. Measured exponents (log-log slopes): the paper's own shortening {slopes["slope of the paper's time over W"]} in W and
-{slopes["slope of the paper's time over D"]} in D, as claimed. Tern's shortcut looks for the shortest chain, not for the first that will do. The worst case is a
+{slopes["slope of the paper's time over D"]} in D, as claimed. Tern's shortcut looks for the shortest chain, not just for one that works. The worst case is a
 zigzag in which no point sees further than its neighbours: every pair within the window is tried.
 
 {lines}

@@ -78,12 +78,12 @@ void check_caps() {
   const tern::Request request = request_between(kHover, kHover);
   const tern::CheckQuery query{request.start, request.goal, request.limits};
   tern::Work work{tern::kCheckBound + 1};
-  tern::Status status = tern::Status::kRunning;
+  tern::Progress progress = tern::Progress::kMore;
   tern::check_begin(stage);
   const std::uint64_t instructions =
-      count([&] { status = tern::check_advance(stage, grid, corridor, trajectory, query, work); });
-  report({"segments_checked", "check", instructions, status == tern::Status::kOk ? stage.units : 0, tern::kCheckBound,
-          stage.units, 1});
+      count([&] { progress = tern::check_advance(stage, grid, corridor, trajectory, query, work); });
+  report({"segments_checked", "check", instructions, progress == tern::Progress::kDone ? stage.units : 0,
+          tern::kCheckBound, stage.units, 1});
 }
 
 }  // namespace tern_caps

@@ -77,11 +77,13 @@ struct Run {
 };
 
 /// Plans from a voxel to another, whichever stage it ends in. In slices, because the counter must be read between.
-Run run(const tern::Grid& grid, const tern::Voxel& from, const tern::Voxel& to, std::uint32_t expansions) {
+Run run(const tern::Grid& grid, const tern::Voxel& from, const tern::Voxel& to, std::uint32_t expansions,
+        tern::SearchMode search = tern::SearchMode::kOptimal) {
   constexpr std::uint32_t kSlice = 1000;
   tern::Planner planner(memory(), kMemoryBytes);
   tern::Request request = request_between(grid.center(from), grid.center(to));
   request.budget.expansions = expansions;
+  request.search = search;
   Run run{};
   run.count = count([&] { run.status = planner.begin(grid, request); });
   while (run.status == tern::Status::kRunning) run.count += count([&] { run.status = planner.step(kSlice); });

@@ -12,8 +12,8 @@
 // To change single capacities, write a header that defines some of the macros below, and define TERN_USER_CONFIG to its
 // name in quotes. It is included first. Report::high_water shows how much of each capacity a plan used.
 //
-// Compile the core and everything that includes its headers with the same definitions. A program with other capacities
-// than the library is refused (Field::kConfiguration). The macros are for C and C++, the constants for C++.
+// Compile the core and everything that includes its headers with the same definitions. The library refuses a program
+// with other capacities than its own (Field::kConfiguration). The macros are for C and C++, the constants for C++.
 #ifndef TERN_CONFIG_HPP
 #define TERN_CONFIG_HPP
 
@@ -29,8 +29,8 @@
 #define TERN_DEFAULT(tiny, mcu, companion) companion
 #endif
 
-/// Voxels in one grid. Each takes two bits of the grid's storage, and nearly one byte of the planner's workspace: this
-/// is the capacity that costs most. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
+/// Voxels in one grid. Each takes two bits of the grid's storage and nearly one byte of the planner's workspace, so
+/// this capacity costs the most memory. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_CELLS
 #define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
 #endif
@@ -41,7 +41,7 @@
 #define TERN_MAX_DIMENSION TERN_DEFAULT(64, 512, 2048)
 #endif
 
-/// Jump points that one search may generate, 48 bytes each. The six maps of the paper need some tens of thousands with
+/// Jump points that one search may generate, 40 bytes each. The six maps of the paper need some tens of thousands with
 /// voxels of 0.05 m. Beyond it: kNodesFull.
 #ifndef TERN_MAX_NODES
 #define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
@@ -64,13 +64,13 @@
 #endif
 
 /// Half-spaces of one polyhedron, 32 bytes each. Six of them are the faces of the box that the polyhedron is grown in.
-/// Where they do not suffice, the planner tries a smaller box, then a shorter segment. Beyond that: kPlanesFull.
+/// If they do not suffice, the planner tries a smaller box, then a shorter segment. Beyond that: kPlanesFull.
 #ifndef TERN_MAX_PLANES
 #define TERN_MAX_PLANES TERN_DEFAULT(10, 24, 40)
 #endif
 
-/// Solid boxes that the obstacle voxels around one segment are merged into, 88 bytes each. Where they do not suffice,
-/// the planner tries a smaller box around the segment, then a shorter segment. Beyond that: kObstaclesFull.
+/// Solid boxes into which the obstacle voxels around one segment are merged, 88 bytes each. If they do not suffice, the
+/// planner tries a smaller box around the segment, then a shorter segment. Beyond that: kObstaclesFull.
 #ifndef TERN_MAX_LOCAL_BOXES
 #define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 8192)
 #endif
@@ -82,14 +82,14 @@
 #define TERN_MAX_ACTIVE TERN_DEFAULT(12, 192, 192)
 #endif
 
-/// Iterations of one quadratic programme. It costs no memory; it bounds the time. Beyond it that programme counts as
-/// unsolved. Where none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
+/// Iterations of one quadratic programme. They cost no memory; they bound the time. Beyond this, the programme counts
+/// as unsolved. If none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
 #ifndef TERN_MAX_QP_ITERATIONS
 #define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 1500)
 #endif
 
-/// Quadratic programmes that may be solved for one corridor, while the planner looks for better durations. It costs no
-/// memory; it bounds the time. After the last one, the best plan so far is given out, or stop-and-go where there is
+/// Quadratic programmes that may be solved for one corridor, while the planner looks for better durations. They cost no
+/// memory; they bound the time. After the last one, the answer is the best plan so far, or stop-and-go if there is
 /// none.
 #ifndef TERN_MAX_QP_SOLVES
 #define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48)
@@ -106,9 +106,8 @@
 #define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 48, 64)
 #endif
 
-/// Words of the blocked layer of a grid that is planned on with fences, 8 bytes each. A word holds 64 voxels of a row
-/// along x; each row begins with a word of its own. 1 is enough where no request has fences. Beyond it:
-/// kFenceLayerFull.
+/// Words of the blocked layer, for a grid that is planned on with fences, 8 bytes each. A word holds 64 voxels of a row
+/// along x, and each row begins with a new word. 1 is enough if no request has fences. Beyond it: kFenceLayerFull.
 #ifndef TERN_MAX_FENCE_WORDS
 #define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 48 * 1024, 2 * 1024 * 1024)
 #endif
@@ -137,12 +136,12 @@ constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
 
-/// Coordinates that differ by less than this part of a voxel count as equal. A box that lies on the lattice but for
-/// rounding then takes no further voxel. 1e-9 of a voxel of 0.1 m is 0.1 nm.
+/// Coordinates that differ by less than this share of a voxel count as equal. A box whose faces are off the lattice
+/// only by rounding then takes no additional voxel. 1e-9 of a voxel of 0.1 m is 0.1 nm.
 constexpr double kLatticeTolerance = 1e-9;
 
-/// Every line of sight keeps this part of a voxel, on each axis, from every voxel that is not free. Polyhedra then hold
-/// their lines with room to spare, and two neighbours share a ball around their common point.
+/// Every line of sight keeps this share of a voxel, on each axis, from every voxel that is not free. Polyhedra then
+/// contain their lines with room to spare, and two neighbours share a ball around their common point.
 constexpr double kSightMargin = 0.05;
 
 static_assert(kMaxCells <= int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The safe flight corridor (the paper's Section 3.3.1): convex polyhedra along the path. Everything here is in the
-// grid's local frame (world minus grid origin), in metres. Planner::corridor() gives it out for displays and logs.
+// grid's local frame (world minus grid origin), in metres. Planner::corridor() returns it, for displays and logs.
 #ifndef TERN_CORRIDOR_HPP
 #define TERN_CORRIDOR_HPP
 
@@ -25,17 +25,17 @@ struct Polyhedron {
   /// Half-spaces that bound the polyhedron, none of them redundant. They come first in `planes`.
   int count;
   /// Redundant half-spaces, which follow in `planes`. They do not make the polyhedron smaller. The final check needs
-  /// them: with them, each obstacle is cut off by one single half-space.
+  /// them: only with them is each obstacle cut off by a single half-space.
   int redundant;
   /// Normals of length 1. `count + redundant` of them are in use, at most kMaxPlanes.
   Halfspace planes[kMaxPlanes];
-  /// An ellipsoid inside the polyhedron whose longest axis runs from `from` to `to`. A polyhedron made around a curve
-  /// that comes to rest has a tiny one instead. For displays: no later stage reads it.
+  /// An ellipsoid inside the polyhedron, with its longest axis from `from` to `to`. A polyhedron made around a given
+  /// curve, such as a stop, has a tiny one instead. It is for displays: no later stage reads it.
   Ellipsoid ellipsoid;
-  /// Begin of the straight line that this polyhedron stands for. Inside the polyhedron.
+  /// Start of the straight line that this polyhedron was made for. Inside the polyhedron.
   Vec3 from;
-  /// End of that line. Inside the polyhedron. The line is a leg of the path, a piece of a long leg, or a line past
-  /// several legs that the polyhedron holds as well.
+  /// End of that line. Inside the polyhedron. The line is a leg of the path, a piece of a long leg, or a shortcut past
+  /// several legs that the polyhedron also contains.
   Vec3 to;
 };
 

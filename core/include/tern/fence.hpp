@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Geofences: convex regions that a request keeps the robot in or out of. They belong to one request and change nothing
-// in the grid. docs/fences.md explains how they are kept.
+// Geofences: convex regions that the robot must stay in or out of. They belong to one request and change nothing in the
+// grid. docs/fences.md explains how plans respect them.
 #ifndef TERN_FENCE_HPP
 #define TERN_FENCE_HPP
 
@@ -17,18 +17,18 @@ namespace tern {
 enum class FenceKind : uint8_t {
   /// The robot's centre stays inside the fence. The radius plays no part, as with the grid's boundary.
   kKeepIn = 0,
-  /// The robot's centre keeps the grid's radius from the fence, as from an obstacle.
+  /// The robot's centre stays at least the grid's radius away from the fence, as from an obstacle.
   kKeepOut = 1,
 };
 
-/// A fence: the convex polyhedron that all its half-spaces have in common. World frame, metres. It may be unbounded.
-/// Where a request has several fences, all of them hold. An empty keep-out keeps nothing out. An empty keep-in lets
-/// nothing in.
+/// A fence: the convex polyhedron in which all its half-spaces intersect. World frame, metres. It may be unbounded. If
+/// a request has several fences, all of them hold. An empty keep-out has no effect. An empty keep-in leaves no room at
+/// all.
 struct Fence {
-  /// `count` half-spaces, the caller's. They are read while a plan begins and not afterwards. Each normal has a length
-  /// within [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale.
+  /// `count` half-spaces. The caller owns them. They are read only while a plan begins. Each normal has a length within
+  /// [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale.
   const Halfspace* planes;
-  /// 1 or more; kMaxFencePlanes at most for all fences of a request together.
+  /// At least 1, and at most kMaxFencePlanes for all fences of a request together.
   int32_t count;
   FenceKind kind;
 };
@@ -36,7 +36,7 @@ struct Fence {
 constexpr double kMinFenceNormal = 1e-6;
 constexpr double kMaxFenceNormal = 1e6;
 
-/// Stands for "no fence" where a fence is named by its index, as in Report::fence.
+/// Means "no fence" in place of a fence's index, as in Report::fence.
 constexpr int32_t kNoFence = -1;
 
 /// Half-spaces of a box.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From a sample of a trajectory to what a multirotor's controller flies: thrust, attitude and body rates. A multirotor
-// is differentially flat in position and yaw, so that they follow from acceleration and jerk (Mellinger and Kumar, ICRA
-// 2011). Drag is not modelled.
+// is differentially flat in position and yaw, so all three follow from acceleration, jerk and yaw (Mellinger and Kumar,
+// ICRA 2011). Drag is not modelled.
 #ifndef TERN_FLATNESS_HPP
 #define TERN_FLATNESS_HPP
 
@@ -24,19 +24,19 @@ constexpr double kLeastThrust = 0.01;
 constexpr double kLeastHeading = 1e-3;
 
 /// Where the nose points, seen from above. The angle is given by its cosine and sine, counter-clockwise from x of the
-/// world; their common scale does not matter. Where both are zero or one is not finite, yaw 0 is taken.
+/// world; their common scale does not matter. If both are zero, or one is not finite, yaw 0 is used.
 struct Yaw {
   double cosine;
   double sine;
-  /// rad/s, counter-clockwise. Counts as 0 where it is not finite.
+  /// rad/s, counter-clockwise. Counts as 0 if it is not finite.
   double rate;
 };
 
-/// Which part of a flat state is a stand-in, because the attitude is undefined for that sample.
+/// Why a flat state has substitute values: the attitude is undefined for that sample.
 enum class Singularity : uint8_t {
   kNone = 0,   ///< nothing
   kFreeFall,   ///< thrust below kLeastThrust: level attitude, the yaw rate is the only body rate
-  kHeading,    ///< thrust sideways, square to the heading: the nose is kept near the heading, no rate about the thrust
+  kHeading,    ///< thrust sideways, across the heading: the nose stays near the heading, no rate about the thrust
   kNotFinite,  ///< acceleration or jerk is not finite: level, hovering, no body rates
 };
 
@@ -53,7 +53,7 @@ struct FlatState {
   Singularity singularity;
 };
 
-/// The flat state of `sample` (world frame) with that yaw. Every input has an answer; see Singularity. Only the
+/// The flat state of `sample` (world frame) with the given yaw. Every input has an answer; see Singularity. Only the
 /// sample's acceleration and jerk are read.
 FlatState flat_state(const Sample& sample, const Yaw& yaw) noexcept;
 

@@ -123,7 +123,7 @@ class Grid {
   /// True where the voxel was free at the last inflate(). False outside the grid.
   bool free(const Voxel& v) const noexcept { return inside(v) && !bit(blocked_, v); }
 
-  // For the core's stages: rows and words. A row has bit x % 64 of word x / 64 for voxel x.
+  // Rows, for whoever reads many voxels. A row has bit x % 64 of word x / 64 for voxel x.
 
   /// Words of one row along x, ceil(dims.x / 64). Bits past dims.x are 0 in the obstacle layer and 1 in the blocked
   /// one.
@@ -131,22 +131,6 @@ class Grid {
   /// The rows of one y and z, which must be inside the grid: 1 is an obstacle, or blocked. The storage's; read only.
   const uint64_t* obstacle_row(int32_t y, int32_t z) const noexcept { return obstacles_ + row(y, z); }
   const uint64_t* blocked_row(int32_t y, int32_t z) const noexcept { return blocked_ + row(y, z); }
-
-  /// Words of one layer.
-  size_t layer_words() const noexcept {
-    return static_cast<size_t>(spec_.dims.z) * static_cast<size_t>(spec_.dims.y) * static_cast<size_t>(row_words_);
-  }
-  /// A view of the same grid whose blocked layer is `words`, layer_words() of them, taken as they are.
-  Grid with_blocked(uint64_t* words) const noexcept {
-    Grid view = *this;
-    view.blocked_ = words;
-    view.contents_ = nullptr;
-    return view;
-  }
-  /// A number for each region of the blocked layer, 64 voxels along x and along y in one plane. Regions with equal
-  /// numbers are equal, in one grid at two times or in two grids. inflate() writes them. Null for a view of
-  /// with_blocked().
-  const uint64_t* contents() const noexcept { return contents_; }
 
   // Frames.
 
@@ -163,6 +147,8 @@ class Grid {
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
+  friend struct GridView;  // what the core reads beside the above
+
   /// Words of the storage's header that are in use.
   enum Header : int { kTag, kBinding, kRevision, kInflated, kContent };
 

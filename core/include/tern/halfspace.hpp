@@ -10,7 +10,7 @@ namespace tern {
 /// The half-space of all points p with normal . p <= offset (the H_j of the paper's Section 3.3.1). The normal points
 /// out of it. Frame: the one of the structure that holds it.
 struct Halfspace {
-  /// Half-spaces that Tern gives out have a normal of length 1. A function that takes half-spaces says which lengths it
+  /// Half-spaces that Tern returns have a normal of length 1. A function that takes half-spaces says which lengths it
   /// accepts.
   Vec3 normal;
   /// With a normal of length 1: the distance of the plane from the origin along the normal, metres.

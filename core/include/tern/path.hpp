@@ -10,7 +10,7 @@ namespace tern {
 
 /// The path through free space (the paper's Section 3.2), before and after it is shortened. All points are in the
 /// grid's local frame (world minus grid origin), in metres. Both chains begin at the exact start and end at the exact
-/// goal, not at voxel centres. Planner::path() gives it out for displays and logs.
+/// goal, not at voxel centres. Planner::path() returns it, for displays and logs.
 struct Path {
   /// Points of the jump-point path, 2 .. kMaxJumpPoints.
   int raw_count;
@@ -18,8 +18,8 @@ struct Path {
   Vec3 raw[kMaxJumpPoints];
   /// Length of the jump-point path, metres.
   double raw_length;
-  /// Cost of the search between the voxels of start and goal, in voxel edges: 1, sqrt 2 or sqrt 3 a step. It is the
-  /// least cost on the grid. 0 where start and goal share a voxel.
+  /// Cost of the path that the search found between the voxels of start and goal, in voxel edges: 1, sqrt 2 or sqrt 3
+  /// per step. With SearchMode::kOptimal it is the least cost on the grid. 0 if start and goal share a voxel.
   double grid_length;
   /// Waypoints of the shortened path, 2 .. kMaxWaypoints.
   int count;

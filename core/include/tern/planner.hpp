@@ -22,62 +22,63 @@ namespace tern {
 
 class Plan;
 
-/// A monotonic tick counter of the platform. `context` is the pointer that was given to Planner::set_clock. The ticks
+/// A monotonic tick counter of the platform. `context` is the pointer that you passed to Planner::set_clock. The ticks
 /// go into Report::stages and nowhere else: no plan depends on them.
 using ClockFn = uint64_t (*)(void* context);
 
 /// The planner. It works in memory that you give it and holds no state elsewhere. A planner is not thread-safe; two
-/// planners over two workspaces are independent. Construct one and keep it: it remembers what it found out about a map,
-/// and plans faster on the same map again. That changes no result.
+/// planners over two workspaces are independent. Construct one and keep it: it remembers what it learned about a map,
+/// so later plans on the same map are faster. That changes no result.
 ///
-/// Memory contract: the workspace, the grid and its storage, and everything that a call is given belong to the caller.
+/// Memory contract: the caller owns the workspace, the grid and its storage, and everything that it passes to a call.
 /// The workspace must live as long as the planner. A grid must live, at the same address, until finish() ends the plan
-/// on it. Once a call has returned, the planner reads nothing of the request, trajectory or report that it was given.
+/// on it. Once a call has returned, the planner no longer reads the request, trajectory or report that it was given.
 class Planner {
  public:
   /// `memory` is the workspace: `bytes` bytes, at least kWorkspaceBytes, with any alignment and any content. Nobody
-  /// else may write to it while the planner lives. Where it is null or too small, every plan answers kInvalidArgument,
+  /// else may write to it while the planner lives. If it is null or too small, every plan answers kInvalidArgument,
   /// field kWorkspace.
   ///
-  /// Leave `configuration` at its default. It tells the library which capacities your program was compiled with. Where
+  /// Leave `configuration` at its default. It tells the library which capacities your program was compiled with. If
   /// they differ from the library's, every plan answers kInvalidArgument, field kConfiguration.
   Planner(void* memory, size_t bytes, uint64_t configuration = kConfigurationHash) noexcept;
 
-  /// The clock for Report::stages[].ticks. Null, the default: no times are reported. `context` is the caller's and is
-  /// passed to each call of `clock`. A clock that stands still or runs backwards does no harm.
+  /// The clock for Report::stages[].ticks. With null, the default, no times are reported. Each call of `clock` gets
+  /// `context`, which belongs to the caller. A clock that stands still or runs backwards does no harm.
   void set_clock(ClockFn clock, void* context) noexcept;
 
-  /// Makes the planner forget what it found out about maps. It changes no result. Use it to measure how long the first
+  /// Makes the planner forget what it learned about maps. It changes no result. Use it to measure how long the first
   /// plan on a map takes.
   void forget_map() noexcept;
 
-  /// Plans in one call. The grid must be inflated. With kOk `trajectory` is the plan, which passed the check. With any
-  /// other answer `trajectory` is as it was, so that you can go on flying what is in it. `report` is always filled.
+  /// Plans in one call. The grid must be inflated. With kOk, `trajectory` is the plan, which passed the check. With any
+  /// other answer, `trajectory` is unchanged, so you can go on flying the plan in it. `report` is always filled in.
   Status plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept;
 
   /// Begins a plan in slices: call begin() once, step() until it no longer answers kRunning, then finish(). The result
   /// has the same bits as plan(). begin() checks the request and reads it, its fences and its previous plan; they may
-  /// change afterwards. It answers kRunning, or the reason why the request is refused.
+  /// change afterwards. It answers kRunning, or the reason why it refuses the request.
   ///
-  /// The grid must not change before finish(). Where it does, the next step() answers kMapChanged.
+  /// The grid must not change before finish(). If it does, the next step() answers kMapChanged.
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// Goes on with the plan for at most `work` units. kRunning: there is more to do. Any other answer is that of the
-  /// plan: call finish(). kInvalidArgument where no plan was begun.
+  /// Continues the plan for at most `work` units. kRunning: there is more to do. Any other answer is the answer of the
+  /// plan: call finish(). kInvalidArgument if no plan was begun.
   ///
-  /// One unit is one of these: a node expanded or a line that joins an end to the grid, a line of sight or a trial of
-  /// tightening, a polyhedron, the duration of a
-  /// segment, an iteration of a quadratic programme, its assembly or its judgement, a polyhedron or a
-  /// segment checked, a fence, a detour, a way to come to rest, a segment of the previous plan.
+  /// One unit is one of these: a node expanded, a line that joins an end to the grid, a line of sight, a trial of
+  /// tightening, a polyhedron, the duration of a segment, the assembly of a quadratic programme, one of its iterations
+  /// or its judgement, a polyhedron or a segment checked, a fence, a detour, a way to come to rest, or a segment of the
+  /// previous plan.
   Status step(uint32_t work) noexcept;
-  /// Ends the plan and fills `report`. With kOk it copies the plan to `trajectory`; with any other answer `trajectory`
-  /// is as it was. Called before step() is done, it gives the plan up and answers kInvalidArgument, field kCallOrder.
+  /// Ends the plan and fills in `report`. With kOk, it copies the plan to `trajectory`; with any other answer,
+  /// `trajectory` is unchanged. If you call it before step() is done, it abandons the plan and answers
+  /// kInvalidArgument, field kCallOrder.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
 
-  /// The path of the last plan, in the grid's local frame, for displays and logs. Null where the plan has none. Where
-  /// the plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is
-  /// valid until the next begin() or plan().
+  /// The path of the last plan, in the grid's local frame, for displays and logs. Null if the plan has none. If the
+  /// plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid
+  /// until the next begin() or plan().
   const Path* path() const noexcept;
-  /// The corridor of the last plan, likewise. Segment::polyhedron is an index into it. Where the plan stops first, it
+  /// The corridor of the last plan, likewise. Segment::polyhedron is an index into it. If the plan stops first, it
   /// begins with the polyhedra of that stop.
   const Corridor* corridor() const noexcept;
 

@@ -16,13 +16,16 @@ namespace tern {
 /// What one stage did. All zero where the stage did not run.
 struct StageReport {
   /// Units of work done. What a unit is depends on the stage:
-  /// - kRequest: all keep-in fences together, or one keep-out fence, entered into the grid
-  /// - kSearch: a node taken off the open list, or a line that joins start or goal to the grid
+  /// - kRequest: none
+  /// - kSearch: a node, voxel or block taken off an open list, or a line that joins start or goal to the grid
   /// - kShortcut: a line of sight, or a trial of tightening
   /// - kCorridor: a half-space made, even if it was discarded later
   /// - kTimes: a segment that got its first duration
   /// - kTrajectory: an iteration of a quadratic programme
   /// - kCheck: a polyhedron or a segment checked
+  /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
+  /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
+  /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor
   uint32_t work;
   /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).
   uint32_t bound;
@@ -30,10 +33,36 @@ struct StageReport {
   uint64_t ticks;
 };
 
+/// What the check found wrong with a plan: the first thing, in its order. An index is -1, and a voxel has coordinates
+/// -1, where the finding is not about one.
+struct CheckReport {
+  /// Which test failed. kNone: none, and nothing below has a value.
+  Finding finding = Finding::kNone;
+  /// Segment of the trajectory. For kJoint, the later of the two.
+  int32_t segment = -1;
+  /// Polyhedron of the corridor.
+  int32_t polyhedron = -1;
+  /// A half-space. Of the polyhedron: the one that a control point is beyond, or the one that comes nearest to cutting
+  /// off the obstacle or the keep-out fence. Where `fence` is a keep-in fence: of that fence. For kOutside, -1 where a
+  /// control point is outside the boundary; `axis` then says on which axis.
+  int32_t plane = -1;
+  /// Index in Request::fences.
+  int32_t fence = -1;
+  /// 0 position, 1 velocity, 2 acceleration, 3 jerk.
+  int32_t derivative = -1;
+  /// 0 x, 1 y, 2 z; 3 the horizontal norm.
+  int32_t axis = -1;
+  /// The obstacle's voxel.
+  Voxel voxel{-1, -1, -1};
+  /// By how much more than the check allows: metres, or m/s, m/s^2 or m/s^3 for a derivative. >= 0. 0 for kMalformed.
+  double excess = 0.0;
+};
+
 /// The highest use of each capacity of config.hpp during the plan. Compare it with the capacity to choose capacities of
 /// your own. Where a capacity ran out, its value here is the capacity itself.
 struct HighWater {
-  /// Jump points that one search generated; of TERN_MAX_NODES.
+  /// Jump points that one search generated; of TERN_MAX_NODES. Those of the optimal search alone, and of the steps that
+  /// every search begins with.
   int32_t nodes;
   /// Entries of the open list at one time; of TERN_MAX_OPEN.
   int32_t open;
@@ -68,6 +97,16 @@ enum class Quality : uint8_t {
   kPrevious,
 };
 
+/// Which search found the path.
+enum class SearchUsed : uint8_t {
+  /// None did: there is no path, or none was needed between start and goal.
+  kNone = 0,
+  /// The guided search.
+  kGuided,
+  /// The optimal search.
+  kOptimal,
+};
+
 /// The whole answer to one call of Planner::plan or Planner::finish, which always fill it. Plain data without pointers.
 struct Report {
   /// The answer; the same as the call's return value.
@@ -88,7 +127,8 @@ struct Report {
   /// How optimising ended. kOk: as it should, or it was never begun. kBudgetOptimise together with kOptimised: the
   /// budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
   /// optimised plan: kInfeasible, kNumerical, kIterationLimit, kWorkingSetFull, kBudgetOptimise, kSegmentsFull (no room
-  /// for so many segments), or kCheckFailed (the check refused the optimised plan).
+  /// for so many segments), or kCheckFailed (the check refused the optimised plan;
+  /// `check` says why).
   Status optimiser;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
   /// has_nearest_free is true; zero otherwise.
@@ -99,6 +139,10 @@ struct Report {
   /// Only for kStartFenced and kGoalFenced: the index in Request::fences of a fence that is broken. Keep-in fences are
   /// looked at first, in the request's order, then keep-out fences. Else kNoFence.
   int32_t fence = kNoFence;
+
+  /// Only where `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its
+  /// segments and polyhedra are those of that plan, which is not given out.
+  CheckReport check;
 
   /// Half-spaces that bound the polyhedra of the corridor, all polyhedra together. Each makes eight rows in the
   /// quadratic programme.
@@ -125,6 +169,13 @@ struct Report {
   /// Largest relative KKT residual of that solution: stationarity, complementarity or violation. At most 1e-8;
   /// docs/qp.md defines it. 0 unless `quality` is kOptimised.
   double kkt_residual;
+
+  /// The cost of the path over the grid is at most so many times the least possible, but for rounding: its cost divided
+  /// by a proven lower bound. Mostly the path is much nearer to the optimum than that. 1 for the optimal search, and
+  /// where no search was needed; 0 without a path.
+  double search_bound;
+  /// Which search found the path.
+  SearchUsed search_used;
 };
 
 }  // namespace tern

@@ -15,7 +15,7 @@ namespace tern {
 
 /// The state at one end of a plan, world frame. All numbers must be finite (kNonFiniteInput). The position must lie in
 /// the grid's boundary (kOutOfMap), velocity and acceleration within the limits (kStartExceedsLimits,
-/// kGoalExceedsLimits). The jerk is zero at both ends of a plan, with one exception: a plan that goes on along
+/// kGoalExceedsLimits). The jerk is zero at both ends of a plan, with one exception: a plan that continues along
 /// Request::previous begins with the jerk of that plan.
 struct State {
   Vec3 position;      ///< m, the robot's centre
@@ -24,7 +24,7 @@ struct State {
 };
 
 /// Limits of velocity and acceleration. A plan keeps them for all t, to 3e-8 of each limit. They hold for each axis of
-/// the world frame separately, upwards and downwards, and for the horizontal norm where one is given. The Euclidean
+/// the world frame separately, in both directions, and for the horizontal norm if you set a limit for it. The Euclidean
 /// norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit], else the
 /// answer is kLimitsInvalid with the field.
 struct Limits {
@@ -32,7 +32,7 @@ struct Limits {
   Vec3 v_max;
   /// m/s^2, > 0: the largest acceleration along each axis.
   Vec3 a_max;
-  /// m/s, < 0: the lowest velocity along each axis, for example to sink slower than to climb. An axis of 0 means
+  /// m/s, < 0: the lowest velocity along each axis, for example to descend more slowly than climb. An axis of 0 means
   /// -v_max.
   Vec3 v_min{};
   /// m/s^2, < 0: the lowest acceleration along each axis. An axis of 0 means -a_max.
@@ -46,7 +46,7 @@ struct Limits {
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;
 
-/// What a second of flight is worth against smoothness. A plan minimises
+/// How much a second of flight counts against smoothness. A plan minimises
 ///
 ///   (integral of squared snap) + time_weight * a^6 / v^4 * (duration),
 ///
@@ -60,26 +60,36 @@ constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
 
-/// How much work a plan may spend in each stage. Work is counted, never timed (contract C7), so that a budget gives the
-/// same plan on every machine. The default is no limit but the bounds of the stages (config.hpp). 0 is allowed.
+/// How much work a plan may spend in each stage. Work is counted, never timed (contract C7), so a budget gives the same
+/// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
-  /// Search: nodes taken off the open list, and lines checked to join start and goal to the grid. Beyond it:
-  /// kBudgetSearch.
+  /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
+  /// Beyond it: kBudgetSearch.
   uint32_t expansions = 0xFFFFFFFFu;
   /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
   uint32_t sight_lines = 0xFFFFFFFFu;
   /// Corridor: half-spaces made, including those that are discarded. Beyond it: kBudgetCorridor.
   uint32_t planes = 0xFFFFFFFFu;
-  /// Trajectory: iterations of all quadratic programmes together. Beyond it the best plan so far is given out, or
-  /// stop-and-go where there is none yet; Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
+  /// Trajectory: iterations of all quadratic programmes together. Beyond it, the answer is the best plan so far, or
+  /// stop-and-go if there is none yet; Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
   uint32_t iterations = 0xFFFFFFFFu;
 };
 
 /// How the jump-point path is shortened. Any other number is refused (kInvalidArgument, field kShortcut).
 enum class ShortcutMode : uint8_t {
-  /// The shortest chain of points of the path in which each sees the next. A line of sight is the supercover of the
-  /// segment: every voxel that it touches is free.
+  /// The shortest chain of points of the path in which each point sees the next. A line of sight covers the supercover
+  /// of the segment: every voxel that it touches must be free.
   kShortestChain = 0,
+};
+
+/// How the search looks for a way over the grid. Any other number is refused (kInvalidArgument, field kSearch). Either
+/// way kNoPath means that there is none.
+enum class SearchMode : uint8_t {
+  /// A way that is a few per cent dearer than the cheapest, in a fraction of the time. Report::search_bound says how
+  /// much dearer it can be. Where that search is led astray, the optimal one answers.
+  kFast = 0,
+  /// A cheapest way.
+  kOptimal = 1,
 };
 
 /// One planning query. The caller owns it and everything that it points to. Planner::plan and Planner::begin read it
@@ -90,6 +100,7 @@ struct Request {
   Limits limits{};
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
+  SearchMode search = SearchMode::kFast;
   /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
   double time_weight = kDefaultTimeWeight;
   /// Geofences: an array of `fence_count`, or null with fence_count 0.
@@ -97,19 +108,19 @@ struct Request {
   /// 0 .. kMaxFences. Beyond it: kFencesFull.
   int32_t fence_count = 0;
 
-  /// For replanning in flight: the plan that is being flown, or null. The planner first looks for a new plan. Where it
-  /// finds none, it flies on along the rest of this one, if that is still free on the grid, and from its end to the
-  /// goal if that is another one. Report::detours is 3 for such a plan. Only where that fails too, it tries to stop
-  /// first.
+  /// For replanning in flight: the plan that you are flying, or null. The planner first looks for a new plan. If it
+  /// finds none, it follows the rest of this one, provided that this is still free on the grid. If the goal is a
+  /// different one, it goes on from there to the goal. Report::detours is 3 for such a plan. Only if that fails too
+  /// does it try to stop first.
   ///
-  /// `start` must be what evaluate(*previous, previous_time) gives, bit for bit. Else the answer is kInvalidArgument,
-  /// field kPrevious.
+  /// `start` must be what evaluate(*previous, previous_time) returns, bit for bit. Otherwise the answer is
+  /// kInvalidArgument, field kPrevious.
   ///
-  /// A plan is always found on an unchanged map with the same limits and fences, if `previous` was kOk, at least a
-  /// millisecond of its segment at previous_time is left, the goal is the same or can be reached from the previous one,
-  /// and budget and capacities suffice.
+  /// On an unchanged map with the same limits and fences, a plan is always found if `previous` was kOk, if at least a
+  /// millisecond is left of its segment at previous_time, if the goal is the same or can be reached from the previous
+  /// one, and if budget and capacities suffice.
   ///
-  /// It may be the same object that the new plan is written to: that object changes only once the new plan is kOk.
+  /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;
   /// Time since the beginning of `previous` at which the new plan begins. Seconds, >= 0, finite.
   double previous_time = 0.0;

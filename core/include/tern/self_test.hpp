@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Run self_test() before the first flight. It finds out whether this machine computes as Tern needs, and whether your
-// program and the library were compiled with the same capacities. docs/determinism.md explains the faults.
+// Run self_test() before the first flight. It checks that this machine computes as Tern requires, and that your program
+// and the library were compiled with the same capacities. docs/determinism.md explains the faults.
 #ifndef TERN_SELF_TEST_HPP
 #define TERN_SELF_TEST_HPP
 
@@ -13,8 +13,8 @@
 
 namespace tern {
 
-/// FNV-1a over whole numbers, in the order given. This and the next two functions make the configuration hash; use
-/// kConfigurationHash.
+/// FNV-1a over integers, in the order given. This and the next two functions compute the configuration hash. Do not
+/// call them: use kConfigurationHash.
 constexpr uint64_t hash_of(uint64_t hash) noexcept {
   return hash;
 }
@@ -23,8 +23,8 @@ constexpr uint64_t hash_of(uint64_t hash, int64_t value, Rest... rest) noexcept 
   return hash_of((hash ^ static_cast<uint64_t>(value)) * 0x100000001B3u, rest...);
 }
 
-/// `constant` * `part` * `of` as a whole number. It is exact where the factors are powers of two that leave no
-/// fraction. Two factors, because one of that size would not fit 64 bits.
+/// `constant` * `part` * `of` as an integer. It is exact if the factors are powers of two that leave no fraction. There
+/// are two factors because a single one of that size would not fit in 64 bits.
 constexpr int64_t whole_of(double constant, int64_t part, int64_t of) noexcept {
   return static_cast<int64_t>(constant * static_cast<double>(part) * static_cast<double>(of));
 }
@@ -38,17 +38,17 @@ constexpr uint64_t configuration_hash_of(double lattice_tolerance, double sight_
 }
 
 /// A hash of every capacity of config.hpp and of the bits of its two floating-point constants. Two programs have the
-/// same hash where they were compiled with the same capacities, and where no compiler flag changed the constants.
-/// Compare it with the library's, or let Planner and self_test() do so.
+/// same hash if they were compiled with the same capacities and no compiler flag changed the constants. Compare it with
+/// the library's, or let Planner and self_test() do so.
 constexpr uint64_t configuration_hash() noexcept {
   return configuration_hash_of(kLatticeTolerance, kSightMargin);
 }
 
-/// The same as a constant. Each source file has its own, so that it tells what that file was compiled with.
+/// The same as a constant. Each source file has its own copy, which tells what that file was compiled with.
 constexpr uint64_t kConfigurationHash = configuration_hash();
 
-/// What a self-test found wrong: a sum of these bits, 0 where all is well. A fault that a compiler flag causes is named
-/// after the flag; remove that flag. A flag is found only where it changes results, and at -O0 some do not.
+/// What a self-test found wrong: a sum of these bits, or 0 if all is well. A fault that a compiler flag causes is named
+/// after the flag; remove that flag. The test finds a flag only if it changes results, and at -O0 some do not.
 enum SelfTestFault : uint32_t {
   kFaultFlushToZero = 1u << 0,      ///< denormals are flushed to zero: the program was linked with -ffast-math
   kFaultRoundingMode = 1u << 1,     ///< the thread's rounding mode is not round-to-nearest-even

@@ -96,17 +96,35 @@ enum class Status : uint8_t {
   kBudgetOptimise = 93,
 };
 
-/// The stages of a plan, in the order in which data flows through them.
+/// The stages of a plan. Every plan goes through the first seven, in this order. The others are for requests with
+/// fences, and for what to do where a stage failed. The numbers are part of the ABI.
 enum class Stage : uint8_t {
-  kRequest = 0,  ///< validation of the request and entering its fences, before any other stage
-  kSearch,       ///< jump point search (the paper's Section 3.2.1)
+  kRequest = 0,  ///< validation of the request, before any other stage
+  kSearch,       ///< guided search, or jump point search (the paper's Section 3.2.1)
   kShortcut,     ///< shortening the path (Section 3.2.3)
   kCorridor,     ///< polyhedra along the path (Section 3.3.1)
   kTimes,        ///< first durations by trapezoidal profiles (Section 3.3.2)
   kTrajectory,   ///< minimum snap by quadratic programmes (Section 3.4)
   kCheck,        ///< the independent check of the finished plan (contract C4)
+  kFences,       ///< entering the request's fences into the grid, before the search
+  kDetour,       ///< leading the path along the motion of its ends, where a moving end has no room
+  kPrevious,     ///< proving the rest of Request::previous anew, where nothing new was found
+  kEscape,       ///< finding ways to come to rest first, where a moving end has no other way
 };
-constexpr int kStageCount = 7;
+constexpr int kStageCount = 11;
+
+/// What the check refuses a plan for. The numbers are part of the ABI; docs/check.md has the rules and tolerances.
+enum class Finding : uint8_t {
+  kNone = 0,      ///< nothing
+  kMalformed,     ///< counts, indices, durations, coordinates or normals that are not a plan at all
+  kObstacle,      ///< a polyhedron comes closer than the radius to an obstacle voxel
+  kOutside,       ///< a control point lies outside its polyhedron or the boundary
+  kVelocity,      ///< some v(t) is beyond a limit
+  kAcceleration,  ///< some a(t) is beyond a limit
+  kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
+  kFence,     ///< a control point lies outside a keep-in, or a polyhedron comes closer than the radius to a keep-out
+  kBoundary,  ///< the start's or the goal's state is not met
+};
 
 /// The field of a request, a grid or a call that a status is about.
 enum class Field : uint8_t {
@@ -138,10 +156,11 @@ enum class Field : uint8_t {
   kPrevious,           ///< Request::previous or previous_time: no trajectory, or it does not give `start` at that time
   kNotInflated,        ///< the grid was bound, marked or cleared since its last inflate()
   kConfiguration,      ///< the caller's headers and the library were compiled with different capacities
+  kSearch,             ///< Request::search
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and
-/// the next three return constant strings that are never null and need not be freed.
+/// the next four return constant strings that are never null and need not be freed.
 const char* status_name(Status status) noexcept;
 /// What the status means and, in many cases, what to do, as one line of English.
 const char* status_meaning(Status status) noexcept;
@@ -149,6 +168,8 @@ const char* status_meaning(Status status) noexcept;
 const char* stage_name(Stage stage) noexcept;
 /// The field's name, for example "start velocity". "unknown" for a number that is no field.
 const char* field_name(Field field) noexcept;
+/// The finding's name, for example "obstacle". "unknown" for a number that is no finding.
+const char* finding_name(Finding finding) noexcept;
 
 }  // namespace tern
 

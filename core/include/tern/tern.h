@@ -20,9 +20,9 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 4
+#define TERN_ABI 5
 
-/* Size of tern_grid and tern_planner in words of 64 bits. The core asserts when it is compiled that they suffice. */
+/* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
 #define TERN_PLANNER_WORDS 160
 
@@ -44,6 +44,7 @@ typedef tern::Sample tern_sample;
 typedef tern::Yaw tern_yaw;
 typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
+typedef tern::CheckReport tern_check_report;
 typedef tern::HighWater tern_high_water;
 typedef tern::Report tern_report;
 extern "C" {
@@ -67,17 +68,18 @@ typedef struct {
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
 /* All points p with normal . p <= offset: tern/halfspace.hpp. */
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
-/* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces of the caller's, world frame. */
+/* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces that the caller owns; world frame. */
 typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
 /* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
-/* A query: tern/request.hpp. Fill it in after tern_request_init(). It and all that it points to are the caller's. */
+/* A query: tern/request.hpp. Fill it in after tern_request_init(). You own it and everything that it points to. */
 typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
   uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
+  uint8_t search;           /* tern::SearchMode: 0 fast, 1 optimal; any other number is refused */
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
   const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
@@ -101,25 +103,38 @@ typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
+/* What the check found wrong with a plan: tern/report.hpp. -1 where an index or a voxel has no value. */
+typedef struct {
+  uint8_t finding; /* tern_finding_name() */
+  int32_t segment, polyhedron, plane, fence;
+  int32_t derivative, axis; /* 0 position .. 3 jerk; 0 x, 1 y, 2 z, 3 the horizontal norm */
+  tern_voxel voxel;
+  double excess; /* by how much more than the check allows: m, m/s, m/s^2 or m/s^3 */
+} tern_check_report;
 /* The answer to a call of the planner: tern/report.hpp. */
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
   uint8_t status, stage, field;
-  /* An occupied start or goal is inside an obstacle; nearest_free has a value; the ticks were measured. */
+  /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value; the
+   * ticks were measured. */
   bool raw_occupied, has_nearest_free, timing_known;
-  /* 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan; a status: how optimising ended. */
+  /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. */
   uint8_t quality, optimiser;
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
-  tern_stage_report stages[7]; /* request, search, shortcut, corridor, times, trajectory, check */
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape */
+  tern_stage_report stages[11];
   tern_high_water high_water;
   int32_t fence; /* index of the fence that start or goal breaks; -1: none */
+  tern_check_report check; /* only where status or optimiser is check_failed */
   int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;
+  double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
+  uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
 } tern_report;
 #endif
 
-/* A grid and a planner. Both are objects of the library in memory of yours; their contents are private. Do not copy a
+/* A grid and a planner. Both are objects of the library in your memory; their contents are private. Do not copy a
  * planner. A tern_grid may be copied once it is bound: it is a view, and all copies share the storage. */
 typedef struct { uint64_t opaque[TERN_GRID_WORDS]; } tern_grid;
 typedef struct { uint64_t opaque[TERN_PLANNER_WORDS]; } tern_planner;
@@ -132,14 +147,14 @@ typedef enum {
   TERN_SIZE_REPORT,             /* sizeof(tern_report) */
   TERN_SIZE_GRID_SPEC,          /* sizeof(tern_grid_spec) */
   TERN_SIZE_WORKSPACE,          /* what tern_planner_init() needs */
-  TERN_SIZE_WORKSPACE_ALIGNMENT /* what the planner aligns it to by itself */
+  TERN_SIZE_WORKSPACE_ALIGNMENT /* to which the planner itself aligns it */
 } tern_size;
 
-/* The library's TERN_ABI. Use the library only where it equals yours. */
+/* The library's TERN_ABI. Use the library only if it equals yours. */
 int32_t tern_abi(void);
 /* A hash of the capacities that the library was compiled with. tern_header_hash() is that of your program. */
 uint64_t tern_configuration_hash(void);
-/* A size in the library, `what` being a tern_size. 0 for any other number. Compare it with your sizeof. */
+/* A size in the library; `what` is a tern_size. Returns 0 for any other number. Compare it with your sizeof. */
 size_t tern_size_of(int32_t what);
 
 /* Names and meanings of the numbers in a report: constant strings, never null, nothing to free. A number that this
@@ -152,6 +167,8 @@ const char* tern_status_meaning(uint8_t status);
 const char* tern_stage_name(uint8_t stage);
 /* "start position", "v_max", ... */
 const char* tern_field_name(uint8_t field);
+/* "obstacle", "velocity", ...: what the check refuses a plan for. */
+const char* tern_finding_name(uint8_t finding);
 
 /* What tern_self_test() found wrong, one bit each, as in tern/self_test.hpp. Remove the flag that is named. */
 typedef enum {
@@ -171,29 +188,29 @@ typedef enum {
  * tern_fault bits and may be null. */
 uint8_t tern_self_test(uint64_t hash, uint32_t* faults);
 
-/* The grid: tern::Grid, tern/grid.hpp. A tern_grid may hold anything before its first bind. Zero it where another call
- * can come first: that call then answers invalid_argument. */
-/* Words of 64 bits that a grid of these dimensions needs as storage. 0 where a dimension is out of range. */
+/* The grid: tern::Grid, tern/grid.hpp. A tern_grid may hold anything before its first bind. If another call can come
+ * first, zero the tern_grid: that call then answers invalid_argument. */
+/* Words of 64 bits that a grid of these dimensions needs as storage. 0 if a dimension is out of range. */
 size_t tern_grid_words(tern_voxel dims);
-/* Binds the grid to `words` and clears it. `words` is yours: at least tern_grid_words(spec->dims) words with any
- * content; they must outlive the grid. ok, non_finite_input or invalid_argument; a bind that is refused leaves grid and
- * words as they were. */
+/* Binds the grid to `words` and clears it. You own `words`: at least tern_grid_words(spec->dims) words with any
+ * content, which must outlive the grid. ok, non_finite_input or invalid_argument. A refused bind leaves grid and words
+ * as they were. */
 uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* words, size_t word_count);
 /* Marks each voxel that the box meets as an obstacle. World frame, metres; parts outside the grid are ignored. ok,
  * non_finite_input or invalid_argument. */
 uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);
 /* Clears the voxels that tern_grid_mark_box would mark, likewise. */
 uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
-/* Marks the voxel of each of `count` points, world frame, metres. Points outside the grid are skipped; `inside`, which
- * may be null, gets the number of the others. `world` may be null where count is 0. ok, non_finite_input (nothing is
- * marked) or invalid_argument. */
+/* Marks the voxel of each of `count` points, world frame, metres. Points outside the grid are skipped. `inside` gets
+ * the number of the others and may be null. `world` may be null if count is 0. ok, non_finite_input (nothing is marked)
+ * or invalid_argument. */
 uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, size_t count, size_t* inside);
 /* Makes the grid ready to be planned on. Call it once after any number of binds, marks and clears. ok, or
  * invalid_argument for a grid that is not bound. */
 uint8_t tern_grid_inflate(tern_grid* grid);
 
-/* A hash of the capacities that your program is compiled with; equal to tern_configuration_hash() where they are the
- * library's. It computes with whole numbers alone. The last two stand for the core's floating-point constants. */
+/* A hash of the capacities that your program is compiled with. It equals tern_configuration_hash() if they are the same
+ * as the library's. It uses integers only: the last two represent the core's floating-point constants. */
 static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,     TERN_MAX_OPEN,
                              TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,    TERN_MAX_LOCAL_BOXES,
@@ -210,7 +227,7 @@ static inline uint64_t tern_header_hash(void) {
  * content. The memory is yours and must outlive the planner; nobody else may write to it. `configuration` is the hash
  * of the capacities that the caller was compiled with. ok, or invalid_argument for memory that is null or too small, or
  * for another configuration than the library's; every plan then answers the same. This function is for languages that
- * do not read this header; pass tern_configuration_hash() there. */
+ * cannot use this header; pass tern_configuration_hash() there. */
 uint8_t tern_planner_init_for(tern_planner* planner, void* memory, size_t bytes, uint64_t configuration);
 /* The same with the capacities of this header: what a C program calls. */
 static inline uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes) {
@@ -222,26 +239,27 @@ uint8_t tern_planner_set_clock(tern_planner* planner, uint64_t (*clock)(void* co
 /* Sets the default budget (no limit but the bounds of the stages) and time weight, and everything else to zero. Null is
  * allowed and does nothing. */
 void tern_request_init(tern_request* request);
-/* Writes the six half-spaces of a box, for a fence that is one. In the frame of the box. Null does nothing. */
+/* Writes the six half-spaces of a box, for a fence that is a box. In the frame of the box. Null does nothing. */
 void tern_box_halfspaces(const tern_box* box, tern_halfspace planes[6]);
-/* Plans in one call. The grid must be inflated. With ok `trajectory` is the plan; with any other answer it is as it
- * was. `report` is always filled, unless a pointer is null. */
+/* Plans in one call. The grid must be inflated. With ok, `trajectory` is the plan; with any other answer, it is
+ * unchanged. `report` is always filled in, unless a pointer is null. */
 uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_request* request,
                   tern_trajectory* trajectory, tern_report* report);
-/* Begins a plan in slices, which has the same bits as that of tern_plan(). running, or why the request is refused. The
- * grid must stay at its address, bound and unchanged, until tern_plan_finish(). The request may change at once. */
+/* Begins a plan in slices. It has the same bits as that of tern_plan(). Answers running, or why it refuses the request.
+ * The grid must stay at its address, bound and unchanged, until tern_plan_finish(). You may change the request at
+ * once. */
 uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request);
-/* Goes on for at most `work` units; tern/planner.hpp says what a unit is. running: call it again. Any other answer is
- * that of the plan: call tern_plan_finish(). map_changed where the grid has changed since the begin. */
+/* Continues for at most `work` units; tern/planner.hpp says what a unit is. running: call it again. Any other answer is
+ * that of the plan: call tern_plan_finish(). map_changed if the grid has changed since tern_plan_begin(). */
 uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
-/* Ends the plan and fills `report`. With ok `trajectory` is the plan; with any other answer it is as it was. Called too
- * early, it gives the plan up and answers invalid_argument, field "call order". */
+/* Ends the plan and fills `report`. With ok, `trajectory` is the plan; with any other answer, it is unchanged. If you
+ * call it too early, it abandons the plan and answers invalid_argument, field "call order". */
 uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report);
 
 /* The trajectory's duration in seconds. 0 for null. */
 double tern_duration(const tern_trajectory* trajectory);
-/* The trajectory's state at t seconds after its beginning, world frame. Before the beginning, and for NaN: the state
- * there. Past the end: the goal's position at rest. Zeros for a null trajectory. */
+/* The trajectory's state at t seconds after its beginning, world frame. Before the beginning and for NaN: the state at
+ * the beginning. Past the end: the goal's position at rest. Zeros for a null trajectory. */
 void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample);
 /* Thrust, attitude and body rates that fly a sample with that yaw; see tern/flatness.hpp. Every input has an answer. A
  * null sample counts as all zero, a null yaw as yaw 0. */

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the planner gives out, and how to fly it: Bezier segments of degree 7 (the paper's Section 3.4.1).
+// The planner's result and how to fly it: Bezier segments of degree 7 (the paper's Section 3.4.1).
 #ifndef TERN_TRAJECTORY_HPP
 #define TERN_TRAJECTORY_HPP
 
@@ -40,8 +40,8 @@ struct Sample {
 struct Trajectory {
   /// Segments in use, 1 .. kMaxSegments in a plan.
   int count;
-  /// What the control points are relative to, world frame, metres. A plan's origin is its start position, so that the
-  /// control points keep their precision far from the world's origin.
+  /// The point that the control points are relative to, world frame, metres. A plan's origin is its start position, so
+  /// the control points keep their precision far from the world's origin.
   Vec3 origin;
   Segment segments[kMaxSegments];
 };

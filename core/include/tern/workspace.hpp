@@ -12,14 +12,14 @@
 namespace tern {
 
 /// Alignment that the planner uses, in bytes. The memory that you give it needs no alignment: the planner begins at the
-/// first aligned byte, and kWorkspaceBytes has room for that.
+/// first aligned byte, and kWorkspaceBytes allows for that.
 constexpr size_t kWorkspaceAlignment = 64;
 
 namespace workspace {
 
 // What each part of the workspace takes, in bytes. These are upper bounds, about a tenth above the sizes of the core's
-// structures, which no public header shows. The core asserts at compile time that the bounds hold. They are no
-// interface: use kWorkspaceBytes.
+// structures, which no public header shows. The core asserts at compile time that the bounds hold. They are not part of
+// the interface: use kWorkspaceBytes.
 constexpr size_t kNodes = kMaxNodes, kHeap = kMaxOpen, kCells = static_cast<size_t>(kMaxCells);
 constexpr size_t kJumps = kMaxJumpPoints, kSegments = kMaxSegments, kPlanes = kMaxPlanes;
 constexpr size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive;
@@ -32,8 +32,8 @@ constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 
 /// The search: nodes with their hash slots, the open list, and a dominance record for each 64 voxels.
 constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
-/// What the planner keeps of a map from plan to plan: jump stops, a bit a voxel for each of six directions, how far
-/// they are known, and which map they belong to.
+/// What the planner remembers about a map between plans: the jump stops (for each of six directions, one bit per
+/// voxel), how far they are known, and which map they belong to.
 constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
 /// Fences: as they were given, as the stages use them, and the blocked layer of a grid with fences.
 constexpr size_t kFencePlanes = kMaxFencePlanes;
@@ -51,8 +51,8 @@ constexpr size_t kResults =
 }  // namespace workspace
 
 /// Bytes that a planner needs: 130 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
-/// trajectory take turns in one part of it. Where the core's assertion fails for capacities of your own, define
-/// TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
+/// trajectory share one part of it, one after the other. If the core's assertion fails for capacities of your own,
+/// define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
@@ -62,7 +62,7 @@ constexpr size_t kWorkspaceBytes =
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 
-/// A block of the right size: make it static, or place it in a linker section or an arena. It is too large for a stack.
+/// Memory of the right size. Make it static, or place it in a linker section or an arena: it is too large for a stack.
 struct alignas(kWorkspaceAlignment) Workspace {
   unsigned char bytes[kWorkspaceBytes];
 };

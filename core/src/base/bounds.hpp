@@ -26,13 +26,16 @@ inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal
   return bounds;
 }
 
-inline Bounds velocity_bounds(const Limits& limits) {
-  return make_bounds(limits.v_min, limits.v_max, limits.v_horizontal);
-}
+/// A request's limits as every stage but the check takes them: made once, where the request is accepted.
+struct MotionLimits {
+  Bounds velocity;      ///< m/s
+  Bounds acceleration;  ///< m/s^2
 
-inline Bounds acceleration_bounds(const Limits& limits) {
-  return make_bounds(limits.a_min, limits.a_max, limits.a_horizontal);
-}
+  MotionLimits() = default;
+  MotionLimits(const Limits& limits)
+      : velocity(make_bounds(limits.v_min, limits.v_max, limits.v_horizontal)),
+        acceleration(make_bounds(limits.a_min, limits.a_max, limits.a_horizontal)) {}
+};
 
 /// The bounds' gauge: the least g >= 0 for which `value` is within g times the bounds. 1 where it touches them, and
 /// convex: over the hull of some points it is largest at one of them.
@@ -47,11 +50,10 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
 }
 
 /// Limits of the same flight backwards in time: velocities change sign, accelerations do not.
-inline Limits backwards(const Limits& limits) {
-  const Bounds velocity = velocity_bounds(limits);
-  Limits result = limits;
-  result.v_max = -1.0 * velocity.lower;
-  result.v_min = -1.0 * velocity.upper;
+inline MotionLimits backwards(const MotionLimits& limits) {
+  MotionLimits result = limits;
+  result.velocity.upper = -1.0 * limits.velocity.lower;
+  result.velocity.lower = -1.0 * limits.velocity.upper;
   return result;
 }
 

@@ -11,7 +11,7 @@ struct Excess {
   double along_u;
   double along_v;
 
-  double at(const Facet& facet, int k) const { return (constant + along_u * facet.at_u[k]) + along_v * facet.at_v[k]; }
+  double at(const Vector2& corner) const { return (constant + along_u * corner[0]) + along_v * corner[1]; }
 };
 
 /// Corners [first, last] in the order around the facet, which may pass its end.
@@ -47,20 +47,13 @@ void keep_within(const double* beyond, const Run& run, Facet& facet) {
   left.count = 0;
   for (int k = 0; k < facet.count; ++k) {
     const int next = after(k, facet.count);
-    if (!in_run(run, k)) {
-      left.at_u[left.count] = facet.at_u[k];
-      left.at_v[left.count++] = facet.at_v[k];
-    }
+    if (!in_run(run, k)) left.corner[left.count++] = facet.corner[k];
     if (in_run(run, k) == in_run(run, next)) continue;
     const double share = beyond[k] / (beyond[k] - beyond[next]);
-    left.at_u[left.count] = facet.at_u[k] + share * (facet.at_u[next] - facet.at_u[k]);
-    left.at_v[left.count++] = facet.at_v[k] + share * (facet.at_v[next] - facet.at_v[k]);
+    left.corner[left.count++] = facet.corner[k] + share * (facet.corner[next] - facet.corner[k]);
   }
   facet.count = left.count;
-  for (int k = 0; k < left.count; ++k) {
-    facet.at_u[k] = left.at_u[k];
-    facet.at_v[k] = left.at_v[k];
-  }
+  for (int k = 0; k < left.count; ++k) facet.corner[k] = left.corner[k];
 }
 
 }  // namespace
@@ -71,21 +64,18 @@ Facet square_on(const Halfspace& plane, double reach) noexcept {
   facet.u = perpendicular(plane.normal);
   facet.v = cross(plane.normal, facet.u);
   facet.count = 4;
-  for (int k = 0; k < 4; ++k) {
-    facet.at_u[k] = k == 0 || k == 3 ? -reach : reach;
-    facet.at_v[k] = k < 2 ? -reach : reach;
-  }
+  for (int k = 0; k < 4; ++k) facet.corner[k] = Vector2(k == 0 || k == 3 ? -reach : reach, k < 2 ? -reach : reach);
   return facet;
 }
 
 bool cut(const Halfspace& by, Facet& facet, double slack) noexcept {
   const Excess excess{dot(by.normal, facet.foot) - by.offset, dot(by.normal, facet.u), dot(by.normal, facet.v)};
   double beyond[kMaxCuts + 4];
-  beyond[0] = excess.at(facet, 0);
+  beyond[0] = excess.at(facet.corner[0]);
   int furthest = 0;
   int nearest = 0;
   for (int k = 1; k < facet.count; ++k) {
-    beyond[k] = excess.at(facet, k);
+    beyond[k] = excess.at(facet.corner[k]);
     if (beyond[k] > beyond[furthest]) furthest = k;
     if (beyond[k] < beyond[nearest]) nearest = k;
   }

@@ -5,7 +5,7 @@
 #ifndef TERN_BASE_FACET_HPP
 #define TERN_BASE_FACET_HPP
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 #include "tern/config.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
@@ -21,8 +21,7 @@ struct Facet {
   Vec3 u;     ///< two unit vectors in the plane, at right angles
   Vec3 v;
   int count;
-  double at_u[kMaxCuts + 4];  ///< corner k is foot + at_u[k] u + at_v[k] v
-  double at_v[kMaxCuts + 4];
+  Vector2 corner[kMaxCuts + 4];  ///< corner k is foot + corner[k][0] u + corner[k][1] v
 };
 
 /// The square of half edge `reach` (metres, > 0) on the plane, about its foot.

@@ -1,29 +1,18 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The only arithmetic of the core: + - * / sqrt, in a fixed order. Eigen carries 3-vectors and 3x3 matrices with
-// coefficient-wise operations; sums go through dot() below, because Eigen's own reductions may change their order
-// between versions.
+// The only arithmetic of the core: + - * / sqrt, in a fixed order. base/linear.hpp goes on with vectors and matrices.
 #ifndef TERN_BASE_MATH_HPP
 #define TERN_BASE_MATH_HPP
-
-#include <Eigen/Core>
 
 #include "tern/vec3.hpp"
 
 namespace tern {
 
-using Vector = Eigen::Vector3d;
-using Matrix = Eigen::Matrix3d;
-
 // One line an operation.
 // clang-format off
-inline Vector to_vector(const Vec3& v) { return Vector(v.x, v.y, v.z); }
-inline Vec3 to_vec3(const Vector& v) { return Vec3{v[0], v[1], v[2]}; }
-
 constexpr Vec3 kZero{0.0, 0.0, 0.0};
 
-inline double dot(const Vector& a, const Vector& b) { return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]; }
 inline double dot(const Vec3& a, const Vec3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

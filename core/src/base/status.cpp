@@ -97,6 +97,25 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kTimes: return "times";
     case Stage::kTrajectory: return "trajectory";
     case Stage::kCheck: return "check";
+    case Stage::kFences: return "fences";
+    case Stage::kDetour: return "detour";
+    case Stage::kPrevious: return "previous";
+    case Stage::kEscape: return "escape";
+  }
+  return "unknown";
+}
+
+const char* finding_name(Finding finding) noexcept {
+  switch (finding) {
+    case Finding::kNone: return "none";
+    case Finding::kMalformed: return "malformed";
+    case Finding::kObstacle: return "obstacle";
+    case Finding::kOutside: return "outside";
+    case Finding::kVelocity: return "velocity";
+    case Finding::kAcceleration: return "acceleration";
+    case Finding::kJoint: return "joint";
+    case Finding::kFence: return "fence";
+    case Finding::kBoundary: return "boundary state";
   }
   return "unknown";
 }
@@ -128,6 +147,7 @@ const char* field_name(Field field) noexcept {
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
     case Field::kShortcut: return "shortcut";
+    case Field::kSearch: return "search";
     case Field::kPrevious: return "previous plan";
     case Field::kNotInflated: return "grid not inflated";
     case Field::kConfiguration: return "configuration";

@@ -7,8 +7,8 @@
 
 namespace tern {
 
-/// A slice of work: a stage's advance() takes one unit before each piece of work and returns kRunning when none is
-/// left. What a unit is, each stage states; no unit is unbounded.
+/// A slice of work: a stage's advance() takes one unit before each piece of work and returns Progress::kMore when none
+/// is left. What a unit is, each stage states; no unit is unbounded.
 struct Work {
   std::uint32_t left;
 

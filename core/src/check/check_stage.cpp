@@ -10,48 +10,49 @@ bool counts_are_sane(const Corridor& corridor, const Trajectory& trajectory) {
          trajectory.count <= kMaxSegments;
 }
 
-Status refuse(CheckStage& stage, Finding finding, std::int32_t where) {
-  stage.finding = finding;
-  stage.where = where;
-  return Status::kCheckFailed;
+bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& polyhedron, const CheckQuery& query) {
+  const bool clear =
+      polyhedron_clear(grid, polyhedron, stage.found) &&
+      (query.fences == nullptr || keep_outs_clear(grid, polyhedron, *query.fences, stage.scratch, stage.found));
+  if (!clear) stage.found.polyhedron = stage.next;
+  return clear;
+}
+
+bool check_segment(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                   const CheckQuery& query) {
+  const int index = stage.next - corridor.count;
+  const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
+  const bool holds = segment_holds(grid, corridor, trajectory, index, query, stage.found) &&
+                     (query.fences == nullptr || keep_ins_hold(trajectory.segments[index], *query.fences,
+                                                               trajectory.origin, tolerance, stage.found));
+  if (!holds) stage.found.segment = index;
+  return holds;
 }
 
 }  // namespace
 
 void check_begin(CheckStage& stage) noexcept {
+  stage.status = Status::kOk;
   stage.next = 0;
   stage.units = 0;
-  stage.finding = Finding::kNone;
-  stage.where = -1;
+  stage.found = CheckReport{};
 }
 
-Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
-                     const CheckQuery& query, Work& work) noexcept {
-  if (!counts_are_sane(corridor, trajectory)) return refuse(stage, Finding::kMalformed, -1);
-  const std::int32_t polyhedra = corridor.count;
-  const std::int32_t total = polyhedra + trajectory.count;
-  for (; stage.next < total; ++stage.next, ++stage.units) {
-    if (!work.take()) return Status::kRunning;
-    if (stage.next < polyhedra) {
-      if (!polyhedron_clear(grid, corridor.polyhedra[stage.next])) {
-        return refuse(stage, Finding::kObstacle, stage.next);
-      }
-      if (query.fences != nullptr &&
-          !keep_outs_clear(grid, corridor.polyhedra[stage.next], *query.fences, stage.scratch)) {
-        return refuse(stage, Finding::kFence, stage.next);
-      }
-      continue;
-    }
-    const int index = stage.next - polyhedra;
-    const Finding finding = check_segment(grid, corridor, trajectory, index, query);
-    if (finding != Finding::kNone) return refuse(stage, finding, index);
-    const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
-    if (query.fences != nullptr &&
-        !keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin, tolerance)) {
-      return refuse(stage, Finding::kFence, index);
-    }
+Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                       const CheckQuery& query, Work& work) noexcept {
+  if (!counts_are_sane(corridor, trajectory)) {
+    refuse(Finding::kMalformed, stage.found);
+    return conclude(Status::kCheckFailed, stage.status);
   }
-  return Status::kOk;
+  const std::int32_t total = corridor.count + trajectory.count;
+  for (; stage.next < total; ++stage.next, ++stage.units) {
+    if (!work.take()) return Progress::kMore;
+    const bool holds = stage.next < corridor.count
+                           ? check_polyhedron(stage, grid, corridor.polyhedra[stage.next], query)
+                           : check_segment(stage, grid, corridor, trajectory, query);
+    if (!holds) return conclude(Status::kCheckFailed, stage.status);
+  }
+  return Progress::kDone;
 }
 
 }  // namespace tern

@@ -8,12 +8,14 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "check/asked_fences.hpp"
 #include "check/solid.hpp"
 #include "check/tolerance.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
+#include "tern/report.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
@@ -22,19 +24,6 @@ namespace tern {
 
 /// Units of one check: every polyhedron and every segment.
 constexpr std::uint32_t kCheckBound = 2 * kMaxSegments;
-
-/// What the check refused; kNone while nothing was.
-enum class Finding : std::uint8_t {
-  kNone = 0,
-  kMalformed,     ///< counts, indices, durations or coordinates that are not a trajectory at all
-  kObstacle,      ///< a polyhedron comes closer than the radius to an obstacle voxel
-  kOutside,       ///< a control point outside its polyhedron or the boundary
-  kVelocity,      ///< some v(t) beyond a limit
-  kAcceleration,  ///< some a(t) beyond a limit
-  kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
-  kFence,         ///< a control point outside a keep-in, or a polyhedron nearer than the radius to a keep-out
-  kBoundary,      ///< a boundary state is not met
-};
 
 /// What the plan was asked for, as it was asked. World frame.
 struct CheckQuery {
@@ -53,36 +42,44 @@ struct FenceScratch {
 
 /// One unit of work is one polyhedron or one segment. Plain data, no initialisation needed before check_begin.
 struct CheckStage {
+  Status status;        ///< kCheckFailed where the stage failed; else kOk
   std::int32_t next;    ///< units done: polyhedra first, then segments
   std::uint32_t units;  ///< the same, for the report
-  Finding finding;
-  std::int32_t where;  ///< index of the polyhedron or segment that the finding is about
+  CheckReport found;    ///< what the stage failed for
   FenceScratch scratch;
 };
 
 void check_begin(CheckStage& stage) noexcept;
 
-/// kRunning, kOk, or kCheckFailed with the finding. Reads its arguments only.
-Status check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
-                     const CheckQuery& query, Work& work) noexcept;
+/// kDone, or kFailed with `found`. Reads its arguments only.
+Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                       const CheckQuery& query, Work& work) noexcept;
+
+// What a unit tests. Each answers whether the plan holds, and where it does not, fills `found` with the reason.
 
 /// True where every obstacle voxel, as a closed cube, is cut off from the polyhedron by one of its half-spaces with
 /// the grid's radius to spare. Sufficient for a distance >= radius, and what the corridor stage promises.
-bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept;
+bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found) noexcept;
 
 /// True where every keep-out is cut off from the polyhedron (local frame) by one of its half-spaces with the radius to
 /// spare, but for kCheckDistance; as far as it comes within the radius of the boundary.
-bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences,
-                     FenceScratch& scratch) noexcept;
+bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences, FenceScratch& scratch,
+                     CheckReport& found) noexcept;
 
-/// True where all control points, which are relative to `origin` in the world, are in each keep-in, but for
-/// kCheckDistance.
-bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin,
-                   double tolerance = kCheckDistance) noexcept;
+/// True where all control points, which are relative to `origin` in the world, are in each keep-in, but for the
+/// tolerance.
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin, double tolerance,
+                   CheckReport& found) noexcept;
 
 /// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
-Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
-                      const CheckQuery& query) noexcept;
+bool segment_holds(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
+                   const CheckQuery& query, CheckReport& found) noexcept;
+
+/// A test that failed.
+inline bool refuse(Finding finding, CheckReport& found) noexcept {
+  found.finding = finding;
+  return false;
+}
 
 }  // namespace tern
 

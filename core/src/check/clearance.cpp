@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/math.hpp"
 #include "check/check_stage.hpp"
+#include "grid/bit_rows.hpp"
 
 namespace tern {
 namespace {
@@ -111,29 +112,34 @@ Span uncut(const Grid& grid, const Cuts& cuts, const Range& block) {
   return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
 }
 
-bool has_obstacle(const std::uint64_t* row, const Span& span) {
-  for (std::int32_t x = span.begin; x < span.end; x = (x | 63) + 1) {
-    std::uint64_t word = row[x >> 6] >> (x & 63);
-    const std::int32_t left = span.end - x;
-    if (left < 64) word &= (std::uint64_t{1} << left) - 1;
-    if (word != 0) return true;
+constexpr std::int32_t kNoObstacle = -1;
+
+/// The least x of an obstacle in the span of the row.
+std::int32_t first_obstacle(const std::uint64_t* row, const Span& span) {
+  if (span.begin >= span.end) return kNoObstacle;
+  for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
+    const std::uint64_t word = row[k] & bits_within({span.begin, span.end}, k);
+    if (word != 0) return k * 64 + __builtin_ctzll(word);
   }
-  return false;
+  return kNoObstacle;
 }
 
 /// Rows of y and z that are looked at together: most blocks are cut off as a whole, or lie inside where nothing is.
 constexpr std::int32_t kBlock = 4;
 
 /// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
-/// leave of all rows together.
-bool block_clear(const Grid& grid, const Cuts& cuts, const Range& block) {
+/// leave of all rows together. `obstacle`: the first that is not cut off.
+bool block_clear(const Grid& grid, const Cuts& cuts, const Range& block, Voxel& obstacle) {
   const Span span = uncut(grid, cuts, block);
   if (span.begin >= span.end) return true;
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = grid.obstacle_row(y, z);
-      if (!has_obstacle(row, span)) continue;
-      if (has_obstacle(row, uncut(grid, cuts, {{span.begin, y, z}, {span.end - 1, y, z}}))) return false;
+      if (first_obstacle(row, span) == kNoObstacle) continue;
+      const std::int32_t x = first_obstacle(row, uncut(grid, cuts, {{span.begin, y, z}, {span.end - 1, y, z}}));
+      if (x == kNoObstacle) continue;
+      obstacle = {x, y, z};
+      return false;
     }
   }
   return true;
@@ -154,16 +160,45 @@ bool well_formed(const Polyhedron& polyhedron) {
   return true;
 }
 
+/// Metres along the half-space's normal that the voxel is too near to be cut off.
+double missing_to(const Grid& grid, const Halfspace& plane, const Voxel& voxel, double tolerance) {
+  const double cell = grid.spec().cell;
+  const int index[3] = {voxel.x, voxel.y, voxel.z};
+  double depth = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double normal = axis(plane.normal, a);
+    depth += normal * (cell * (index[a] + (normal < 0.0 ? 1 : 0)));
+  }
+  return (plane.offset + grid.spec().radius - tolerance) - depth;
+}
+
+/// The half-space that comes nearest to cutting the voxel off, and what it lacks.
+bool refuse_obstacle(const Grid& grid, const Polyhedron& polyhedron, const Voxel& voxel, double tolerance,
+                     CheckReport& found) {
+  found.voxel = voxel;
+  for (int p = 0; p < all_planes(polyhedron); ++p) {
+    const double missing = larger(0.0, missing_to(grid, polyhedron.planes[p], voxel, tolerance));
+    if (found.plane >= 0 && !(missing < found.excess)) continue;
+    found.plane = p;
+    found.excess = missing;
+  }
+  return refuse(Finding::kObstacle, found);
+}
+
 }  // namespace
 
-bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron) noexcept {
-  if (!well_formed(polyhedron)) return false;
+bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found) noexcept {
+  if (!well_formed(polyhedron)) return refuse(Finding::kMalformed, found);
   const Range range = voxels_near(grid, polyhedron);
-  const Cuts cuts = cuts_of(grid, polyhedron, check_distance(grid) + grid_rounding(grid));
+  const double tolerance = check_distance(grid) + grid_rounding(grid);
+  const Cuts cuts = cuts_of(grid, polyhedron, tolerance);
+  Voxel obstacle{};
   for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
     for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
       const Range block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), block_end(z, range.hi.z)}};
-      if (!block_clear(grid, cuts, block)) return false;
+      if (!block_clear(grid, cuts, block, obstacle)) {
+        return refuse_obstacle(grid, polyhedron, obstacle, tolerance, found);
+      }
     }
   }
   return true;

@@ -93,30 +93,50 @@ Plane<DoubleDouble> asked_by(const Halfspace& plane, const Vec3& center, const A
   return {{plane.normal.x, plane.normal.y, plane.normal.z}, wanted};
 }
 
-/// In doubles first, which is all that a fence without nearly parallel planes needs.
-bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, const Asked& asked, FenceScratch& scratch) {
+/// In doubles first, which is all that a fence without nearly parallel planes needs. Else `found` gets the half-space
+/// that comes nearest to cutting the fence off, and what it lacks.
+bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, const Asked& asked, FenceScratch& scratch,
+                         CheckReport& found) {
   if (scratch.exact.empty) return true;
   round_solid(scratch.exact, scratch.quick);
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     if (lies_beyond(scratch.quick, rounded(asked_by(polyhedron.planes[p], center, asked)))) return true;
   }
+  int nearest = -1;
+  double least = 0.0;
   for (int p = 0; p < all_planes(polyhedron); ++p) {
-    if (lies_beyond(scratch.exact, asked_by(polyhedron.planes[p], center, asked))) return true;
+    const double missing = shortfall(scratch.exact, asked_by(polyhedron.planes[p], center, asked));
+    if (!(missing > 0.0)) return true;
+    if (nearest >= 0 && !(missing < least)) continue;
+    nearest = p;
+    least = missing;
   }
+  found.plane = nearest;
+  found.excess = least;
+  return refuse(Finding::kFence, found);
+}
+
+/// normal . (frame + point) <= offset, but for the tolerance. Else `found` gets the metres beyond that.
+bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point, double tolerance, CheckReport& found) {
+  if (absolute(world.offset) > kBeyondAnyMap) return world.offset > 0.0;
+  const DoubleDouble depth = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, point);
+  const double norm = length(world.normal);
+  if (depth.high >= -tolerance * norm) return true;
+  found.excess = larger(0.0, -depth.high / norm - tolerance);
   return false;
 }
 
-/// normal . (frame + point) <= offset, but for the tolerance.
-bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point, double tolerance) {
-  if (absolute(world.offset) > kBeyondAnyMap) return world.offset > 0.0;
-  const DoubleDouble depth = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, point);
-  return depth.high >= -tolerance * length(world.normal);
+bool inside(const Halfspace& world, const Segment& segment, const Vec3& origin, double tolerance, CheckReport& found) {
+  for (const Vec3& point : segment.points) {
+    if (!holds(world, origin, point, tolerance, found)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences,
-                     FenceScratch& scratch) noexcept {
+bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences, FenceScratch& scratch,
+                     CheckReport& found) noexcept {
   const Surroundings around = surroundings_of(grid);
   const Asked asked{grid.spec().radius, fence_tolerance(grid)};
   for (int k = 0; k < fences.count; ++k) {
@@ -127,19 +147,23 @@ bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Asked
       add_plane(fences.planes[fence.first + p], grid.spec().origin, around.center, scratch.exact);
     }
     add_faces(scratch.exact);
-    if (!some_plane_cuts_off(polyhedron, around.center, asked, scratch)) return false;
+    if (some_plane_cuts_off(polyhedron, around.center, asked, scratch, found)) continue;
+    found.fence = k;
+    return false;
   }
   return true;
 }
 
-bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin, double tolerance) noexcept {
+bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin, double tolerance,
+                   CheckReport& found) noexcept {
   for (int k = 0; k < fences.count; ++k) {
     const AskedFence& fence = fences.fence[k];
     if (fence.kind != FenceKind::kKeepIn) continue;
     for (int p = 0; p < fence.count; ++p) {
-      for (const Vec3& point : segment.points) {
-        if (!holds(fences.planes[fence.first + p], origin, point, tolerance)) return false;
-      }
+      if (inside(fences.planes[fence.first + p], segment, origin, tolerance, found)) continue;
+      found.fence = k;
+      found.plane = p;
+      return refuse(Finding::kFence, found);
     }
   }
   return true;

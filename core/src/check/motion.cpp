@@ -74,6 +74,21 @@ bool allows(const Allowed& limit, const Vec3& value) {
   return !(limit.horizontal_squared > 0.0) || value.x * value.x + value.y * value.y <= limit.horizontal_squared;
 }
 
+constexpr int kHorizontal = 3;  // CheckReport::axis
+
+/// The first axis on which the value is not allowed, and by how much. None where it is: the proof took too many pieces.
+void describe(const Allowed& limit, const Vec3& value, CheckReport& found) {
+  if (allows(limit, value)) return;
+  for (int a = 0; a < 3; ++a) {
+    found.axis = a;
+    found.excess = larger(axis(value, a) - axis(limit.most, a), axis(limit.least, a) - axis(value, a));
+    if (found.excess > 0.0) return;
+  }
+  found.axis = kHorizontal;
+  const double norm = square_root(value.x * value.x + value.y * value.y);
+  found.excess = larger(0.0, norm - square_root(limit.horizontal_squared));
+}
+
 /// What is allowed is convex: where it holds all control points it holds the curve.
 bool allows_hull(const Allowed& limit, const Curve& curve) {
   for (int i = 0; i <= curve.degree; ++i) {
@@ -82,8 +97,19 @@ bool allows_hull(const Allowed& limit, const Curve& curve) {
   return true;
 }
 
-/// True where the curve is allowed for all u in [0, 1], proven by hulls of ever smaller pieces.
-bool allowed_throughout(Curve curve, const Allowed& limit) {
+/// A control point of the piece that is not allowed: one that the curve goes through, where there is one.
+Vec3 offending(const Curve& piece, const Allowed& limit) {
+  const bool begins_well = allows(limit, piece.c[0]);
+  if (begins_well && !allows(limit, piece.c[piece.degree])) return piece.c[piece.degree];
+  for (int i = 0; i < piece.degree; ++i) {
+    if (!allows(limit, piece.c[i])) return piece.c[i];
+  }
+  return piece.c[0];
+}
+
+/// True where the curve is allowed for all u in [0, 1], proven by hulls of ever smaller pieces. Else `curve` becomes
+/// the piece for which there is no proof.
+bool allowed_throughout(Curve& curve, const Allowed& limit) {
   Curve stack[kMaxDepth];
   int depth_of[kMaxDepth];
   int height = 0;
@@ -139,19 +165,37 @@ bool within(const Vec3& point, const Box& box, double tolerance) {
   return true;
 }
 
+/// The axis on which the point is furthest beyond the box.
+bool refuse_beyond(const Vec3& point, const Box& box, double tolerance, CheckReport& found) {
+  for (int a = 0; a < 3; ++a) {
+    const double outside = larger(axis(box.lower, a) - axis(point, a), axis(point, a) - axis(box.upper, a));
+    const double excess = larger(0.0, outside - tolerance);
+    if (found.axis >= 0 && !(excess > found.excess)) continue;
+    found.axis = a;
+    found.excess = excess;
+  }
+  return refuse(Finding::kOutside, found);
+}
+
 /// Bezier curves lie in the hull of their control points: all inside means the curve is (the paper's Section 3.4.2).
-bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid) {
+bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid,
+                   CheckReport& found) {
   const double tolerance = check_distance(grid) + frame.rounding + lattice_rounding(grid);
   for (const Vec3& point : segment.points) {
-    if (!within(point, frame.boundary, tolerance)) return false;
+    if (!within(point, frame.boundary, tolerance)) return refuse_beyond(point, frame.boundary, tolerance, found);
   }
+  found.polyhedron = segment.polyhedron;
   for (int p = 0; p < all_planes(polyhedron); ++p) {
     const Vec3& normal = polyhedron.planes[p].normal;
     const double room = polyhedron.planes[p].offset - dot(normal, frame.from_grid);
     for (const Vec3& point : segment.points) {
-      if (dot(normal, point) > room + tolerance) return false;
+      if (!(dot(normal, point) > room + tolerance)) continue;
+      found.plane = p;
+      found.excess = dot(normal, point) - (room + tolerance);
+      return refuse(Finding::kOutside, found);
     }
   }
+  found.polyhedron = -1;
   return true;
 }
 
@@ -174,50 +218,77 @@ Jet jet(const Segment& segment, bool at_end) {
   return result;
 }
 
+/// True where derivative k of both is the same but for the tolerance. Else `found` gets the axis of the widest gap.
+bool agrees(const Jet& a, const Jet& b, int k, double tolerance, CheckReport& found) {
+  if (close(a.d[k], b.d[k], tolerance)) return true;
+  found.derivative = k;
+  for (int i = 0; i < 3; ++i) {
+    const double excess = larger(0.0, absolute(axis(a.d[k], i) - axis(b.d[k], i)) - tolerance);
+    if (found.axis >= 0 && !(excess > found.excess)) continue;
+    found.axis = i;
+    found.excess = excess;
+  }
+  return false;
+}
+
 /// Positions are the same bits; derivatives agree but for the rounding of either side.
-bool joins(const Segment& before, const Segment& after) {
+bool joins(const Segment& before, const Segment& after, CheckReport& found) {
   const Jet left = jet(before, true);
   const Jet right = jet(after, false);
-  if (!close(left.d[0], right.d[0], 0.0)) return false;
-  for (int k = 1; k < 4; ++k) {
-    if (!close(left.d[k], right.d[k], derivative_rounding(before, k) + derivative_rounding(after, k))) return false;
+  for (int k = 0; k < 4; ++k) {
+    const double tolerance = k == 0 ? 0.0 : derivative_rounding(before, k) + derivative_rounding(after, k);
+    if (!agrees(left, right, k, tolerance, found)) return refuse(Finding::kJoint, found);
   }
   return true;
 }
 
-bool boundary_met(const Segment& segment, const State& state, const PlanFrame& frame, const Vec3& origin,
-                  const Vec3& jerk, bool at_end) {
+bool boundary_met(const Segment& segment, const Jet& asked, double rounding, bool at_end, CheckReport& found) {
   const Jet end = jet(segment, at_end);
-  return close(end.d[0], state.position - origin, frame.rounding) &&
-         close(end.d[1], state.velocity, derivative_rounding(segment, 1)) &&
-         close(end.d[2], state.acceleration, derivative_rounding(segment, 2)) &&
-         close(end.d[3], jerk, derivative_rounding(segment, 3));
+  for (int k = 0; k < 4; ++k) {
+    const double tolerance = k == 0 ? rounding : derivative_rounding(segment, k);
+    if (!agrees(end, asked, k, tolerance, found)) return refuse(Finding::kBoundary, found);
+  }
+  return true;
 }
 
-Finding check_limits(const Segment& segment, const Limits& limits) {
+/// Both ends of the plan, where the segment has one.
+bool ends_met(const Trajectory& trajectory, int index, const CheckQuery& query, double rounding, CheckReport& found) {
+  const Segment& segment = trajectory.segments[index];
+  const Jet start{
+      {query.start.position - trajectory.origin, query.start.velocity, query.start.acceleration, query.start_jerk}};
+  const Jet goal{
+      {query.goal.position - trajectory.origin, query.goal.velocity, query.goal.acceleration, Vec3{0.0, 0.0, 0.0}}};
+  if (index == 0 && !boundary_met(segment, start, rounding, false, found)) return false;
+  return index < trajectory.count - 1 || boundary_met(segment, goal, rounding, true, found);
+}
+
+bool keeps(Curve curve, const Allowed& limit, int derivative, Finding finding, CheckReport& found) {
+  if (allowed_throughout(curve, limit)) return true;
+  found.derivative = derivative;
+  describe(limit, offending(curve, limit), found);
+  return refuse(finding, found);
+}
+
+bool limits_hold(const Segment& segment, const Limits& limits, CheckReport& found) {
   const Curve velocity = derivative(position_of(segment), segment.duration);
   const Allowed speed = allowed(limits.v_max, limits.v_min, limits.v_horizontal, hodograph_rounding(segment, 1));
-  if (!allowed_throughout(velocity, speed)) return Finding::kVelocity;
+  if (!keeps(velocity, speed, 1, Finding::kVelocity, found)) return false;
   const Curve acceleration = derivative(velocity, segment.duration);
   const Allowed pull = allowed(limits.a_max, limits.a_min, limits.a_horizontal, hodograph_rounding(segment, 2));
-  return allowed_throughout(acceleration, pull) ? Finding::kNone : Finding::kAcceleration;
+  return keeps(acceleration, pull, 2, Finding::kAcceleration, found);
 }
 
 }  // namespace
 
-Finding check_segment(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
-                      const CheckQuery& query) noexcept {
+bool segment_holds(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
+                   const CheckQuery& query, CheckReport& found) noexcept {
   const Segment& segment = trajectory.segments[index];
-  if (!numbers_are_sane(segment, corridor)) return Finding::kMalformed;
+  if (!numbers_are_sane(segment, corridor)) return refuse(Finding::kMalformed, found);
   const PlanFrame frame = frame_of(grid, trajectory);
-  const Vec3& origin = trajectory.origin;
-  if (!points_inside(segment, corridor.polyhedra[segment.polyhedron], frame, grid)) return Finding::kOutside;
-  if (index == 0 && !boundary_met(segment, query.start, frame, origin, query.start_jerk, false))
-    return Finding::kBoundary;
-  const bool last = index == trajectory.count - 1;
-  if (last && !boundary_met(segment, query.goal, frame, origin, {0.0, 0.0, 0.0}, true)) return Finding::kBoundary;
-  if (index > 0 && !joins(trajectory.segments[index - 1], segment)) return Finding::kJoint;
-  return check_limits(segment, query.limits);
+  return points_inside(segment, corridor.polyhedra[segment.polyhedron], frame, grid, found) &&
+         ends_met(trajectory, index, query, frame.rounding, found) &&
+         (index == 0 || joins(trajectory.segments[index - 1], segment, found)) &&
+         limits_hold(segment, query.limits, found);
 }
 
 }  // namespace tern

@@ -15,6 +15,14 @@ Real magnitude(const Real& a) {
   return a < Real(0.0) ? -a : a;
 }
 
+double rounded(double a) {
+  return a;
+}
+
+double rounded(const DoubleDouble& a) {
+  return a.high;
+}
+
 /// Three half-spaces; where their planes meet is the vertex.
 template <class Real>
 struct Basis {
@@ -161,24 +169,27 @@ Basis<Real> first_basis(const Solid<Real>& solid, const Triple<Real>& normal) {
 }  // namespace
 
 template <class Real>
-bool lies_beyond(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept {
+double shortfall(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept {
   Basis<Real> basis = first_basis(solid, wanted.normal);
+  double missing = 2.0 * solid.reach;  // while there is no bound
   const int most = 2 * (solid.count + kSolidFaces);
   for (int pivot = 0; pivot < 2 * most; ++pivot) {
-    if (!invert(solid, basis)) return false;
+    if (!invert(solid, basis)) return missing;
     const Combination<Real> sum = multipliers(solid, basis, wanted.normal);
-    if (!(bound_of(solid, wanted, sum) < wanted.offset)) return true;
+    const Real bound = bound_of(solid, wanted, sum);
+    if (!(bound < wanted.offset)) return 0.0;
+    missing = rounded(wanted.offset - bound);
     // The worst half-space leads there soonest; by Bland's rule, the first of all, no sequence of bases comes again.
     const int entering = broken_at(solid, basis, pivot >= most);
-    if (entering < 0) return false;
+    if (entering < 0) return missing;
     const int out = leaving(basis, sum, solid.planes[entering].normal);
-    if (out < 0) return is_empty(solid, basis, entering);
+    if (out < 0) return is_empty(solid, basis, entering) ? 0.0 : missing;
     basis.index[out] = entering;
   }
-  return false;
+  return missing;
 }
 
-template bool lies_beyond(const Solid<double>&, const Plane<double>&) noexcept;
-template bool lies_beyond(const Solid<DoubleDouble>&, const Plane<DoubleDouble>&) noexcept;
+template double shortfall(const Solid<double>&, const Plane<double>&) noexcept;
+template double shortfall(const Solid<DoubleDouble>&, const Plane<DoubleDouble>&) noexcept;
 
 }  // namespace tern

@@ -85,13 +85,19 @@ struct Precision<DoubleDouble> {
   static constexpr double rounding = 32.0 / 9007199254740992.0 / 562949953421312.0;  // 2^-53 2^-49
 };
 
-/// True where normal . p >= wanted.offset is proven for all of the solid, wanted.normal being a unit vector. At most
-/// 4 (count + 6) pivots.
+/// By how much normal . p >= wanted.offset is not proven for all of the solid, wanted.normal being a unit vector: 0
+/// where it is, else metres > 0. At most 4 (count + 6) pivots.
 template <class Real>
-bool lies_beyond(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept;
+double shortfall(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept;
 
-extern template bool lies_beyond(const Solid<double>&, const Plane<double>&) noexcept;
-extern template bool lies_beyond(const Solid<DoubleDouble>&, const Plane<DoubleDouble>&) noexcept;
+extern template double shortfall(const Solid<double>&, const Plane<double>&) noexcept;
+extern template double shortfall(const Solid<DoubleDouble>&, const Plane<DoubleDouble>&) noexcept;
+
+/// True where it is proven.
+template <class Real>
+bool lies_beyond(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept {
+  return !(shortfall(solid, wanted) > 0.0);
+}
 
 }  // namespace tern
 

@@ -22,12 +22,12 @@ Vec3 piece_end(const CorridorStage& stage, const Path& path) {
   return from + share * (to - from);
 }
 
-/// Segments that the path still needs after the pieces at hand: one a leg, one a piece of this leg.
+/// Segments that the rest of the path needs: one for each piece left of this leg, and one for each later leg.
 std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
   return (legs_of(path) - stage.leg - 1) + (stage.pieces - stage.piece - 1);
 }
 
-/// Equal pieces of at most kLongLeg, as far as there is room beside one segment for each later leg.
+/// How many equal pieces of at most kLongLeg this leg is cut into: fewer if each later leg could not have a segment.
 std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
   const std::int32_t room = kMaxSegments - kKeptForEnds - stage.built - (legs_of(path) - stage.leg - 1);
@@ -45,48 +45,53 @@ void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg) {
   stage.ends[0] = piece_end(stage, path);
 }
 
-/// Cuts the piece at hand in its middle. `why` where it is a point or was halved often enough.
-Status halve(CorridorStage& stage, const Path& path, Status why) {
+/// Cuts the current piece in its middle: kMore. kFailed with `why` if the piece is a point or has been halved
+/// kMaxHalvings times.
+Progress halve(CorridorStage& stage, const Path& path, Status why) {
   const Vec3& to = stage.ends[stage.pending - 1];
-  if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) return why;
-  if (stage.built + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments) return Status::kSegmentsFull;
+  if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) {
+    return conclude(why, stage.status);
+  }
+  if (stage.built + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments) {
+    return conclude(Status::kSegmentsFull, stage.status);
+  }
   stage.ends[stage.pending++] = 0.5 * (stage.from + to);
-  return Status::kRunning;
+  return Progress::kMore;
 }
 
-/// Turns to the next piece, whole; kOk past the last.
-Status next_piece(CorridorStage& stage, const Path& path) {
+/// Goes on to the next whole piece: kMore, or kDone after the last.
+Progress next_piece(CorridorStage& stage, const Path& path) {
   if (++stage.piece < stage.pieces) {
     stage.pending = 1;
     stage.ends[0] = piece_end(stage, path);
-    return Status::kRunning;
+    return Progress::kMore;
   }
-  if (stage.leg + 1 >= legs_of(path)) return Status::kOk;
+  if (stage.leg + 1 >= legs_of(path)) return Progress::kDone;
   begin_leg(stage, path, stage.leg + 1);
-  return Status::kRunning;
+  return Progress::kMore;
 }
 
-/// True for the last piece of the last leg. Its polyhedron and that of the first piece stay as they are: a moving start
-/// or goal needs all the room that a polyhedron made for it has.
+/// True for the last piece of the last leg. Its polyhedron and that of the first piece are never merged with others: a
+/// moving start or goal needs all the room of a polyhedron made for it alone.
 bool is_last_piece(const CorridorStage& stage, const Path& path) {
   return stage.leg + 1 == legs_of(path) && stage.piece + 1 == stage.pieces;
 }
 
-/// Moves on past a finished polyhedron and past the pieces that it holds as well; kOk past the last. Half a piece is
-/// always built: else halvings would not be bounded by the polyhedra they make.
-Status move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron& finished) {
+/// Moves on past a finished polyhedron, and past the following pieces that it also contains; kDone after the last
+/// piece. Half a piece always gets its own polyhedron, so that the number of polyhedra bounds the number of halvings.
+Progress move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron& finished) {
   stage.from = stage.ends[--stage.pending];
-  if (stage.pending > 0) return Status::kRunning;
-  Status status = next_piece(stage, path);
-  while (status == Status::kRunning && !is_last_piece(stage, path) && holds(finished, stage.ends[0], margin)) {
+  if (stage.pending > 0) return Progress::kMore;
+  Progress progress = next_piece(stage, path);
+  while (progress == Progress::kMore && !is_last_piece(stage, path) && holds(finished, stage.ends[0], margin)) {
     set_segment(finished, finished.from, stage.ends[0]);
     stage.from = stage.ends[0];
-    status = next_piece(stage, path);
+    progress = next_piece(stage, path);
   }
-  return status;
+  return progress;
 }
 
-/// Drops the polyhedra before the last one, but for the first, whose segments the last one holds as well.
+/// Drops polyhedra before the last one as long as the last one contains their segments too. The first polyhedron stays.
 void drop_held(Corridor& out, double margin) {
   while (out.count > 2) {
     const Polyhedron& last = out.polyhedra[out.count - 1];
@@ -99,16 +104,18 @@ void drop_held(Corridor& out, double margin) {
   }
 }
 
-/// Tries the piece at hand.
-Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
-  if (stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments) return Status::kSegmentsFull;
+/// Tries to build a polyhedron for the current piece. kMore if pieces are left.
+Progress try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
+  if (stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments) {
+    return conclude(Status::kSegmentsFull, stage.status);
+  }
   const Vec3 to = stage.ends[stage.pending - 1];
   const Status status = grow_polyhedron(grid, stage.from, to, stage.grow, out.polyhedra[out.count]);
   stage.planes = stage.grow.planes;
   stage.planes_high = stage.grow.planes_high;
   stage.boxes_high = stage.grow.boxes_high;
   if (status == Status::kPlanesFull || status == Status::kObstaclesFull) return halve(stage, path, status);
-  if (status != Status::kOk) return status;
+  if (status != Status::kOk) return conclude(status, stage.status);
   ++stage.built;
   ++out.count;
   const double margin = kSightMargin * grid.spec().cell;
@@ -120,6 +127,7 @@ Status try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corri
 
 void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes,
                     const Fences* fences) noexcept {
+  stage.status = Status::kOk;
   stage.planes = 0;
   stage.planes_high = 0;
   stage.boxes_high = 0;
@@ -134,15 +142,16 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   stage.from = path.points[0];
 }
 
-Status corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept {
-  if (legs_of(path) < 1 || legs_of(path) > kMaxSegments) return Status::kSegmentsFull;
+Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work,
+                          Corridor& out) noexcept {
+  if (legs_of(path) < 1 || legs_of(path) > kMaxSegments) return conclude(Status::kSegmentsFull, stage.status);
   if (stage.leg < 0) {
     out.count = 0;
     begin_leg(stage, path, 0);
   }
-  Status status = Status::kRunning;
-  while (status == Status::kRunning && work.take()) status = try_piece(stage, grid, path, out);
-  return status;
+  Progress progress = Progress::kMore;
+  while (progress == Progress::kMore && work.take()) progress = try_piece(stage, grid, path, out);
+  return progress;
 }
 
 }  // namespace tern

@@ -15,7 +15,8 @@ double reach_of(const Box& box, const Vec3& normal) {
   return (x + y) + z;
 }
 
-/// The keep-in's own half-space. A segment that touches it stays inside by rounding.
+/// Adds the half-space of a keep-in as it is. If the segment lies outside by no more than rounding, the half-space
+/// moves out to contain it.
 Status append_keep_in(const Halfspace& fence, const SegmentMargin& segment, GrowScratch& scratch, Polyhedron& out) {
   const double far = larger(dot(fence.normal, segment.from), dot(fence.normal, segment.to));
   if (far > fence.offset + segment.touching) return Status::kCorridorBlocked;

@@ -10,14 +10,14 @@
 
 namespace tern {
 
-/// Adds the half-spaces that scratch.fences (null: none) ask for of a polyhedron in `box`, whose faces `out` holds
-/// already: those of keep-ins that the box does not keep by itself, just as they are, and one for each keep-out that is
-/// nearer to the polyhedron than the radius. kOk, kCorridorBlocked where the segment itself breaks one, kPlanesFull or
-/// kBudgetCorridor.
+/// Adds the half-spaces of scratch.fences (null: none) to a polyhedron in `box`; `out` already has the faces of the
+/// box. The half-spaces of a keep-in are added as they are, except those that contain the whole box. A keep-out gets
+/// one half-space, unless one in `out` already cuts it off by the radius. kOk, kCorridorBlocked if the segment itself
+/// breaks a fence, kPlanesFull or kBudgetCorridor.
 Status append_fence_planes(const Box& box, const SegmentMargin& segment, double radius, GrowScratch& scratch,
                            Polyhedron& out) noexcept;
 
-/// True where some half-space that bounds the polyhedron has all of the hull beyond it by the radius.
+/// True if the whole hull lies beyond one of the polyhedron's bounding half-spaces by at least the radius.
 bool is_cut_off(const Hull& hull, double radius, const Polyhedron& polyhedron) noexcept;
 
 }  // namespace tern

@@ -3,6 +3,7 @@
 #include "corridor/grow.hpp"
 
 #include "base/math.hpp"
+#include "base/polyhedron.hpp"
 #include "corridor/fence_planes.hpp"
 #include "corridor/improve.hpp"
 #include "corridor/redundancy.hpp"
@@ -11,15 +12,16 @@
 #include "ellipsoid/ellipsoid_fit.hpp"
 #include "ellipsoid/inscribe.hpp"
 #include "grid/distance.hpp"
+#include "tern/fence.hpp"
 
 namespace tern {
 namespace {
 
-/// Least thickness of the ellipsoid that the first half-spaces are tangent to, in parts of the segment's half length.
+/// Least semi-axis of the ellipsoid that the first half-spaces are tangent to, as a share of the segment's half length.
 constexpr double kThickness = 0.3;
 
-/// The barrier's least distance to a plane, in voxels: less than the half of a tunnel's width, so that it blurs no
-/// shape.
+/// The least distance to a plane that the barrier uses, in voxels. It is less than half the width of a tunnel, so it
+/// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
 /// The box around the segment that the polyhedron stays in.
@@ -36,19 +38,14 @@ Box local_box(const Grid& grid, const Vec3& from, const Vec3& to, double margin)
 }
 
 Status append_faces(const Box& box, GrowScratch& scratch, Polyhedron& out) {
-  for (int a = 0; a < 3; ++a) {
-    Halfspace upper{{0.0, 0.0, 0.0}, axis(box.upper, a)};
-    Halfspace lower{{0.0, 0.0, 0.0}, -axis(box.lower, a)};
-    axis(upper.normal, a) = 1.0;
-    axis(lower.normal, a) = -1.0;
-    Status status = append(upper, scratch, out);
-    if (status == Status::kOk) status = append(lower, scratch, out);
-    if (status != Status::kOk) return status;
-  }
-  return Status::kOk;
+  Halfspace faces[kBoxPlanes];
+  box_planes(box, faces);
+  Status status = Status::kOk;
+  for (int k = 0; k < kBoxPlanes && status == Status::kOk; ++k) status = append(faces[k], scratch, out);
+  return status;
 }
 
-/// The diagonal of the local box, from the first half-spaces.
+/// The diagonal of the local box, computed from the first six half-spaces.
 double box_diagonal(const Polyhedron& polyhedron) {
   const Halfspace* faces = polyhedron.planes;
   const Vec3 extent{faces[0].offset + faces[1].offset, faces[2].offset + faces[3].offset,
@@ -56,26 +53,18 @@ double box_diagonal(const Polyhedron& polyhedron) {
   return length(extent);
 }
 
-double least_slack_at(const Polyhedron& polyhedron, const Vec3& point) {
-  double least = polyhedron.planes[0].offset - dot(polyhedron.planes[0].normal, point);
-  for (int p = 1; p < polyhedron.count; ++p) {
-    least = smaller(least, polyhedron.planes[p].offset - dot(polyhedron.planes[p].normal, point));
-  }
-  return least;
-}
-
-/// Of the analytic centre and the segment's middle the one that is deeper inside: the first may lie outside where the
-/// polyhedron is thinner than the barrier's least slack, the second on a half-space that the segment touches.
+/// The analytic centre or the segment's middle, whichever is deeper inside. The centre may lie outside if the
+/// polyhedron is thinner than the barrier's least slack. The middle may lie on a plane that the segment touches.
 Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const SegmentMargin& segment) {
   const Vec3 middle = 0.5 * (segment.from + segment.to);
-  return least_slack_at(polyhedron, center) < least_slack_at(polyhedron, middle) ? middle : center;
+  return room_at(polyhedron, center) < room_at(polyhedron, middle) ? middle : center;
 }
 
-/// Fits the ellipsoid, makes the half-spaces, improves them.
+/// Fits the ellipsoid, makes the half-spaces and improves them.
 Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
                Polyhedron& out) {
   const int given = out.count;
-  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining, scratch.checks);
+  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
@@ -128,7 +117,7 @@ Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowS
   if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
   const double cell = grid.spec().cell;
   const SegmentMargin segment{from, to, kSightMargin * cell, touching, direction_tolerance(grid.spec())};
-  double reach = larger(scratch.margin, kLocalMarginCells * cell);
+  double reach = larger(kLocalMargin, kLocalMarginCells * cell);
   Status status = Status::kPlanesFull;
   for (int level = 0; level < kBoxLevels; ++level) {
     status = grow_in_box(grid, segment, reach, scratch, out);

@@ -18,24 +18,25 @@
 
 namespace tern {
 
-/// The local box reaches so many voxels beyond the segment at least, where kLocalMargin is less. Where its obstacles or
-/// half-spaces do not fit their capacity it is halved, kBoxLevels sizes in all.
+/// How far the local box reaches beyond the segment: in metres, and at least this many voxels. If the obstacles or
+/// half-spaces exceed their capacity, this margin is halved. There are kBoxLevels sizes in all.
+constexpr double kLocalMargin = 2.0;
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 
-/// Half-spaces that one call may make: each size of the local box begins anew, each round and each
-/// trial after the box's faces.
+/// Half-spaces that one call may make. Each size of the local box starts from nothing; each round and each trial starts
+/// from the faces of the box.
 constexpr std::uint32_t kGrowBound =
     static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds + kLeaveOuts) * kMaxPlanes);
 
-/// Grows the polyhedron of the segment `from`, `to` (local frame, metres; may be a point), which must keep the radius
-/// from every obstacle and lie in the boundary.
+/// Grows the polyhedron of the segment from `from` to `to` (local frame, metres; it may be a point). The segment must
+/// keep the radius from every obstacle and lie inside the boundary.
 ///
-/// kOk: `out` holds the segment; each of its half-spaces keeps min(kSightMargin * cell, the room there is) from it;
-/// each obstacle voxel is beyond one half-space by the radius (to 1e-9 m); the ellipsoid lies inside all half-spaces.
-/// kOutOfMap: an end outside the boundary. kCorridorBlocked: an obstacle nearer than the radius to the segment.
-/// kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment may do. kBudgetCorridor.
-/// `out` is undefined after anything but kOk.
+/// kOk: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
+/// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). The ellipsoid lies
+/// inside all half-spaces. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: an obstacle is nearer to the
+/// segment than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment
+/// may fit. kBudgetCorridor: the budget ran out. `out` is undefined unless kOk.
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept;
 

@@ -13,43 +13,36 @@
 
 namespace tern {
 
-/// How far the local box reaches beyond the segment, metres.
-constexpr double kLocalMargin = 2.0;
-
-/// Scratch and counters of grow_polyhedron. The counters are kept across calls: set them before the first.
+/// Scratch and counters of grow_polyhedron. The counters add up over calls: reset them before the first.
 struct GrowScratch {
   const Fences* fences;          ///< null: none
-  double margin;                 ///< kLocalMargin; benchmarks ask what another one costs
-  std::uint32_t checks;          ///< obstacle boxes held against an ellipsoid or a half-space so far
   std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
   std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
   std::int32_t planes_high;      ///< of the fullest polyhedron
   std::int32_t boxes_high;       ///< of the busiest local box
 
   LocalBox boxes[kMaxLocalBoxes];
-  double scale[kMaxLocalBoxes];            ///< where the swelling ellipsoid meets each box
+  double scale[kMaxLocalBoxes];            ///< scale at which the growing ellipsoid meets each box
   std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
-  Polyhedron trial;                        ///< the round at hand
+  Polyhedron trial;                        ///< of the current round
   ExtractScratch extract;
 };
 
-/// Counters to zero, no budget, no fences, the usual margin.
+/// Resets everything: counters of zero, no budget and no fences.
 inline void reset_counters(GrowScratch& scratch) noexcept {
   scratch.fences = nullptr;
-  scratch.margin = kLocalMargin;
-  scratch.checks = 0;
   scratch.planes = 0;
   scratch.planes_allowed = 0xFFFFFFFFu;
   scratch.planes_high = 0;
   scratch.boxes_high = 0;
 }
 
-/// Metres by which a segment may be nearer than the radius to an obstacle or, where there are fences, to one of them.
+/// Metres by which a segment may come closer than the radius to an obstacle or a fence.
 inline double touching_of(const Grid& grid, const GrowScratch& scratch) noexcept {
   return scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec());
 }
 
-/// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull; the polyhedron is as it was unless kOk.
+/// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull. The polyhedron is unchanged unless kOk.
 inline Status append(const Halfspace& plane, GrowScratch& scratch, Polyhedron& polyhedron) noexcept {
   if (scratch.planes >= scratch.planes_allowed) return Status::kBudgetCorridor;
   if (polyhedron.count == kMaxPlanes) return Status::kPlanesFull;

@@ -9,12 +9,12 @@
 namespace tern {
 namespace {
 
-/// Half axes of an ellipsoid that nobody swells, metres.
+/// Semi-axes of the stand-in ellipsoid, metres. It is never grown.
 constexpr double kNoSize = 1e-7;
 
 constexpr int kCorners = 8;
 
-/// Offers a normal of any length; keeps the one that leaves the most room between hull and solid.
+/// Takes normals of any length and keeps the one that leaves the most room between hull and solid.
 struct Widest {
   const Hull& hull;
   const Hull& solid;
@@ -38,8 +38,9 @@ struct Faces {
   int count;
 };
 
-/// Below `too_close` the gap's normal is rounding, if there is one: then the axes, and their products with the hull's
-/// direction, which separate an edge that the curve grazes; and the same of the solid's own faces and edges.
+/// If the gap is below `too_close`, its normal is rounding, if it exists at all. Then these normals are tried too: the
+/// axes and the solid's faces, and the cross products of the hull's direction with the axes and with the solid's edges.
+/// The products separate an edge that the curve grazes.
 Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, double too_close) {
   const HullGap gap = hull_gap(hull, solid);
   if (gap.distance >= too_close) return gap.normal;
@@ -74,7 +75,7 @@ Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, con
   return append({normal, clamp(far, offset, most)}, scratch, out);
 }
 
-/// The box around the hull, as half-spaces.
+/// Adds the half-spaces of the box around the hull.
 Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scratch, Polyhedron& out) {
   const Box boundary = grid.local_boundary();
   const double touching = contact_tolerance(grid.spec());

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The polyhedron of a curve that is given: around the hull of its control points, where the corridor's others are grown
-// around straight legs.
+// The polyhedron around a given curve. It encloses the hull of the curve's control points. All other polyhedra of a
+// corridor are grown around straight legs.
 #ifndef TERN_CORRIDOR_HULL_POLYHEDRON_HPP
 #define TERN_CORRIDOR_HULL_POLYHEDRON_HPP
 
@@ -14,16 +14,16 @@
 
 namespace tern {
 
-/// Fills `out` with the box around the hull and a half-space for each obstacle and keep-out that the others leave
-/// within the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads from the hull's
-/// first point to its last; its ellipsoid is a ball around the middle of the two.
+/// Fills `out` with the box around the hull, and adds a half-space for each obstacle and keep-out that none of the
+/// others cuts off by the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads
+/// from the hull's first point to its last. Its ellipsoid is a tiny ball half way between them.
 ///
-/// kOk: `out` holds the hull, and each obstacle voxel is beyond one half-space by the radius. kOutOfMap: a point beyond
-/// the boundary. kCorridorBlocked: an obstacle, a keep-out or a keep-in's face nearer than it may be. kObstaclesFull,
-/// kPlanesFull, kBudgetCorridor. `out` is undefined after anything but kOk.
+/// kOk: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kOutOfMap: a point
+/// lies outside the boundary. kCorridorBlocked: an obstacle or a keep-out is closer than the radius, or a point is
+/// outside a keep-in. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is undefined unless kOk.
 ///
-/// `slack`: metres by which the hull may come nearer than it may touch. Its points then lie as far outside the
-/// half-spaces, which are what touching allows.
+/// `slack`: metres by which the hull may come closer than touching allows. The half-spaces do not move out for it, so
+/// points of the hull may lie outside them by that much.
 Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
 
 }  // namespace tern

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/improve.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 #include "corridor/tangent_planes.hpp"
 #include "ellipsoid/barrier_ellipsoid.hpp"
 
 namespace tern {
 namespace {
 
-/// Half-spaces past the count are not worth copying.
+/// Copies only the half-spaces in use.
 void copy_planes(const Polyhedron& from, Polyhedron& to) {
   to.count = from.count;
   for (int p = 0; p < from.count; ++p) to.planes[p] = from.planes[p];
@@ -25,12 +25,12 @@ void copy_all_but(int left_out, const Polyhedron& from, Polyhedron& to) {
 /// The largest polyhedron so far.
 struct Largest {
   Polyhedron& polyhedron;
-  Vec3 center;
+  Vector center;
   double size;
 };
 
-/// Makes the half-spaces around `ellipsoid`, keeps their polyhedron where it is larger, and leaves the ellipsoid inside
-/// it. kPlanesFull where they do not fit.
+/// Makes the half-spaces tangent to `ellipsoid`, and keeps their polyhedron if it is the largest so far. `ellipsoid`
+/// becomes the barrier's ellipsoid inside the new polyhedron. kPlanesFull if the half-spaces do not fit.
 Status try_tangents(const Enclosure& enclosure, GrowScratch& scratch, BarrierEllipsoid& ellipsoid, Largest& largest) {
   Polyhedron& trial = scratch.trial;
   trial.count = enclosure.given;
@@ -61,7 +61,7 @@ Status leave_out_each(const Enclosure& enclosure, GrowScratch& scratch, Largest&
 
 Status improve(const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out, Vec3& center) noexcept {
   const SegmentMargin& segment = enclosure.segment;
-  BarrierEllipsoid inner = barrier_ellipsoid(out, 0.5 * (segment.from + segment.to), enclosure.least_slack);
+  BarrierEllipsoid inner = barrier_ellipsoid(out, to_vector(0.5 * (segment.from + segment.to)), enclosure.least_slack);
   Largest largest{out, inner.metric.center, inner.size};
   copy_planes(out, scratch.trial);
   Status status = Status::kOk;
@@ -69,7 +69,7 @@ Status improve(const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out
     status = try_tangents(enclosure, scratch, inner, largest);
   }
   if (status == Status::kOk || status == Status::kPlanesFull) status = leave_out_each(enclosure, scratch, largest);
-  center = largest.center;
+  center = to_vec3(largest.center);
   return status;
 }
 

@@ -8,15 +8,15 @@
 namespace tern {
 namespace {
 
-/// The half-spaces relative to a point inside, so that nothing depends on where the map is, and which of them are known
-/// to be redundant.
+/// The half-spaces relative to a point inside, so that the result does not depend on where the map is. `redundant`
+/// marks those found to be redundant so far.
 struct Planes {
   Halfspace* at;
   int count;
   bool redundant[kMaxPlanes];
 };
 
-/// False where the point lies on some plane.
+/// False if the point lies on a plane, or within `thickness` of it.
 bool move_to(const Vec3& inside, double thickness, const Polyhedron& polyhedron, Planes& planes) {
   for (int p = 0; p < planes.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
@@ -27,7 +27,8 @@ bool move_to(const Vec3& inside, double thickness, const Polyhedron& polyhedron,
   return true;
 }
 
-/// True where the others leave nothing of the plane moved out by `thickness`: then they reach no further than that.
+/// True if the other half-spaces leave nothing of this plane after it has moved out by `thickness`: the polyhedron
+/// without this half-space then reaches no further than that.
 bool is_redundant(const Planes& planes, int index, double reach, double thickness) {
   const Halfspace& plane = planes.at[index];
   if (plane.offset >= reach) return true;
@@ -52,7 +53,7 @@ void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reac
     const Halfspace plane = polyhedron.planes[p];
     planes.redundant[p] = is_redundant(planes, p, reach, thickness);
     if (planes.redundant[p]) {
-      planes.at[p] = plane;  // nothing cuts with it any more: its place keeps it
+      planes.at[p] = plane;  // no later cut uses this entry, so it can store the plane
     } else {
       polyhedron.planes[kept++] = plane;
     }

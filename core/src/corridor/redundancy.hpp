@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which half-spaces bound a polyhedron and which say nothing that the others do not. A redundant one costs the
-// quadratic programme eight rows a segment for nothing.
+// Finds which half-spaces bound a polyhedron, and which are redundant because the others imply them. A redundant one
+// would cost the quadratic programme eight useless rows per segment.
 #ifndef TERN_CORRIDOR_REDUNDANCY_HPP
 #define TERN_CORRIDOR_REDUNDANCY_HPP
 
@@ -11,16 +11,17 @@
 
 namespace tern {
 
-/// A half-space that cuts off a sliver thinner than this, in parts of the polyhedron's reach, is redundant: some
-/// thousand times the rounding of the arithmetic that decides, and a hundred thousandth of what the check forgives.
+/// A half-space is redundant if it cuts off only a sliver thinner than this, as a share of the polyhedron's reach. This
+/// is some thousand times the rounding of the arithmetic that decides, and a hundred thousandth of what the check
+/// tolerates.
 constexpr double kSliverThickness = 1e-12;
 
-/// Moves the redundant half-spaces of the bounded polyhedron behind the others, both in their old order, and sets
-/// `count` and `redundant`. The set stays what it was, to kSliverThickness of `reach` for each that moves; none of the
-/// first `count` is redundant any more, by the same measure. Every point of the polyhedron lies within `reach` (metres)
-/// of `inside`, a point of it. A polyhedron as flat as that, where `inside` is on a plane, keeps all. Each half-space's
-/// facet is a convex polygon cut by all others: at most kMaxPlanes^2 cuts of polygons with kMaxPlanes + 4 corners.
-/// `scratch` has room for `count` half-spaces.
+/// Moves the redundant half-spaces of a bounded polyhedron behind the others, keeps the order within both groups, and
+/// sets `count` and `redundant`. `inside` is a point of the polyhedron, and every other point of it lies within `reach`
+/// (metres) of `inside`. The first `count` half-spaces then bound the same set, to kSliverThickness * reach for each
+/// one that moved, and by the same measure none of them is redundant. If the polyhedron is so flat that `inside` is on
+/// a plane, all half-spaces stay. Each half-space's facet is a convex polygon that all others cut: at most kMaxPlanes^2
+/// cuts of polygons with kMaxPlanes + 4 corners. `scratch` has room for `count` half-spaces.
 void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
 
 }  // namespace tern

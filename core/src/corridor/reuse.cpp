@@ -8,14 +8,6 @@
 
 namespace tern {
 
-bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexcept {
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    if (dot(plane.normal, point) > plane.offset - margin) return false;
-  }
-  return true;
-}
-
 void set_segment(Polyhedron& polyhedron, const Vec3& from, const Vec3& to) noexcept {
   polyhedron.from = from;
   polyhedron.to = to;

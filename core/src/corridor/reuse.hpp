@@ -1,23 +1,20 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A polyhedron that holds the leg beside its own serves it too: the flight need not turn at the waypoint between the
-// two, and for a later leg nothing is built.
+// A polyhedron that contains a neighbouring leg serves that leg too. The flight then need not turn at the waypoint
+// between the two legs, and a later leg needs no polyhedron of its own.
 #ifndef TERN_CORRIDOR_REUSE_HPP
 #define TERN_CORRIDOR_REUSE_HPP
 
+#include "base/polyhedron.hpp"
 #include "tern/corridor.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
 
-/// True where every half-space keeps `margin` (metres, >= 0) from `point`. The polyhedron is convex: one that holds its
-/// segment and the other end of the leg beside it holds that leg.
-bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexcept;
-
-/// Makes the polyhedron that of the segment from `from` to `to`, which it must hold. Its half-spaces stay; the
-/// ellipsoid becomes a round one along the new segment, inscribed as that of the old one was; it stays where the new
-/// one is a point, a way back to where it began.
+/// Gives the polyhedron a new segment, from `from` to `to`, which it must contain. The half-spaces stay. The ellipsoid
+/// becomes a round one along the new segment, inscribed again. If the new segment is a point, because the path came
+/// back to where it began, the old ellipsoid stays.
 void set_segment(Polyhedron& polyhedron, const Vec3& from, const Vec3& to) noexcept;
 
 }  // namespace tern

@@ -4,67 +4,29 @@
 
 #include "base/math.hpp"
 #include "grid/distance.hpp"
+#include "grid/touching.hpp"
 
 namespace tern {
 namespace {
 
-/// How far the box, grown by the radius, lies beyond the segment along a normal; in units of the normal's length.
-/// Concave in the normal: a mean of two normals leaves at least the mean of what they leave.
+/// The room between the segment and the box grown by the radius, along a normal and in units of its length. It is a
+/// concave function of the normal: a mean of two normals leaves at least the mean of their rooms.
 double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const double far = larger(dot(normal, segment.from), dot(normal, segment.to));
   return support(normal, box) - far - radius * length(normal);
 }
 
-/// The plane with this normal that keeps the radius from the box. A segment that touches stays inside by rounding.
+/// The half-space with this normal that keeps the radius from the box. If the segment touches it, the half-space
+/// contains the segment in spite of rounding.
 Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const Vec3 unit = (1.0 / length(normal)) * normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
   return {unit, larger(support(unit, box) - radius - kHairline * segment.least, far)};
 }
 
-/// As plane_along, of a hull: the further point of the segment along `unit` is `far`.
+/// The same for a hull. `far` is how far the segment reaches along `unit`.
 Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3& unit, double far) {
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
-}
-
-Vec3 unit_axis(int a, double sign) {
-  Vec3 v{0.0, 0.0, 0.0};
-  axis(v, a) = sign;
-  return v;
-}
-
-/// e_a x u: at right angles to an edge of the box and to the segment.
-Vec3 edge_normal(int a, const Vec3& u) {
-  if (a == 0) return {0.0, -u.z, u.y};
-  if (a == 1) return {u.z, 0.0, -u.x};
-  return {-u.y, u.x, 0.0};
-}
-
-void offer_normal(const SegmentMargin& segment, const LocalBox& box, const Vec3& unit, Vec3& best, double& room) {
-  const double offered = room_along(segment, box, 0.0, unit);
-  if (offered <= room) return;
-  room = offered;
-  best = unit;
-}
-
-/// Segment and box touch, so that no closest pair has a direction: the separating axis among the box's faces and the
-/// products of its edges with the segment. A face wins a tie.
-Vec3 touching_normal(const SegmentMargin& segment, const LocalBox& box) {
-  Vec3 best = unit_axis(0, 1.0);
-  double room = room_along(segment, box, 0.0, best);
-  for (int a = 0; a < 3; ++a) {
-    offer_normal(segment, box, unit_axis(a, 1.0), best, room);
-    offer_normal(segment, box, unit_axis(a, -1.0), best, room);
-  }
-  const Vec3 along = segment.to - segment.from;
-  for (int a = 0; a < 3; ++a) {
-    const Vec3 normal = edge_normal(a, along);
-    const double norm = length(normal);
-    if (!(norm > segment.direction)) continue;  // the segment runs along this edge, or is a point
-    offer_normal(segment, box, (1.0 / norm) * normal, best, room);
-    offer_normal(segment, box, (-1.0 / norm) * normal, best, room);
-  }
-  return best;
 }
 
 /// The normal that leaves the segment the most room.
@@ -73,7 +35,7 @@ Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);
-  if (gap < segment.direction) return touching_normal(segment, box);
+  if (gap < segment.direction) return separating_normal(segment.from, segment.to, solid, segment.direction);
   return (1.0 / gap) * across;
 }
 
@@ -96,7 +58,7 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
   } else if (tangent_room >= margin) {
     out = plane_along(segment, box, radius, tangent);
   } else {
-    // Between the two normals, as near to the tangent as the margin lets it: see room_along.
+    // Between the two normals, as close to the tangent as the margin allows: see room_along.
     const double share = (margin - tangent_room) / (room - tangent_room);
     out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
   }

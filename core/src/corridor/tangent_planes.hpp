@@ -12,10 +12,10 @@
 
 namespace tern {
 
-/// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of its
-/// half-spaces by the radius. The obstacle that the swelling ellipsoid meets first is next, the lower index where two
-/// are met at once; its half-space removes every obstacle that lies beyond it too. Each pass takes one obstacle at
-/// least. kOk, kCorridorBlocked, kPlanesFull or kBudgetCorridor.
+/// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of them by the
+/// radius. The next half-space is made for the obstacle that the growing ellipsoid meets first; of two met at once, for
+/// the one with the lower index. It also settles every other obstacle that it cuts off. Each pass settles at least one
+/// obstacle. kOk, kCorridorBlocked, kPlanesFull or kBudgetCorridor.
 Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
                        GrowScratch& scratch, Polyhedron& out) noexcept;
 

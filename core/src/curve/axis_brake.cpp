@@ -90,8 +90,8 @@ int sorted_times(const AxisMotion* motions, double ramp, double* times) {
 
 }  // namespace
 
-AxisBrake make_axis_brake(const State& state, const Limits& limits, double ramp) noexcept {
-  const Bounds bounds = acceleration_bounds(limits);
+AxisBrake make_axis_brake(const State& state, const MotionLimits& limits, double ramp) noexcept {
+  const Bounds& bounds = limits.acceleration;
   AxisMotion motions[3];
   for (int a = 0; a < 3; ++a) motions[a] = motion_of(state, bounds, ramp, a);
   double times[kAxisBrakeSegments];

@@ -6,6 +6,7 @@
 #ifndef TERN_CURVE_AXIS_BRAKE_HPP
 #define TERN_CURVE_AXIS_BRAKE_HPP
 
+#include "base/bounds.hpp"
 #include "curve/hermite.hpp"
 #include "tern/request.hpp"
 
@@ -24,7 +25,7 @@ struct AxisBrake {
 
 /// Ramps of `ramp` seconds; holds are as short as the limits of each axis allow, in quarters of a ramp. A limit on the
 /// horizontal norm is not looked at.
-AxisBrake make_axis_brake(const State& state, const Limits& limits, double ramp) noexcept;
+AxisBrake make_axis_brake(const State& state, const MotionLimits& limits, double ramp) noexcept;
 
 }  // namespace tern
 

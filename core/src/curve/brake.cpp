@@ -14,19 +14,19 @@ namespace {
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
-double ramp_time(const State& state, const Limits& limits, int shape, double least) {
-  double time = gauge(acceleration_bounds(limits), kZero - state.velocity);
+double ramp_time(const State& state, const MotionLimits& limits, int shape, double least) {
+  double time = gauge(limits.acceleration, kZero - state.velocity);
   for (int i = 0; i < shape; ++i) time *= kBrakeSharper;
   return larger(least, time);
 }
 
 /// In place: a brake that is returned would stand on the stack twice.
-void fill(const State& state, const Limits& limits, int shape, double least, Brake& brake) {
+void fill(const State& state, const MotionLimits& limits, int shape, double least, Brake& brake) {
   const double ramp = ramp_time(state, limits, shape, least);
   // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
   // and the hold.
   const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
-  const double hold = larger(least, gauge(acceleration_bounds(limits), kZero - excess) - ramp);
+  const double hold = larger(least, gauge(limits.acceleration, kZero - excess) - ramp);
   const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
   brake.duration[0] = brake.duration[2] = ramp;
   brake.duration[1] = hold;
@@ -37,7 +37,7 @@ void fill(const State& state, const Limits& limits, int shape, double least, Bra
   brake.joint[3].d[1] = kZero;
 }
 
-bool holds(const Brake& brake, const Polyhedron& polyhedron, const Limits& limits) {
+bool holds(const Brake& brake, const Polyhedron& polyhedron, const MotionLimits& limits) {
   for (int part = 0; part < kBrakeSegments; ++part) {
     const Segment segment = brake_segment(brake, part, 0);
     if (!inside(segment, polyhedron) || !within_limits(segment, limits)) return false;
@@ -53,7 +53,7 @@ JointState after_ramp(const JointState& from, const Vec3& acceleration, double t
                      from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
 }
 
-Brake make_brake(const State& state, const Limits& limits, int shape, double least) noexcept {
+Brake make_brake(const State& state, const MotionLimits& limits, int shape, double least) noexcept {
   Brake brake;
   fill(state, limits, shape, least, brake);
   return brake;
@@ -67,7 +67,7 @@ Segment brake_segment(const Brake& brake, int part, int polyhedron) noexcept {
   return segment;
 }
 
-bool find_brake(const State& state, const Polyhedron& polyhedron, const Limits& limits, Brake& brake) noexcept {
+bool find_brake(const State& state, const Polyhedron& polyhedron, const MotionLimits& limits, Brake& brake) noexcept {
   for (int shape = 0; shape < kBrakeShapes; ++shape) {
     fill(state, limits, shape, kMinDuration, brake);
     if (holds(brake, polyhedron, limits)) return true;

@@ -6,6 +6,7 @@
 #ifndef TERN_CURVE_BRAKE_HPP
 #define TERN_CURVE_BRAKE_HPP
 
+#include "base/bounds.hpp"
 #include "curve/hermite.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
@@ -27,7 +28,7 @@ struct Brake {
 
 /// The braking whose ramps have shape 0 .. kBrakeShapes - 1, and whose hold is as short as the limits on acceleration
 /// allow; ramps and hold last `least` seconds at least. Nothing else is looked at.
-Brake make_brake(const State& state, const Limits& limits, int shape, double least = kMinDuration) noexcept;
+Brake make_brake(const State& state, const MotionLimits& limits, int shape, double least = kMinDuration) noexcept;
 
 /// The state after `time` of a ramp to another acceleration, jerk zero at both ends; where both are equal, of a hold.
 JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept;
@@ -40,7 +41,7 @@ inline const Vec3& stopping_point(const Brake& brake) noexcept {
 Segment brake_segment(const Brake& brake, int part, int polyhedron) noexcept;
 
 /// The gentlest braking that keeps the limits and the polyhedron. False where none does.
-bool find_brake(const State& state, const Polyhedron& polyhedron, const Limits& limits, Brake& brake) noexcept;
+bool find_brake(const State& state, const Polyhedron& polyhedron, const MotionLimits& limits, Brake& brake) noexcept;
 
 }  // namespace tern
 

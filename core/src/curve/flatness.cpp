@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern/flatness.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 
 namespace tern {
 namespace {
 
-constexpr Vec3 kUp{0.0, 0.0, 1.0};
-struct Axes {
-  Vec3 x;
-  Vec3 y;
-  Vec3 z;
-};
-
 /// Level unit vectors: where the nose should point, and left of it.
 struct Heading {
-  Vec3 forward;
-  Vec3 left;
+  Vector forward;
+  Vector left;
 };
 
 Heading heading_of(const Yaw& yaw) {
@@ -25,42 +18,41 @@ Heading heading_of(const Yaw& yaw) {
   const bool usable = finite(norm) && norm > 0.0;
   const double c = usable ? yaw.cosine / norm : 1.0;
   const double s = usable ? yaw.sine / norm : 0.0;
-  return {{c, s, 0.0}, {-s, c, 0.0}};
-}
-
-void set_attitude(const Axes& body, FlatState& state) {
-  for (int i = 0; i < 3; ++i) {
-    state.attitude[i][0] = axis(body.x, i);
-    state.attitude[i][1] = axis(body.y, i);
-    state.attitude[i][2] = axis(body.z, i);
-  }
+  return {Vector(c, s, 0.0), Vector(-s, c, 0.0)};
 }
 
 /// Shepperd's method: divides by the largest of the four components, which is 1/2 at least.
-void set_quaternion(FlatState& state) {
-  const double(&r)[3][3] = state.attitude;
-  const double trace = r[0][0] + r[1][1] + r[2][2];
-  double squares[4] = {trace, r[0][0], r[1][1], r[2][2]};
+void set_quaternion(const Matrix& r, FlatState& state) {
+  const double trace = r(0, 0) + r(1, 1) + r(2, 2);
+  const double squares[4] = {trace, r(0, 0), r(1, 1), r(2, 2)};
   int largest = 0;
   for (int i = 1; i < 4; ++i) largest = squares[i] > squares[largest] ? i : largest;
   double q[4];
   if (largest == 0) {
     q[0] = 0.5 * square_root(1.0 + trace);
     const double scale = 0.25 / q[0];
-    q[1] = scale * (r[2][1] - r[1][2]);
-    q[2] = scale * (r[0][2] - r[2][0]);
-    q[3] = scale * (r[1][0] - r[0][1]);
+    q[1] = scale * (r(2, 1) - r(1, 2));
+    q[2] = scale * (r(0, 2) - r(2, 0));
+    q[3] = scale * (r(1, 0) - r(0, 1));
   } else {
     const int i = largest - 1;
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
-    q[1 + i] = 0.5 * square_root(1.0 + r[i][i] - r[j][j] - r[k][k]);
+    q[1 + i] = 0.5 * square_root(1.0 + r(i, i) - r(j, j) - r(k, k));
     const double scale = 0.25 / q[1 + i];
-    q[0] = scale * (r[k][j] - r[j][k]);
-    q[1 + j] = scale * (r[j][i] + r[i][j]);
-    q[1 + k] = scale * (r[k][i] + r[i][k]);
+    q[0] = scale * (r(k, j) - r(j, k));
+    q[1 + j] = scale * (r(j, i) + r(i, j));
+    q[1 + k] = scale * (r(k, i) + r(i, k));
   }
   for (int i = 0; i < 4; ++i) state.quaternion[i] = q[0] < 0.0 ? -q[i] : q[i];
+}
+
+/// From the body's axes in the world frame.
+void set_attitude(const Vector& x, const Vector& y, const Vector& z, FlatState& state) {
+  Matrix body;
+  body << x, y, z;
+  matrix_of(state.attitude) = body;
+  set_quaternion(body, state);
 }
 
 FlatState level(const Heading& heading, double thrust, double yaw_rate, Singularity why) {
@@ -68,8 +60,7 @@ FlatState level(const Heading& heading, double thrust, double yaw_rate, Singular
   state.thrust = thrust;
   state.body_rates = {0.0, 0.0, yaw_rate};
   state.singularity = why;
-  set_attitude({heading.forward, heading.left, kUp}, state);
-  set_quaternion(state);
+  set_attitude(heading.forward, heading.left, Vector::UnitZ(), state);
   return state;
 }
 
@@ -85,28 +76,28 @@ FlatState flat_state(const Sample& sample, const Yaw& yaw) noexcept {
     return level(heading, kGravity, 0.0, Singularity::kNotFinite);
   }
   const double yaw_rate = finite(yaw.rate) ? yaw.rate : 0.0;
-  const Vec3 force = sample.acceleration + kGravity * kUp;
+  const Vector force = to_vector(sample.acceleration) + kGravity * Vector::UnitZ();
   const double thrust = length(force);
   if (thrust < kLeastThrust) return level(heading, thrust, yaw_rate, Singularity::kFreeFall);
-  FlatState state{};
-  state.thrust = thrust;
-  Axes body{kZero, kZero, (1.0 / thrust) * force};
-  const Vec3 nose = cross(heading.left, body.z);
+  const Vector z = (1.0 / thrust) * force;
+  const Vector nose = cross(heading.left, z);
   const double sine = length(nose);
   const bool lost = sine < kLeastHeading;
   // Thrust along the heading's left is square to the heading itself: but for rounding, the nose may point there.
-  body.x = lost ? heading.forward - dot(heading.forward, body.z) * body.z : nose;
-  body.x = (1.0 / length(body.x)) * body.x;
-  body.y = cross(body.z, body.x);
+  const Vector ahead = lost ? Vector(heading.forward - dot(heading.forward, z) * z) : nose;
+  const Vector x = (1.0 / length(ahead)) * ahead;
+  const Vector y = cross(z, x);
   // The thrust's direction turns with the jerk across it; about itself, as the heading asks.
-  const Vec3 turn = (1.0 / thrust) * (sample.jerk - dot(sample.jerk, body.z) * body.z);
-  state.body_rates.x = -dot(turn, body.y);
-  state.body_rates.y = dot(turn, body.x);
-  const double about = yaw_rate * dot(heading.forward, body.x) + state.body_rates.y * dot(heading.left, body.z);
+  const Vector jerk = to_vector(sample.jerk);
+  const Vector turn = (1.0 / thrust) * (jerk - dot(jerk, z) * z);
+  FlatState state{};
+  state.thrust = thrust;
+  state.body_rates.x = -dot(turn, y);
+  state.body_rates.y = dot(turn, x);
+  const double about = yaw_rate * dot(heading.forward, x) + state.body_rates.y * dot(heading.left, z);
   state.body_rates.z = lost ? 0.0 : about / sine;
   state.singularity = lost ? Singularity::kHeading : Singularity::kNone;
-  set_attitude(body, state);
-  set_quaternion(state);
+  set_attitude(x, y, z, state);
   return state;
 }
 

@@ -3,31 +3,30 @@
 #include "curve/motion_limits.hpp"
 
 #include "base/math.hpp"
+#include "base/polyhedron.hpp"
 #include "curve/bezier.hpp"
 
 namespace tern {
 
-double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept {
+double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept {
   const Curve velocity = hodograph(curve_of(segment), segment.duration);
-  const double speed = peak_bound(velocity, velocity_bounds(limits), 0.0, kPeakTolerance);
+  const double speed = peak_bound(velocity, limits.velocity, 0.0, kPeakTolerance);
   // A peak of the acceleration that asks for no more than the speed does is not looked into.
   const Curve acceleration = hodograph(velocity, segment.duration);
-  return square_root(peak_bound(acceleration, acceleration_bounds(limits), speed * speed, kPeakTolerance));
+  return square_root(peak_bound(acceleration, limits.acceleration, speed * speed, kPeakTolerance));
 }
 
-bool within_limits(const Segment& segment, const Limits& limits, double tolerance) noexcept {
+bool within_limits(const Segment& segment, const MotionLimits& limits, double tolerance) noexcept {
   const double most = 1.0 + tolerance;
   const Curve velocity = hodograph(curve_of(segment), segment.duration);
-  if (peak_bound(velocity, velocity_bounds(limits), most, 0.0) > most) return false;
+  if (peak_bound(velocity, limits.velocity, most, 0.0) > most) return false;
   const Curve acceleration = hodograph(velocity, segment.duration);
-  return !(peak_bound(acceleration, acceleration_bounds(limits), most, 0.0) > most);
+  return !(peak_bound(acceleration, limits.acceleration, most, 0.0) > most);
 }
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {
   for (const Vec3& point : segment.points) {
-    for (int p = 0; p < polyhedron.count; ++p) {
-      if (dot(polyhedron.planes[p].normal, point) > polyhedron.planes[p].offset + kInsideTolerance) return false;
-    }
+    if (!holds(polyhedron, point, -kInsideTolerance)) return false;
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #ifndef TERN_CURVE_MOTION_LIMITS_HPP
 #define TERN_CURVE_MOTION_LIMITS_HPP
 
+#include "base/bounds.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
@@ -21,10 +22,10 @@ constexpr double kPeakTolerance = 1e-7;
 /// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly: the
 /// largest over all t of the gauge of v and the root of the gauge of a (see base/bounds.hpp); below 1 where it could be
 /// faster. Never less than the truth, and more by kPeakTolerance at most.
-double stretch_to_limits(const Segment& segment, const Limits& limits) noexcept;
+double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept;
 
 /// True where v and a are within (1 + tolerance) times the limits for all t.
-bool within_limits(const Segment& segment, const Limits& limits, double tolerance = kLimitTolerance) noexcept;
+bool within_limits(const Segment& segment, const MotionLimits& limits, double tolerance = kLimitTolerance) noexcept;
 
 /// True where all control points are inside, so that the segment is.
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept;

@@ -28,13 +28,13 @@ State backwards(const State& state) noexcept {
   return State{state.position, kZero - state.velocity, state.acceleration};
 }
 
-Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept {
+Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const MotionLimits& limits) noexcept {
   Segment segment{};
   segment.polyhedron = polyhedron;
   const Vec3 way = to - from;
-  const Bounds acceleration = acceleration_bounds(limits);
+  const Bounds& acceleration = limits.acceleration;
   const double pull = larger(gauge(acceleration, way), gauge(acceleration, kZero - way));
-  const double cruise = kRestPeakSpeed * gauge(velocity_bounds(limits), way);
+  const double cruise = kRestPeakSpeed * gauge(limits.velocity, way);
   segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
   for (int k = 0; k < kJointOrder; ++k) {
     segment.points[k] = from;

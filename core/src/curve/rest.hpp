@@ -5,6 +5,7 @@
 #ifndef TERN_CURVE_REST_HPP
 #define TERN_CURVE_REST_HPP
 
+#include "base/bounds.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
 
@@ -24,7 +25,7 @@ Segment reversed(const Segment& segment) noexcept;
 
 /// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
 /// ends are the same point it stays there that long.
-Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const Limits& limits) noexcept;
+Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const MotionLimits& limits) noexcept;
 
 }  // namespace tern
 

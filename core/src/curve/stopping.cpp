@@ -56,11 +56,11 @@ Turn turn_of(int index) {
   return turn;
 }
 
-Limits weaker(const Limits& limits, double strength) {
-  Limits result = limits;
-  result.a_max = strength * limits.a_max;
-  result.a_min = strength * limits.a_min;
-  result.a_horizontal = strength * limits.a_horizontal;
+MotionLimits weaker(const MotionLimits& limits, double strength) {
+  MotionLimits result = limits;
+  result.acceleration.upper = strength * limits.acceleration.upper;
+  result.acceleration.lower = strength * limits.acceleration.lower;
+  result.acceleration.horizontal = strength * limits.acceleration.horizontal;
   return result;
 }
 
@@ -78,9 +78,9 @@ Vec3 sideways(const Vec3& heading, int side) {
 }
 
 /// The acceleration of a turn. The last side is where the state turns already, as sharply as it does or in part.
-Vec3 turning(const State& state, const Limits& limits, const Turn& turn) {
+Vec3 turning(const State& state, const MotionLimits& limits, const Turn& turn) {
   const Vec3 heading = heading_of(state.velocity);
-  const Bounds bounds = acceleration_bounds(limits);
+  const Bounds& bounds = limits.acceleration;
   const Vec3 slower = (-turn.braking / gauge(bounds, kZero - heading)) * heading;
   if (turn.side == kTurnSides - 1) {
     return slower + turn.strength * (state.acceleration - dot(state.acceleration, heading) * heading);
@@ -123,7 +123,7 @@ void close_joints(Stopping& stopping) {
   for (int i = 1; i < stopping.count; ++i) stopping.segments[i].points[0] = stopping.segments[i - 1].points[kDegree];
 }
 
-bool keeps_limits(const Stopping& stopping, const Limits& limits) {
+bool keeps_limits(const Stopping& stopping, const MotionLimits& limits) {
   for (int i = 0; i < stopping.count; ++i) {
     if (!within_limits(stopping.segments[i], limits, kStopTolerance)) return false;
   }
@@ -142,10 +142,10 @@ State state_of(const JointState& joint) {
 }
 
 /// Ramps to the turn's acceleration and holds it.
-State add_turn(const State& state, const Limits& limits, int index, double least, Stopping& out) {
+State add_turn(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
   const Turn turn = turn_of(index);
   const Vec3 acceleration = turning(state, limits, turn);
-  const double hold = larger(least, turn.hold * gauge(acceleration_bounds(limits), kZero - state.velocity));
+  const double hold = larger(least, turn.hold * gauge(limits.acceleration, kZero - state.velocity));
   const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
   const JointState second = after_ramp(first, acceleration, least);
   const JointState third = after_ramp(second, acceleration, hold);
@@ -154,7 +154,7 @@ State add_turn(const State& state, const Limits& limits, int index, double least
   return state_of(third);
 }
 
-void add_brake(const State& state, const Limits& limits, const Swerve& swerve, double least, Stopping& out) {
+void add_brake(const State& state, const MotionLimits& limits, const Swerve& swerve, double least, Stopping& out) {
   const Brake brake = make_brake(state, weaker(limits, swerve.strength), swerve.shape, least);
   Segment* const segments = out.segments + out.count;
   for (int part = 0; part < kBrakeSegments; ++part) segments[part] = brake_segment(brake, part, 0);
@@ -162,7 +162,7 @@ void add_brake(const State& state, const Limits& limits, const Swerve& swerve, d
   if (!(swerve.size > 0.0)) return;
   const Vec3 side = sideways(heading_of(state.velocity), swerve.side);
   const double time = (brake.duration[0] + brake.duration[1]) + brake.duration[2];
-  const Bounds acceleration = acceleration_bounds(limits);
+  const Bounds& acceleration = limits.acceleration;
   const double pull = larger(gauge(acceleration, side), gauge(acceleration, kZero - side));
   add_swerve((swerve.size * time * time / (kRestPeakAcceleration * pull)) * side, brake, segments);
 }
@@ -171,7 +171,7 @@ constexpr Swerve straight(int shape) {
   return {0, 0.0, 1.0, shape};
 }
 
-void add_axis_brake(const State& state, const Limits& limits, double ramp, Stopping& out) {
+void add_axis_brake(const State& state, const MotionLimits& limits, double ramp, Stopping& out) {
   const AxisBrake brake = make_axis_brake(state, limits, ramp);
   for (int i = 0; i < brake.segments; ++i) {
     out.segments[out.count++] = segment_between(brake.joint[i], brake.joint[i + 1], brake.duration[i]);
@@ -179,7 +179,7 @@ void add_axis_brake(const State& state, const Limits& limits, double ramp, Stopp
 }
 
 /// Way 0 .. kStoppingWays - 1, with ramps of `least` seconds at least.
-void add_way(const State& state, const Limits& limits, int way, double least, Stopping& out) {
+void add_way(const State& state, const MotionLimits& limits, int way, double least, Stopping& out) {
   if (way < kBrakeShapes) return add_brake(state, limits, straight(way), least, out);
   way -= kBrakeShapes;
   if (way < kAxisBrakes) return add_axis_brake(state, limits, way == 0 ? least : 4.0 * least, out);
@@ -192,8 +192,8 @@ void add_way(const State& state, const Limits& limits, int way, double least, St
 
 /// A ramp that takes the acceleration back to none. The speed changes by half of acceleration times duration, and so
 /// stays within its limit where the end does.
-State level_off(const State& state, const Limits& limits, Stopping& out) {
-  const Bounds bounds = velocity_bounds(limits);
+State level_off(const State& state, const MotionLimits& limits, Stopping& out) {
+  const Bounds& bounds = limits.velocity;
   double time = kMinDuration;
   for (int i = 0; i < kLevelHalvings; ++i) {
     if (gauge(bounds, state.velocity + (0.5 * time) * state.acceleration) <= 1.0 + kLimitTolerance) break;
@@ -207,7 +207,7 @@ State level_off(const State& state, const Limits& limits, Stopping& out) {
 
 }  // namespace
 
-bool make_stopping(const State& state, const Limits& limits, int choice, Stopping& out) noexcept {
+bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept {
   const double least = choice < kStoppingWays ? kMinDuration : kSharpRamp;
   const int way = choice % kStoppingWays;
   out.count = 0;

@@ -6,6 +6,7 @@
 #ifndef TERN_CURVE_STOPPING_HPP
 #define TERN_CURVE_STOPPING_HPP
 
+#include "base/bounds.hpp"
 #include "curve/axis_brake.hpp"
 #include "curve/brake.hpp"
 #include "tern/request.hpp"
@@ -52,7 +53,7 @@ struct Stopping {
 };
 
 /// The stop of that choice, 0 .. kStoppingChoices - 1. False where it breaks the limits by more than kStopTolerance.
-bool make_stopping(const State& state, const Limits& limits, int choice, Stopping& out) noexcept;
+bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept;
 
 /// The same flown backwards in time.
 void reverse(Stopping& stopping) noexcept;

@@ -2,33 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/ellipsoid_fit.hpp"
 
-#include "base/math.hpp"
-
 namespace tern {
 namespace {
 
 constexpr double kFitTolerance = 1e-3;
 constexpr double kThinnest = 0.01;
-/// Shrinking steps of each of the two phases; each makes the axis shorter, and most fits need two or three.
+/// Shrinking steps in each of the two phases, at most. Each step shortens the axis; most fits need two or three.
 constexpr int kFitSteps = 16;
 
-/// The obstacles that may still meet the ellipsoid: it only shrinks, so none comes back. Counts those looked at.
+/// The obstacles that may still meet the ellipsoid. It only shrinks, so a dropped one never comes back.
 struct Candidates {
   std::int32_t* index;
   int count;
-  std::uint32_t* checks;
 };
 
-void turn_y_towards(EllipsoidFrame& frame, const Vec3& unit) {
-  frame.direction[1] = unit;
-  frame.direction[2] = cross(frame.direction[0], unit);
+void turn_y_towards(EllipsoidFrame& frame, const Vector& unit) {
+  frame.direction.col(1) = unit;
+  frame.direction.col(2) = cross(frame.direction.col(0), unit);
 }
 
 /// The obstacles that the sphere of radius `reach` about the centre meets.
-Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double reach, std::int32_t* index,
-                        std::uint32_t& checks) {
-  Candidates found{index, 0, &checks};
-  checks += static_cast<std::uint32_t>(obstacles.count);
+Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double reach, std::int32_t* index) {
+  Candidates found{index, 0};
   const double limit = (reach + obstacles.radius) * (reach + obstacles.radius);
   for (int i = 0; i < obstacles.count; ++i) {
     const LocalBox& box = obstacles.boxes[i];
@@ -40,11 +35,11 @@ Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double r
   return found;
 }
 
-/// Drops the candidates that the ellipsoid does not meet. True, with the contact met first, while some are left.
+/// Drops the candidates that the ellipsoid does not meet. Returns whether any are left; `first` is then the contact
+/// that the ellipsoid meets first.
 bool first_contact(const EllipsoidFrame& frame, const Obstacles& obstacles, Candidates& candidates, Contact& first) {
   const EllipsoidMetric metric = metric_of(frame);
   int kept = 0;
-  *candidates.checks += static_cast<std::uint32_t>(candidates.count);
   for (int k = 0; k < candidates.count; ++k) {
     const std::int32_t i = candidates.index[k];
     const Contact contact = contact_of(metric, obstacles.boxes[i], obstacles.radius);
@@ -61,18 +56,20 @@ double square(double x) {
   return x * x;
 }
 
-/// What is left of the unit ball's square for the axes that shrink; 0 beyond the tips.
+/// Radius of the unit ball's cross-section where the other axes have used up `used` of the squared radius; 0 beyond the
+/// tips.
 double remaining(double used) {
   return used < 1.0 ? square_root(1.0 - used) : 0.0;
 }
 
-/// Shrinks y and z together: the ellipsoid stays round about the segment. y ends up towards the last contact.
+/// Shrinks y and z together, so the ellipsoid stays round about the segment. In the end, y points towards the last
+/// contact.
 void shrink_both(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates, double thinnest) {
   Contact contact{};
   for (int step = 0; step < kFitSteps && frame.semi_axis[1] > thinnest; ++step) {
     if (!first_contact(frame, obstacles, candidates, contact)) return;
-    const double along = dot(contact.point, frame.direction[0]);
-    const Vec3 across = contact.point - along * frame.direction[0];
+    const double along = dot(contact.point, frame.direction.col(0));
+    const Vector across = contact.point - along * frame.direction.col(0);
     const double distance_across = length(across);
     if (distance_across > 0.0) turn_y_towards(frame, (1.0 / distance_across) * across);
     const double left = remaining(square(along / frame.semi_axis[0]));
@@ -82,24 +79,24 @@ void shrink_both(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates c
   }
 }
 
-/// Stretches z to the length of x and shrinks it again, no further than y: as round, the ellipsoid was free.
+/// Stretches z to the length of x and shrinks it again, but no further than y: the round ellipsoid was already clear.
 void stretch_z(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates) {
   frame.semi_axis[2] = frame.semi_axis[0];
   Contact contact{};
   for (int step = 0; step < kFitSteps && frame.semi_axis[2] > frame.semi_axis[1]; ++step) {
     if (!first_contact(frame, obstacles, candidates, contact)) return;
-    const double along = dot(contact.point, frame.direction[0]);
-    const double aside = dot(contact.point, frame.direction[1]);
-    const double up = absolute(dot(contact.point, frame.direction[2]));
+    const double along = dot(contact.point, frame.direction.col(0));
+    const double aside = dot(contact.point, frame.direction.col(1));
+    const double up = absolute(dot(contact.point, frame.direction.col(2)));
     const double left = remaining(square(along / frame.semi_axis[0]) + square(aside / frame.semi_axis[1]));
     const double touching = left > 0.0 ? up / left : 0.0;
     frame.semi_axis[2] = clamp(touching, frame.semi_axis[1], frame.semi_axis[2]);
   }
 }
 
-/// A hover: every direction counts the same.
+/// The ball for a hover, where no direction is special.
 EllipsoidFrame ball_about(const Vec3& center, double cell) {
-  return {center, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {0.5 * cell, 0.5 * cell, 0.5 * cell}};
+  return {to_vector(center), Matrix::Identity(), Vector::Constant(0.5 * cell)};
 }
 
 }  // namespace
@@ -107,30 +104,30 @@ EllipsoidFrame ball_about(const Vec3& center, double cell) {
 EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept {
   const double half = 0.5 * distance(from, to);
   EllipsoidFrame frame;
-  frame.center = 0.5 * (from + to);
-  for (double& semi_axis : frame.semi_axis) semi_axis = half;
-  frame.direction[0] = (0.5 / half) * (to - from);
-  turn_y_towards(frame, perpendicular(frame.direction[0]));
+  const Vec3 along = (0.5 / half) * (to - from);
+  frame.center = to_vector(0.5 * (from + to));
+  frame.semi_axis.fill(half);
+  frame.direction.col(0) = to_vector(along);
+  turn_y_towards(frame, to_vector(perpendicular(along)));
   return frame;
 }
 
 EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept {
   EllipsoidFrame thick = frame;
-  const double least = share * frame.semi_axis[0];
-  for (double& semi_axis : thick.semi_axis) semi_axis = larger(semi_axis, least);
+  for (int k = 0; k < 3; ++k) thick.semi_axis[k] = larger(frame.semi_axis[k], share * frame.semi_axis[0]);
   return thick;
 }
 
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
-                             std::int32_t* inside, std::uint32_t& checks) noexcept {
+                             std::int32_t* inside) noexcept {
   const Vec3 middle = 0.5 * (from + to);
   const double half = 0.5 * distance(from, to);
   if (2.0 * half < kPointLike) return ball_about(middle, cell);
 
   EllipsoidFrame frame = sphere_over(from, to);
-  Candidates candidates = boxes_within(obstacles, middle, half, inside, checks);
+  Candidates candidates = boxes_within(obstacles, middle, half, inside);
   shrink_both(frame, obstacles, candidates, kThinnest * half);
-  candidates = boxes_within(obstacles, middle, half, inside, checks);
+  candidates = boxes_within(obstacles, middle, half, inside);
   stretch_z(frame, obstacles, candidates);
   return frame;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/inscribe.hpp"
 
-#include "base/math.hpp"
+#include "base/polyhedron.hpp"
 
 namespace tern {
 namespace {
@@ -13,10 +13,11 @@ void shrink_across(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
   double factor = 1.0;
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
-    const double room = plane.offset - dot(plane.normal, frame.center);
-    const double x = frame.semi_axis[0] * dot(plane.normal, frame.direction[0]);
-    const double y = frame.semi_axis[1] * dot(plane.normal, frame.direction[1]);
-    const double z = frame.semi_axis[2] * dot(plane.normal, frame.direction[2]);
+    const Vector normal = to_vector(plane.normal);
+    const double room = plane.offset - dot(normal, frame.center);
+    const double x = frame.semi_axis[0] * dot(normal, frame.direction.col(0));
+    const double y = frame.semi_axis[1] * dot(normal, frame.direction.col(1));
+    const double z = frame.semi_axis[2] * dot(normal, frame.direction.col(2));
     const double across = y * y + z * z;
     const double left = larger(room, 0.0) * room - x * x;
     if (left < factor * factor * across) factor = square_root(larger(left, 0.0) / across);
@@ -26,12 +27,9 @@ void shrink_across(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
 }
 
 void shrink_ball(const Polyhedron& polyhedron, EllipsoidFrame& frame) {
-  double least = frame.semi_axis[0];
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    least = smaller(least, plane.offset - dot(plane.normal, frame.center));
-  }
-  for (double& semi_axis : frame.semi_axis) semi_axis = larger(least, kSliver * semi_axis);
+  const double radius = frame.semi_axis[0];
+  const double room = room_at(polyhedron, to_vec3(frame.center));
+  frame.semi_axis.fill(larger(smaller(radius, room), kSliver * radius));
 }
 
 }  // namespace

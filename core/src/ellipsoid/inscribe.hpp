@@ -8,9 +8,10 @@
 
 namespace tern {
 
-/// Shrinks a segment's ellipsoid until it lies inside every half-space: y and z by one factor, x not at all, because
-/// every half-space holds the segment that x spans. A hover's ball (`ball`) shrinks as a whole. Where a half-space
-/// touches the segment a sliver of kSliver of the longest semi-axis remains, so that the axes stay positive definite.
+/// Shrinks a segment's ellipsoid until it lies inside every half-space. y and z shrink by the same factor. x stays,
+/// because every half-space contains the segment that x spans. The ball of a hover (`ball`) shrinks as a whole. If a
+/// half-space touches the segment, a sliver remains: kSliver of the longest semi-axis, so that the matrix stays
+/// positive definite.
 void inscribe(const Polyhedron& polyhedron, bool ball, EllipsoidFrame& frame) noexcept;
 
 }  // namespace tern

@@ -10,10 +10,10 @@
 namespace tern {
 namespace {
 
-/// Blocks the voxels of a row that are in the range; none where it is empty.
+/// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
   if (run.end <= run.begin) return;
-  std::uint64_t* row = layer.words + (view.blocked_row(y, z) - layer.words);
+  std::uint64_t* row = layer.words + GridView::blocked(view).index(y, z);
   for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
 }
 
@@ -23,23 +23,22 @@ struct Row {
   double z;
 };
 
-/// The least of normal . p over the cubes of a row, without its x part.
+/// The least value of normal . p over the cubes of a row, without the term in x.
 double least_across(const Vec3& normal, const Row& row, double cell) {
   const double y = normal.y * (normal.y < 0.0 ? row.y + cell : row.y);
   const double z = normal.z * (normal.z < 0.0 ? row.z + cell : row.z);
   return y + z;
 }
 
-/// Keeps of `run` the voxels whose cubes do not have normal . p >= offset all over. Along a row those that do are at
-/// one end of it.
+/// Removes from `run` the voxels whose whole cube has normal . p >= offset. Along a row, these are at one end.
 void keep_short_of(const Halfspace& beyond, const Row& row, double cell, IndexRange& run) {
   const double missing = beyond.offset - kLatticeTolerance * cell - least_across(beyond.normal, row, cell);
   const double slope = beyond.normal.x * cell;
-  if (absolute(beyond.normal.x) <= kLatticeTolerance) {  // the whole row, or none of it; a hair of x may be lost
+  if (absolute(beyond.normal.x) <= kLatticeTolerance) {  // the whole row or none: x hardly matters and is bounded
     if (missing + absolute(slope) * static_cast<double>(kMaxDimension) <= 0.0) run.end = run.begin;
     return;
   }
-  // A cube begins at x voxels; upwards its lower face counts, downwards its upper one.
+  // The cube of voxel x begins at x. Its lower face decides if the normal points towards +x, otherwise its upper face.
   const double at = missing / slope;
   if (slope > 0.0) {
     const std::int32_t first = ceil_index(at - kLatticeTolerance, run.begin, run.end);
@@ -50,14 +49,14 @@ void keep_short_of(const Halfspace& beyond, const Row& row, double cell, IndexRa
   }
 }
 
-/// Two faces' normals closer to opposite than this have no mean to speak of.
+/// If two normals are closer to opposite than this, their mean has no useful direction.
 constexpr double kOpposite = -0.99;
 
 void add_normal(const Hull& hull, const Vec3& unit, double radius, FenceLayer& layer) {
   layer.clear[layer.clear_count++] = {unit, radius - hull_support(-1.0 * unit, hull)};
 }
 
-/// The planes that a voxel may lie beyond to be clear of the keep-out.
+/// The planes tried for the keep-out: a voxel beyond any of them is clear of it.
 void collect_normals(const Fences& fences, const KeepOut& fence, double radius, FenceLayer& layer) {
   const Hull hull = hull_of(fences, fence);
   const Halfspace* faces = fences.planes + fence.first_plane;
@@ -79,7 +78,8 @@ void collect_normals(const Fences& fences, const KeepOut& fence, double radius, 
   }
 }
 
-/// Rows whose cubes the keep-out, grown by the radius, may reach: the first six planes are the axes', two an axis.
+/// Rows whose cubes the keep-out, grown by the radius, may reach. They follow from the first six planes, which are
+/// those of the axes, two for each.
 IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
   const double cell = view.spec().cell;
   const std::int32_t count = axis(view.spec().dims, a);
@@ -90,11 +90,11 @@ IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
 }  // namespace
 
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
-  const std::size_t words = grid.layer_words();
+  const std::size_t words = GridView::layer_words(grid);
   if (words > static_cast<std::size_t>(kMaxFenceWords)) return Status::kFenceLayerFull;
-  const std::uint64_t* from = grid.blocked_row(0, 0);
+  const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
-  view = grid.with_blocked(layer.words);
+  view = GridView::with_blocked(grid, layer.words);
   return Status::kOk;
 }
 

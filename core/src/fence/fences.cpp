@@ -10,30 +10,31 @@
 namespace tern {
 namespace {
 
-/// Lengths in parts of the surroundings' scale. Each plane of a keep-out is moved out by kHair, so that the hull of the
-/// corners found holds all of the keep-out whatever rounding does to needles and to planes that are nearly equal:
-/// - the others cut a facet kSpare further out than they are. That is more than a cut rounds (20 roundings, 2.2e-15),
-///   so nothing of the facet is lost but by the rounding of its corners (4e-16 a cut, 3e-14 in all);
-/// - a plane that the facet is beyond by kSpare at most does not cut it: equal planes add no corners to edges;
-/// - corners closer than kSame are one: ten times kSpare, so that facets at ordinary angles share theirs.
-/// hull + ball(kSame + 3e-14) then holds keep-out + ball(kHair), and so the hull the keep-out, with 3e-14 to spare.
+/// Tolerances, as shares of the surroundings' scale. Each plane of a keep-out moves out by kHair. The hull of the
+/// corners that are found then contains the whole keep-out, whatever rounding does to needles and nearly equal planes:
+/// - the other planes cut a facet kSpare further out. That is more than the rounding of a cut (20 roundings, 2.2e-15),
+///   so a facet loses only what rounding takes from its corners (4e-16 per cut, 3e-14 in all);
+/// - a plane that the facet exceeds by at most kSpare does not cut it, so equal planes add no corners to edges;
+/// - corners closer than kSame count as one. kSame is ten times kSpare, so facets at ordinary angles share corners.
+/// hull + ball(kSame + 3e-14) then contains keep-out + ball(kHair), so the hull contains the keep-out with 3e-14 to
+/// spare.
 constexpr double kHair = 1e-13;
 constexpr double kSpare = 4e-15;
 constexpr double kSame = 4e-14;
 
-/// Copies of a corner that nearly equal planes make lie further apart than kSame. Where they do not fit, kHair and
-/// kSame are taken kCoarser times as long, at most kTrials - 1 times over.
+/// Nearly equal planes make copies of a corner that are further apart than kSame. If the copies do not fit, kHair and
+/// kSame grow by a factor of kCoarser, at most kTrials - 1 times over.
 constexpr double kCoarser = 16.0;
 constexpr int kTrials = 7;
 
-/// An offset so great is beyond any map, whose coordinates are below 1e19.
+/// An offset this large lies beyond every map: coordinates of maps are below 1e19.
 constexpr double kBeyondAnyMap = 1e100;
 
-/// Where the robot's centre may be, grown by the radius: what lies beyond does not matter.
+/// The region where the robot's centre may be, grown by the radius. Nothing beyond it matters.
 struct Surroundings {
   Vec3 center;
-  double reach;  ///< of a ball about the centre that holds the box
-  double scale;  ///< the greatest coordinate that takes part: what rounding goes by
+  double reach;  ///< radius of a ball about the centre that contains the box
+  double scale;  ///< the largest coordinate involved; rounding is proportional to it
   Halfspace faces[kBoxPlanes];
 };
 
@@ -51,13 +52,13 @@ Surroundings surroundings_of(const Grid& grid) {
   return around;
 }
 
-/// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin it and
-/// the shift are both large, and two planes that are nearly parallel make much of a small error.
+/// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin, both
+/// the offset and the shift are large, and between two nearly parallel planes a small error grows.
 Status to_local_plane(const Grid& grid, const Halfspace& world, Halfspace& local) {
   if (!finite(world.normal) || !finite(world.offset)) return Status::kNonFiniteInput;
   const double norm = length(world.normal);
   if (!(norm >= kMinFenceNormal) || norm > kMaxFenceNormal) return Status::kInvalidArgument;
-  const bool far = absolute(world.offset) > kBeyondAnyMap;  // where products would overflow, a shift is nothing
+  const bool far = absolute(world.offset) > kBeyondAnyMap;  // products would overflow, and the shift is negligible
   const double shifted = far ? world.offset : depth_of(world.offset, world.normal, grid.spec().origin).high;
   local = {(1.0 / norm) * world.normal, shifted / norm};
   return finite(local.offset) ? Status::kOk : Status::kNonFiniteInput;
@@ -70,7 +71,7 @@ bool known_corner(const Fences& fences, const KeepOut& fence, const Vec3& corner
   return false;
 }
 
-/// How coarsely a keep-out's corners are found, metres.
+/// Tolerances for finding the corners of a keep-out, metres.
 struct Fineness {
   double hair;
   double same;
@@ -79,7 +80,7 @@ struct Fineness {
 
 Status add_corners(const Facet& facet, const Surroundings& around, double same, Fences& fences, KeepOut& fence) {
   for (int k = 0; k < facet.count; ++k) {
-    const Vec3 corner = ((facet.foot + facet.at_u[k] * facet.u) + facet.at_v[k] * facet.v) + around.center;
+    const Vec3 corner = ((facet.foot + facet.corner[k][0] * facet.u) + facet.corner[k][1] * facet.v) + around.center;
     if (known_corner(fences, fence, corner, same)) continue;
     if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
     fences.corners[fences.corner_count++] = corner;
@@ -88,7 +89,8 @@ Status add_corners(const Facet& facet, const Surroundings& around, double same, 
   return Status::kOk;
 }
 
-/// The keep-out's half-spaces and the surroundings' faces, about the surroundings' centre, moved out by `out`.
+/// The keep-out's half-spaces and the faces of the surroundings, relative to the centre of the surroundings and moved
+/// out by `out`.
 Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index, double out) {
   const bool own = index < fence.planes;
   const Halfspace& plane = own ? fences.planes[fence.first_plane + index] : around.faces[index - fence.planes];
@@ -101,7 +103,7 @@ Status find_corners(const Surroundings& around, const Fineness& fine, Fences& fe
   const int count = fence.planes + kBoxPlanes;
   for (int i = 0; i < count; ++i) {
     const Halfspace plane = plane_about(fences, fence, around, i, fine.hair);
-    if (absolute(plane.offset) > around.reach) continue;  // passes the surroundings by
+    if (absolute(plane.offset) > around.reach) continue;  // misses the surroundings
     Facet facet = square_on(plane, around.reach);
     bool left = true;
     for (int j = 0; j < count && left; ++j) {
@@ -113,7 +115,7 @@ Status find_corners(const Surroundings& around, const Fineness& fine, Fences& fe
   return Status::kOk;
 }
 
-/// As finely as the room for corners allows.
+/// Finds the corners, as finely as the capacity for corners allows.
 Status find_corners_that_fit(const Surroundings& around, Fences& fences, KeepOut& fence) {
   Fineness fine{kHair * around.scale, kSame * around.scale, kSpare * around.scale};
   Status status = Status::kFencePlanesFull;

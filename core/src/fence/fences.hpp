@@ -15,10 +15,10 @@
 
 namespace tern {
 
-/// A polyhedron with n facets has at most 2 n - 4 corners; six facets of each belong to the box that it is cut by.
+/// A polyhedron with n facets has at most 2 n - 4 corners. Each keep-out has six more facets from the box that cuts it.
 constexpr int kMaxFenceCorners = 2 * kMaxFencePlanes + 8 * kMaxFences;
 
-/// One keep-out: its half-spaces, and the corners of the part of it that can come within the radius of the boundary.
+/// One keep-out: its half-spaces, and the corners of that part of it that lies within the radius of the boundary.
 struct KeepOut {
   std::int32_t first_plane;
   std::int32_t planes;
@@ -27,15 +27,15 @@ struct KeepOut {
   std::int32_t index;    ///< in the request's list
 };
 
-/// Keep-ins come to one list of half-spaces that hold everywhere.
+/// All keep-ins together form one list of half-spaces; the centre must satisfy all of them.
 struct Fences {
   std::int32_t keep_in_count;
   std::int32_t keep_out_count;
   std::int32_t plane_count;
   std::int32_t corner_count;
-  double touching;  ///< metres by which a point may be nearer than the radius: contact_tolerance, and the corners' own
+  double touching;  ///< metres that a point may be too close: contact_tolerance plus the corners' tolerance
   Halfspace keep_in[kMaxFencePlanes];
-  std::int32_t keep_in_index[kMaxFencePlanes];  ///< the fence of each in the request's list
+  std::int32_t keep_in_index[kMaxFencePlanes];  ///< index of each one's fence in the request's list
   KeepOut keep_out[kMaxFences];
   Halfspace planes[kMaxFencePlanes];  ///< of the keep-outs
   Vec3 corners[kMaxFenceCorners];
@@ -46,15 +46,17 @@ inline Hull hull_of(const Fences& fences, const KeepOut& fence) noexcept {
 }
 
 /// Reads `count` fences (world frame) for planning on `grid`. A keep-out that cannot come within the radius of the
-/// boundary is left out. kOk; kInvalidArgument for null, a negative or zero count, a kind that is none or a normal that
-/// is too short or long; kNonFiniteInput; kFencesFull; kFencePlanesFull. `fences` is undefined unless kOk.
+/// boundary is left out. kOk; kInvalidArgument for a null pointer, a negative `count`, a fence without half-spaces, an
+/// unknown kind, or a normal that is too short or too long; kNonFiniteInput; kFencesFull; kFencePlanesFull. `fences` is
+/// undefined unless kOk.
 Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
 
-/// True where the segment (local frame; equal ends are a point) lies in each keep-in and keeps `radius` from each
-/// keep-out, but for `touching`.
+/// True if the segment (local frame; equal ends make a point) lies inside every keep-in and keeps `radius` from every
+/// keep-out, both to within `touching`.
 bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
-/// The first fence for which that does not hold, as its index in the request's list, keep-ins first; kNoFence for none.
+/// The first fence for which that does not hold, as its index in the request's list. Keep-ins are tested first.
+/// kNoFence if all hold.
 std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
 }  // namespace tern

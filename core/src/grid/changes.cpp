@@ -14,11 +14,11 @@ void hold(IndexRange& range, std::int32_t index) {
 }  // namespace
 
 std::size_t Changes::words(const Voxel& dims) noexcept {
-  return static_cast<std::size_t>((dims.z + 63) / 64 + Regions(dims).count());
+  return static_cast<std::size_t>(words_for(dims.z) + Regions(dims).count());
 }
 
 bool Changes::any() const noexcept {
-  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) {
+  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) {
     if (summary_[k] != 0) return true;
   }
   return false;
@@ -46,15 +46,15 @@ void Changes::set_plane(std::int32_t z, std::uint64_t value) noexcept {
 }
 
 void Changes::note_all() noexcept {
-  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) summary_[k] = ~std::uint64_t{0};
-  for (std::int32_t z = 0; z < regions_.planes; ++z) set_plane(z, ~std::uint64_t{0});
+  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) summary_[k] = kAllBits;
+  for (std::int32_t z = 0; z < regions_.planes; ++z) set_plane(z, kAllBits);
 }
 
 void Changes::clear() noexcept {
   for (std::int32_t z = 0; z < regions_.planes; ++z) {
     if (plane(z)) set_plane(z, 0);
   }
-  for (std::int32_t k = 0; k < (regions_.planes + 63) / 64; ++k) summary_[k] = 0;
+  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) summary_[k] = 0;
 }
 
 }  // namespace tern

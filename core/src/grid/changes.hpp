@@ -28,7 +28,7 @@ struct ChangeExtent {
 class Changes {
  public:
   Changes(const Voxel& dims, std::uint64_t* storage) noexcept
-      : regions_(dims), summary_(storage), bits_(storage + (dims.z + 63) / 64) {}
+      : regions_(dims), summary_(storage), bits_(storage + words_for(dims.z)) {}
 
   /// Words of storage for a grid of these dimensions.
   static std::size_t words(const Voxel& dims) noexcept;

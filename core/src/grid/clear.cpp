@@ -6,6 +6,7 @@
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
+#include "grid/touching.hpp"
 
 namespace tern {
 namespace {
@@ -16,22 +17,29 @@ struct Probe {
   Vec3 b;
   double shrink;          ///< boxes are smaller by this on each side
   double needed_squared;  ///< squared distance from the shrunk boxes
+  double direction;       ///< direction_tolerance
 };
 
 /// With a radius, boxes as they are. Without, a surface may be touched: boxes lose the tolerance, and what is left must
 /// not be met.
-Probe make_probe(const Vec3& a, const Vec3& b, double radius, double tolerance) {
-  if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance)};
+Probe make_probe(const GridSpec& spec, const Vec3& a, const Vec3& b, double radius, double tolerance) {
+  const double direction = direction_tolerance(spec);
+  if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance), direction};
   // A hair less than the whole tolerance: what is measured rounds.
   constexpr double kHair = 0.05;
-  return {a, b, tolerance, kHair * kHair * tolerance * tolerance};
+  return {a, b, tolerance, kHair * kHair * tolerance * tolerance, direction};
 }
 
+/// The corners of a box that lost the tolerance lie deeper than that in the box itself: near them, the plane between
+/// segment and box decides.
 bool keeps_clear(const Probe& probe, const Box& box) {
   const double s = probe.shrink;
   const Box shrunk{{box.lower.x + s, box.lower.y + s, box.lower.z + s},
                    {box.upper.x - s, box.upper.y - s, box.upper.z - s}};
-  return segment_box_distance_squared(probe.a, probe.b, shrunk) >= probe.needed_squared;
+  const double squared = segment_box_distance_squared(probe.a, probe.b, shrunk);
+  if (squared < probe.needed_squared) return false;
+  if (squared >= 3.0 * s * s) return true;
+  return room_along(probe.a, probe.b, box, separating_normal(probe.a, probe.b, box, probe.direction)) >= -s;
 }
 
 bool in_boundary(const Grid& grid, const Vec3& local, double tolerance) {
@@ -119,7 +127,7 @@ bool blocks_clear(const Grid& grid, const Probe& probe, const Block& block, doub
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept {
   const double tolerance = contact_tolerance(grid.spec());
   if (!(radius >= 0.0) || !in_boundary(grid, a, tolerance) || !in_boundary(grid, b, tolerance)) return false;
-  const Probe probe = make_probe(a, b, radius, tolerance);
+  const Probe probe = make_probe(grid.spec(), a, b, radius, tolerance);
   if (!blocks_clear(grid, probe, {1, 1}, radius)) return false;
   if (radius > tolerance) return true;
   return blocks_clear(grid, probe, {2, 1}, radius) && blocks_clear(grid, probe, {1, 2}, radius) &&

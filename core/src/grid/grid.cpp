@@ -77,12 +77,8 @@ Verdict check(const GridSpec& spec, const std::uint64_t* words, std::size_t word
   return kAccepted;
 }
 
-std::int32_t words_of_row(const Voxel& dims) {
-  return (dims.x + 63) / 64;
-}
-
 std::size_t words_of_layer(const Voxel& dims) {
-  return static_cast<std::size_t>(words_of_row(dims)) * static_cast<std::size_t>(dims.y) *
+  return static_cast<std::size_t>(words_for(dims.x)) * static_cast<std::size_t>(dims.y) *
          static_cast<std::size_t>(dims.z);
 }
 
@@ -161,7 +157,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   // One radius for every stage: what is none for inflation is none for the corridor.
   if (spec.radius <= kClearTolerance) spec_.radius = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
-  row_words_ = words_of_row(spec.dims);
+  row_words_ = words_for(spec.dims.x);
   reach_x_ = Stencil(spec_).gap_x() + 1;
   words_ = words;
   obstacles_ = words + kHeaderWords;

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/math.hpp"
+#include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -39,20 +40,6 @@ inline std::int32_t ceil_index(double x, std::int32_t lo, std::int32_t hi) {
 /// tolerance and the rounding of the stored number, which at 1e9 m outweighs it.
 inline double world_tolerance(const GridSpec& spec, double world) {
   return kLatticeTolerance + absolute(world) * kWorldRounding / spec.cell;
-}
-
-/// A half-open range of voxel indices on one axis.
-struct IndexRange {
-  std::int32_t begin;
-  std::int32_t end;
-};
-
-/// The bits of a row's word k that lie in a range that is not empty and meets the word.
-inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexcept {
-  std::uint64_t mask = ~std::uint64_t{0};
-  if (k == range.begin >> 6) mask &= ~std::uint64_t{0} << (range.begin & 63);
-  if (k == (range.end - 1) >> 6) mask &= ~std::uint64_t{0} >> (63 - ((range.end - 1) & 63));
-  return mask;
 }
 
 /// Metres by which a state of a plan may lie beyond the boundary (the trajectory stage's tolerance), and the next plan

@@ -42,7 +42,8 @@ struct Rows {
 };
 
 Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, std::int32_t z) {
-  return {grid.obstacle_row(range.lower.y, z) + window.first_word, grid.row_words(), range.upper.y - range.lower.y};
+  const BitRows rows = GridView::obstacles(grid);
+  return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
 /// The first row at or after `y` whose bits in the window differ from those `back` words before them, or rows.count.
@@ -207,10 +208,10 @@ int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratc
   LayerRectangle* below = scratch.rectangles[0];
   LayerRectangle* layer = scratch.rectangles[1];
   int below_count = 0;
-  const std::ptrdiff_t layer_words = grid.obstacle_row(0, 1) - grid.obstacle_row(0, 0);
+  const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
   for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
     const Rows rows = rows_of(grid, range, window, z);
-    if (z > range.lower.z && first_difference(rows, window, layer_words, 0) == rows.count) {
+    if (z > range.lower.z && first_difference(rows, window, plane_words, 0) == rows.count) {
       for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
       continue;
     }

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "grid/bit_rows.hpp"
 #include "tern/config.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
@@ -37,7 +38,6 @@ struct LayerRectangle {
   std::int32_t box;
 };
 
-constexpr int kLocalRowWords = (kMaxDimension + 63) / 64;
 constexpr int kMaxRowRuns = kMaxLocalBoxes < kMaxDimension / 2 + 1 ? kMaxLocalBoxes : kMaxDimension / 2 + 1;
 static_assert(kMaxDimension < 32768, "rectangles count voxels in 16 bits");
 
@@ -45,7 +45,7 @@ static_assert(kMaxDimension < 32768, "rectangles count voxels in 16 bits");
 struct ExtractScratch {
   LayerRectangle rectangles[2][kMaxLocalBoxes];  ///< of this layer and of the one below, each sorted by (y0, x0)
   std::int32_t open[2][kMaxRowRuns];             ///< rectangles that reach the current row, in order of x
-  std::uint64_t row[kLocalRowWords];             ///< the range's words of the row at hand
+  std::uint64_t row[kMaxRowWords];               ///< the range's words of the row at hand
 };
 
 /// The voxels whose cubes come closer than the grid's radius to a face of `box` from outside, or meet it: the others

@@ -38,8 +38,8 @@ void offer(Nearest& nearest, const Voxel& voxel) {
 
 /// The last free voxel of a row before x; -1 where there is none.
 std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
-  std::uint64_t mask = ~(~std::uint64_t{0} << (x & 63));
-  for (std::int32_t k = x >> 6; k >= 0; --k, mask = ~std::uint64_t{0}) {
+  std::uint64_t mask = bits_before(x);
+  for (std::int32_t k = x >> 6; k >= 0; --k, mask = kAllBits) {
     const std::uint64_t free = ~row[k] & mask;
     if (free != 0) return 64 * k + 63 - __builtin_clzll(free);
   }
@@ -48,8 +48,8 @@ std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
 
 /// The first free voxel of a row at or after x; -1 where there is none. Padding counts as blocked.
 std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32_t x) {
-  std::uint64_t mask = ~std::uint64_t{0} << (x & 63);
-  for (std::int32_t k = x >> 6; k < words; ++k, mask = ~std::uint64_t{0}) {
+  std::uint64_t mask = bits_from(x);
+  for (std::int32_t k = x >> 6; k < words; ++k, mask = kAllBits) {
     const std::uint64_t free = ~row[k] & mask;
     if (free != 0) return 64 * k + __builtin_ctzll(free);
   }

@@ -7,12 +7,13 @@
 
 #include <cstdint>
 
+#include "grid/bit_rows.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
 
 /// Rows of a region.
-constexpr std::int32_t kBlockRows = 64;
+constexpr std::int32_t kBlockRows = kWordBits;
 
 /// A layer's regions: one word each of 64 consecutive rows of one plane.
 struct Regions {
@@ -20,8 +21,7 @@ struct Regions {
   std::int32_t blocks;  ///< along y
   std::int32_t planes;  ///< along z
 
-  explicit Regions(const Voxel& dims) noexcept
-      : words((dims.x + 63) / 64), blocks((dims.y + kBlockRows - 1) / kBlockRows), planes(dims.z) {}
+  explicit Regions(const Voxel& dims) noexcept : words(words_for(dims.x)), blocks(words_for(dims.y)), planes(dims.z) {}
 
   std::int32_t count() const noexcept { return words * blocks * planes; }
   std::int32_t at(std::int32_t z, std::int32_t block, std::int32_t word) const noexcept {

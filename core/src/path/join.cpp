@@ -15,7 +15,7 @@ double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) 
   return dot(d, d);
 }
 
-/// Inserts a candidate behind all that are as near: they came before it in the order of z, y, x.
+/// Inserts a candidate after all that are equally near: those come before it in the order of z, y, x.
 void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point) {
   const double far = square_distance(grid, voxel, point);
   std::int32_t at = join.count++;
@@ -25,7 +25,7 @@ void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point)
   join.candidates[at] = voxel;
 }
 
-/// True of a neighbour whose closed cube holds the point as well, but for the lattice's tolerance.
+/// True if the closed cube of this neighbour also contains the point, to within the lattice tolerance.
 bool lies_beside(const Grid& grid, const Voxel& voxel, const Vec3& point) {
   for (int a = 0; a < 3; ++a) {
     const double beyond = axis(point, a) / grid.spec().cell - axis(voxel, a);
@@ -38,7 +38,7 @@ bool is_candidate(const Join& join, const Grid& grid, const Voxel& voxel, const 
   return grid.free(voxel) && !same(voxel, join.home) && (!beside || lies_beside(grid, voxel, point));
 }
 
-/// `beside`: only voxels whose closed cubes hold the point, too.
+/// `beside`: collect only voxels whose closed cubes also contain the point.
 void collect(Join& join, const Grid& grid, const Vec3& point, bool beside) {
   const Voxel home = join.home;
   for (int dz = -kJoinReach; dz <= kJoinReach; ++dz) {
@@ -51,7 +51,7 @@ void collect(Join& join, const Grid& grid, const Vec3& point, bool beside) {
   }
 }
 
-/// Where a voxel is in `searched`; -1 out of reach.
+/// Index of a voxel in `searched`; -1 if the voxel is out of reach.
 int cell_of(const Join& join, const Voxel& voxel) {
   const Voxel d{voxel.x - join.home.x + kJoinReach, voxel.y - join.home.y + kJoinReach,
                 voxel.z - join.home.z + kJoinReach};
@@ -59,7 +59,7 @@ int cell_of(const Join& join, const Voxel& voxel) {
   return within ? d.x + kJoinWidth * (d.y + kJoinWidth * d.z) : -1;
 }
 
-/// Marks the free voxels that faces join to the first one, which is in reach.
+/// Marks the free voxels within reach that are connected to `first` through faces. `first` is within reach.
 void mark_searched(Join& join, const Grid& grid, const Voxel& first) {
   Voxel waiting[kJoinCells];
   int count = 0;

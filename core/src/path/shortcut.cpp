@@ -13,13 +13,13 @@ double leg_cost(const Grid& grid, const Path& path, std::int32_t i, std::int32_t
   return distance(path.raw[i], path.raw[j]) + kLegPrice * grid.spec().cell;
 }
 
-/// The first point that the head's predecessor is sought among.
+/// The first candidate for the head's predecessor.
 std::int32_t window_begin(const Shortcut& shortcut) {
   return shortcut.head > kSightWindow ? shortcut.head - kSightWindow : 0;
 }
 
-/// The candidate with the cheapest chain on to the head, if that beats the best known; the lower index of equals. -1
-/// where nothing beats it.
+/// The candidate whose chain on to the head is the cheapest and beats the best known; of equals, the one with the lower
+/// index. -1 if nothing beats the best known.
 std::int32_t best_probe(const Shortcut& shortcut) {
   std::int32_t best = -1;
   double least = shortcut.ends[shortcut.head].cost;
@@ -32,7 +32,7 @@ std::int32_t best_probe(const Shortcut& shortcut) {
   return best;
 }
 
-/// Makes the next point the head: its own leg is what the lines of sight have to beat.
+/// Makes the next point the head. At first, its best chain ends with the leg from the point before it.
 void chain_advance(Shortcut& shortcut, const Grid& grid, const Path& path) {
   const std::int32_t j = ++shortcut.head;
   if (j >= path.raw_count) return;
@@ -61,13 +61,13 @@ void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept {
   if (shortcut.probe < 0) return chain_advance(shortcut, grid, path);
   ChainEnd& end = shortcut.ends[shortcut.head];
   ChainEnd& probe = shortcut.ends[shortcut.probe];
-  // Probes come cheapest first: the first in sight is the best.
+  // Probes are tried cheapest first, so the first one in sight is the best.
   if (line_of_sight(grid, path.raw[shortcut.probe], path.raw[shortcut.head])) {
     end.cost = probe.onward;
     end.from = shortcut.probe;
     return chain_advance(shortcut, grid, path);
   }
-  // As dear as what is known: never the best again.
+  // This makes the candidate as expensive as the best known, so it is never chosen again.
   probe.onward = end.cost;
   shortcut.probe = best_probe(shortcut);
 }

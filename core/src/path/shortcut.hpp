@@ -13,34 +13,33 @@
 
 namespace tern {
 
-/// Points before one of the path's among which its predecessor in the chain is sought. Lines of sight that skip more
-/// turns than these are rare, and tightening finds most of them again.
+/// A point's predecessor in the chain is sought among this many points before it. Lines of sight that skip more turns
+/// are rare, and tightening finds most of them again.
 constexpr int kSightWindow = 64;
 
-/// Bound on units: for each point one line from each candidate before it but the nearest, and one
-/// that goes on to the next point.
+/// Bound on units. Each point takes one unit for each candidate except the nearest, and one to go on to the next point.
 constexpr std::uint32_t kChainBound =
     static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kSightWindow);
 
-/// What a leg costs besides its length, in voxels: between chains of nearly equal length the one with fewer segments is
-/// worth more than a twentieth of a voxel.
+/// What a leg costs in addition to its length, in voxels. One segment fewer is worth a twentieth of a voxel of length.
 constexpr double kLegPrice = 0.05;
 
-/// The best known chain from the path's first point to one of its points.
+/// The best known chain from the first point of the path to one of its points.
 struct ChainEnd {
   double cost;        ///< metres of length and leg prices
-  double onward;      ///< cost of the chain that goes on from here to the head, while this is one of its candidates
+  double onward;      ///< cost of the chain that goes on from here to the head, while this point is a candidate
   std::int32_t from;  ///< the point before it
 };
 
 /// Plain data; needs no initialisation before shortcut_begin.
 struct Shortcut {
   std::int32_t head;   ///< the point whose best predecessor is sought
-  std::int32_t probe;  ///< the point that the next line of sight joins to head; -1 where none would beat its own leg
+  std::int32_t probe;  ///< the next line of sight is from here to the head; -1 if none can beat the best known
   ChainEnd ends[kMaxJumpPoints];
 };
 
-/// `path.raw` holds the path to shorten: each point sees the next (a move of the grid, or a checked join).
+/// `path.raw` is the path to shorten. Each of its points sees the next, because the step is a move of the grid or a
+/// checked join.
 void shortcut_begin(Shortcut& shortcut, const Grid& grid, Path& path) noexcept;
 
 /// True while there are units of work to be done; false when the chain is complete.
@@ -50,8 +49,8 @@ bool shortcut_needs_step(const Shortcut& shortcut, const Path& path) noexcept;
 /// shortcut_needs_step().
 void shortcut_step(Shortcut& shortcut, const Grid& grid, Path& path) noexcept;
 
-/// Writes path.points, count and length: kOk, or kSegmentsFull with `path` unchanged but for its points. Once, when no
-/// unit is left.
+/// Writes path.points, count and length. Call it once, when no unit is left. kOk, or kSegmentsFull with only path.count
+/// changed.
 Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept;
 
 }  // namespace tern

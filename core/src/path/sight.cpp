@@ -14,15 +14,15 @@ struct Span {
   double end;
 };
 
-/// One coordinate of the segment over its parameter t in [0, 1], in voxels, with what every voxel that it passes asks
-/// for.
+/// One coordinate of the segment as a function of its parameter t in [0, 1], in voxels, and precomputed values that
+/// each voxel on the way needs.
 struct Track {
   double from;
   double slope;
   double reach;    ///< how far from the segment voxels count as met
   double inverse;  ///< 1 / slope; 0 where the track moves less than its rounding allowance
   double enter;    ///< the track comes within reach of voxel i at t = (i - enter) * inverse
-  double leave;    ///< and is out of it again from t = (i - leave) * inverse on
+  double leave;    ///< and it is out of reach again from t = (i - leave) * inverse on
 
   Track(double a, double b, double margin) : from(a), slope(b - a), reach(margin) {
     const double before = from + reach;
@@ -33,31 +33,32 @@ struct Track {
     leave = forward ? behind : before;
   }
 
-  /// Voxels that the track comes within reach of while t runs over the span; half-open. Only for tracks inside().
+  /// The range of voxels (half-open) that come within reach while t runs over the span. Only for tracks that are
+  /// inside().
   IndexRange voxels(const Span& span) const {
     const double a = from + slope * span.begin;
     const double b = from + slope * span.end;
-    // Conversion cuts off the fraction: what is cut off is inside the grid, -1 < low and 0 < high.
+    // Truncation towards zero is right here: the track is inside the grid, so -1 < low and 0 < high.
     const double low = smaller(a, b) - reach - 1.0;
     const std::int32_t first = static_cast<std::int32_t>(low);
     return {first + (first < low ? 1 : 0), static_cast<std::int32_t>(larger(a, b) + reach) + 1};
   }
 
-  /// The part of `span` during which the track is within reach of voxel `index`.
+  /// The part of `span` in which the track is within reach of voxel `index`.
   Span within(std::int32_t index, const Span& span) const {
-    // A track that hardly moves is near the voxel all the time or never.
+    // A track that hardly moves is within reach of the voxel either all the time or never.
     if (absolute(slope) <= kSightRounding) return span;
     return {larger(span.begin, (index - enter) * inverse), smaller(span.end, (index - leave) * inverse)};
   }
 
-  /// True where all that the track comes within reach of is one of `count` voxels. NaN is not.
+  /// True if every voxel that comes within reach is one of the `count` voxels of the axis. False for NaN.
   bool inside(std::int32_t count) const {
     const double to = from + slope;
     return smaller(from, to) - reach > 0.0 && larger(from, to) + reach < count;
   }
 };
 
-/// Voxels of a range in the order in which the track meets them: what blocks a line that was moved is near its first
+/// The voxels of a range in the order in which the track meets them. A moved line is usually blocked near its first
 /// end.
 std::int32_t met(const Track& track, const IndexRange& range, std::int32_t n) {
   return track.slope < 0.0 ? range.end - 1 - n : range.begin + n;
@@ -68,10 +69,7 @@ bool row_free(const std::uint64_t* row, const IndexRange& range) {
   const std::int32_t first = range.begin >> 6;
   const std::int32_t last = (range.end - 1) >> 6;
   for (std::int32_t k = first; k <= last; ++k) {
-    std::uint64_t word = row[k];
-    if (k == first) word &= ~std::uint64_t{0} << (range.begin & 63);
-    if (k == last) word &= ~std::uint64_t{0} >> (63 - ((range.end - 1) & 63));
-    if (word != 0) return false;
+    if ((row[k] & bits_within(range, k)) != 0) return false;
   }
   return true;
 }

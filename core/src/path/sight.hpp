@@ -8,13 +8,14 @@
 
 namespace tern {
 
-/// Part of a voxel by which sight is stricter than kSightMargin says: outweighs every rounding error of the walk, so
-/// that what counts as visible is.
+/// Sight is stricter than its margin by this share of a voxel. That outweighs every rounding error of the walk, so
+/// whatever counts as visible really is.
 constexpr double kSightRounding = 1e-9;
 
-/// The supercover line of sight, thickened: true only where every voxel whose closed cube comes within `margin` of a
-/// voxel (max norm, 0 .. 0.5) of the segment from a to b is free, and all of that lies in the grid. Local frame; ends
-/// anywhere in the grid, equal ends too. Reads the words of each row of voxels that the thick segment meets.
+/// The supercover line of sight, thickened. True only if all voxels near the segment from a to b are free and lie in
+/// the grid. "Near" means that the closed cube comes within `margin` (in voxels, max norm, 0 .. 0.5) of the segment.
+/// Local frame. The ends may lie anywhere in the grid and may be equal. Reads the words of each row of voxels that the
+/// thick segment meets.
 bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin = kSightMargin) noexcept;
 
 }  // namespace tern

@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Where along one axis through p the way from a over p to b is shortest: the two triangles that p makes with the axis,
-/// unfolded into one plane, make a straight line.
+/// The coordinate along one axis at which the way from a over the line through p to b is shortest. If the half-planes
+/// from this line to a and to b are unfolded into one plane, the shortest way is a straight line.
 double shortest_along(const Vec3& a, const Vec3& p, const Vec3& b, int along) {
   Vec3 to_a = a - p;
   Vec3 to_b = b - p;
@@ -22,7 +22,7 @@ double shortest_along(const Vec3& a, const Vec3& p, const Vec3& b, int along) {
   return axis(a, along) + (axis(b, along) - axis(a, along)) * (off_a / (off_a + off_b));
 }
 
-/// Where the move leads at most.
+/// The farthest point that the move may reach.
 Vec3 target(const Path& path, int waypoint, TightenMove move) {
   const Vec3& before = path.points[waypoint - 1];
   const Vec3& after = path.points[waypoint + 1];
@@ -46,17 +46,17 @@ Vec3 target(const Path& path, int waypoint, TightenMove move) {
   return to;
 }
 
-/// Length of the two hops that meet at `at` in place of the waypoint.
+/// Length of the two legs that meet at `at`, in place of the waypoint.
 double bend(const Tighten& tighten, const Path& path, const Vec3& at) {
   return distance(path.points[tighten.waypoint - 1], at) + distance(at, path.points[tighten.waypoint + 1]);
 }
 
-/// Where `far` metres of the move lead.
+/// The point that is `far` metres along the move.
 Vec3 position(const Tighten& tighten, double far) {
   return tighten.from + (far / tighten.reach) * (tighten.to - tighten.from);
 }
 
-/// True where the move has something to try.
+/// True if the move is worth trying.
 bool set_up(Tighten& tighten, const Grid& grid, const Path& path) {
   const double cell = grid.spec().cell;
   tighten.from = path.points[tighten.waypoint];
@@ -71,9 +71,10 @@ bool set_up(Tighten& tighten, const Grid& grid, const Path& path) {
   return tighten.move == TightenMove::kDrop || tighten.length - tighten.least > kTightenLeast * cell;
 }
 
-/// The next move that has something to try: of this waypoint, of the next, of the next pass while passes pay.
+/// Finds the next move that is worth trying: for this waypoint, then for the next ones, then in the next pass as long
+/// as passes gain enough.
 void advance(Tighten& tighten, const Grid& grid, Path& path) {
-  // Each turn takes a move; a pass takes all moves of all waypoints.
+  // Each iteration takes one move. A pass takes all moves of all waypoints.
   while (tighten.waypoint + 1 < path.count) {
     tighten.move = static_cast<TightenMove>(static_cast<int>(tighten.move) + 1);
     if (tighten.move == TightenMove::kMoves) {
@@ -94,12 +95,12 @@ void advance(Tighten& tighten, const Grid& grid, Path& path) {
 void drop(Tighten& tighten, Path& path) {
   for (int k = tighten.waypoint; k + 1 < path.count; ++k) path.points[k] = path.points[k + 1];
   --path.count;
-  // The waypoint that took its place is next: all moves of the one before it are done.
+  // Continues with the waypoint that took its place. The moves of the waypoint before it are all done.
   tighten.move = TightenMove::kAlongZ;
   --tighten.waypoint;
 }
 
-/// Both hops over `at` are in sight; first the one that no known line holds.
+/// True if both legs over `at` are in sight. Tests the leg first that is not part of a known line.
 bool clear(const Tighten& tighten, const Grid& grid, const Path& path, const Vec3& at) {
   const Vec3& before = path.points[tighten.waypoint - 1];
   const Vec3& after = path.points[tighten.waypoint + 1];
@@ -108,8 +109,8 @@ bool clear(const Tighten& tighten, const Grid& grid, const Path& path, const Vec
   return line_of_sight(grid, at, first, kTightenMargin) && line_of_sight(grid, at, second, kTightenMargin);
 }
 
-/// Steps grow until one is refused, then halve what is left between; where the first step is refused the finest one
-/// decides whether the waypoint can move at all. False where no step is worth trying.
+/// Chooses the next step. Steps grow until one is refused, and then halve the remaining distance. If the first step is
+/// refused, the finest step decides whether the waypoint can move at all. False if no step is worth trying.
 bool set_next(Tighten& tighten, const Grid& grid) {
   const double cell = grid.spec().cell;
   const bool refused = tighten.refused <= tighten.reach;

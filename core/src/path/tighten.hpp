@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pulling the shortcut path tight: its waypoints leave the voxel centres for the corners and edges that the shortest
-// path of its kind bends at.
+// Pulls the shortcut path tight. Its waypoints move from voxel centres to the corners and edges where a taut string
+// would bend.
 #ifndef TERN_PATH_TIGHTEN_HPP
 #define TERN_PATH_TIGHTEN_HPP
 
@@ -13,31 +13,33 @@
 
 namespace tern {
 
-/// Times that each waypoint is visited. Most paths stop changing after two or three.
+/// Passes, at most; each visits every waypoint. Most paths stop changing after two or three.
 constexpr int kTightenPasses = 4;
 /// Trials of one move: steps that grow across the largest grid, then halve from its diagonal down to the finest step.
 constexpr int kTightenTrials = 26;
-/// A move, or what is left of one, is not tried where it can shorten the path by no more than this part of a voxel:
-/// along a move the length falls, so that its end tells.
+/// A move, or the rest of one, is skipped if it shortens the path by at most this share of a voxel. The path gets
+/// shorter all along a move, so the end of the move shows its greatest gain.
 constexpr double kTightenLeast = 0.01;
-/// A move is known well enough when this part of a voxel is left between the farthest position in sight and the nearest
-/// out of sight.
+/// A move is finished when the farthest position in sight and the nearest one out of sight are this share of a voxel
+/// apart.
 constexpr double kTightenFinest = 0.2;
-/// Each step of a move is so many times the one before, from one voxel on, until one is refused.
+/// The first step of a move is one voxel. Each further step is this many times the one before, until a step is refused.
 constexpr double kTightenGrowth = 4.0;
-/// A pass that shortens the path by less than this part of a voxel is the last.
+/// A pass that shortens the path by less than this share of a voxel is the last.
 constexpr double kTightenGain = 0.1;
 
-/// Segments to a moved waypoint keep this part of a voxel (max norm) from what is not free, more than a line of sight
-/// must: the corridor around them is wider for it. Less gives shorter paths and, in narrow places, slower plans.
+/// Segments to a moved waypoint keep this share of a voxel (max norm) from everything that is not free. That is more
+/// than a line of sight must keep, and it makes the corridor wider. A smaller share gives shorter paths but, in narrow
+/// places, slower plans.
 constexpr double kTightenMargin = 0.15;
 
-/// What is tried with a waypoint, in this order. Each leads along a straight line on which the path grows shorter.
+/// The moves that are tried with a waypoint, in this order. Each follows a straight line along which the path gets
+/// shorter.
 enum class TightenMove : std::uint8_t {
   kDrop,    ///< leave it out
   kBack,    ///< towards the waypoint before it
   kOn,      ///< towards the waypoint after it
-  kAlongX,  ///< along an axis, as an edge of a voxel runs, to where the path is shortest
+  kAlongX,  ///< along an axis, like an edge of a voxel, to where the path is shortest
   kAlongY,
   kAlongZ,
   kMoves,
@@ -50,29 +52,29 @@ constexpr std::uint32_t kTightenBound = static_cast<std::uint32_t>(kMaxWaypoints
 /// Plain data; needs no initialisation before tighten_begin.
 struct Tighten {
   int pass;
-  int waypoint;  ///< being moved; path.count - 1 or more when the path is tight
+  int waypoint;  ///< the waypoint being moved; path.count - 1 or more once the path is tight
   TightenMove move;
-  int trials;         ///< left of the move
+  int trials;         ///< trials left for the current move
   double pass_start;  ///< the path's length when the pass began, metres
   Vec3 from;          ///< where the move began
-  Vec3 to;            ///< where it leads at most
+  Vec3 to;            ///< the farthest point that it may reach
   double reach;       ///< metres from one to the other
-  double seen;        ///< farthest that it went, metres
-  double refused;     ///< nearest that was refused, or more than reach
-  double next;        ///< to be tried next
-  double length;      ///< of the two hops over the waypoint, metres
-  double least;       ///< what it would be at `refused` or, before anything is refused, at `to`
+  double seen;        ///< farthest distance found in sight, metres
+  double refused;     ///< nearest distance that was refused; more than reach if none was
+  double next;        ///< distance to be tried next
+  double length;      ///< of the two legs at the waypoint, metres
+  double least;       ///< that length at `refused` or, before anything is refused, at `to`
 };
 
 /// `path` holds waypoints and length. Each inner waypoint may move.
 void tighten_begin(Tighten& tighten, const Grid& grid, const Path& path) noexcept;
 
-/// True while a trial is to be made.
+/// True while there is a trial to make.
 bool tighten_needs_trial(const Tighten& tighten, const Path& path) noexcept;
 
-/// Makes one trial: two lines of sight at most. The path never grows longer, nor has it more waypoints; every segment
-/// that changes passes line_of_sight, with kTightenMargin where a waypoint moved, with kSightMargin where one was left
-/// out. Keeps path.count and, from pass to pass, length up to date.
+/// Makes one trial, which tests at most two lines of sight. The path never gets longer and never gains a waypoint.
+/// Every segment that changes passes line_of_sight: with kTightenMargin if a waypoint moved, with kSightMargin if one
+/// was dropped. Keeps path.count up to date, and path.length after each pass.
 void tighten_try(Tighten& tighten, const Grid& grid, Path& path) noexcept;
 
 }  // namespace tern

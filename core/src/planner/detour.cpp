@@ -36,7 +36,7 @@ bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
 
 /// Where the sharpest braking stops that has room straight ahead. That way leads along the velocity, nearly, whatever
 /// the acceleration, and its polyhedron holds gentler ones too as far as it reaches.
-bool find_stop(Lines& lines, const State& state, const Limits& limits, Vec3& stop) {
+bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec3& stop) {
   for (int shape = kBrakeShapes - 1; shape >= 0; --shape) {
     stop = stopping_point(make_brake(state, limits, shape));
     if (can_brake_along(lines, state.position, stop)) return true;
@@ -75,7 +75,7 @@ void reverse(Path& path) {
 }
 
 /// The detour of the path's first end; waypoints after `last` stay.
-bool lead_through_stop(Lines& lines, const State& start, const Limits& limits, int last, Path& path) {
+bool lead_through_stop(Lines& lines, const State& start, const MotionLimits& limits, int last, Path& path) {
   Vec3 stop;
   if (at_rest(start) || path.count + 2 > kMaxWaypoints || !find_stop(lines, start, limits, stop)) return false;
   insert_stop(stop, onward_waypoint(lines, stop, path, last), path);
@@ -84,14 +84,14 @@ bool lead_through_stop(Lines& lines, const State& start, const Limits& limits, i
 
 }  // namespace
 
-bool take_detour(const Grid& grid, const Fences* fences, const Request& request, Path& path,
+bool take_detour(const Grid& grid, const Fences* fences, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept {
   Lines world{grid, fences, 0};
-  const bool start_led = lead_through_stop(world, request.start, request.limits, path.count - 1, path);
+  const bool start_led = lead_through_stop(world, request.start, limits, path.count - 1, path);
   reverse(path);
   // The start's own leg stays, whatever the goal's stopping point sees.
   const int last = path.count - (start_led ? 2 : 1);
-  const bool goal_led = lead_through_stop(world, backwards(request.goal), backwards(request.limits), last, path);
+  const bool goal_led = lead_through_stop(world, backwards(request.goal), backwards(limits), last, path);
   reverse(path);
   lines = world.count;
   if (!start_led && !goal_led) return false;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/bounds.hpp"
 #include "curve/brake.hpp"
 #include "fence/fences.hpp"
 #include "tern/grid.hpp"
@@ -28,8 +29,9 @@ constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeSha
 /// Leads each end of the path that moves through a point where that motion can stop (the goal's: where it can have
 /// begun), if the straight way there keeps the radius: from there on to the furthest waypoint in sight, or back and
 /// along the path. Adds two waypoints an end at most. False with `path` unchanged where neither end has such a point,
-/// or there is no room for it. Local frame; `fences` null for none. `lines`: how many were checked, <= kDetourLines.
-bool take_detour(const Grid& grid, const Fences* fences, const Request& request, Path& path,
+/// or there is no room for it. The request is in the local frame,
+/// `limits` are its own; `fences` null for none. `lines`: how many were checked, <= kDetourLines.
+bool take_detour(const Grid& grid, const Fences* fences, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept;
 
 }  // namespace tern

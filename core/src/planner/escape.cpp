@@ -31,7 +31,7 @@ void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corr
 
 }  // namespace
 
-bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits, GrowScratch& scratch,
+bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
                 Escape& escape) noexcept {
   const int choice = escape.next++;
   Stopping& stopping = escape.stopping;
@@ -49,7 +49,7 @@ bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits
   return fits;
 }
 
-bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
+bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
                 GrowScratch& scratch, Escape& escape) noexcept {
   // Parts of what the way takes at the mean of both velocities.
   constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};

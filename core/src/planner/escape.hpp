@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "base/bounds.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "curve/stopping.hpp"
 #include "planner/tube.hpp"
@@ -50,7 +51,7 @@ struct EscapeRoom {
 };
 
 /// Tries the next choice for `state` (relative to the plan's origin). True where it has room: fills the escape.
-bool escape_try(const EscapeRoom& room, const State& state, const Limits& limits, GrowScratch& scratch,
+bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
                 Escape& escape) noexcept;
 
 /// Choices of the duration of an arrival.
@@ -59,7 +60,7 @@ constexpr int kArrivals = 12;
 /// Tries to fly from the start straight into the motion of the goal with one curve, `choice` of 0 .. kArrivals - 1:
 /// what is left of a plan that is nearly flown, where there is no room to stop before the goal any more. Fills the
 /// escape.
-bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const Limits& limits, int choice,
+bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
                 GrowScratch& scratch, Escape& escape) noexcept;
 
 /// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed,

@@ -7,7 +7,8 @@
 #include "corridor/corridor_stage.hpp"
 #include "fence/fence_layer.hpp"
 #include "fence/fences.hpp"
-#include "path/path_stage.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
 #include "planner/escape.hpp"
 #include "planner/plan.hpp"
 #include "planner/previous.hpp"
@@ -51,7 +52,8 @@ struct Layout {
   FenceLayer fence_layer;
   ScanMap scans;  ///< what a search found out about the map serves the next one
   union {
-    PathStage path;
+    SearchStage search;
+    ShortcutStage shortcut;
     CorridorStage corridor;
     TrajectoryMemory trajectory;
     CheckStage check;

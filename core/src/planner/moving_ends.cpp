@@ -4,6 +4,7 @@
 // What a plan goes through besides where an end moves and the corridor has no room for its motion: a detour along the
 // path, then an escape to rest. And how often, which bounds the work.
 #include "base/math.hpp"
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "curve/rest.hpp"
 #include "grid/distance.hpp"
@@ -18,6 +19,15 @@ namespace {
 
 /// Stops that a plan goes on from at most: from the first few there may be no path.
 constexpr std::uint32_t kEscapeTries = 3;
+
+/// Half-spaces that all choices of a plan make at most: the ways to rest of both ends, and the arrivals.
+constexpr std::uint32_t kEscapeBound = (2u * kStoppingChoices + kArrivals) * kEscapePlanes;
+
+/// A capacity or the request's budget ran out.
+bool lacks_room(Status status) {
+  const bool capacity = status >= Status::kNodesFull && status < Status::kInfeasible;
+  return capacity || status >= Status::kBudgetSearch;
+}
 
 }  // namespace
 
@@ -38,10 +48,6 @@ std::uint32_t Plan::checks() const noexcept {
   return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
 }
 
-std::uint32_t Plan::escape_planes() const noexcept {
-  return rests() ? 0 : 2u * static_cast<std::uint32_t>(kStoppingChoices) * kEscapePlanes;
-}
-
 /// The start (0) or the goal (1) as it was asked for, relative to the plan's origin.
 State Plan::asked_end(int end) const noexcept {
   State state = end == 0 ? asked_.start : asked_.goal;
@@ -50,20 +56,20 @@ State Plan::asked_end(int end) const noexcept {
 }
 
 /// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
-Status Plan::run_detour(Work& work) noexcept {
-  if (!work.take()) return Status::kRunning;
-  Layout& memory = *memory_;
-  StageReport& shortcut = report_.stages[static_cast<int>(Stage::kShortcut)];
-  if (asked_.budget.sight_lines - shortcut.work < kDetourLines) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+Progress Plan::run_detour(Work& work) noexcept {
+  if (!work.take()) return Progress::kMore;
   std::uint32_t lines = 0;
-  const bool found =
-      take_detour(world(), has_fences_ ? &memory.fences : nullptr, to_local(*grid_, asked_), memory.path, lines);
-  shortcut.work += lines;
-  if (!found) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+  const bool found = sight_lines_left() >= kDetourLines &&
+                     take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
+  count(Stage::kDetour, lines, asked_.budget.sight_lines, kDetourLines);
+  if (!found) {
+    fail(Stage::kTrajectory, Status::kNoTrajectory);
+    return Progress::kFailed;
+  }
   report_.detours = kDetoured;
   has_corridor_ = false;
-  enter(Phase::kCorridor);
-  return Status::kOk;
+  enter(Stage::kCorridor);
+  return Progress::kDone;
 }
 
 /// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path
@@ -90,19 +96,33 @@ bool Plan::escape_may_help(Status status) const noexcept {
 }
 
 /// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
-/// about the request as it was.
-Status Plan::fail(Stage stage, Status status) noexcept {
-  if (escapes_ == 0 && memory_->previous.tries == 0) {
+/// about the request as it was. But where a way on lacked only room or budget, that is the reason: with more there may
+/// be a plan.
+void Plan::fail(Stage stage, Status status) noexcept {
+  if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
     failed_status_ = status;
   }
   if (previous_may_help(status)) {
-    enter(Phase::kPrevious);
-    return Status::kOk;
+    enter(Stage::kPrevious);
+  } else if (escape_may_help(status)) {
+    enter(Stage::kEscape);
+  } else {
+    end(failed_stage_, failed_status_);
   }
-  if (!escape_may_help(status)) return end(failed_stage_, failed_status_);
-  enter(Phase::kEscape);
-  return Status::kOk;
+}
+
+/// The corridor and the trajectory at hand go to the check as they are.
+void Plan::fly(Quality quality, std::int32_t detours) noexcept {
+  report_.quality = quality;
+  report_.detours = detours;
+  has_corridor_ = true;
+  enter(Stage::kCheck);
+}
+
+/// The half-spaces that the escape at hand has made.
+void Plan::count_escape() noexcept {
+  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, kEscapeBound);
 }
 
 void Plan::begin_escape() noexcept {
@@ -122,9 +142,9 @@ bool Plan::arrives(Work& work) noexcept {
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
   if (at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
   while (arrivals_ < kArrivals && work.take()) {
-    const bool arrived = arrive_try(room, asked_end(0), asked_end(1), asked_.limits, arrivals_++,
-                                    memory.stage.corridor.grow, memory.escapes[0]);
-    count_planes(memory.stage.corridor.grow.planes);
+    const bool arrived = arrive_try(room, asked_end(0), asked_end(1), limits_, arrivals_++, memory.stage.corridor.grow,
+                                    memory.escapes[0]);
+    count_escape();
     if (!arrived) continue;
     memory.corridor.count = memory.trajectory.count = 0;
     memory.trajectory.origin = asked_.start.position;
@@ -136,33 +156,32 @@ bool Plan::arrives(Work& work) noexcept {
 }
 
 /// One unit is one choice of one end. With a way to rest for each end that moves the plan begins again between them.
-Status Plan::run_escape(Work& work) noexcept {
+Progress Plan::run_escape(Work& work) noexcept {
   Layout& memory = *memory_;
-  GrowScratch& scratch = memory.stage.corridor.grow;
   if (arrives(work)) {
-    report_.quality = Quality::kStopAndGo;
-    report_.detours = kEscaped;
-    has_corridor_ = true;
-    enter(Phase::kCheck);
-    return Status::kOk;
+    fly(Quality::kStopAndGo, kEscaped);
+    return Progress::kDone;
   }
   for (int e = 0; e < 2; ++e) {
     const State state = asked_end(e);
     Escape& escape = memory.escapes[e];
     const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
     while (!at_rest(state) && escape.count == 0) {
-      if (escape.next == kStoppingChoices) return end(failed_stage_, failed_status_);
-      if (!work.take()) return Status::kRunning;
-      escape_try(room, state, asked_.limits, scratch, escape);
-      count_planes(scratch.planes);
+      if (escape.next == kStoppingChoices) {
+        end(failed_stage_, failed_status_);
+        return Progress::kFailed;
+      }
+      if (!work.take()) return Progress::kMore;
+      escape_try(room, state, limits_, memory.stage.corridor.grow, escape);
+      count_escape();
     }
   }
   rest_at_escapes();
   has_path_ = false;
   has_corridor_ = false;
   report_.detours = memory.previous.flown ? kFollowed : kEscaped;
-  enter(Phase::kPath);
-  return Status::kOk;
+  enter(Stage::kSearch);
+  return Progress::kDone;
 }
 
 /// The plan's ends become the stops.

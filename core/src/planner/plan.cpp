@@ -32,17 +32,22 @@ Status Plan::refuse(Status status, Field field) noexcept {
 }
 
 Status Plan::end(Stage stage, Status status) noexcept {
-  phase_ = Phase::kDone;
+  life_ = Life::kEnded;
   status_ = status;
   report_.stage = stage;
   const bool occupied = status == Status::kStartOccupied || status == Status::kGoalOccupied;
   if (!occupied) report_.raw_occupied = report_.has_nearest_free = false;
+  if (status != Status::kCheckFailed && report_.optimiser != Status::kCheckFailed) report_.check = CheckReport{};
   if (status != Status::kOk) report_.quality = Quality::kNone;
   return status;
 }
 
 const Grid& Plan::world() const noexcept {
   return has_fences_ ? memory_->fenced : *grid_;
+}
+
+const Fences* Plan::fences() const noexcept {
+  return has_fences_ ? &memory_->fences : nullptr;
 }
 
 /// Reads the fences and holds start and goal against them; kRunning where all is well.
@@ -92,7 +97,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   stop_and_go_ = false;
   grid_ = &grid;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
-  const Verdict verdict = validate(grid, request);
+  const Verdict verdict = validate(grid, request, limits_);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
   asked_ = request;
   set_ends();
@@ -100,28 +105,31 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   if (fences != Status::kRunning) return fences;
   version_ = grid.version();
   status_ = Status::kRunning;
-  enter(has_fences_ ? Phase::kFences : Phase::kPath);
+  life_ = Life::kBegun;
+  enter(has_fences_ ? Stage::kFences : Stage::kSearch);
   return status_;
 }
 
 Status Plan::step(std::uint32_t work) noexcept {
-  if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
+  if (life_ == Life::kIdle) return Status::kInvalidArgument;
   Work slice{work};
-  // Phases follow one another, and once again after a detour; each ends the plan, ends the slice or enters the next.
-  while (phase_ != Phase::kDone) {
-    if (!grid_->version().equals(version_)) return end(stage_of_phase(), Status::kMapChanged);
-    if (run_phase(slice) == Status::kRunning && slice.left == 0) return Status::kRunning;
+  // Stages follow one another, some again after a detour or an escape; each ends the slice or the plan, or enters the
+  // next one.
+  while (life_ == Life::kBegun) {
+    if (!grid_->version().equals(version_)) return end(stage_, Status::kMapChanged);
+    if (advance(slice) == Progress::kMore) return Status::kRunning;
   }
   return status_;
 }
 
 Status Plan::finish(Trajectory& trajectory, Report& report) noexcept {
-  if (phase_ != Phase::kDone) {
-    if (phase_ == Phase::kIdle) report_ = Report{};
+  if (life_ != Life::kEnded) {
+    if (life_ == Life::kIdle) report_ = Report{};
     status_ = Status::kInvalidArgument;
     report_.field = Field::kCallOrder;
+    report_.check = CheckReport{};
   }
-  phase_ = Phase::kIdle;
+  life_ = Life::kIdle;
   report_.status = status_;
   settle_times(report_);
   report = report_;

@@ -100,6 +100,10 @@ const char* tern_field_name(std::uint8_t field) {
   return tern::field_name(static_cast<tern::Field>(field));
 }
 
+const char* tern_finding_name(std::uint8_t finding) {
+  return tern::finding_name(static_cast<tern::Finding>(finding));
+}
+
 std::uint8_t tern_self_test(std::uint64_t hash, std::uint32_t* faults) {
   return code(tern::self_test(hash, faults));
 }

@@ -77,9 +77,9 @@ bool within_limit(const Vec3& value, const Bounds& bounds) {
   return gauge(bounds, value) <= 1.0 + kLimitSlack;
 }
 
-Verdict check_states(const Request& request) {
-  const Bounds velocity = velocity_bounds(request.limits);
-  const Bounds acceleration = acceleration_bounds(request.limits);
+Verdict check_states(const Request& request, const MotionLimits& limits) {
+  const Bounds& velocity = limits.velocity;
+  const Bounds& acceleration = limits.acceleration;
   if (!within_limit(request.start.velocity, velocity)) return {Status::kStartExceedsLimits, Field::kStartVelocity};
   if (!within_limit(request.start.acceleration, acceleration)) {
     return {Status::kStartExceedsLimits, Field::kStartAcceleration};
@@ -94,6 +94,10 @@ Verdict check_states(const Request& request) {
 /// From C any byte may come.
 bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
+}
+
+bool known(SearchMode mode) {
+  return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
 }
 
 /// In the local frame, on the boundary's face where only rounding put it beyond.
@@ -114,19 +118,21 @@ bool in_map(const Grid& grid, const Vec3& world) {
 
 }  // namespace
 
-Verdict validate(const Grid& grid, const Request& request) noexcept {
+Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept {
   const Verdict numbers = check_finite(request);
   if (numbers.status != Status::kOk) return numbers;
-  const Verdict limits = check_limits(request.limits);
-  if (limits.status != Status::kOk) return limits;
+  const Verdict ranges = check_limits(request.limits);
+  if (ranges.status != Status::kOk) return ranges;
+  limits = MotionLimits(request.limits);
   if (request.time_weight < kMinTimeWeight || request.time_weight > kMaxTimeWeight) {
     return {Status::kLimitsInvalid, Field::kTimeWeight};
   }
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
+  if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
   if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
-  return check_states(request);
+  return check_states(request, limits);
 }
 
 Request to_local(const Grid& grid, const Request& request) noexcept {

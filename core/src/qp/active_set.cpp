@@ -10,25 +10,27 @@
 namespace tern::qp {
 namespace {
 
-/// A row with less than this part of its length (squared) outside the span of the active ones depends on them. Rounding
-/// in L leaves about 1e-11 of the length at 16 segments.
+/// A row depends on the active rows if less than this share of its squared length lies outside their span. Rounding in
+/// L leaves about 1e-11 of the length at 16 segments.
 constexpr double kDependent = 1e-18;
-/// Below this part of its length (squared) the direction is nothing but rounding.
+/// Below this share of the row's squared length, the direction is nothing but rounding.
 constexpr double kRounding = 1e-26;
-/// Rows of a warm start have to be better conditioned: leaving one out costs an iteration, not the answer.
+/// Rows of a warm start must be better conditioned, because leaving one out costs only an iteration.
 constexpr double kWarmDependent = 1e-12;
-/// A ratio counts as positive above this part of what the rows' lengths suggest.
+/// A ratio counts as positive above this share of what the lengths of the rows suggest.
 constexpr double kRatioTolerance = 1e-12;
-/// A full step that raises the dual objective by less than this part is rounding; so many in a row are a stall.
+/// A full step that raises the dual objective by less than this share is rounding. More than kMaxStalled of them in a
+/// row are a stall.
 constexpr double kNoGain = 1e-15;
 constexpr int kMaxStalled = 100;
 
 struct Limit {
   double length;
-  int row;  ///< -1: no active row's multiplier falls to zero
+  int row;  ///< -1: no multiplier of an active row falls to zero
 };
 
-/// How far the entering multiplier can grow until an active one is zero. Ties: the row that was added first.
+/// How far the entering multiplier can grow until that of an active row is zero. Of equals, the row that was added
+/// first.
 Limit dual_limit(const QpSolver& solver) {
   const double scale = kRatioTolerance * square_root(solver.entering_squared);
   Limit limit = {0.0, -1};
@@ -47,7 +49,7 @@ void move_multipliers(QpSolver& solver, double length) {
   solver.entering_multiplier += length;
 }
 
-/// Moves z and the entering row's violation; returns how much the dual objective rises.
+/// Moves z and updates the entering row's violation. Returns how much the dual objective rises.
 double move_point(QpSolver& solver, double length) {
   add_scaled(-length, solver.direction, solver.z, 0, solver.stride);
   const double before = solver.entering_violation;
@@ -55,7 +57,7 @@ double move_point(QpSolver& solver, double length) {
   return 0.5 * length * (before + solver.entering_violation);
 }
 
-/// The row leaves, and the direction gains the part that it had blocked.
+/// Drops the row, and adds to the direction the part that this row had blocked.
 void leave(QpSolver& solver, int row) {
   drop_row(solver, row, solver.projection);
   const int last = solver.active_count;

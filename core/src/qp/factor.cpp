@@ -7,11 +7,10 @@
 namespace tern::qp {
 namespace {
 
-/// Columns that one pass over a vector serves.
+/// Columns that one pass over a vector handles.
 constexpr int kBlock = 4;
 
-/// A second pass of Gram-Schmidt is needed where the first left less than this part of the squared length ("twice is
-/// enough").
+/// Gram-Schmidt needs a second pass if the first left less than this share of the squared length ("twice is enough").
 constexpr double kCancellation = 0.5;
 
 const double* column(const QpSolver& solver, int j) {
@@ -42,7 +41,7 @@ void project_block(const QpSolver& solver, int j, int begin, const double* v, do
   for (int b = 0; b < kBlock; ++b) out[j + b] = sum(total[b][0] + total[b][1]);
 }
 
-/// Two elements of four columns times their coordinates, added up.
+/// Sum of two elements of four columns, each column times its coordinate.
 Pair combine(const Pair* c, const double* q, int stride) {
   return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
 }
@@ -58,7 +57,7 @@ void subtract_block(const QpSolver& solver, int j, const double* coordinates, do
   }
 }
 
-/// Back substitution for columns j and j + 1, j even: two steps for one pass over what is above.
+/// Back substitution for columns j and j + 1, j even: two steps in one pass over the elements above.
 void solve_two_columns(const QpSolver& solver, int j, double* out) {
   const double* left = triangle_column(solver, j);
   const double* right = triangle_column(solver, j + 1);
@@ -69,8 +68,8 @@ void solve_two_columns(const QpSolver& solver, int j, double* out) {
   for (int i = 0; i < j; i += kPair) pair(out + i) -= second * pair(right + i) + first * pair(left + i);
 }
 
-/// Moves column c + 1 of the triangle to column c, applies the rotations so far and makes the one that clears what
-/// is left below its diagonal.
+/// Moves column c + 1 of the triangle to column c, applies the rotations so far, and makes the rotation that clears the
+/// element left below the diagonal.
 void shift_triangle_column(QpSolver& solver, int first, int c) {
   const double* from = triangle_column(solver, c + 1);
   double* to = triangle_column(solver, c);
@@ -99,7 +98,7 @@ void rotate_coordinates(const QpSolver& solver, int first, int last, double* v) 
   v[last] = carried;
 }
 
-/// All rotations on one strip of elements before the next strip: each element is read and written once.
+/// Applies all rotations to one strip of elements before the next strip, so each element is read and written once.
 void rotate_basis(QpSolver& solver, int first, int last) {
   for (int i = 0; i < solver.stride; i += kPad) {
     double* at = column(solver, first) + i;

@@ -16,7 +16,8 @@ void project(const QpSolver& solver, int begin, const double* v, double* out);
 /// v -= basis * coordinates.
 void subtract(const QpSolver& solver, const double* coordinates, double* v);
 
-/// Splits solver.row into basis * projection + direction, direction orthogonal to the basis to working precision.
+/// Splits solver.row into basis * projection + direction. The direction is orthogonal to the basis to working
+/// precision.
 void split_row(QpSolver& solver, int begin);
 
 /// out = triangle^-1 in. `in` and `out` may be the same.
@@ -25,11 +26,12 @@ void solve_triangle(const QpSolver& solver, const double* in, double* out);
 /// out = triangle'^-1 in. `in` and `out` may be the same.
 void solve_transposed(const QpSolver& solver, const double* in, double* out);
 
-/// Puts the split row into the working set, last, with the given multiplier. There is room, and direction is not zero.
+/// Appends the split row to the working set with the given multiplier. There must be room, and direction must not be
+/// zero.
 void add_row(QpSolver& solver, const QpRow& row, double multiplier);
 
-/// Takes active row j out. `coordinates` (active_count values of basis coordinates) turn with the basis: the
-/// last of them then belongs to a direction that is no longer spanned, left in basis column active_count.
+/// Removes active row j. `coordinates` (active_count basis coordinates) rotate with the basis. The last of them then
+/// belongs to the direction that is no longer spanned, which is left in basis column active_count.
 void drop_row(QpSolver& solver, int j, double* coordinates);
 
 }  // namespace tern::qp

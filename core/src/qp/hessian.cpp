@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/hessian.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 
 namespace tern::qp {
 namespace {
 
-/// A pivot within this part of its diagonal element is mostly rounding, on either side of zero.
+/// A pivot, positive or negative, is mostly rounding if its magnitude is below this share of its diagonal element.
 constexpr double kPivotRounding = 1e-13;
-/// Such a pivot is raised to this part of the diagonal element at least...
+/// Such a pivot is raised to at least this share of the diagonal element...
 constexpr double kPivotFloor = 1e-15;
-/// ...and so far that its column takes at most one part in so many from any other diagonal element.
+/// ...and far enough that its column subtracts at most 1 / kPivotShare of any other diagonal element.
 constexpr double kPivotShare = 4.0;
 
-/// beta' H^-1 beta below this part of its diagonal terms is lost in rounding. It only steers pricing.
+/// Below this share of its diagonal terms, beta' H^-1 beta is lost in rounding. The value only steers pricing.
 constexpr double kNormFloor = 1e-12;
-/// Stands for a length that overflowed: such a point is not constant, whatever else it is.
+/// Replaces a squared length that overflowed, so that such a point does not count as constant.
 constexpr double kNormCeiling = 1e300;
 
 /// How far column i of L reaches below its diagonal.
@@ -33,8 +33,8 @@ void load_columns(const QpProblem& problem, QpSolver& solver) {
   }
 }
 
-/// Subtracts what a column explains from the columns right of it. The column is still that of L times its pivot's root:
-/// the next pivot must not wait for that root.
+/// Subtracts the contribution of a column from the columns to its right. The column is still that of L times the square
+/// root of its pivot, so that the next pivot need not wait for that square root.
 template <int kReach>
 void eliminate(QpSolver& solver, int i, double inverse_pivot) {
   const double* column = solver.factor[i];
@@ -55,8 +55,9 @@ void eliminate(QpSolver& solver, int i, int reach, double inverse_pivot) {
   }
 }
 
-/// Makes pivot i one to divide by; false where H is not positive definite, rounding apart, or not finite. Raising a
-/// pivot that is rounding changes H by what rounding has changed already: residuals of H itself judge the answer.
+/// Makes sure that pivot i can be divided by. False if H is not finite or, apart from rounding, not positive definite.
+/// Raising a pivot that is rounding changes H no more than rounding already did, and answers are judged by residuals of
+/// the original H.
 bool secure_pivot(const QpProblem& problem, QpSolver& solver, int i, int reach) {
   const double diagonal = problem.hessian[i][0];
   double* column = solver.factor[i];
@@ -71,7 +72,7 @@ bool secure_pivot(const QpProblem& problem, QpSolver& solver, int i, int reach) 
   return finite(column[0]);
 }
 
-/// Takahashi's recurrence: row i of H^-1 within the band, from the rows below it.
+/// Takahashi's recurrence: computes row i of H^-1 within the band from the rows below it.
 void inverse_row(QpSolver& solver, int i, int reach) {
   const double* column = solver.factor[i];
   double* row = solver.inverse[i];
@@ -114,12 +115,11 @@ void forward(const QpSolver& solver, const double* in, double* out) {
   for (int i = kQpAxes * n; i < solver.stride; ++i) out[i] = 0.0;
   for (int i = 0; i < n; ++i) {
     const double* column = solver.factor[i];
-    double* at = out + kQpAxes * i;
+    double* const at = out + kQpAxes * i;
+    const Vector solved = column[0] * vector_at(at);
+    vector_at(at) = solved;
     const int reach = reach_of(i, n);
-    for (int a = 0; a < kQpAxes; ++a) at[a] *= column[0];
-    for (int d = 1; d <= reach; ++d) {
-      for (int a = 0; a < kQpAxes; ++a) at[kQpAxes * d + a] -= column[d] * at[a];
-    }
+    for (int d = 1; d <= reach; ++d) vector_at(at + kQpAxes * d) -= column[d] * solved;
   }
 }
 
@@ -129,7 +129,7 @@ void unknowns_from(QpSolver& solver, const double* z) {
     const double* column = solver.factor[i];
     Pair low = {z[kQpAxes * i], z[kQpAxes * i + 1]};
     Pair high = {z[kQpAxes * i + 2], 0.0};
-    // The nearest unknown comes last: it was only just computed.
+    // The nearest unknown comes last, because it was computed just before.
     for (int d = reach_of(i, n); d >= 1; --d) {
       low -= both(column[d]) * pair(solver.x[i + d]);
       high -= both(column[d]) * pair(solver.x[i + d] + kPair);
@@ -146,7 +146,7 @@ void unknowns_from(QpSolver& solver, const double* z) {
 
 int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
   const QpUnitPlanes& planes = solver.planes;
-  const double normal[kQpAxes] = {planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]};
+  const Vector normal(planes.normal[0][plane], planes.normal[1][plane], planes.normal[2][plane]);
   const int begin = kQpAxes * point.first;
   double window[kQpBand + 1] = {};
   for (int t = 0; t < point.terms; ++t) window[t] = point.coefficient[t];
@@ -155,7 +155,7 @@ int transform_row(const QpPoint& point, int plane, QpSolver& solver) {
   for (int i = point.first; i < solver.unknowns; ++i) {
     const double* column = solver.factor[i];
     const double w = window[0] * column[0];
-    for (int a = 0; a < kQpAxes; ++a) solver.row[kQpAxes * i + a] = normal[a] * w;
+    vector_at(solver.row + kQpAxes * i) = w * normal;
     squared += w * w;
     for (int d = 1; d <= kQpBand; ++d) window[d - 1] = window[d] - column[d] * w;
     window[kQpBand] = 0.0;

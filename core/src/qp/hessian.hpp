@@ -9,8 +9,8 @@
 
 namespace tern::qp {
 
-/// Fills solver.factor; false where H is not positive definite, rounding apart, or not finite. Cholesky's factor does
-/// not change under diagonal scaling but for rounding, so H needs none.
+/// Fills solver.factor. False if H is not finite or, apart from rounding, not positive definite. H needs no diagonal
+/// scaling: it would not change Cholesky's factor, apart from rounding.
 bool factor_hessian(const QpProblem& problem, QpSolver& solver);
 
 /// out = L^-1 in for interleaved 3-vectors, padding zeroed. `in` and `out` may be the same.

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/kkt.hpp"
 
-#include "base/math.hpp"
+#include "base/linear.hpp"
 #include "qp/hessian.hpp"
 
 namespace tern::qp {
 namespace {
 
-/// What rounding leaves of A'y excludes only points within some distance. It has to be this many times farther than
-/// where the solver stands.
+/// Rounding leaves an A'y that is not zero, so a proof only excludes points within some distance. That distance must be
+/// at least this many times the distance of the solver's current point.
 constexpr double kProofRadius = 1e3;
-/// Part of the sum of |y_i b_i| that rounding may have made of b'y.
+/// b'y may be nothing but rounding up to this share of the sum of |y_i b_i|.
 constexpr double kGapRounding = 1e-13;
 
 /// b of a row in x: offset - normal . (constant part of the point).
@@ -23,12 +23,9 @@ double right_side(const QpProblem& problem, const QpRow& row) {
 /// out += factor * a, interleaved.
 void add_gradient(const QpProblem& problem, const QpRow& row, double factor, double* out) {
   const QpPoint& point = problem.points[row.point];
-  const Vec3 normal = factor * problem.planes[row.plane].normal;
+  const Vector normal = factor * to_vector(problem.planes[row.plane].normal);
   for (int t = 0; t < point.terms; ++t) {
-    double* at = out + kQpAxes * (point.first + t);
-    at[0] += normal.x * point.coefficient[t];
-    at[1] += normal.y * point.coefficient[t];
-    at[2] += normal.z * point.coefficient[t];
+    vector_at(out + kQpAxes * (point.first + t)) += point.coefficient[t] * normal;
   }
 }
 
@@ -40,7 +37,7 @@ void gather_rows(const QpProblem& problem, QpSolver& solver, const QpSolution& s
   }
 }
 
-/// A 3-vector of some unknown, the last lane zero.
+/// The 3-vector of an unknown, with zero in the last lane.
 Value value_at(const double* v) {
   return {load_two(v), Pair{v[2], 0.0}};
 }
@@ -63,7 +60,7 @@ Pair size_of(Pair v) {
   return larger_of(v, -v);
 }
 
-/// Largest squares of a 3-vector's elements, times `scale`, against those found so far.
+/// The larger of `so_far` and the squares of a 3-vector's elements times `scale`.
 Pair largest_square(const Value& v, double scale, Pair so_far) {
   const Pair s = both(scale);
   return larger_of(v.low * v.low * s, larger_of(v.high * v.high * s, so_far));
@@ -74,7 +71,7 @@ struct Sums {
   double slope = 0.0;      ///< f'x
 };
 
-/// Leaves -(Hx + f + A'y) where A'y was, in solver.row.
+/// Replaces A'y in solver.row by -(Hx + f + A'y).
 Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   Value curvature = {both(0.0), both(0.0)};
   Value slope = curvature;
@@ -105,7 +102,7 @@ Sums measure_stationarity(const QpProblem& problem, QpSolver& solver, QpSolution
 
 double measure_complementarity(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution,
                                const Sums& sums) {
-  // f'H^-1 f as well: at an optimum in the origin all other terms are rounding.
+  // The scale includes f'H^-1 f, because all other terms are rounding if the optimum is at the origin.
   const double pull = inner(solver.target, solver.target, 0, solver.stride);
   double scale = larger(pull, larger(absolute(sums.curvature), absolute(sums.slope)));
   double product = 0.0;
@@ -129,14 +126,14 @@ void append(const QpProblem& problem, const QpRow& row, double unit_multiplier, 
   ++solution.active_count;
 }
 
-/// max y = 1.
+/// Scales the multipliers to max y = 1.
 void normalise(QpSolution& solution) {
   double most = 0.0;
   for (int j = 0; j < solution.active_count; ++j) most = larger(solution.multiplier[j], most);
   for (int j = 0; j < solution.active_count; ++j) solution.multiplier[j] /= most;
 }
 
-/// -b'y into the solution; true where it is positive beyond rounding.
+/// Writes -b'y to the solution. True if it is positive beyond rounding.
 bool measure_gap(const QpProblem& problem, QpSolution& solution) {
   double gap = 0.0;
   double terms = 0.0;
@@ -149,7 +146,7 @@ bool measure_gap(const QpProblem& problem, QpSolution& solution) {
   return gap > kGapRounding * terms;
 }
 
-/// Largest element of A'y (in solver.row) over the largest of the rows' own.
+/// Largest element of A'y (in solver.row), divided by the largest element of any single y_i a_i.
 double certificate_residual(const QpProblem& problem, const QpSolver& solver, const QpSolution& solution) {
   double residual = 0.0;
   for (int i = 0; i < solver.dimension; ++i) {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Two doubles side by side: what SSE2 and NEON have in one register. Written out so that a sum over a long vector has
-// one order, the same with every compiler and at every optimisation level, and is still fast.
+// Two doubles side by side, as in one register of SSE2 and NEON. They are written out so that a sum over a long vector
+// is fast and still has one order, the same with every compiler and at every optimisation level.
 #ifndef TERN_QP_LANES_HPP
 #define TERN_QP_LANES_HPP
 
@@ -25,7 +25,7 @@ inline const Pair& pair(const double* p) {
 inline Pair& pair(double* p) {
   return *reinterpret_cast<Pair*>(p);
 }
-/// Two neighbours anywhere in an array of doubles.
+/// Loads two neighbours from anywhere in an array of doubles.
 inline Pair load_two(const double* p) {
   Pair value;
   __builtin_memcpy(&value, p, sizeof value);

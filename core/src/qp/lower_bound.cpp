@@ -6,8 +6,8 @@ namespace tern {
 
 double qp_lower_bound(const QpSolver& solver) noexcept {
   if (solver.phase != QpPhase::kPrice && solver.phase != QpPhase::kStep) return -kQpNoBound;
-  // z minimises the Lagrangian of the multipliers at hand. Active rows hold with equality and the entering row is
-  // violated, so that the dual objective is no less than the cost at z, a distance from the target.
+  // z minimises the Lagrangian of the current multipliers. Active rows hold with equality and the entering row is
+  // violated, so the dual objective is at least the cost at z. That cost is a distance from the target.
   double distance_squared = 0.0;
   double target_squared = 0.0;
   for (int i = 0; i < solver.dimension; ++i) {

@@ -20,7 +20,7 @@ struct PointTile {
   alignas(16) double worst[kQpTile];
 };
 
-/// Evaluates two points, as pair `at` of the tile, and returns the sum of their coordinates. Neighbours mostly depend
+/// Evaluates two points as pair `at` of the tile, and returns the sum of their coordinates. Neighbours usually depend
 /// on the same unknowns.
 inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& solver, int at, PointTile& tile) {
   Pair sum_x = {first.offset.x, second.offset.x};
@@ -48,8 +48,8 @@ inline Pair place(const QpPoint& first, const QpPoint& second, const QpSolver& s
   return (sum_x + sum_y) + sum_z;
 }
 
-/// Evaluates `count` points; where they are odd in number the last is there twice. Returns 0 times their sum: 0 where
-/// all of them are numbers.
+/// Evaluates `count` points; if the count is odd, the last point is evaluated twice. Returns 0 times their sum, which
+/// is 0 if no coordinate is NaN or infinite.
 inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, PointTile& tile) {
   Pair total = both(0.0);
   for (int k = 0; k < count; k += kPair) {
@@ -58,7 +58,7 @@ inline Pair fill(const QpPoint* points, int count, const QpSolver& solver, Point
   return both(0.0) * total;
 }
 
-/// The larger of two sides' violations.
+/// The larger of the violations of the lower and the upper bound.
 inline Pair outside(Pair at, const double* low, const double* high) {
   return larger_of(at - pair(high), pair(low) - at);
 }
@@ -90,7 +90,8 @@ void scan_planes(const QpUnitPlanes& planes, int begin, int end, const PointTile
   }
 }
 
-/// The largest violation of each point in the tile by planes [.., plane_end) of a group; true where one is positive.
+/// Computes the largest violation of each point in the tile by planes [.., plane_end) of a group. True if one is
+/// positive.
 template <int kPairs>
 bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, PointTile& tile) {
   Pair worst[kPairs];
@@ -104,7 +105,7 @@ bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, Poi
   return larger(most[0], most[1]) > 0.0;
 }
 
-/// The same for a number of points, 1 .. kQpTile, that is known only now.
+/// The same for a number of points, 1 .. kQpTile, that is known only at run time.
 inline bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count, PointTile& tile) {
   switch ((count + 1) / kPair) {
     case 1:

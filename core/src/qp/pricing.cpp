@@ -9,27 +9,28 @@
 namespace tern::qp {
 namespace {
 
-/// Above every violation that there can be: that of a point that is no number.
+/// Above every possible violation. It marks a point that is NaN or infinite.
 constexpr double kNoNumber = 1e300;
 
-/// A tile is left out while the worst violation that was found in it is less than this part of the one that entered...
+/// A tile is skipped while the worst violation found in it is below this share of the one that entered last...
 constexpr double kWorthwhile = 0.3;
-/// ...for so many scans at most: rows that have come to be violated must not wait until all others are met.
+/// ...but it is looked at in every kPatience-th scan at least, so that newly violated rows do not wait until all others
+/// are satisfied.
 constexpr int kPatience = 6;
-/// After a scan, the worst point of each promising tile is looked at alone: where one is still violated by this part of
-/// what entered last, it enters without a scan.
+/// After a scan, only the worst point of each promising tile is looked at again. If one of them is still violated by
+/// more than this share of the row that entered last, its row enters without a scan.
 constexpr double kFavourite = 0.5;
 
-/// A scan in progress: the best row so far, and where it stands.
+/// A scan in progress: the best row so far, and how far the scan has come.
 struct Scan {
-  Pair numbers = both(0.0);  ///< 0 times the sum of all coordinates so far: 0 where all of them were numbers
+  Pair numbers = both(0.0);  ///< 0 times the sum of all coordinates so far: 0 if all were finite
   int group = -1;
   int point = -1;
   double violation = 0.0;
   double distance = 0.0;
   bool constant = false;
   int tiles = 0;      ///< counted over all groups
-  bool rest = false;  ///< look at the tiles that were passed over, else at the promising ones
+  bool rest = false;  ///< true: look at the tiles that were skipped; false: at the promising ones
   bool skipped = false;
 };
 
@@ -39,7 +40,7 @@ double inverse_norm(const QpProblem& problem, QpSolver& solver, int point) {
   return known;
 }
 
-/// Takes the point's worst row where it is the best so far; returns how far it is violated as a distance in the metric.
+/// Takes the point's worst row if it is the best so far. Returns its violation as a distance in the metric.
 double consider(const QpProblem& problem, QpSolver& solver, int group, int point, double violation, Scan& scan) {
   solver.worst = larger(solver.worst, violation);
   if (problem.points[point].terms == 0) solver.constant_worst = larger(solver.constant_worst, violation);
@@ -60,7 +61,7 @@ bool promising(const QpSolver& solver, const QpLook& last) {
   return last.distance > kWorthwhile * solver.entered;
 }
 
-/// True where this pass leaves the tile out.
+/// True if this pass skips the tile.
 bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
   if (solver.scans == 0 || index >= kQpMaxTiles) return scan.rest && solver.scans > 0;
   const QpLook& last = solver.looks[index];
@@ -68,7 +69,7 @@ bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
   return solver.scans - last.scan < kPatience && !promising(solver, last);
 }
 
-/// Looks at points [begin, end) of a group, kQpTile at most. Fills `result` in its place: a copy of it would have to
+/// Looks at points [begin, end) of a group, kQpTile at most. Fills `result` in place, because copying it would have to
 /// wait for its parts.
 void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int end, Scan& scan, QpLook& result) {
   result.distance = 0.0;
@@ -90,7 +91,8 @@ void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int 
   }
 }
 
-/// Looks at a group's tiles: at all of their points in the first scan, afterwards at those that unknowns move.
+/// Looks at the tiles of a group. The first scan looks at all points, later scans only at those that depend on
+/// unknowns.
 void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& scan) {
   const QpGroup& g = problem.groups[group];
   const QpScreen& screen = solver.screens[group];
@@ -109,7 +111,7 @@ void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& sca
   }
 }
 
-/// Looks again at what was worst in each promising tile, and at nothing else.
+/// Looks again at the worst point of each promising tile, and at nothing else.
 void scan_favourites(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   QpLook unkept;
   for (int t = 0; t < solver.tiles; ++t) {
@@ -123,8 +125,8 @@ void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
 }
 
-/// The plane that the point violates most, the first of equals. A scan adds in another order than this does: what it
-/// found is not looked for by its value.
+/// The plane that the point violates most; of equals, the first. A scan adds in a different order, so the violation
+/// that it found cannot be compared with the ones computed here.
 int violated_plane(const QpProblem& problem, const QpSolver& solver, const QpGroup& group, int point) {
   const Value at = evaluate(problem.points[point], solver);
   int worst = group.plane_begin;

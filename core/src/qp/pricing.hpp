@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which row enters: the one that is violated most, measured as a distance in the metric of the Hessian. That is
-// violation / |L^-1 a|, and the second factor belongs to a row's point alone once normals are unit.
+// Chooses the row that enters: the one that is violated most, measured as a distance in the metric of the Hessian. That
+// is violation / |L^-1 a|. With unit normals, the divisor depends only on the row's point.
 #ifndef TERN_QP_PRICING_HPP
 #define TERN_QP_PRICING_HPP
 
@@ -10,22 +10,22 @@
 
 namespace tern::qp {
 
-/// A violated row, `found` where there is one.
+/// A violated row; `found` is false if there is none.
 struct Candidate {
   bool found;
-  bool constant;  ///< no unknown moves the row: nothing can be done about it
+  bool constant;  ///< the row depends on no unknown: nothing can be done about it
   QpRow row;
   double violation;  ///< of the unit row
 };
 
-/// Forgets the points' lengths: coefficients or Hessian changed.
+/// Forgets the lengths of the points. Call it if coefficients or Hessian changed.
 void forget_lengths(const QpProblem& problem, QpSolver& solver);
 
-/// Forgets which rows were violated: the point has jumped, or the right-hand sides changed.
+/// Forgets which rows were violated. Call it if the point has jumped or the right-hand sides changed.
 void forget_scans(QpSolver& solver);
 
-/// A row to enter at solver.x, violated by more than kQpEntering: the best of those looked at; ties go to the lowest
-/// group, then point, then plane. Where none is found every row was looked at, and solver.worst is the largest
+/// The row to enter at solver.x: the best of those looked at that are violated by more than kQpEntering. Ties go to the
+/// lowest group, then point, then plane. If none is found, every row was looked at, and solver.worst is the largest
 /// violation.
 Candidate price(const QpProblem& problem, QpSolver& solver);
 

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Steps of iterative refinement in one solve. One is enough where the factors are worth anything.
+/// Steps of iterative refinement in one solve, at most. One is enough unless the factors are very poor.
 constexpr int kMaxRefinements = 2;
 
 void end(QpSolver& solver, Status status) {
@@ -27,7 +27,7 @@ void clear_point(QpSolver& solver) {
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = 0.0;
 }
 
-/// target = -L^-1 f: where the cost is least without rows.
+/// Sets target = -L^-1 f, the minimum of the cost without rows.
 void aim(const QpProblem& problem, QpSolver& solver) {
   for (int i = 0; i < problem.unknowns; ++i) {
     for (int a = 0; a < kQpAxes; ++a) solver.target[kQpAxes * i + a] = -problem.linear[a][i];
@@ -35,7 +35,7 @@ void aim(const QpProblem& problem, QpSolver& solver) {
   qp::forward(solver, solver.target, solver.target);
 }
 
-/// At x = 0 with the rows that are active.
+/// Restarts at x = 0 with the rows that are active.
 void set_out(QpSolver& solver) {
   solver.stalled = 0;
   solver.gain = 0.0;
@@ -45,7 +45,7 @@ void set_out(QpSolver& solver) {
   qp::forget_scans(solver);
 }
 
-/// Rounding ended the way that was taken: the other way is from nothing, with every row that enters found by a scan.
+/// Starts over after rounding stopped progress: with no active row, and with every entering row found by a scan.
 void start_over(QpSolver& solver) {
   solver.cautious = true;
   solver.active_count = 0;
@@ -63,13 +63,14 @@ void start(const QpProblem& problem, QpSolver& solver) {
   aim(problem, solver);
 }
 
-/// The working set's optimum, at x = 0 as solve_working_set() needs it: its multipliers decide which rows stay.
+/// Computes the optimum of the working set, at x = 0 as solve_working_set() needs it. Its multipliers decide which rows
+/// stay.
 void solve_warm(const QpProblem& problem, QpSolver& solver) {
   qp::solve_working_set(problem, solver, solver.target);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
 
-/// The row with the most negative multiplier; -1 where there is none.
+/// The row with the most negative multiplier; -1 if none is negative.
 int most_negative(const QpSolver& solver) {
   int row = -1;
   double least = 0.0;
@@ -93,7 +94,8 @@ void drop_negative(QpSolver& solver) {
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
 
-/// No row is violated: the point is the answer if its residuals say so, else it is refined and priced again.
+/// No row is violated. The point is the answer if its residuals are small enough; otherwise it is refined and priced
+/// again.
 void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   qp::measure(problem, solver, solution);
   if (qp::accurate(solution)) return end(solver, Status::kOk);
@@ -120,7 +122,7 @@ void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solut
   solver.phase = QpPhase::kStep;
 }
 
-/// Everything between two units of work; bounded by a few scans of the rows.
+/// Does everything between two units of work, which is at most a few scans of the rows.
 void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   if (solver.phase == QpPhase::kWarmRow && solver.warm_next == solver.warm_count) {
     solve_warm(problem, solver);
@@ -132,7 +134,7 @@ void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   }
 }
 
-/// The problem's numbers are no problem: nothing is computed from them.
+/// The numbers do not make a valid problem, so nothing is computed from them.
 Status refuse(const QpSolver& solver, QpSolution& solution) {
   for (int a = 0; a < kQpAxes; ++a) {
     for (int i = 0; i < solver.unknowns; ++i) solution.x[a][i] = 0.0;

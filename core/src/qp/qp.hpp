@@ -8,8 +8,8 @@
 //   subject to  normal_p . (offset_k + sum_i coefficient_ki x_(first_k + i)) <= bound_p
 //               for every group g, every point k of g and every plane p of g
 //
-// where x_(i) is the 3-vector of the i-th unknown of every axis. A row is a (point, plane) pair of a group: it is never
-// stored, so that 8 points and 20 planes cost 28 records and not 160.
+// where x_(i) is the 3-vector of the i-th unknown of every axis. A row is a (point, plane) pair of a group. Rows are
+// never stored: 8 points and 20 planes cost 28 records, not 160.
 #ifndef TERN_QP_QP_HPP
 #define TERN_QP_QP_HPP
 
@@ -32,7 +32,7 @@ constexpr int kQpMaxGroups = 3 * kMaxSegments;
 constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 2 * 22;  ///< polyhedra, velocity and acceleration limits
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
-/// terms = 0 is a constant point: its rows can only be checked.
+/// terms = 0 makes a constant point, whose rows can only be checked.
 struct QpPoint {
   double coefficient[kQpPointTerms];
   Vec3 offset;
@@ -40,7 +40,7 @@ struct QpPoint {
   std::int16_t terms;
 };
 
-/// All points of [point_begin, point_end) inside all planes of [plane_begin, plane_end).
+/// All points of [point_begin, point_end) must be inside all planes of [plane_begin, plane_end).
 struct QpGroup {
   std::int32_t point_begin;
   std::int32_t point_end;
@@ -54,7 +54,7 @@ struct QpRow {
   std::int32_t plane;
 };
 
-/// The data; owned and filled by the caller, unchanged by the solver.
+/// The data. The caller owns it and fills it in; the solver does not change it.
 struct QpProblem {
   int unknowns;                                 ///< per axis, 0 .. kQpMaxUnknowns
   double hessian[kQpMaxUnknowns][kQpBand + 1];  ///< lower band: hessian[i][d] = H(i, i - d); 0 outside the matrix
@@ -62,14 +62,14 @@ struct QpProblem {
   int point_count;
   QpPoint points[kQpMaxPoints];
   int plane_count;
-  Halfspace planes[kQpMaxPlanes];  ///< normals need not be unit; a zero normal is answered exactly
+  Halfspace planes[kQpMaxPlanes];  ///< normals need not be unit vectors; a zero normal is decided exactly
   int group_count;
   QpGroup groups[kQpMaxGroups];
 };
 
-/// A row enters the working set when it is violated by more than this (rows' unit over |normal|: metres)...
+/// A row enters the working set if it is violated by more than this (in the row's unit over |normal|: metres)...
 constexpr double kQpEntering = 5e-10;
-/// ...and kOk promises these, computed from the problem's own data.
+/// ...and kOk promises that these residuals, computed from the problem's own data, are not exceeded.
 constexpr double kQpViolation = 1e-9;
 constexpr double kQpStationarity = 1e-8;
 constexpr double kQpComplementarity = 1e-8;
@@ -79,7 +79,7 @@ struct QpSolution {
   double x[kQpAxes][kQpMaxUnknowns];
   double objective;  ///< 1/2 x'Hx + f'x at x
   int active_count;
-  QpRow active[kMaxActive + 1];       ///< working set, in the order of the factor; a certificate has one row more
+  QpRow active[kMaxActive + 1];       ///< working set, in the factor's order; a proof of infeasibility has one row more
   double multiplier[kMaxActive + 1];  ///< >= 0, of the rows as given (not normalised)
   double stationarity;                ///< max |Hx + f + A'y| over the largest of |Hx|, |f|, |A'y|, each over sqrt(H_ii)
   double violation;                   ///< max of 0 and a'x - b over all rows, in the rows' unit over |normal| (metres)
@@ -93,17 +93,19 @@ struct QpSolution {
 /// Solver state: opaque slice of the workspace. Plain data; needs no initialisation before qp_begin.
 struct QpSolver;
 
-/// Starts a solve. `warm` may name rows to start from (any rows; bad ones are dropped), null for a cold start. The
-/// problem must not change until the solve ends. Its counts and indices are the caller's promise; numbers are not.
+/// Starts a solve. `warm` may name rows to start from; null is a cold start. Any rows are allowed, and unsuitable ones
+/// are dropped. The problem must not change until the solve ends. The caller guarantees valid counts and indices; the
+/// solver checks the numbers.
 void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
 
-/// Runs up to work.left iterations (one unit each). kRunning, or the end: kOk, kInfeasible (proven), kIterationLimit,
-/// kWorkingSetFull, kNumerical. Fills `solution` at the end; before kOk its x is not feasible (a dual method).
+/// Runs up to work.left iterations (one unit each). Returns kRunning until the end, then kOk, kInfeasible (proven),
+/// kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x is not feasible,
+/// because the method is dual.
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;
 
-/// Of a solve under way: no feasible x has an objective below this (but for rounding). It rises from step to step,
-/// where the problem is infeasible beyond all bounds. -kQpNoBound while a warm start is put together, and once it has
-/// ended.
+/// A lower bound during a solve: apart from rounding, no feasible x has an objective below it. It rises from step to
+/// step, without limit if the problem is infeasible. -kQpNoBound while a warm start is being built, and after the solve
+/// has ended.
 double qp_lower_bound(const QpSolver& solver) noexcept;
 constexpr double kQpNoBound = 1e300;
 

@@ -7,13 +7,13 @@
 namespace tern::qp {
 namespace {
 
-/// Squared lengths in this range neither overflow nor lose digits.
+/// Squared lengths within this range neither overflow nor lose digits.
 constexpr double kSmallSquare = 1e-200;
 constexpr double kLargeSquare = 1e200;
 /// A normal whose squared length is this close to 1 is unit.
 constexpr double kUnitTolerance = 1e-14;
 
-/// 1 / length of a normal that is neither unit nor of an ordinary size.
+/// 1 / length of a normal whose squared length is outside that range.
 double careful_inverse(const Vec3& n) {
   const double largest = larger(larger(absolute(n.x), absolute(n.y)), absolute(n.z));
   if (!(largest > 0.0)) return 0.0;
@@ -21,7 +21,7 @@ double careful_inverse(const Vec3& n) {
   return 1.0 / largest / square_root(dot(scaled, scaled));
 }
 
-/// Makes one normal unit; returns 0 where it is a number.
+/// Makes one normal a unit vector. Returns 0 if it is finite.
 double take_normal(const Halfspace& plane, int p, QpUnitPlanes& planes) {
   const double scale = inverse_length(plane);
   planes.scale[p] = scale;
@@ -33,7 +33,7 @@ double take_normal(const Halfspace& plane, int p, QpUnitPlanes& planes) {
   return 0.0 * ((planes.normal[0][p] + planes.normal[1][p]) + planes.normal[2][p]);
 }
 
-/// The same for two planes, side by side as long as both are unit already.
+/// The same for two planes, both at once if both normals are unit vectors already.
 Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
   const Pair x = {two[0].normal.x, two[1].normal.x};
   const Pair y = {two[0].normal.y, two[1].normal.y};
@@ -53,7 +53,7 @@ Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
   return both(0.0);
 }
 
-/// Planes with a zero normal and a negative offset are violated by 1.
+/// Planes with a zero normal and a negative offset count as violated by 1.
 void contradict_zeros(const QpProblem& problem, QpSolver& solver) {
   solver.contradictory = false;
   if (!solver.planes.zeros) return;
@@ -67,8 +67,8 @@ void contradict_zeros(const QpProblem& problem, QpSolver& solver) {
 /// Bounds nothing.
 constexpr double kFar = 1e300;
 
-/// The axis that a unit normal is: 0 .. 2 upwards, 3 .. 5 downwards; -1 for an oblique one. What rounding leaves beside
-/// an axis is none.
+/// The axis along which a unit normal points: 0 .. 2 upwards, 3 .. 5 downwards; -1 for an oblique one. A normal that
+/// rounding has tilted off an axis is oblique.
 int axis_of(const QpUnitPlanes& planes, int p) {
   const double n[kQpAxes] = {planes.normal[0][p], planes.normal[1][p], planes.normal[2][p]};
   if (absolute(n[0]) + absolute(n[1]) + absolute(n[2]) > 1.0) return -1;
@@ -79,7 +79,7 @@ int axis_of(const QpUnitPlanes& planes, int p) {
   return -1;
 }
 
-/// The box of the group's first planes. Neighbours in the problem often have the same.
+/// The box of the group's first planes. Neighbouring groups of the problem often have the same.
 void make_box(const QpGroup& group, const QpUnitPlanes& planes, QpScreen& screen) {
   double low[kQpAxes] = {-kFar, -kFar, -kFar};
   double high[kQpAxes] = {kFar, kFar, kFar};

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rows as (point, plane) pairs: values of points, planes with unit normals, and the rows that no unknown moves.
+// Rows as (point, plane) pairs: values of points, planes with unit normals, and the rows that depend on no unknown.
 #ifndef TERN_QP_ROWS_HPP
 #define TERN_QP_ROWS_HPP
 
@@ -9,7 +9,7 @@
 
 namespace tern::qp {
 
-/// A 3-vector as two lanes of two; the last lane is zero.
+/// A 3-vector as two pairs of doubles; the last double is zero.
 struct Value {
   Pair low;
   Pair high;
@@ -33,15 +33,15 @@ inline double violation_at(const Value& at, const QpUnitPlanes& planes, int p) {
          planes.offset[p];
 }
 
-/// Makes the planes' normals unit and finds out which of them are axes. A zero normal stays zero. False where one is
-/// not a number.
+/// Makes the normals of the planes unit vectors and finds out which of them are along an axis. A zero normal stays
+/// zero. False if one is not finite.
 bool prepare_normals(const QpProblem& problem, QpSolver& solver);
 
-/// Scales the planes' offsets likewise. False where one is not a number. A plane with a zero normal is met, or
-/// violated by 1 where its offset is negative; the latter sets solver.contradictory.
+/// Scales the offsets of the planes likewise. False if one is not finite. A plane with a zero normal counts as
+/// satisfied, or as violated by 1 if its offset is negative, which also sets solver.contradictory.
 bool prepare_offsets(const QpProblem& problem, QpSolver& solver);
 
-/// Sets the points aside that no unknown moves.
+/// Sets aside the points that depend on no unknown.
 void prepare_points(const QpProblem& problem, QpSolver& solver);
 
 /// 1 / |normal| of a plane; 0 for a zero normal.
@@ -50,7 +50,7 @@ double inverse_length(const Halfspace& plane);
 /// normal . (point at x) - offset of one unit row.
 double unit_violation(const QpProblem& problem, const QpSolver& solver, const QpRow& row);
 
-/// True where the row is one of the problem's: its point and plane meet in a group.
+/// True if the problem has this row: its point and plane are in the same group.
 bool is_row(const QpProblem& problem, const QpRow& row);
 
 /// Finds a row whose plane has a zero normal and a negative offset.

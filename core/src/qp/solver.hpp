@@ -10,27 +10,27 @@ namespace tern {
 
 /// Unknowns of all axes as one vector, element 3 i + a, padded.
 constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
-/// Rows that can be active at once: the capacity, or what linear independence leaves.
+/// Rows that can be active at once: limited by the capacity, and by linear independence.
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
 /// Points are scanned in tiles of this many. A group's last tile may be partly empty.
 constexpr int kQpTile = 8;
 constexpr int kQpMaxTiles = kQpMaxPoints / kQpTile + kQpMaxGroups;
 
-/// Where column j of a packed upper triangle begins, of even length each so that pairs are aligned.
+/// Where column j of a packed upper triangle begins. Each column has an even length, so that pairs are aligned.
 constexpr int packed_column(int j) {
   return 2 * (j / 2 + 1) * (j / 2 + j % 2);
 }
 
 /// What qp_advance does next.
 enum class QpPhase : std::uint8_t {
-  kWarmRow,    ///< put the next row of the warm start into the factor
-  kWarmSigns,  ///< drop its rows with negative multipliers
+  kWarmRow,    ///< put the next warm row into the factor
+  kWarmSigns,  ///< drop warm rows with negative multipliers
   kPrice,      ///< find the row to enter
   kStep,       ///< move along the entering row's direction
   kDone,
 };
 
-/// The problem's planes over their normals' lengths, by coordinate.
+/// The problem's planes, divided by the lengths of their normals, stored by coordinate.
 struct QpUnitPlanes {
   double normal[kQpAxes][kQpMaxPlanes];
   double offset[kQpMaxPlanes];
@@ -40,20 +40,21 @@ struct QpUnitPlanes {
   bool zeros;                      ///< some normal is zero
 };
 
-/// What a scan has to know of a group.
+/// What a scan needs to know about a group.
 struct QpScreen {
-  // The planes at the group's beginning whose normals are axes, as one box. Every bound is there twice.
+  // The first planes of the group, whose normals are along axes, as one box. Every bound is stored twice, as a pair.
   alignas(16) double low[kQpAxes][2];
   alignas(16) double high[kQpAxes][2];
   std::int32_t oblique;  ///< the first plane after those
-  // The group's points without those at its ends that no unknown moves: one look at these lasts for a solve.
+  // The group's points, without those at its ends that depend on no unknown: one look at those lasts for the whole
+  // solve.
   std::int32_t moving_begin;
   std::int32_t moving_end;
 };
 
-/// What the last look at a tile has found.
+/// What the last look at a tile found.
 struct QpLook {
-  double distance;     ///< of its most violated row, in z; 0 where none was violated
+  double distance;     ///< of its most violated row, in z; 0 if none was violated
   std::int32_t point;  ///< where that was
   std::int32_t group;
   std::int32_t scan;  ///< when that was
@@ -61,10 +62,10 @@ struct QpLook {
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
 /// rows r = normal (x) (L^-1 beta). `basis` (orthonormal) times `triangle` is the matrix whose columns are the active
-/// rows; everything of three axes is interleaved, element 3 i + a.
+/// rows; everything that has three axes is interleaved, with element 3 i + a.
 struct QpSolver {
-  // Of the Hessian: column i of L below the diagonal, factor[i][d] = L(i + d, i), with 1 / L(i, i) at d = 0; and the
-  // band of H^-1, inverse[i][d] = H^-1(i, i + d), made when the first row is priced.
+  // The Hessian. factor[i] is column i of L below the diagonal: factor[i][d] = L(i + d, i), with 1 / L(i, i) at d = 0.
+  // The band of H^-1 is inverse[i][d] = H^-1(i, i + d), computed when the first row is priced.
   alignas(16) double factor[kQpMaxUnknowns][kQpBand + 1];
   double inverse[kQpMaxUnknowns][kQpBand + 1];
   alignas(16) double x[kQpMaxUnknowns][4];                 ///< 3-vectors padded to two lanes of two
@@ -72,22 +73,22 @@ struct QpSolver {
   alignas(16) double target[kQpMaxDimension];
   alignas(16) double z[kQpMaxDimension];
 
-  // Of the rows.
+  // The rows.
   QpUnitPlanes planes;
   QpScreen screens[kQpMaxGroups];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
   QpLook looks[kQpMaxTiles];
 
-  // The working set.
+  // The active rows.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
   alignas(16) double triangle[packed_column(kQpMaxRank)];  ///< upper triangle by columns, see packed_column()
   QpRow active[kQpMaxRank];
   alignas(16) double multiplier[kQpMaxRank];  ///< of the unit rows
   double row_length[kQpMaxRank];              ///< of the transformed unit rows
   double inverse_diagonal[kQpMaxRank];        ///< of the triangle
-  alignas(16) double ratio[kQpMaxRank];       ///< triangle^-1 * projection: how fast the multipliers fall
+  alignas(16) double ratio[kQpMaxRank];       ///< triangle^-1 * projection: the rate at which multipliers fall
 
-  // The row that enters: row = basis * projection + direction.
+  // The entering row: row = basis * projection + direction.
   alignas(16) double row[kQpMaxDimension];
   alignas(16) double direction[kQpMaxDimension];
   double projection[kQpMaxRank];
@@ -100,9 +101,9 @@ struct QpSolver {
   double direction_squared;  ///< |direction|^2
 
   QpRow warm[kMaxActive];
-  double entered;         ///< violation of the row that the last scan found, a distance of z
-  double worst;           ///< largest violation at x, of the last scan
-  double constant_worst;  ///< the same of the points that no unknown moves
+  double entered;         ///< violation of the row found last, as a distance in z
+  double worst;           ///< largest violation at x in the last scan
+  double constant_worst;  ///< the same for the points that depend on no unknown
   double gain;            ///< how far the dual objective has risen
   int unknowns;           ///< per axis
   int dimension;          ///< 3 * unknowns
@@ -112,14 +113,14 @@ struct QpSolver {
   int warm_next;
   int iterations;
   int scans;
-  int tiles;    ///< that the last scan counted
-  int stalled;  ///< full steps in a row that raised the dual objective by rounding at most
+  int tiles;    ///< counted by the last scan
+  int stalled;  ///< full steps in a row that raised the dual objective by no more than rounding
   int refinements;
   bool inverse_known;
   bool cautious;       ///< started over after a stall
   bool scanned;        ///< the last row to enter was found by a scan
   bool contradictory;  ///< a zero normal with a negative offset exists
-  bool usable;         ///< the factors are of a problem of numbers with a positive definite Hessian
+  bool usable;         ///< the problem is finite, its Hessian positive definite, and the factors are valid
   QpPhase phase;
   Status status;  ///< where phase is kDone
 };

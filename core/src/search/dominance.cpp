@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/dominance.hpp"
 
+#include "grid/bit_rows.hpp"
+
 namespace tern {
 
 void dominance_reset(DominanceMap& map, const Grid& grid) noexcept {
@@ -22,9 +24,10 @@ bool block_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept {
   const std::int32_t first_z = a.z < b.z ? a.z : b.z;
   const std::int32_t last_z = a.z < b.z ? b.z : a.z;
   const std::uint64_t mask = ((std::uint64_t{2} << (last_x - first_x)) - 1) << (first_x & 63);
+  const BitRows rows = GridView::blocked(grid);
   std::uint64_t blocked = 0;
   for (std::int32_t z = first_z; z <= last_z; ++z) {
-    for (std::int32_t y = first_y; y <= last_y; ++y) blocked |= grid.blocked_row(y, z)[first_x >> 6];
+    for (std::int32_t y = first_y; y <= last_y; ++y) blocked |= rows.row(y, z)[first_x >> 6];
   }
   return (blocked & mask) == 0;
 }

@@ -2,45 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // From the goal's node back to turning points.
-#include "base/math.hpp"
+#include "base/turn_writer.hpp"
 #include "search/search.hpp"
 
 namespace tern {
 namespace {
 
-constexpr double kSqrt2 = 1.4142135623730951;
-constexpr double kSqrt3 = 1.7320508075688772;
-
 std::int32_t sign(std::int32_t v) {
   return (v > 0 ? 1 : 0) - (v < 0 ? 1 : 0);
 }
-
-/// Writes turning points as they come; a point in line with the two before it replaces the last.
-struct TurnWriter {
-  const Grid& grid;
-  Path& path;
-  int capacity;
-  Voxel last;
-  int heading;  ///< direction of the last leg, kHere before the first
-  bool full;
-
-  void point(const Voxel& voxel) {
-    full = full || path.raw_count >= capacity;
-    if (!full) path.raw[path.raw_count++] = grid.center(voxel);
-  }
-
-  void leg(int move, std::int32_t steps) {
-    if (steps == 0) return;
-    const Voxel step = offset(move);
-    last = {last.x + steps * step.x, last.y + steps * step.y, last.z + steps * step.z};
-    if (heading == move && !full) {
-      path.raw[path.raw_count - 1] = grid.center(last);
-      return;
-    }
-    heading = move;
-    point(last);
-  }
-};
 
 /// A jump goes along three axes first, then two, then one.
 void write_jump(TurnWriter& writer, const Voxel& to) {
@@ -72,29 +42,18 @@ std::uint32_t reverse_parents(NodeStore& store, std::uint32_t goal) {
   return node;
 }
 
-void add_counts(MoveCounts& sum, const MoveCounts& jump) {
-  sum.space += jump.space;
-  sum.plane += jump.plane;
-  sum.straight += jump.straight;
-}
-
 }  // namespace
 
 Status search_extract(Search& search, const Grid& grid, int reserve, Path& path) noexcept {
   NodeStore& store = search.store;
   const std::uint32_t goal = store_find_or_add(store, search.goal);
-  TurnWriter writer{grid, path, kMaxJumpPoints - reserve, search.start, kHere, false};
-  writer.point(search.start);
-  MoveCounts sum{0, 0, 0};
+  TurnWriter writer(grid, path, reserve, search.start);
   std::uint32_t node = reverse_parents(store, goal);
   for (std::uint32_t k = 0; k < store.count && node != goal; ++k) {
     node = store.nodes[node].parent;
-    const Voxel to = store.nodes[node].at();
-    add_counts(sum, octile_moves(writer.last, to));
-    write_jump(writer, to);
+    write_jump(writer, store.nodes[node].at());
   }
-  path.grid_length = (kSqrt3 * sum.space + kSqrt2 * sum.plane) + sum.straight;
-  return writer.full ? Status::kJumpPointsFull : Status::kOk;
+  return writer.finish();
 }
 
 }  // namespace tern

@@ -58,23 +58,23 @@ constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
 
 /// Word `block` of the blocked rows, with what they are beside each other worked out once.
 struct RowReader {
-  const std::uint64_t* first;  ///< of row (0, 0)
-  std::int32_t row_words;
+  BitRows rows;
+  std::int32_t word;
   Voxel dims;
   bool has_before;
   bool has_after;
 
   RowReader(const Grid& grid, std::int32_t block)
-      : first(grid.blocked_row(0, 0) + block),
-        row_words(grid.row_words()),
+      : rows(GridView::blocked(grid)),
+        word(block),
         dims(grid.spec().dims),
         has_before(block > 0),
-        has_after(block + 1 < row_words) {}
+        has_after(block + 1 < rows.row_words) {}
 
   RowWords at(std::int32_t y, std::int32_t z) const {
     if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return kNoRow;
-    const std::uint64_t* word = first + static_cast<std::int64_t>(y + dims.y * z) * row_words;
-    return {has_before ? word[-1] : kAllBlocked, word[0], has_after ? word[1] : kAllBlocked};
+    const std::uint64_t* own = rows.row(y, z) + word;
+    return {has_before ? own[-1] : kAllBlocked, own[0], has_after ? own[1] : kAllBlocked};
   }
 };
 

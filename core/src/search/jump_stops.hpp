@@ -34,8 +34,8 @@ struct JumpStopLayer {
   JumpStopWord bits[kJumpStopWords];
 };
 
-/// A tile is made once scans have walked so many steps through it voxel by voxel, which is what making it costs: scans
-/// that come once or twice never pay for a tile, and none ever pays much more than twice the least.
+/// A tile is made once scans have walked so many steps through it voxel by voxel. Making it costs as much as about 160
+/// steps, so scans that come once or twice never pay for it.
 constexpr std::uint8_t kWalkFirst = 64;
 
 /// Prepares the layer of an axis with nothing made yet: clears one bit a word or tile.

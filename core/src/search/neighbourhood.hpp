@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "base/direction.hpp"
+#include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -46,9 +47,10 @@ inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
   const int bit = v.x & 63;
   if (bit == 0 || bit == 63 || v.y == 0 || v.z == 0 || v.y + 1 == dims.y || v.z + 1 == dims.z)
     return free_cells_at_face(grid, v);
-  const std::uint64_t* first = grid.blocked_row(v.y - 1, v.z - 1) + (v.x >> 6);
-  const std::int64_t row = grid.row_words();
-  const std::int64_t slice = row * dims.y;
+  const BitRows rows = GridView::blocked(grid);
+  const std::uint64_t* first = rows.row(v.y - 1, v.z - 1) + (v.x >> 6);
+  const std::int64_t row = rows.index(1, 0);
+  const std::int64_t slice = rows.index(0, 1);
   CellMask blocked = 0;
   for (int z = 0; z < 3; ++z) {
     for (int y = 0; y < 3; ++y) {

@@ -15,7 +15,7 @@ namespace plane_walk {
 
 /// A row outside the grid.
 struct BlockedRow {
-  std::uint64_t words[(kMaxDimension + 63) / 64];
+  std::uint64_t words[kMaxRowWords];
 };
 constexpr BlockedRow make_blocked_row() {
   BlockedRow row{};
@@ -38,15 +38,15 @@ template <int kNormal>
 class PlaneWalk {
  public:
   PlaneWalk(const Grid& grid, const Voxel& at, const Voxel& step) noexcept : step_x_(step.x), x_(at.x) {
-    const std::int64_t row = grid.row_words();
-    words_ = grid.row_words();
-    const std::int64_t stride = kNormal == 1 ? step.z * row * grid.spec().dims.y : step.y * row;
+    const BitRows blocked = GridView::blocked(grid);
+    words_ = blocked.row_words;
+    const std::int64_t stride = kNormal == 1 ? blocked.index(0, step.z) : blocked.index(step.y, 0);
     for (int k = 0; k < 3; ++k) {
       Voxel v = at;
       axis(v, kNormal) += k - 1;
       rows_[k] = {plane_walk::kBlockedRow.words, 0};
       if (axis(v, kNormal) >= 0 && axis(v, kNormal) < axis(grid.spec().dims, kNormal))
-        rows_[k] = {grid.blocked_row(v.y, v.z), stride};
+        rows_[k] = {blocked.row(v.y, v.z), stride};
     }
     cells_ = slab();
   }
@@ -92,8 +92,8 @@ class PlaneWalk<0> {
       : row_(grid.blocked_row(at.y, at.z)),
         words_(grid.row_words()),
         x_(at.x),
-        step_y_(std::int64_t{step.y} * words_),
-        step_z_(std::int64_t{step.z} * words_ * grid.spec().dims.y),
+        step_y_(GridView::blocked(grid).index(step.y, 0)),
+        step_z_(GridView::blocked(grid).index(0, step.z)),
         cells_(blocked_triple(row_, words_, x_)) {}
 
   bool step() noexcept {

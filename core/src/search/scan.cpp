@@ -14,12 +14,12 @@ namespace {
 constexpr std::int32_t kFewRegions = 64;
 
 bool same_map(const ScanMap& map, const Grid& grid) {
-  return map.kept && grid.contents() != nullptr && same(map.dims, grid.spec().dims);
+  return map.kept && GridView::contents(grid) != nullptr && same(map.dims, grid.spec().dims);
 }
 
 /// Regions that changed.
 std::int32_t count_changed(const ScanMap& map, const Grid& grid, std::int32_t count) {
-  const std::uint64_t* contents = grid.contents();
+  const std::uint64_t* contents = GridView::contents(grid);
   std::int32_t changed = 0;
   for (std::int32_t k = 0; k < count; ++k) changed += map.contents[k] != contents[k] ? 1 : 0;
   return changed;
@@ -30,8 +30,8 @@ void forget_changed(ScanMap& map, const Grid& grid, const Regions& regions) {
     for (std::int32_t block = 0; block < regions.blocks; ++block) {
       for (std::int32_t word = 0; word < regions.words; ++word) {
         const std::int32_t k = regions.at(z, block, word);
-        if (map.contents[k] == grid.contents()[k]) continue;
-        map.contents[k] = grid.contents()[k];
+        if (map.contents[k] == GridView::contents(grid)[k]) continue;
+        map.contents[k] = GridView::contents(grid)[k];
         for (int a = 0; a < 3; ++a) jump_stops_forget(map.along[a], grid, a, z, block, word);
       }
     }
@@ -49,10 +49,10 @@ void scan_begin(ScanMap& map, const Grid& grid) noexcept {
     if (changed <= count / kFewRegions) return forget_changed(map, grid, regions);
   }
   for (int a = 0; a < 3; ++a) jump_stops_reset(map.along[a], grid, a);
-  map.kept = grid.contents() != nullptr && count <= kStopRegions;
+  map.kept = GridView::contents(grid) != nullptr && count <= kStopRegions;
   if (!map.kept) return;
   map.dims = grid.spec().dims;
-  for (std::int32_t k = 0; k < count; ++k) map.contents[k] = grid.contents()[k];
+  for (std::int32_t k = 0; k < count; ++k) map.contents[k] = GridView::contents(grid)[k];
 }
 
 namespace scan {

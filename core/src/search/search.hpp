@@ -51,7 +51,8 @@ struct Search {
 void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
-/// Expands one node. kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull; not to be called after the end.
+/// Does one unit of the search: expands a node, passes over an outdated entry of the open list, or sorts a part of it.
+/// kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull. Must not be called after the end.
 Status search_expand(Search& search, const Grid& grid) noexcept;
 
 /// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets

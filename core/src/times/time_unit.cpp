@@ -21,7 +21,7 @@ struct Way {
   double push;     ///< length over the acceleration limit
 };
 
-void add(const Vec3& delta, const Limits& limits, Way& way) {
+void add(const Vec3& delta, const MotionLimits& limits, Way& way) {
   const double metres = length(delta);
   if (!(metres > 0.0)) return;
   const LineLimits line = limits_along(delta, limits);
@@ -32,7 +32,7 @@ void add(const Vec3& delta, const Limits& limits, Way& way) {
 }
 
 /// The way from a velocity to rest.
-void add_stop(const Vec3& velocity, const Limits& limits, Way& way) {
+void add_stop(const Vec3& velocity, const MotionLimits& limits, Way& way) {
   const double speed = length(velocity);
   if (!(speed > 0.0)) return;
   add((0.5 * speed / limits_along(velocity, limits).acceleration) * velocity, limits, way);
@@ -40,7 +40,7 @@ void add_stop(const Vec3& velocity, const Limits& limits, Way& way) {
 
 }  // namespace
 
-LineLimits reachable(const Chain& chain, const Corridor& corridor, const Limits& limits) noexcept {
+LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
   Way way{};
   for (int i = 0; i < corridor.count; ++i) add(corridor.polyhedra[i].to - corridor.polyhedra[i].from, limits, way);
   add_stop(chain.start.d[1], limits, way);
@@ -52,7 +52,7 @@ LineLimits reachable(const Chain& chain, const Corridor& corridor, const Limits&
   return LineLimits{smaller(way.length / way.cruise, larger(room, kMinDuration * a)), a};
 }
 
-double time_unit(const Chain& chain, const Corridor& corridor, const Limits& limits) noexcept {
+double time_unit(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
   const LineLimits line = reachable(chain, corridor, limits);
   const double jerk = line.acceleration / line.speed * line.acceleration;
   const double snap = jerk / line.speed * line.acceleration;

@@ -78,7 +78,7 @@ double least_end_time(const Chain& chain, const Bounds& acceleration, int i) {
 
 /// Cruising along the segment's way, with the trapezoid's ramps at the chain's ends only.
 double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
-  const Limits& limits = stage.limits;
+  const MotionLimits& limits = stage.limits;
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
   double time = 0.0;
   if (chain.length[i] > 0.0) {
@@ -89,7 +89,7 @@ double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corr
     if (i + 1 == chain.count) time += ramp_time(chain.goal, line);
     time = smaller(time, trapezoid_time(chain.length[i], line));
   }
-  time = larger(time, least_end_time(chain, acceleration_bounds(limits), i));
+  time = larger(time, least_end_time(chain, limits.acceleration, i));
   return larger(kMinDuration, kFirstSlack * time);
 }
 
@@ -113,12 +113,12 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
   stage.timed = 0;
 }
 
-Status times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
+Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
-    if (!work.take()) return Status::kRunning;
+    if (!work.take()) return Progress::kMore;
     chain.duration[stage.timed] = time_of(stage, chain, corridor, stage.timed);
   }
-  return Status::kOk;
+  return Progress::kDone;
 }
 
 }  // namespace tern

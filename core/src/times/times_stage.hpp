@@ -6,10 +6,11 @@
 #ifndef TERN_TIMES_TIMES_STAGE_HPP
 #define TERN_TIMES_TIMES_STAGE_HPP
 
+#include "base/bounds.hpp"
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
-#include "tern/status.hpp"
 #include "times/chain.hpp"
 
 namespace tern {
@@ -20,16 +21,16 @@ constexpr int kMaxSplit = 3;
 /// Units of one run: a segment each.
 constexpr std::uint32_t kTimesBound = static_cast<std::uint32_t>(kMaxSegments);
 
-/// Same frame as the corridor. Limits within [kMinLimit, kMaxLimit].
+/// Same frame as the corridor.
 struct TimesQuery {
   State start;
   State goal;
-  Limits limits;
+  MotionLimits limits;
 };
 
 /// Plain data; needs no initialisation before times_begin.
 struct TimesStage {
-  Limits limits;
+  MotionLimits limits;
   double speed;        ///< m/s that the flight has room to reach
   std::int32_t timed;  ///< segments that have a duration: the work done
 };
@@ -42,8 +43,8 @@ struct TimesStage {
 /// around them.
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
 
-/// One unit is one segment. kRunning, or kOk with all durations set.
-Status times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept;
+/// One unit is one segment. kDone with all durations set; this stage cannot fail.
+Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept;
 
 }  // namespace tern
 

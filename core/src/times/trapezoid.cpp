@@ -7,12 +7,12 @@
 
 namespace tern {
 
-LineLimits limits_along(const Vec3& delta, const Limits& limits) noexcept {
+LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept {
   const Vec3 direction = (1.0 / length(delta)) * delta;
-  const Bounds acceleration = acceleration_bounds(limits);
+  const Bounds& acceleration = limits.acceleration;
   // Gaining and losing a speed each take their own limit; together they last as if both had the harmonic mean.
   const double sluggishness = gauge(acceleration, direction) + gauge(acceleration, -1.0 * direction);
-  return LineLimits{1.0 / gauge(velocity_bounds(limits), direction), 2.0 / sluggishness};
+  return LineLimits{1.0 / gauge(limits.velocity, direction), 2.0 / sluggishness};
 }
 
 double trapezoid_time(double length, const LineLimits& limits) noexcept {

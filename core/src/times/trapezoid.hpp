@@ -5,6 +5,7 @@
 #ifndef TERN_TIMES_TRAPEZOID_HPP
 #define TERN_TIMES_TRAPEZOID_HPP
 
+#include "base/bounds.hpp"
 #include "tern/request.hpp"
 
 namespace tern {
@@ -18,7 +19,7 @@ struct LineLimits {
 /// The limits along the direction of `delta` (any length but zero): the largest that keep all of them. Where speeding
 /// up and slowing down have different limits the acceleration is their harmonic mean, which gives a profile from rest
 /// to rest the same duration.
-LineLimits limits_along(const Vec3& delta, const Limits& limits) noexcept;
+LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept;
 
 /// Seconds of the trapezoidal velocity profile over `length` metres from rest to rest, x / v + v / a; triangular,
 /// 2 sqrt(x / a), where the segment is too short to reach v. kMinDuration at least.

@@ -32,18 +32,19 @@ bool fixed_rows_hold(const double (*rows)[kControlPoints], int count, const Vec3
   return true;
 }
 
-bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Limits& limits, double duration) {
+bool end_holds(const JointState& end, const Polyhedron& polyhedron, const MotionLimits& limits, double duration) {
   Segment segment{};
   control_points(end, end, duration, segment.points);
   for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = end.d[0];
   const double rate = 1.0 / duration;
   return inside(segment, polyhedron) &&
-         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, velocity_bounds(limits)) &&
+         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, limits.velocity) &&
          fixed_rows_hold(kHodographRows.acceleration, kAccelerationRows, segment.points, rate * rate,
-                         acceleration_bounds(limits));
+                         limits.acceleration);
 }
 
-double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const Limits& limits, double duration) {
+double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const MotionLimits& limits,
+                        double duration) {
   if (!moves(end)) return duration;
   for (int i = 0; i < kEndTries && duration > kMinDuration; ++i) {
     if (end_holds(end, polyhedron, limits, duration)) return duration;
@@ -67,7 +68,7 @@ JointState backwards(const JointState& state) {
 
 }  // namespace
 
-void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept {
+void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept {
   const int last = chain.count - 1;
   chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
   chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],

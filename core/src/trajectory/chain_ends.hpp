@@ -5,6 +5,7 @@
 #ifndef TERN_TRAJECTORY_CHAIN_ENDS_HPP
 #define TERN_TRAJECTORY_CHAIN_ENDS_HPP
 
+#include "base/bounds.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
@@ -14,7 +15,7 @@ namespace tern {
 
 /// Shortens the first and the last segment until what follows from the boundary states alone (half of their control
 /// points, and the hodographs' there) keeps the polyhedra and the limits; kMinDuration at least. No effect at rest.
-void fit_ends(const Corridor& corridor, const Limits& limits, Chain& chain) noexcept;
+void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;
 
 /// The segments of a plan that keeps everything, from the chain's start to its goal, with their durations: a programme
 /// over them has a solution. Segments from rest to rest become halves, which gives the programme freedom there, as far

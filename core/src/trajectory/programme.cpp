@@ -233,7 +233,7 @@ JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpS
 
 }  // namespace
 
-void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, QpProblem& problem,
+void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept {
   clear(kJointOrder * (chain.count - 1), problem);
   scale.tau = mean_duration(chain);
@@ -242,8 +242,8 @@ void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits
   scale_joints(chain, scale);
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
   add_corridor(chain, corridor, scale, problem);
-  const LimitPlanes velocity = limit_planes(velocity_bounds(limits), kept_direction(chain, 1));
-  const LimitPlanes acceleration = limit_planes(acceleration_bounds(limits), kept_direction(chain, 2));
+  const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
+  const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));
   add_limit_rows(chain, scale, kHodographRows.velocity, kVelocityRows, velocity, 1, problem);
   add_limit_rows(chain, scale, kHodographRows.acceleration, kAccelerationRows, acceleration, 2, problem);
 }

@@ -9,6 +9,7 @@
 #ifndef TERN_TRAJECTORY_PROGRAMME_HPP
 #define TERN_TRAJECTORY_PROGRAMME_HPP
 
+#include "base/bounds.hpp"
 #include "qp/qp.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
@@ -38,7 +39,7 @@ struct ProgrammeScale {
 /// boundary states and the durations alone) are left out: whoever accepts a solution checks all control points anyway.
 /// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations: a working set is a
 /// warm start.
-void assemble(const Chain& chain, const Corridor& corridor, const Limits& limits, QpProblem& problem,
+void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
 /// The control points that x stands for. `points`: chain.count rows of kControlPoints, local frame. Joints are the same

@@ -40,7 +40,7 @@ void append_launch(const Brake& brake, int polyhedron, Trajectory& out) {
   }
 }
 
-void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limits& limits, Trajectory& out) {
+void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const MotionLimits& limits, Trajectory& out) {
   for (int i = 0; i < corridor.count; ++i) {
     const Vec3 next = leg_end(corridor, to, i);
     if (!same(from, next)) append(straight_segment(from, next, i, limits), out);
@@ -50,7 +50,7 @@ void append_legs(const Corridor& corridor, Vec3 from, const Vec3& to, const Limi
 
 }  // namespace
 
-Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
+Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const MotionLimits& limits,
                    Trajectory& out) noexcept {
   const int last = corridor.count - 1;
   const bool brakes = !at_rest(start);

@@ -7,6 +7,7 @@
 #ifndef TERN_TRAJECTORY_STOP_AND_GO_HPP
 #define TERN_TRAJECTORY_STOP_AND_GO_HPP
 
+#include "base/bounds.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
@@ -19,7 +20,7 @@ constexpr double kHoverDuration = 1.0;
 
 /// kOk, or kNoTrajectory with `out` untouched: no room to brake or accelerate, or no segment left for it. Fills count
 /// and segments of `out`. Legs of no length are left out.
-Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const Limits& limits,
+Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const MotionLimits& limits,
                    Trajectory& out) noexcept;
 
 /// A plan for a start at rest that is its goal: stays for kHoverDuration.

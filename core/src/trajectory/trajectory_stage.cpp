@@ -3,10 +3,6 @@
 #include "trajectory/trajectory_stage.hpp"
 
 #include "base/math.hpp"
-#include "base/work.hpp"
-#include "curve/bezier.hpp"
-#include "curve/hermite.hpp"
-#include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
@@ -16,7 +12,7 @@
 namespace tern {
 namespace {
 
-/// Passes of the stage's loop: three a programme, and the last ones.
+/// Passes of the stage's loop at most: three a programme, and the last ones.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
 /// Iterations of a programme after which its bound is looked at, again and again.
@@ -46,22 +42,8 @@ int most(int a, int b) {
   return a < b ? b : a;
 }
 
-Segment candidate(const TrajectoryStage& stage, int index) {
-  Segment segment{};
-  segment.duration = stage.chain.duration[index];
-  segment.polyhedron = stage.chain.polyhedron[index];
-  for (int k = 0; k < kControlPoints; ++k) segment.points[k] = stage.points[index][k];
-  return segment;
-}
-
-/// Snap of the segments that stage.points holds.
-double candidate_snap(const TrajectoryStage& stage) {
-  double snap = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    const Curve curve = snap_of(candidate(stage, i));
-    snap += integral_of_product(curve, curve, stage.chain.duration[i]);
-  }
-  return snap;
+Candidate candidate_of(const TrajectoryStage& stage) {
+  return {stage.chain, stage.points};
 }
 
 /// Snap of the chain with all unknowns zero, once there is a plan to compare with.
@@ -71,7 +53,7 @@ double fixed_snap(TrajectoryStage& stage) {
     for (int i = 0; i < stage.problem.unknowns; ++i) stage.solution.x[a][i] = 0.0;
   }
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
-  return candidate_snap(stage);
+  return snap_of(candidate_of(stage));
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
@@ -136,38 +118,14 @@ bool solve(TrajectoryStage& stage, Work& work) {
   return true;
 }
 
-/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly.
-double least_stretch(const TrajectoryStage& stage) {
-  double factor = 0.0;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    factor = larger(factor, kMinDuration / stage.chain.duration[i]);
-    factor = larger(factor, stretch_to_limits(candidate(stage, i), stage.query.limits));
-  }
-  return factor;
-}
-
-bool keeps_everything(const TrajectoryStage& stage, const Corridor& corridor, double factor) {
-  for (int i = 0; i < stage.chain.count; ++i) {
-    Segment segment = candidate(stage, i);
-    segment.duration *= factor;
-    if (!inside(segment, corridor.polyhedra[segment.polyhedron])) return false;
-    if (!within_limits(segment, stage.query.limits)) return false;
-  }
-  return true;
-}
-
 double relative_residual(const QpSolution& solution) {
   return larger(larger(solution.stationarity, solution.complementarity), larger(solution.violation, 0.0));
 }
 
 void keep_best(TrajectoryStage& stage) {
-  stage.best.found = true;
+  keep(candidate_of(stage), stage.best);
   stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
-  for (int i = 0; i < stage.chain.count; ++i) {
-    stage.best.duration[i] = stage.chain.duration[i];
-    for (int k = 0; k < kControlPoints; ++k) stage.best.points[i][k] = stage.points[i][k];
-  }
 }
 
 /// A solution's plan, where it keeps what it should; a solution that does not is as good as none.
@@ -175,11 +133,12 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
+  const Candidate candidate = candidate_of(stage);
+  const double least = stage.refinement.elastic ? stretch_to_limits(candidate, stage.query.limits) : 1.0;
   Round& round = stage.round;
-  const double least = stage.refinement.elastic ? least_stretch(stage) : 1.0;
-  round.offer = Offer{candidate_snap(stage), chain_duration(stage.chain), least, 1.0, 0.0};
+  round.offer = Offer{snap_of(candidate), chain_duration(stage.chain), least, 1.0, 0.0};
   const bool better = improves(stage.refinement, round.offer);
-  const bool holds = keeps_everything(stage, corridor, round.offer.stretch);
+  const bool holds = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
   if (!holds) stage.solve_status = Status::kNumerical;
   round.better = better && holds;
   if (!round.better) return;
@@ -207,31 +166,30 @@ void judge(TrajectoryStage& stage, const Corridor& corridor) {
   stage.phase = TrajectoryPhase::kPropose;
 }
 
-Status give_out(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+/// Where there is nothing better, from stop to stop.
+Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+  const TrajectoryQuery& query = stage.query;
+  const Status status = stop_and_go(corridor, query.start, query.goal, query.limits, out);
+  stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
+  return conclude(status, stage.status);
+}
+
+Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
   if (stays(corridor) && rests(stage.query)) {
     stage.quality = Quality::kHover;
     hover(stage.query.start.position, out);
-    return Status::kOk;
+    return Progress::kDone;
   }
-  if (!stage.best.found) {
-    const TrajectoryQuery& query = stage.query;
-    const Status status = stop_and_go(corridor, query.start, query.goal, query.limits, out);
-    stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
-    return status;
-  }
+  if (!stage.best.found) return fall_back(stage, corridor, out);
   stage.quality = Quality::kOptimised;
   stage.active = stage.best.active;
   stage.kkt_residual = stage.best.kkt_residual;
-  out.count = stage.chain.count;
-  for (int i = 0; i < stage.chain.count; ++i) {
-    out.segments[i].duration = stage.refinement.best.stretch * stage.best.duration[i];
-    out.segments[i].polyhedron = stage.chain.polyhedron[i];
-    for (int k = 0; k < kControlPoints; ++k) out.segments[i].points[k] = stage.best.points[i][k];
-  }
-  return Status::kOk;
+  give_out(stage.best, stage.refinement.best.stretch, stage.chain, out);
+  return Progress::kDone;
 }
 
 void clear_results(TrajectoryStage& stage) {
+  stage.status = Status::kOk;
   stage.quality = Quality::kNone;
   stage.optimiser = Status::kOk;
   stage.iterations = 0;
@@ -265,25 +223,25 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.phase = TrajectoryPhase::kPropose;
 }
 
-Status trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept {
-  for (int pass = 0; pass < kPasses; ++pass) {
+Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept {
+  for (int pass = 0; pass < kPasses && stage.phase != TrajectoryPhase::kFinish; ++pass) {
     switch (stage.phase) {
       case TrajectoryPhase::kPropose:
-        if (!work.take()) return Status::kRunning;
+        if (!work.take()) return Progress::kMore;
         propose(stage, corridor);
         break;
       case TrajectoryPhase::kSolve:
-        if (!solve(stage, work)) return Status::kRunning;
+        if (!solve(stage, work)) return Progress::kMore;
         break;
       case TrajectoryPhase::kJudge:
-        if (!work.take()) return Status::kRunning;
+        if (!work.take()) return Progress::kMore;
         judge(stage, corridor);
         break;
       case TrajectoryPhase::kFinish:
-        return give_out(stage, corridor, out);
+        break;
     }
   }
-  return Status::kRunning;
+  return finish(stage, corridor, out);
 }
 
 }  // namespace tern

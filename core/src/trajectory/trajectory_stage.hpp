@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "base/bounds.hpp"
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "qp/solver.hpp"
 #include "tern/corridor.hpp"
@@ -17,17 +19,18 @@
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "times/chain.hpp"
+#include "trajectory/candidate.hpp"
 #include "trajectory/programme.hpp"
 #include "trajectory/refinement.hpp"
 
 namespace tern {
 
-/// What is asked for. Local frame; limits valid, boundary states within them, positions inside the first and the last
+/// What is asked for. Local frame; boundary states within the limits, positions inside the first and the last
 /// polyhedron.
 struct TrajectoryQuery {
   State start;
   State goal;
-  Limits limits;
+  MotionLimits limits;
   double time_weight;            ///< > 0; see Request::time_weight
   std::uint32_t max_iterations;  ///< of all quadratic programmes together; 0: stop-and-go at once
 };
@@ -38,18 +41,10 @@ constexpr std::uint32_t kTrajectoryBound =
 
 enum class TrajectoryPhase : std::uint8_t { kPropose, kSolve, kJudge, kFinish };
 
-/// The best plan so far: its control points, the other arrays are shared with the candidate.
-struct BestPlan {
-  bool found;
-  double duration[kMaxSegments];  ///< before the refinement's stretch
-  Vec3 points[kMaxSegments][kControlPoints];
-  int active;
-  double kkt_residual;
-};
-
 /// Plain data; needs no initialisation before trajectory_begin.
 struct TrajectoryStage {
   // Results, valid whenever trajectory_advance has returned.
+  Status status;  ///< why the stage failed; else kOk
   Quality quality;
   Status optimiser;          ///< kOk, or why the plan is not the refined one
   std::uint32_t iterations;  ///< of all programmes
@@ -87,10 +82,11 @@ struct TrajectoryStage {
 void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
                       const Chain& chain) noexcept;
 
-/// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kRunning, kOk
-/// with count and segments of `out` filled (the origin is the caller's), or kNoTrajectory with `out` untouched: only
-/// from a moving start or to a moving goal. Segments name their polyhedron; there may be more segments than polyhedra.
-Status trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
+/// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kDone
+/// with count and segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory with `out` untouched,
+/// only from a moving start or to a moving goal. Segments name their polyhedron; there may be more segments than
+/// polyhedra.
+Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
 
 }  // namespace tern
 

@@ -3,7 +3,7 @@
 //
 // Blocked rows are gathered from the obstacle rows around them. Rows that are neighbours along y lie one after another
 // in a tile, so that each step of the gathering is one long OR that the compiler vectorises.
-#include "grid/inflation_tile.hpp"
+#include "inflation/inflation_tile.hpp"
 
 #include "grid/lattice.hpp"
 
@@ -74,6 +74,10 @@ std::int32_t plane_of(const Column& column, std::int32_t index, std::int32_t z, 
   return clamp_plane(index % 2 == 0 ? z - gap - 1 : z + gap + 1, planes);
 }
 
+std::int32_t count_planes(const Column& column) {
+  return 2 * (column.gap_z_end - column.gap_z_begin) + (column.gap_z_begin == 0 ? 1 : 0);
+}
+
 /// Words of the layer that follow one another in a column as well.
 struct Pieces {
   std::int32_t count;
@@ -82,7 +86,7 @@ struct Pieces {
 
 /// ORs the planes into the column's rows from index `first` on.
 void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, const Pieces& pieces, Column& column) {
-  const std::int32_t planes = 2 * (column.gap_z_end - column.gap_z_begin) + (column.gap_z_begin == 0 ? 1 : 0);
+  const std::int32_t planes = count_planes(column);
   for (std::int32_t done = 0; done < planes; done += kSources) {
     const std::int32_t now = planes - done < kSources ? planes - done : kSources;
     const std::uint64_t* sources[kSources];
@@ -98,6 +102,35 @@ void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, 
         or_rows<true>(sources, now, pieces.words, words);
       }
       for (std::int32_t s = 0; s < now; ++s) sources[s] += grid.row_words();
+    }
+  }
+}
+
+/// The same for a tile with a shift: of each row 64 voxels of two neighbouring words, with none past the row's ends.
+void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexRange& rows, Column& column) {
+  const BitRows obstacles = GridView::obstacles(grid);
+  const std::int32_t planes = count_planes(column);
+  const bool has_low = tile.first >= 0;
+  const bool has_high = tile.first + 1 < obstacles.row_words;
+  const std::ptrdiff_t low_word = has_low ? tile.first : 0;
+  const std::ptrdiff_t high_word = has_high ? tile.first + 1 : low_word;
+  for (std::int32_t done = 0; done < planes; done += kSources) {
+    const std::uint64_t* source[kSources];
+    for (std::int32_t s = 0; s < kSources; ++s) {
+      // The last plane again where there are no more: it changes nothing.
+      const std::int32_t index = done + s < planes ? done + s : planes - 1;
+      source[s] = obstacles.row(column.y + rows.begin, plane_of(column, index, tile.z, grid.spec().dims.z));
+    }
+    std::ptrdiff_t row = 0;
+    for (std::int32_t r = rows.begin; r < rows.end; ++r, row += obstacles.row_words) {
+      std::uint64_t low = 0;
+      std::uint64_t high = 0;
+      for (int s = 0; s < kSources; ++s) {
+        low |= source[s][row + low_word];
+        high |= source[s][row + high_word];
+      }
+      const std::uint64_t word = (has_low ? low >> tile.shift : 0) | (has_high ? high << (kWordBits - tile.shift) : 0);
+      column.words[r] = done == 0 ? word : column.words[r] | word;
     }
   }
 }
@@ -118,7 +151,11 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   const std::int32_t count = rows.end - rows.begin;
   // Whole rows follow one another in the layer as they do in the column: one long piece.
   const bool whole = width == grid.row_words();
-  or_planes(grid, tile, rows.begin, whole ? Pieces{1, count * width} : Pieces{count, width}, column);
+  if (tile.shift != 0) {
+    or_shifted_planes(grid, tile, rows, column);
+  } else {
+    or_planes(grid, tile, rows.begin, whole ? Pieces{1, count * width} : Pieces{count, width}, column);
+  }
   column.any = any_bit(column.words + rows.begin * width, count * width);
   for (std::int32_t k = 0; k < rows.begin * width; ++k) column.words[k] = 0;
   for (std::int32_t k = rows.end * width; k < column.rows * width; ++k) column.words[k] = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Where nothing new is found: the rest of the previous plan, proven anew on the map as it is.
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "check/tolerance.hpp"
 #include "curve/rest.hpp"
@@ -18,18 +19,12 @@ constexpr double kPreviousSlack = 0.9;
 
 }  // namespace
 
-/// The half-spaces of this plan so far, and what follows from capacities for a whole one.
-void Plan::count_planes(std::uint32_t planes) noexcept {
-  const std::uint32_t previous = asked_.previous != nullptr ? kPreviousPlanes : 0;
-  count(Stage::kCorridor, planes, asked_.budget.planes, corridors() * kCorridorBound + escape_planes() + previous);
-}
-
 /// For polyhedra around hulls.
 void Plan::begin_hulls() noexcept {
   Layout& memory = *memory_;
   GrowScratch& scratch = memory.stage.corridor.grow;
   reset_counters(scratch);
-  scratch.planes_allowed = asked_.budget.planes - before(Stage::kCorridor);
+  scratch.planes_allowed = planes_left();
   if (has_fences_) scratch.fences = &memory.fences;
 }
 
@@ -50,7 +45,7 @@ void Plan::begin_previous() noexcept {
 
 /// One unit is one segment of the rest. All of it is the whole plan where it meets the goal, else the start's way to
 /// rest.
-Status Plan::run_previous(Work& work) noexcept {
+Progress Plan::run_previous(Work& work) noexcept {
   Layout& memory = *memory_;
   Previous& rest = memory.previous;
   GrowScratch& scratch = memory.stage.corridor.grow;
@@ -61,11 +56,14 @@ Status Plan::run_previous(Work& work) noexcept {
   tube.slack = kPreviousSlack * check_distance(*grid_);
   const Vec3 origin = rest.tries == 1 ? memory.ends.origin_in_grid : grid_->to_local(rest.origin);
   for (; rest.next < rest.count; ++rest.next) {
-    if (!work.take()) return Status::kRunning;
+    if (!work.take()) return Progress::kMore;
     const bool fits = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
     rest.enclosed = tube.count;
-    count_planes(scratch.planes);
-    if (!fits) return fail(failed_stage_, failed_status_);
+    count(Stage::kPrevious, scratch.planes, asked_.budget.planes, kPreviousPlanes);
+    if (!fits) {
+      fail(failed_stage_, failed_status_);
+      return Progress::kFailed;
+    }
   }
   rest.flown = true;
   if (rest.meets_goal) {
@@ -73,9 +71,9 @@ Status Plan::run_previous(Work& work) noexcept {
   } else {
     escape.count = rest.enclosed;
     escape.rest = end_of(rest);
-    enter(Phase::kEscape);
+    enter(Stage::kEscape);
   }
-  return Status::kOk;
+  return Progress::kDone;
 }
 
 /// The rest is the plan.
@@ -83,11 +81,8 @@ void Plan::follow_previous() noexcept {
   Layout& memory = *memory_;
   memory.corridor.count = memory.trajectory.count = memory.previous.enclosed;
   memory.trajectory.origin = memory.previous.origin;
-  report_.quality = Quality::kPrevious;
-  report_.detours = kFollowed;
   has_path_ = false;
-  has_corridor_ = true;
-  enter(Phase::kCheck);
+  fly(Quality::kPrevious, kFollowed);
 }
 
 Vec3 Plan::start_jerk() const noexcept {

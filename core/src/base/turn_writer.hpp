@@ -1,0 +1,64 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_BASE_TURN_WRITER_HPP
+#define TERN_BASE_TURN_WRITER_HPP
+
+#include "base/direction.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Writes the turning points of a path over voxels to Path::raw as they come, and its cost. A point in line with the
+/// two before it replaces the last one.
+struct TurnWriter {
+  const Grid& grid;
+  Path& path;
+  int capacity;  ///< points
+  Voxel last;
+  int heading = kHere;  ///< direction of the last leg, kHere before the first
+  bool full = false;
+  MoveCounts moves{0, 0, 0};
+
+  /// Begins at `start`, and leaves room for `reserve` more points.
+  TurnWriter(const Grid& g, Path& out, int reserve, const Voxel& start) noexcept
+      : grid(g), path(out), capacity(kMaxJumpPoints - reserve), last(start) {
+    point(start);
+  }
+
+  void point(const Voxel& voxel) noexcept {
+    full = full || path.raw_count >= capacity;
+    if (!full) path.raw[path.raw_count++] = grid.center(voxel);
+  }
+
+  void leg(int move, std::int32_t steps) noexcept {
+    if (steps == 0) return;
+    const Voxel step = offset(move);
+    last = {last.x + steps * step.x, last.y + steps * step.y, last.z + steps * step.z};
+    count(axes_of(move), steps);
+    if (heading == move && !full) {
+      path.raw[path.raw_count - 1] = grid.center(last);
+      return;
+    }
+    heading = move;
+    point(last);
+  }
+
+  /// After the last leg: kOk, or kJumpPointsFull.
+  Status finish() noexcept {
+    constexpr double kSqrt2 = 1.4142135623730951;
+    constexpr double kSqrt3 = 1.7320508075688772;
+    path.grid_length = (kSqrt3 * moves.space + kSqrt2 * moves.plane) + moves.straight;
+    return full ? Status::kJumpPointsFull : Status::kOk;
+  }
+
+ private:
+  void count(int axes, std::int32_t steps) noexcept {
+    (axes == 1 ? moves.straight : (axes == 2 ? moves.plane : moves.space)) += steps;
+  }
+};
+
+}  // namespace tern
+
+#endif

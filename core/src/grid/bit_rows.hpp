@@ -1,0 +1,121 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A grid as the core reads it: rows of words, one bit a voxel. Where a row or a bit of it lies is worked out here.
+#ifndef TERN_GRID_BIT_ROWS_HPP
+#define TERN_GRID_BIT_ROWS_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Voxels of a word.
+constexpr std::int32_t kWordBits = 64;
+constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
+
+/// Words that hold so many bits.
+constexpr std::int32_t words_for(std::int32_t bits) noexcept {
+  return (bits + kWordBits - 1) / kWordBits;
+}
+
+/// Words of the widest grid's rows.
+constexpr std::int32_t kMaxRowWords = words_for(kMaxDimension);
+
+/// A half-open range of voxel indices on one axis.
+struct IndexRange {
+  std::int32_t begin;
+  std::int32_t end;
+};
+
+/// What two ranges have in common; empty (begin >= end) where that is nothing.
+inline IndexRange overlap(const IndexRange& a, const IndexRange& b) noexcept {
+  return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
+}
+
+/// The bits of x's word from x on, and those before x.
+inline std::uint64_t bits_from(std::int32_t x) noexcept {
+  return kAllBits << (x & 63);
+}
+inline std::uint64_t bits_before(std::int32_t x) noexcept {
+  return ~bits_from(x);
+}
+
+/// The bits of a row's word k that lie in a range that is not empty and meets the word.
+inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexcept {
+  std::uint64_t mask = kAllBits;
+  if (k == range.begin >> 6) mask &= bits_from(range.begin);
+  if (k == (range.end - 1) >> 6) mask &= kAllBits >> (63 - ((range.end - 1) & 63));
+  return mask;
+}
+
+/// The same for any range: none where it does not meet the word.
+inline std::uint64_t bits_met(const IndexRange& range, std::int32_t k) noexcept {
+  const IndexRange met = overlap(range, {kWordBits * k, kWordBits * (k + 1)});
+  return met.begin < met.end ? bits_within(met, k) : 0;
+}
+
+/// The middle one of three words after each bit has spread by `reach` < 64 to both sides.
+inline std::uint64_t spread_bits(std::uint64_t before, std::uint64_t own, std::uint64_t after,
+                                 std::int32_t reach) noexcept {
+  std::uint64_t up = own;
+  std::uint64_t down = own;
+  for (std::int32_t done = 0; done < reach;) {
+    const std::int32_t step = done + 1 < reach - done ? done + 1 : reach - done;
+    up |= up << step | before >> (64 - step);
+    before |= before << step;
+    down |= down >> step | after << (64 - step);
+    after |= after >> step;
+    done += step;
+  }
+  return up | down;
+}
+
+/// A layer's rows along x. Voxel x of a row is bit x % 64 of its word x / 64. Rows follow one another along y, and
+/// planes along z.
+struct BitRows {
+  const std::uint64_t* words;  ///< of row (0, 0)
+  std::int32_t row_words;      ///< from a row to the next along y
+  std::int32_t plane_rows;     ///< from a row to the next along z
+
+  /// Words before row (y, z), which may lie beside the layer: steps between rows are differences of these.
+  std::ptrdiff_t index(std::int32_t y, std::int32_t z) const noexcept {
+    return (static_cast<std::ptrdiff_t>(z) * plane_rows + y) * row_words;
+  }
+  /// Row (y, z), which lies in the layer.
+  const std::uint64_t* row(std::int32_t y, std::int32_t z) const noexcept { return words + index(y, z); }
+};
+
+/// What the core reads of a grid that no user does.
+struct GridView {
+  /// The two layers. Bits past dims.x are 0 in the obstacle layer and 1 in the blocked one.
+  static BitRows obstacles(const Grid& grid) noexcept { return rows_of(grid, grid.obstacles_); }
+  static BitRows blocked(const Grid& grid) noexcept { return rows_of(grid, grid.blocked_); }
+  /// Words of one layer.
+  static std::size_t layer_words(const Grid& grid) noexcept {
+    return static_cast<std::size_t>(obstacles(grid).index(0, grid.spec_.dims.z));
+  }
+
+  /// A number for each region of the blocked layer (grid/regions.hpp). Regions with equal numbers are equal, in one
+  /// grid at two times or in two grids. inflate() writes them. Null where with_blocked() made the grid.
+  static const std::uint64_t* contents(const Grid& grid) noexcept { return grid.contents_; }
+
+  /// The same grid with another blocked layer: `words`, layer_words() of them, taken as they are.
+  static Grid with_blocked(const Grid& grid, std::uint64_t* words) noexcept {
+    Grid view = grid;
+    view.blocked_ = words;
+    view.contents_ = nullptr;
+    return view;
+  }
+
+ private:
+  static BitRows rows_of(const Grid& grid, const std::uint64_t* layer) noexcept {
+    return {layer, grid.row_words_, grid.spec_.dims.y};
+  }
+};
+
+}  // namespace tern
+
+#endif

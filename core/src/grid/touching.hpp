@@ -1,0 +1,32 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A segment that touches a box: no closest pair gives a direction that tells on which side of it the segment lies.
+#ifndef TERN_GRID_TOUCHING_HPP
+#define TERN_GRID_TOUCHING_HPP
+
+#include "tern/grid.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// min of normal . p over the closed box: the corner that the normal points away from.
+inline double support(const Vec3& normal, const Box& box) noexcept {
+  const double x = normal.x * (normal.x < 0.0 ? box.upper.x : box.lower.x);
+  const double y = normal.y * (normal.y < 0.0 ? box.upper.y : box.lower.y);
+  const double z = normal.z * (normal.z < 0.0 ? box.upper.z : box.lower.z);
+  return (x + y) + z;
+}
+
+/// How far the box lies beyond the segment along a normal, in units of the normal's length; negative where they
+/// overlap along it.
+double room_along(const Vec3& from, const Vec3& to, const Box& box, const Vec3& normal) noexcept;
+
+/// The best separating axis of a segment that touches the box, among the box's face normals and the cross products of
+/// its edges with the segment: the unit normal with the most room. A face wins a tie. Products shorter than `direction`
+/// (direction_tolerance) are left out: the segment runs along that edge, or is a point.
+Vec3 separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
+
+}  // namespace tern
+
+#endif

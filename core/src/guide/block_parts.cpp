@@ -1,0 +1,59 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guide/block_parts.hpp"
+
+namespace tern {
+namespace {
+
+constexpr VoxelMask kFaces[kSides] = {0x1111111111111111u, 0x8888888888888888u, 0x000F000F000F000Fu,
+                                      0xF000F000F000F000u, 0x000000000000FFFFu, 0xFFFF000000000000u};
+
+/// The voxels and those beside them.
+VoxelMask grown(VoxelMask voxels) {
+  return voxels | (voxels & ~kFaces[1]) << 1 | (voxels & ~kFaces[0]) >> 1 | (voxels & ~kFaces[3]) << 4 |
+         (voxels & ~kFaces[2]) >> 4 | voxels << 16 | voxels >> 16;
+}
+
+}  // namespace
+
+VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  const Voxel first{block.x * 4, block.y * 4, block.z * 4};
+  VoxelMask voxels = 0;
+  for (int z = 0; z < 4 && first.z + z < dims.z; ++z) {
+    for (int y = 0; y < 4 && first.y + y < dims.y; ++y) {
+      const std::uint64_t row = ~grid.blocked_row(first.y + y, first.z + z)[first.x >> 6];
+      voxels |= (row >> (first.x & 63) & 15u) << (4 * y + 16 * z);
+    }
+  }
+  return voxels;
+}
+
+VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept {
+  VoxelMask reached = seeds & free;
+  // Each round but the last adds a voxel.
+  for (int k = 0; k < 64; ++k) {
+    const VoxelMask more = grown(reached) & free;
+    if (more == reached) break;
+    reached = more;
+  }
+  return reached;
+}
+
+bool one_part(VoxelMask free) noexcept {
+  return connected(free & (~free + 1), free) == free;
+}
+
+SideMask sides_touched(VoxelMask voxels) noexcept {
+  SideMask sides = 0;
+  for (int side = 0; side < kSides; ++side) sides |= (voxels & kFaces[side]) != 0 ? 1u << side : 0u;
+  return sides;
+}
+
+VoxelMask voxels_at(SideMask sides) noexcept {
+  VoxelMask voxels = 0;
+  for (int side = 0; side < kSides; ++side) voxels |= (sides >> side & 1u) != 0 ? kFaces[side] : 0;
+  return voxels;
+}
+
+}  // namespace tern

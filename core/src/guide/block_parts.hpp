@@ -1,0 +1,60 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The connected parts of one block of 4 x 4 x 4 voxels. A wall that is thinner than a block may leave parts of the same
+// block on both of its sides, and no way from one to the other.
+#ifndef TERN_GUIDE_BLOCK_PARTS_HPP
+#define TERN_GUIDE_BLOCK_PARTS_HPP
+
+#include <cstdint>
+
+#include "base/direction.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Voxels of a block, bit x + 4 y + 16 z.
+using VoxelMask = std::uint64_t;
+
+/// A voxel's place in its block.
+constexpr int place_in_block(const Voxel& v) {
+  return (v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4;
+}
+
+/// Sides of a block in the order -x, +x, -y, +y, -z, +z, and sets of them as bits.
+constexpr int kSides = 6;
+using SideMask = unsigned;
+constexpr SideMask kAllSides = (1u << kSides) - 1;
+
+/// The move across each side.
+constexpr int kSideMove[kSides] = {direction(-1, 0, 0), direction(1, 0, 0),  direction(0, -1, 0),
+                                   direction(0, 1, 0),  direction(0, 0, -1), direction(0, 0, 1)};
+
+/// The move back.
+constexpr int opposite(int move) {
+  return kDirections - 1 - move;
+}
+
+/// Those that a move leads across: one for each of its axes.
+constexpr SideMask sides_of(int move) {
+  const Voxel step = offset(move);
+  const auto along = [](std::int32_t s, int axis) { return s == 0 ? 0u : 1u << (2 * axis + (s > 0 ? 1 : 0)); };
+  return along(step.x, 0) | along(step.y, 1) | along(step.z, 2);
+}
+
+/// The free voxels of a block. Nothing is free outside the grid.
+VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept;
+
+/// The voxels of `free` that are connected through faces to any of `seeds`.
+VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept;
+
+/// True where the free voxels are all connected.
+bool one_part(VoxelMask free) noexcept;
+
+/// The sides that the voxels touch; and the voxels at some sides.
+SideMask sides_touched(VoxelMask voxels) noexcept;
+VoxelMask voxels_at(SideMask sides) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,82 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A priority queue of small integers: a ring of buckets, last in first out within a bucket.
+#ifndef TERN_GUIDE_BUCKET_QUEUE_HPP
+#define TERN_GUIDE_BUCKET_QUEUE_HPP
+
+#include <cstdint>
+
+#include "tern/config.hpp"
+
+namespace tern {
+
+/// Entries of kEntries at most, in a ring of kBuckets (a multiple of 64). What belongs kBuckets or more beyond the
+/// current bucket goes into the last one of the ring, and so does, in effect, what the current bucket left behind when
+/// it went back: both come out early. Whoever takes an entry compares its bucket with the current one, and puts it in
+/// again where it was early. Plain data; needs no initialisation before queue_reset.
+template <std::int32_t kBuckets, std::int32_t kEntries>
+struct BucketQueue {
+  struct Entry {
+    std::uint32_t item;
+    std::int32_t next;  ///< in its bucket, or in the list of entries to use again; -1 at the end
+  };
+  std::uint32_t current;  ///< bucket that the last entry came from
+  std::int32_t count;
+  std::int32_t used;    ///< entries that were ever used
+  std::int32_t unused;  ///< first entry to use again, -1 where there is none
+  std::uint64_t busy[kBuckets / 64];
+  std::int32_t first[kBuckets];  ///< valid where `busy` says so
+  Entry entries[kEntries];
+};
+
+template <std::int32_t kBuckets, std::int32_t kEntries>
+void queue_reset(BucketQueue<kBuckets, kEntries>& queue) noexcept {
+  queue.current = 0;
+  queue.count = 0;
+  queue.used = 0;
+  queue.unused = -1;
+  for (std::uint64_t& word : queue.busy) word = 0;
+}
+
+/// False where the queue is full.
+template <std::int32_t kBuckets, std::int32_t kEntries>
+bool queue_put(BucketQueue<kBuckets, kEntries>& queue, std::uint32_t bucket, std::uint32_t item) noexcept {
+  if (queue.count == kEntries) return false;
+  if (queue.count++ == 0 || bucket < queue.current) queue.current = bucket;
+  const std::uint32_t beyond = bucket - queue.current;
+  const std::uint32_t slot = (beyond < kBuckets ? bucket : queue.current + kBuckets - 1) % kBuckets;
+  const std::int32_t entry = queue.unused >= 0 ? queue.unused : queue.used++;
+  if (entry == queue.unused) queue.unused = queue.entries[entry].next;
+  const std::uint64_t bit = std::uint64_t{1} << (slot % 64);
+  queue.entries[entry] = {item, (queue.busy[slot / 64] & bit) != 0 ? queue.first[slot] : -1};
+  queue.first[slot] = entry;
+  queue.busy[slot / 64] |= bit;
+  return true;
+}
+
+/// Takes the last entry of the first bucket that has one, which becomes the current one. Not where the queue is empty.
+template <std::int32_t kBuckets, std::int32_t kEntries>
+std::uint32_t queue_take(BucketQueue<kBuckets, kEntries>& queue) noexcept {
+  constexpr std::uint32_t kWords = kBuckets / 64;
+  const std::uint32_t from = queue.current % kBuckets;
+  std::uint32_t word = from / 64;
+  std::uint64_t bits = queue.busy[word] & ~std::uint64_t{0} << (from % 64);
+  for (std::uint32_t k = 0; bits == 0 && k < kWords; ++k) {
+    word = (word + 1) % kWords;
+    bits = queue.busy[word];
+  }
+  const std::uint32_t slot = word * 64 + static_cast<std::uint32_t>(__builtin_ctzll(bits));
+  queue.current += (slot - from) % kBuckets;
+  const std::int32_t entry = queue.first[slot];
+  queue.first[slot] = queue.entries[entry].next;
+  if (queue.first[slot] < 0) queue.busy[word] &= ~(std::uint64_t{1} << (slot % 64));
+  queue.entries[entry].next = queue.unused;
+  queue.unused = entry;
+  --queue.count;
+  return queue.entries[entry].item;
+}
+
+}  // namespace tern
+
+#endif

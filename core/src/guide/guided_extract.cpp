@@ -1,0 +1,43 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the goal's arrival back to turning points.
+#include "base/turn_writer.hpp"
+#include "guide/guided_search.hpp"
+
+namespace tern {
+namespace {
+
+/// Where the search keeps the move of a voxel on the path: by which it is reached, later by which it is left.
+std::uint8_t& move_at(GuidedSearch& search, const Voxel& voxel) {
+  return search.store.pages[page_find_or_add(search.store, voxel)].arrival[place_in_block(voxel)];
+}
+
+/// Turns the moves around, so that they lead from the start to the goal.
+void reverse_moves(GuidedSearch& search) {
+  Voxel at = search.goal;
+  std::uint8_t departure = kHere;
+  // A path holds each expanded voxel once.
+  for (std::uint32_t k = 0; k <= kGuidedExpansions; ++k) {
+    std::uint8_t& move = move_at(search, at);
+    const std::uint8_t arrival = move;
+    move = departure;
+    if (arrival == kHere) return;
+    const Voxel step = offset(arrival);
+    at = {at.x - step.x, at.y - step.y, at.z - step.z};
+    departure = arrival;
+  }
+}
+
+}  // namespace
+
+Status guided_extract(GuidedSearch& search, const Grid& grid, int reserve, Path& path) noexcept {
+  reverse_moves(search);
+  TurnWriter writer(grid, path, reserve, search.start);
+  for (std::uint32_t k = 0; k <= kGuidedExpansions && !same(writer.last, search.goal); ++k) {
+    writer.leg(move_at(search, writer.last), 1);
+  }
+  return writer.finish();
+}
+
+}  // namespace tern

@@ -1,0 +1,184 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guide/guided_search.hpp"
+
+#include "search/neighbourhood.hpp"
+#include "search/prune.hpp"
+
+namespace tern {
+namespace {
+
+constexpr int kBucketBits = 6;
+
+/// How many blocks ahead the carrot is. It hides the corners of the guide's way, which are not the voxels' way.
+constexpr int kCarrotBlocks = 3;
+
+/// What is left of the way counts one and a half times.
+constexpr std::uint64_t weighted(GuideCost left) {
+  return std::uint64_t{left} + left / 2;
+}
+
+constexpr std::uint32_t entry(std::int32_t page, int place) {
+  return static_cast<std::uint32_t>(page) << 6 | static_cast<std::uint32_t>(place);
+}
+
+/// The block that the guide's way leads to next. A voxel of a split block may lie in a part that the way does not pass:
+/// then the block beside its part that is nearest to the goal.
+Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, const Voxel& voxel) {
+  BlockMap& map = search.guide.map;
+  const int arrival = map.at(block).parent;
+  const Voxel step = offset(opposite(arrival));
+  const Voxel next = block + step;
+  if (arrival == kHere || !block_split(map, grid, block, map.at(block))) return next;
+  const VoxelMask part = connected(VoxelMask{1} << place_in_block(voxel), block_voxels(grid, block));
+  const SideMask sides = sides_touched(part) & map.at(block).sides;
+  if ((sides & sides_of(opposite(arrival))) != 0) return next;
+  Voxel best = block;
+  GuideCost least = kFar;
+  for (int side = 0; side < kSides; ++side) {
+    if ((sides >> side & 1u) == 0) continue;
+    const Voxel beside = block + offset(kSideMove[side]);
+    block_touch(map, grid, beside);
+    const Block& at = map.at(beside);
+    if (!at.closed() || at.distance >= least) continue;
+    best = beside;
+    least = at.distance;
+  }
+  return best;
+}
+
+/// The middle of the block that the guide's way reaches a few blocks on from that of a voxel, which is closed; the goal
+/// where it ends.
+void head(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
+  const BlockMap& map = search.guide.map;
+  Voxel block = next_block(search, grid, map.block_of(voxel), voxel);
+  for (int k = 1; k < kCarrotBlocks; ++k) {
+    block = block + offset(opposite(map.at(block).parent));
+  }
+  const Block& reached = map.at(block);
+  const std::int32_t half = 1 << (map.log - 1);
+  page.heads = true;
+  page.rest = reached.distance;
+  page.carrot = {(block.x << map.log) + half, (block.y << map.log) + half, (block.z << map.log) + half};
+  if (reached.parent == kHere) page.carrot = search.goal;
+}
+
+/// Where to head for from a new page: a guess where its block is not closed yet. Its distance then cannot be less than
+/// what the blocks closed so far leave for it.
+void look(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
+  const BlockMap& map = search.guide.map;
+  const Voxel block = map.block_of(voxel);
+  block_touch(search.guide.map, grid, block);
+  if (block_closed(search.guide, map.index(block))) return head(search, grid, voxel, page);
+  const GuideCost to_start = guide_octile(block, search.guide.target) << map.log;
+  const GuideCost to_goal = guide_octile(block, map.block_of(search.goal)) << map.log;
+  page.rest = search.guide.f > to_start + to_goal ? search.guide.f - to_start : to_goal;
+}
+
+std::uint32_t bucket_of(const Page& page, const Voxel& voxel, GuideCost cost) {
+  const GuideCost left = page.heads ? page.rest + guide_octile(voxel, page.carrot) : page.rest;
+  return static_cast<std::uint32_t>((cost + weighted(left)) >> kBucketBits);
+}
+
+/// The voxel's page; kGuidePages where there is no room for it.
+std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel) {
+  const std::int32_t before = search.store.count;
+  const std::int32_t index = page_find_or_add(search.store, voxel);
+  if (search.store.count > before) look(search, grid, voxel, search.store.pages[index]);
+  return index;
+}
+
+/// Records a way of this cost to a voxel, which arrives by `move`, where it is the best one. kRunning, or what is full.
+Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, GuideCost cost, int move) {
+  Page& page = search.store.pages[index];
+  const int place = place_in_block(voxel);
+  const std::uint64_t bit = std::uint64_t{1} << place;
+  if ((page.closed & bit) != 0 || ((page.reached & bit) != 0 && page.cost[place] <= cost)) return Status::kRunning;
+  page.reached |= bit;
+  page.cost[place] = cost;
+  page.arrival[place] = static_cast<std::uint8_t>(move);
+  const bool room = queue_put(search.open, bucket_of(page, voxel, cost), entry(index, place));
+  return room ? Status::kRunning : Status::kOpenFull;
+}
+
+/// A search that can follow its guide expands hardly more voxels than its way has. One that expands several times as
+/// many is led astray.
+constexpr std::uint32_t kLeastExpansions = 256;
+constexpr std::uint32_t kExpansionsPerVoxel = 4;
+
+std::uint32_t most_expansions(const GuidedSearch& search) {
+  const GuideCost way = search.guide.map.at(search.guide.target).distance / kGuideStraight;
+  return least(kGuidedExpansions, kLeastExpansions + kExpansionsPerVoxel * way);
+}
+
+Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const Voxel& at, GuideCost cost) {
+  if (same(at, search.goal)) return Status::kOk;
+  if (search.expanded == 0) search.most = most_expansions(search);
+  if (++search.expanded > search.most) return Status::kNodesFull;
+  for (CellMask left = legal_moves(free_cells(grid, at)); left != 0; left &= left - 1) {
+    const int move = __builtin_ctz(left);
+    const Voxel to = at + kMoveOf.at[move].step;
+    const bool here = (((to.x ^ at.x) | (to.y ^ at.y) | (to.z ^ at.z)) & ~3) == 0;
+    const std::int32_t page = here ? index : page_of(search, grid, to);
+    if (page == kGuidePages) return Status::kNodesFull;
+    const Status status = reach(search, page, to, cost + guide_cost(move), move);
+    if (status != Status::kRunning) return status;
+  }
+  return Status::kRunning;
+}
+
+/// Takes one entry off the open list of voxels.
+Status take_voxel(GuidedSearch& search, const Grid& grid) {
+  if (search.open.count == 0) return Status::kNoPath;
+  if (++search.taken > kGuidedTaken) return Status::kNodesFull;
+  const std::uint32_t taken = queue_take(search.open);
+  const auto index = static_cast<std::int32_t>(taken >> 6);
+  const int place = static_cast<int>(taken & 63u);
+  Page& page = search.store.pages[index];
+  if ((page.closed >> place & 1u) != 0) return Status::kRunning;
+  const Voxel at = page_voxel(page, place);
+  if (!page.heads) {
+    search.awaited = search.guide.map.index(search.guide.map.block_of(at));
+    if (!block_closed(search.guide, search.awaited)) {
+      queue_put(search.open, search.open.current, taken);
+      return Status::kRunning;
+    }
+    head(search, grid, at, page);
+  }
+  // The guide has found out more since the entry was made, or the ring had no bucket for it.
+  const std::uint32_t bucket = bucket_of(page, at, page.cost[place]);
+  if (bucket > search.open.current) {
+    queue_put(search.open, bucket, taken);
+    return Status::kRunning;
+  }
+  page.closed |= std::uint64_t{1} << place;
+  return expand(search, grid, index, at, page.cost[place]);
+}
+
+}  // namespace
+
+bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept {
+  search.start = start;
+  search.goal = goal;
+  search.expanded = 0;
+  search.most = 0;
+  search.taken = 0;
+  if (!block_search_begin(search.guide, grid, goal, start)) return false;
+  search.awaited = search.guide.map.index(search.guide.target);
+  queue_reset(search.open);
+  page_store_reset(search.store);
+  const std::int32_t page = page_of(search, grid, start);
+  return reach(search, page, start, 0, kHere) == Status::kRunning;
+}
+
+Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    if (!work.take()) return status;
+    const bool known = block_closed(search.guide, search.awaited);
+    status = known ? take_voxel(search, grid) : block_search_take(search.guide, grid);
+  }
+  return status;
+}
+
+}  // namespace tern

@@ -1,0 +1,95 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guide/voxel_search.hpp"
+
+namespace tern {
+namespace {
+
+void raise_high_water(VoxelSearch& search) {
+  const auto nodes = static_cast<std::int32_t>(search.optimal.store.count);
+  if (search.nodes_high < nodes) search.nodes_high = nodes;
+  if (search.open_high < search.optimal.open.high) search.open_high = search.optimal.open.high;
+}
+
+void begin_optimal(VoxelSearch& search, const Grid& grid) {
+  search.method = SearchMethod::kOptimal;
+  search_begin(search.optimal, *search.map, grid, search.start, search.goal);
+}
+
+/// After the first expansions, whose least f is a bound for all paths: the heuristic is consistent.
+void begin_guided(VoxelSearch& search, const Grid& grid) {
+  const Cost proven = static_cast<Cost>(search.optimal.open.bin) << kBinBits;
+  if (search.least < proven) search.least = proven;
+  search.method = SearchMethod::kGuided;
+  if (!guided_begin(search.guided, grid, search.start, search.goal)) begin_optimal(search, grid);
+}
+
+/// True where the optimal search has had its turn before a guided one.
+bool first_over(const VoxelSearch& search) {
+  const bool first = search.method == SearchMethod::kFirst;
+  return first && search.optimal.jumps && search.optimal.expanded >= kFirstExpansions;
+}
+
+Status advance_optimal(VoxelSearch& search, const Grid& grid, Work& work) {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning && !first_over(search) && work.take()) {
+    status = search_expand(search.optimal, grid);
+    raise_high_water(search);
+  }
+  return status;
+}
+
+bool proves(Status status) {
+  return status == Status::kOk || status == Status::kNoPath;
+}
+
+}  // namespace
+
+void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+                        SearchMode mode) noexcept {
+  search.map = &map;
+  search.start = start;
+  search.goal = goal;
+  search.least = octile(start, goal);
+  search.nodes_high = 0;
+  search.open_high = 0;
+  begin_optimal(search, grid);
+  if (mode == SearchMode::kFast) search.method = SearchMethod::kFirst;
+}
+
+Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept {
+  if (search.method == SearchMethod::kFirst) {
+    const Status status = advance_optimal(search, grid, work);
+    if (proves(status) || (status == Status::kRunning && !first_over(search))) return status;
+    begin_guided(search, grid);
+  }
+  if (search.method == SearchMethod::kGuided) {
+    const Status status = guided_advance(search.guided, grid, work);
+    if (proves(status) || status == Status::kRunning) return status;
+    begin_optimal(search, grid);
+  }
+  return advance_optimal(search, grid, work);
+}
+
+Status voxel_search_extract(VoxelSearch& search, const Grid& grid, int reserve, Path& path) noexcept {
+  if (search.method == SearchMethod::kGuided) return guided_extract(search.guided, grid, reserve, path);
+  return search_extract(search.optimal, grid, reserve, path);
+}
+
+bool voxel_search_again(VoxelSearch& search, const Grid& grid) noexcept {
+  if (search.method != SearchMethod::kGuided) return false;
+  begin_optimal(search, grid);
+  return true;
+}
+
+SearchUsed search_used(const VoxelSearch& search) noexcept {
+  return search.method == SearchMethod::kGuided ? SearchUsed::kGuided : SearchUsed::kOptimal;
+}
+
+double search_bound(const VoxelSearch& search, double cost) noexcept {
+  if (search.method != SearchMethod::kGuided) return 1.0;
+  const double least = static_cast<double>(search.least) / static_cast<double>(kStraightCost);
+  return cost > least ? cost / least : 1.0;
+}
+
+}  // namespace tern

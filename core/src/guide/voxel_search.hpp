@@ -1,0 +1,70 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The search as the path stage knows it: the optimal search alone, or before it a guided one, which mostly spares it.
+#ifndef TERN_GUIDE_VOXEL_SEARCH_HPP
+#define TERN_GUIDE_VOXEL_SEARCH_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "guide/guided_search.hpp"
+#include "search/search.hpp"
+#include "tern/grid.hpp"
+#include "tern/path.hpp"
+#include "tern/report.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// A fast search begins with so many expansions of the optimal one, or more while that goes step by step and is about
+/// to arrive: easy queries end there, optimally.
+constexpr std::uint32_t kFirstExpansions = 96;
+
+/// Units of work of one search. The first expansions are a search's own, and bounded as one.
+constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kExpansionBound;
+
+enum class SearchMethod : std::uint8_t { kFirst, kGuided, kOptimal };
+
+/// Plain data; needs no initialisation before voxel_search_begin.
+struct VoxelSearch {
+  Voxel start;
+  Voxel goal;
+  SearchMethod method;
+  Cost least;               ///< proven: no path costs less
+  std::int32_t nodes_high;  ///< of the optimal search
+  std::int32_t open_high;
+  ScanMap* map;
+  union {
+    Search optimal;
+    GuidedSearch guided;  ///< while the method says so
+  };
+};
+static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");
+
+/// Both voxels must be free in the grid's blocked layer, which must not change until the search ends. `map` as in
+/// search_begin.
+void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+                        SearchMode mode) noexcept;
+
+/// One unit of work is one entry taken off an open list. kRunning without work left, or the end: kOk, kNoPath,
+/// kNodesFull, kOpenFull.
+Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
+
+/// As search_extract. Once, after kOk.
+Status voxel_search_extract(VoxelSearch& search, const Grid& grid, int reserve, Path& path) noexcept;
+
+/// After kOk: begins the optimal search where the path found was not its own, and could not be used. False where it
+/// was.
+bool voxel_search_again(VoxelSearch& search, const Grid& grid) noexcept;
+
+/// Which search found the path.
+SearchUsed search_used(const VoxelSearch& search) noexcept;
+
+/// At most so many times the least cost does a path of this cost have that the search found, in voxels; 1 at least.
+double search_bound(const VoxelSearch& search, double cost) noexcept;
+
+}  // namespace tern
+
+#endif

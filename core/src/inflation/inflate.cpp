@@ -1,0 +1,200 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Inflation, 64 voxels a word. A word of the blocked layer depends on obstacles nearby only, so that only words near
+// changed ones are made again; after bind() all have changed. Of these, rows that equal the plane below are copied.
+#include "grid/changes.hpp"
+#include "grid/stencil.hpp"
+#include "inflation/patch_maker.hpp"
+#include "inflation/plane_steps.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+namespace {
+
+/// Adds to reached[k] the block's rows that changes of plane z reach in word k. Beyond 64 rows whole blocks count as
+/// reached.
+void add_reached(const Changes& changes, std::int32_t z, std::int32_t block, std::int32_t reach,
+                 const IndexRange& words, std::uint64_t* reached) {
+  if (!changes.plane(z)) return;
+  const std::int32_t far = reach < kBlockRows ? 1 : words_for(reach);
+  for (std::int32_t k = words.begin; k < words.end; ++k, ++reached) {
+    const std::uint64_t own = changes.rows(z, block, k);
+    if ((own | *reached) == kAllBits) {
+      *reached = kAllBits;
+      continue;
+    }
+    std::uint64_t any = 0;
+    for (std::int32_t b = block - far; b <= block + far; ++b) any |= changes.rows(z, b, k);
+    if (any == 0) continue;
+    *reached |= reach < kBlockRows
+                    ? spread_bits(changes.rows(z, block - 1, k), own, changes.rows(z, block + 1, k), reach)
+                    : kAllBits;
+  }
+}
+
+/// Rows of a block in the words of a window.
+struct WindowRows {
+  std::uint64_t words[kStepWords];
+
+  /// The OR of all words, and the AND.
+  std::uint64_t any(std::int32_t count) const {
+    std::uint64_t any = 0;
+    for (std::int32_t k = 0; k < count; ++k) any |= words[k];
+    return any;
+  }
+  std::uint64_t all(std::int32_t count) const {
+    std::uint64_t all = kAllBits;
+    for (std::int32_t k = 0; k < count; ++k) all &= words[k];
+    return all;
+  }
+};
+
+/// Runs of consecutive rows.
+std::int32_t count_runs(std::uint64_t rows) {
+  std::int32_t runs = 0;
+  for (std::uint64_t begins = rows & ~(rows << 1); begins != 0; begins &= begins - 1) ++runs;
+  return runs;
+}
+
+/// Takes the first run of rows off word k, and off the words after it as far as they hold all of it. The patch counts
+/// rows and words from the window's first ones.
+Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
+  const std::int32_t begin = __builtin_ctzll(rows.words[k]);
+  const std::uint64_t gaps = ~(rows.words[k] >> begin);
+  const std::int32_t length = gaps == 0 ? kBlockRows : __builtin_ctzll(gaps);
+  const std::uint64_t run = bits_met({begin, begin + length}, 0);
+  Patch patch{0, {begin, begin + length}, {k, k}};
+  while (patch.words.end < count && (rows.words[patch.words.end] & run) == run) rows.words[patch.words.end++] &= ~run;
+  return patch;
+}
+
+/// The price of a patch that is not narrow, in narrow ones; and how many narrow ones, beyond one a word, are cheaper
+/// than the whole window.
+constexpr std::int32_t kWidePatch = 2;
+constexpr std::int32_t kFewPatches = 2;
+
+/// One inflation of a grid whose blocked layer is given.
+struct Inflation {
+  const Changes& changes;
+  const Stencil& stencil;
+  const PatchMaker& maker;
+  const Regions regions;
+  const std::uint64_t content;    ///< of the obstacle layer
+  std::uint64_t* const contents;  ///< of the blocked layer's regions: that of the obstacles they were last made from
+
+  /// The window's rows of plane z that changes reach.
+  WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
+    WindowRows reached{};
+    const std::int32_t count = window.words.end - window.words.begin;
+    const std::int32_t reach = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
+    add_reached(changes, z, window.block, reach, window.words, reached.words);
+    for (std::int32_t gap = 0; gap <= stencil.gap_z() && reached.all(count) != kAllBits; ++gap) {
+      const std::int32_t reach_there = stencil.reach(gap, 0);
+      add_reached(changes, z - gap - 1, window.block, reach_there, window.words, reached.words);
+      add_reached(changes, z + gap + 1, window.block, reach_there, window.words, reached.words);
+    }
+    const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
+    for (std::int32_t k = 0; k < count; ++k) reached.words[k] &= inside;
+    return reached;
+  }
+
+  /// Calls `visit` with patches that cover these rows of a plane.
+  template <typename Visit>
+  static void for_each_patch(const BlockWindow& window, std::int32_t z, WindowRows rows, Visit visit) {
+    const std::int32_t count = window.words.end - window.words.begin;
+    const std::int32_t first = window.block * kBlockRows;
+    for (std::int32_t k = 0; k < count; ++k) {
+      while (rows.words[k] != 0) {
+        const Patch patch = take_patch(rows, count, k);
+        visit(Patch{z,
+                    {first + patch.rows.begin, first + patch.rows.end},
+                    {window.words.begin + patch.words.begin, window.words.begin + patch.words.end}});
+      }
+    }
+  }
+
+  void make_all(const BlockWindow& window, std::int32_t z, const WindowRows& rows) const {
+    for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch); });
+  }
+
+  /// Makes what may differ from the plane below, of which the patch is a copy.
+  void make_differing(const Patch& patch, const PlaneSteps& steps) const {
+    const IndexRange x = steps.voxels(patch.words);
+    if (maker.narrow(x)) return maker.make_narrow(patch, x);
+    maker.make(patch);
+  }
+
+  /// Makes the rows from the plane below and the differences; false, having done nothing, where it is cheaper to make
+  /// them all.
+  bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps,
+                       const WindowRows& reached) const {
+    if (!steps.known()) return false;
+    const std::int32_t count = window.words.end - window.words.begin;
+    WindowRows differing = reached;
+    std::uint64_t equal = 0;
+    std::int32_t price = 0;
+    for (std::int32_t k = 0; k < count; ++k) {
+      const std::int32_t word = window.words.begin + k;
+      differing.words[k] &= steps.mark(word).rows;
+      equal |= reached.words[k] & ~differing.words[k];
+      if (differing.words[k] == 0) continue;
+      price += count_runs(differing.words[k]) * (maker.narrow(steps.voxels({word, word + 1})) ? 1 : kWidePatch);
+    }
+    if (equal == 0 || price > count + kFewPatches) return false;
+    for_each_patch(window, z, reached, [this](const Patch& patch) { maker.copy_below(patch); });
+    for_each_patch(window, z, differing, [&](const Patch& patch) { make_differing(patch, steps); });
+    return true;
+  }
+
+  /// Makes the rows of one window that changes reach, plane after plane.
+  void make_window(const BlockWindow& window, const IndexRange& planes, PlaneSteps& steps) const {
+    const std::int32_t count = window.words.end - window.words.begin;
+    bool follows = false;
+    for (std::int32_t z = planes.begin; z < planes.end; ++z) {
+      const WindowRows reached = find_reached(window, z);
+      for (std::int32_t k = 0; k < count; ++k) {
+        if (reached.words[k] != 0) contents[regions.at(z, window.block, window.words.begin + k)] = content;
+      }
+      const bool any = reached.any(count) != 0;
+      if (any && follows) steps.advance();
+      if (any && !follows) steps.begin(window, z);
+      follows = any;
+      if (!any) continue;
+      const bool copied = make_from_below(window, z, steps, reached);
+      steps.judge(copied);
+      if (!copied) make_all(window, z, reached);
+    }
+  }
+
+  void run(PlaneSteps& steps) const {
+    const ChangeExtent extent = changes.extent();
+    const std::int32_t far_z = stencil.gap_z() + 1;
+    const std::int32_t far_blocks = stencil.gap_z() < 0 ? 0 : words_for(stencil.reach(0, 0));
+    const IndexRange planes = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
+    const IndexRange blocks =
+        overlap({0, changes.blocks()}, {extent.blocks.begin - far_blocks, extent.blocks.end + far_blocks});
+    for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
+      for (std::int32_t k = extent.words.begin; k < extent.words.end; k += kStepWords) {
+        make_window({block, overlap(extent.words, {k, k + kStepWords})}, planes, steps);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+void Grid::inflate() noexcept {
+  if (!bound()) return;
+  Changes changes(spec_.dims, changes_);
+  if (changes.any()) {
+    const Stencil stencil(spec_);
+    const PatchMaker maker(*this, stencil, blocked_);
+    PlaneSteps steps(*this, stencil);
+    Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_}.run(steps);
+    changes.clear();
+  }
+  words_[kInflated] = words_[kRevision];
+}
+
+}  // namespace tern

@@ -1,0 +1,103 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "inflation/patch_maker.hpp"
+
+#include "grid/lattice.hpp"
+#include "inflation/inflation_tile.hpp"
+
+namespace tern {
+namespace {
+
+void copy(const std::uint64_t* __restrict from, std::int32_t count, std::uint64_t* __restrict to) {
+  for (std::int32_t k = 0; k < count; ++k) to[k] = from[k];
+}
+
+}  // namespace
+
+PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* blocked) noexcept
+    : grid_(grid),
+      stencil_(stencil),
+      rows_(GridView::obstacles(grid)),
+      blocked_(blocked),
+      reach_x_(stencil.gap_x() + 1),
+      rows_inside_(inside_boundary(grid, 1)),
+      planes_inside_(inside_boundary(grid, 2)) {
+  const IndexRange x = inside_boundary(grid, 0);
+  for (std::int32_t k = 0; k < rows_.row_words; ++k) outside_x_[k] = ~bits_met(x, k);
+}
+
+/// A row that ends in enough padding, or a window with a halo on both sides, keeps its rows apart.
+bool PatchMaker::rows_apart(std::int32_t first, std::int32_t end) const noexcept {
+  if (end < rows_.row_words) return first > 0;
+  return kWordBits * rows_.row_words - grid_.spec().dims.x > reach_x_;
+}
+
+void PatchMaker::make(const Patch& patch) const noexcept {
+  // Words so far beside the patch reach into it along x.
+  const std::int32_t halo = words_for(reach_x_);
+  const IndexRange words = overlap({0, rows_.row_words}, {patch.words.begin - halo, patch.words.end + halo});
+  InflationTile tile;
+  tile.z = patch.z;
+  tile.first = words.begin;
+  tile.shift = 0;
+  tile.width = words.end - words.begin;
+  tile.apart = rows_apart(words.begin, words.end);
+  const std::int32_t tile_rows = kTileWords / tile.width;
+  for (tile.y = patch.rows.begin; tile.y < patch.rows.end; tile.y += tile_rows) {
+    tile.rows = patch.rows.end - tile.y < tile_rows ? patch.rows.end - tile.y : tile_rows;
+    make_inflation_tile(grid_, stencil_, tile);
+    store(tile, patch.words);
+  }
+}
+
+/// Writes these words of the tile's rows into the blocked layer.
+void PatchMaker::store(const InflationTile& tile, const IndexRange& words) const noexcept {
+  std::uint64_t* row = blocked_ + rows_.index(tile.y, tile.z);
+  const std::int32_t width = words.end - words.begin;
+  if (width == rows_.row_words) {
+    copy(tile.row(0), tile.rows * width, row);
+  } else {
+    for (std::int32_t r = 0; r < tile.rows; ++r) {
+      copy(tile.row(r) + words.begin - tile.first, width, row + r * rows_.row_words + words.begin);
+    }
+  }
+  // Few words of a row reach outside the boundary.
+  for (std::int32_t k = words.begin; k < words.end; ++k) {
+    for (std::int32_t r = 0; r < tile.rows && outside_x_[k] != 0; ++r) row[r * rows_.row_words + k] |= outside_x_[k];
+  }
+}
+
+void PatchMaker::make_narrow(const Patch& patch, const IndexRange& x) const noexcept {
+  InflationTile tile;
+  tile.y = patch.rows.begin;
+  tile.z = patch.z;
+  tile.rows = patch.rows.end - patch.rows.begin;
+  tile.first = (x.begin - reach_x_) >> 6;
+  tile.shift = (x.begin - reach_x_) & 63;
+  tile.width = 1;
+  tile.apart = true;
+  make_inflation_tile(grid_, stencil_, tile);
+  for (std::int32_t k = patch.words.begin; k < patch.words.end; ++k) store_narrow(tile, x, k);
+}
+
+/// Writes the tile's voxels that are in the range and in word k.
+void PatchMaker::store_narrow(const InflationTile& tile, const IndexRange& x, std::int32_t k) const noexcept {
+  const std::uint64_t kept = ~bits_met(x, k);
+  const std::int32_t left = kWordBits * (tile.first - k) + tile.shift;
+  std::uint64_t* word = blocked_ + rows_.index(tile.y, tile.z) + k;
+  for (std::int32_t r = 0; r < tile.rows; ++r, word += rows_.row_words) {
+    const std::uint64_t made = left < 0 ? *tile.row(r) >> -left : *tile.row(r) << left;
+    *word = (*word & kept) | (made & ~kept) | outside_x_[k];
+  }
+}
+
+void PatchMaker::copy_below(const Patch& patch) const noexcept {
+  const std::int32_t width = patch.words.end - patch.words.begin;
+  const std::int32_t count = patch.rows.end - patch.rows.begin;
+  const std::ptrdiff_t plane = rows_.index(0, 1);
+  std::uint64_t* row = blocked_ + rows_.index(patch.rows.begin, patch.z) + patch.words.begin;
+  if (width == rows_.row_words) return copy(row - plane, count * width, row);
+  for (std::int32_t r = 0; r < count; ++r, row += rows_.row_words) copy(row - plane, width, row);
+}
+
+}  // namespace tern

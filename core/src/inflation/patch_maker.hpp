@@ -1,0 +1,58 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_INFLATION_PATCH_MAKER_HPP
+#define TERN_INFLATION_PATCH_MAKER_HPP
+
+#include <cstdint>
+
+#include "grid/bit_rows.hpp"
+#include "grid/stencil.hpp"
+
+namespace tern {
+
+struct InflationTile;
+
+/// A rectangle of the blocked layer, in one plane.
+struct Patch {
+  std::int32_t z;
+  IndexRange rows;
+  IndexRange words;
+};
+
+/// Makes patches of a grid's blocked layer. Rows and planes must lie inside the boundary.
+class PatchMaker {
+ public:
+  PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* blocked) noexcept;
+
+  /// Rows and planes that the boundary lets be free.
+  const IndexRange& rows_inside() const noexcept { return rows_inside_; }
+  const IndexRange& planes_inside() const noexcept { return planes_inside_; }
+
+  /// Makes the patch from the obstacles around it.
+  void make(const Patch& patch) const noexcept;
+  /// Makes voxels [x.begin, x.end) of the patch's rows, all within its words and few enough for narrow(); the others
+  /// stay as they are.
+  void make_narrow(const Patch& patch, const IndexRange& x) const noexcept;
+  /// True where so many voxels fit a word with all that reaches them along x.
+  bool narrow(const IndexRange& x) const noexcept { return x.end - x.begin + 2 * reach_x_ <= kWordBits; }
+  /// Copies the patch from the plane below.
+  void copy_below(const Patch& patch) const noexcept;
+
+ private:
+  bool rows_apart(std::int32_t first, std::int32_t end) const noexcept;
+  void store(const InflationTile& tile, const IndexRange& words) const noexcept;
+  void store_narrow(const InflationTile& tile, const IndexRange& x, std::int32_t k) const noexcept;
+
+  const Grid& grid_;
+  const Stencil& stencil_;
+  const BitRows rows_;  ///< where the blocked layer's rows lie, too
+  std::uint64_t* blocked_;
+  const std::int32_t reach_x_;
+  IndexRange rows_inside_;
+  IndexRange planes_inside_;
+  std::uint64_t outside_x_[kMaxRowWords];  ///< a row's bits outside the boundary
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,172 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path/search_stage.hpp"
+
+#include "base/direction.hpp"
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+std::int32_t larger_of(std::int32_t a, std::int32_t b) {
+  return a < b ? b : a;
+}
+
+Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
+  stage.raw_occupied = !point_clear(grid, point, 0.0);
+  Voxel voxel{};
+  stage.has_nearest_free = nearest_free_voxel(grid, point, voxel);
+  if (stage.has_nearest_free) stage.nearest_free = grid.center(voxel);
+  return status;
+}
+
+/// One unit against the budget and the slice; kDone where it may be spent.
+Progress take_expansion(SearchStage& stage, Work& work) {
+  if (stage.expansions >= stage.query.max_expansions) return conclude(Status::kBudgetSearch, stage.status);
+  if (!work.take()) return Progress::kMore;
+  ++stage.expansions;
+  return Progress::kDone;
+}
+
+/// kDone when the end has joined the grid; kNoPath where it has in vain, everywhere.
+Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
+  while (join.state == JoinState::kTrying) {
+    const Progress taken = take_expansion(stage, work);
+    if (taken != Progress::kDone) return taken;
+    join_try(join, grid, stage.query.fences, point);
+  }
+  if (join.state == JoinState::kJoined) return Progress::kDone;
+  if (stage.failed > 0) return conclude(Status::kNoPath, stage.status);
+  const bool at_start = &join == &stage.start;
+  const Status why = at_start ? Status::kStartOccupied : Status::kGoalOccupied;
+  return conclude(occupied(stage, grid, point, why), stage.status);
+}
+
+void join_start(SearchStage& stage, const Grid& grid) {
+  join_begin(stage.start, grid, stage.query.start);
+  stage.phase = SearchPhase::kJoinStart;
+}
+
+/// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
+/// start's, at the goal's. False where none is left.
+bool join_elsewhere(SearchStage& stage, const Grid& grid) {
+  if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
+  if (join_others(stage.start, grid, stage.query.start, stage.query.start_moves)) {
+    stage.phase = SearchPhase::kJoinStart;
+    return true;
+  }
+  if (!join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves)) return false;
+  join_start(stage, grid);
+  return true;
+}
+
+bool is_direct(const SearchStage& stage, const Grid& grid) {
+  const SearchQuery& query = stage.query;
+  const Voxel a = grid.voxel_of(query.start);
+  const Voxel b = grid.voxel_of(query.goal);
+  if (same(a, b) && grid.free(a)) return true;
+  return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
+}
+
+/// A path that needs no grid: the points coincide, or share one free voxel.
+void direct_path(SearchStage& stage, Path& out) {
+  stage.search_bound = 1.0;
+  out.raw_count = 2;
+  out.raw[0] = stage.query.start;
+  out.raw[1] = stage.query.goal;
+  out.grid_length = 0.0;
+}
+
+/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that is the exact point itself is left
+/// out.
+Status write_raw(SearchStage& stage, const Grid& grid, Path& out) {
+  const SearchQuery& query = stage.query;
+  out.raw_count = 0;
+  if (!same(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
+  const bool at_center = same(query.goal, grid.center(stage.goal.voxel));
+  const Status status = voxel_search_extract(stage.search, grid, at_center ? 0 : 1, out);
+  if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
+  stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;
+  return status;
+}
+
+/// A slice of the search, within the stage's budget.
+Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
+  const std::uint32_t most = least(work.left, stage.query.max_expansions - stage.expansions);
+  Work allowed{most};
+  const Status status = voxel_search_advance(stage.search, grid, allowed);
+  work.left -= most - allowed.left;
+  stage.expansions += most - allowed.left;
+  stage.nodes_high = larger_of(stage.nodes_high, stage.search.nodes_high);
+  stage.open_high = larger_of(stage.open_high, stage.search.open_high);
+  const bool spent = stage.expansions >= stage.query.max_expansions;
+  return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
+}
+
+/// Searches, and once more where a fast path has too many turns.
+Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
+  Status status = run_search(stage, grid, work);
+  if (status == Status::kOk) status = write_raw(stage, grid, out);
+  if (status == Status::kJumpPointsFull && voxel_search_again(stage.search, grid)) {
+    status = run_search(stage, grid, work);
+    if (status == Status::kOk) status = write_raw(stage, grid, out);
+  }
+  if (status == Status::kOk) {
+    stage.search_used = search_used(stage.search);
+    stage.search_bound = search_bound(stage.search, out.grid_length);
+  }
+  return status == Status::kRunning ? Progress::kMore : conclude(status, stage.status);
+}
+
+/// Joins both ends and searches once, from where the stage is at.
+Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
+  if (stage.phase == SearchPhase::kJoinStart) {
+    const Progress joined = advance_join(stage, grid, work, stage.start, stage.query.start);
+    if (joined != Progress::kDone) return joined;
+    stage.phase = SearchPhase::kJoinGoal;
+  }
+  if (stage.phase == SearchPhase::kJoinGoal) {
+    const Progress joined = advance_join(stage, grid, work, stage.goal, stage.query.goal);
+    if (joined != Progress::kDone) return joined;
+    voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
+    stage.phase = SearchPhase::kSearch;
+  }
+  return expand(stage, grid, work, out);
+}
+
+}  // namespace
+
+void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept {
+  stage.status = Status::kOk;
+  stage.map = &map;
+  stage.expansions = 0;
+  stage.nodes_high = 0;
+  stage.open_high = 0;
+  stage.raw_high = 0;
+  stage.search_used = SearchUsed::kNone;
+  stage.search_bound = 0.0;
+  stage.raw_occupied = false;
+  stage.has_nearest_free = false;
+  stage.nearest_free = {0.0, 0.0, 0.0};
+  stage.failed = 0;
+  stage.query = query;
+  join_start(stage, grid);
+  join_begin(stage.goal, grid, query.goal);
+}
+
+Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept {
+  if (stage.phase == SearchPhase::kJoinStart && stage.failed == 0 && is_direct(stage, grid)) {
+    direct_path(stage, out);
+    return Progress::kDone;
+  }
+  // Searches again where an end may join elsewhere.
+  for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
+    const Progress progress = advance_once(stage, grid, work, out);
+    const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;
+    if (!no_path || !join_elsewhere(stage, grid)) return progress;
+  }
+  return Progress::kFailed;
+}
+
+}  // namespace tern

@@ -1,0 +1,58 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "path/shortcut_stage.hpp"
+
+namespace tern {
+namespace {
+
+/// One unit against the budget and the slice; kDone where it may be spent.
+Progress take_sight_line(ShortcutStage& stage, Work& work) {
+  if (stage.sight_lines >= stage.max_sight_lines) return conclude(Status::kBudgetShortcut, stage.status);
+  if (!work.take()) return Progress::kMore;
+  ++stage.sight_lines;
+  return Progress::kDone;
+}
+
+/// kDone when the chain is complete and written.
+Progress advance_chain(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) {
+  while (shortcut_needs_step(stage.shortcut, path)) {
+    const Progress taken = take_sight_line(stage, work);
+    if (taken != Progress::kDone) return taken;
+    shortcut_step(stage.shortcut, grid, path);
+  }
+  const Status status = shortcut_finish(stage.shortcut, path);
+  stage.segments_high = status == Status::kOk ? path.count - 1 : kMaxSegments;
+  return conclude(status, stage.status);
+}
+
+Progress advance_tighten(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) {
+  while (tighten_needs_trial(stage.tighten, path)) {
+    const Progress taken = take_sight_line(stage, work);
+    if (taken != Progress::kDone) return taken;
+    tighten_try(stage.tighten, grid, path);
+  }
+  return Progress::kDone;
+}
+
+}  // namespace
+
+void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_sight_lines, Path& path) noexcept {
+  stage.status = Status::kOk;
+  stage.sight_lines = 0;
+  stage.segments_high = 0;
+  stage.max_sight_lines = max_sight_lines;
+  stage.phase = ShortcutPhase::kChain;
+  shortcut_begin(stage.shortcut, grid, path);
+}
+
+Progress shortcut_advance(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) noexcept {
+  if (stage.phase == ShortcutPhase::kChain) {
+    const Progress chain = advance_chain(stage, grid, work, path);
+    if (chain != Progress::kDone) return chain;
+    stage.phase = ShortcutPhase::kTighten;
+    tighten_begin(stage.tighten, grid, path);
+  }
+  return advance_tighten(stage, grid, work, path);
+}
+
+}  // namespace tern

@@ -1,0 +1,240 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The stages that every plan goes through: each runs a slice, copies what the stage counted into the report, and enters
+// the stage that follows.
+#include "base/math.hpp"
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "curve/rest.hpp"
+#include "planner/detour.hpp"
+#include "planner/escape.hpp"
+#include "planner/layout.hpp"
+#include "planner/plan.hpp"
+#include "trajectory/relative_corridor.hpp"
+
+namespace tern {
+namespace {
+
+/// Of a stage that the caller cannot limit.
+constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
+
+/// A high-water mark: what is done again does not lower it.
+void raise(std::int32_t& mark, std::int32_t value) {
+  if (mark < value) mark = value;
+}
+
+}  // namespace
+
+void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept {
+  StageReport& entry = report_.stages[static_cast<int>(stage)];
+  entry.work = before(stage) + work;
+  entry.bound = least(budget, bound);
+}
+
+/// What the stages before the one at hand have left of Budget::sight_lines.
+std::uint32_t Plan::sight_lines_left() const noexcept {
+  return asked_.budget.sight_lines - before(Stage::kShortcut) - before(Stage::kDetour);
+}
+
+/// The same of Budget::planes.
+std::uint32_t Plan::planes_left() const noexcept {
+  return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
+}
+
+/// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
+Progress Plan::run_fences(Work& work) noexcept {
+  Layout& memory = *memory_;
+  const Fences& fences = memory.fences;
+  for (; fences_blocked_ <= fences.keep_out_count; ++fences_blocked_) {
+    if (!work.take()) return Progress::kMore;
+    if (fences_blocked_ == 0) {
+      block_outside(fences, memory.fence_layer, memory.fenced);
+    } else {
+      block_keep_out(fences, fences.keep_out[fences_blocked_ - 1], memory.fence_layer, memory.fenced);
+    }
+    count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
+  }
+  enter(Stage::kSearch);
+  return Progress::kDone;
+}
+
+void Plan::begin_search() noexcept {
+  const FlightEnds& ends = memory_->ends;
+  const SearchQuery query{ends.start_in_grid, ends.goal_in_grid,    asked_.budget.expansions - before(Stage::kSearch),
+                          fences(),           !at_rest(ends.start), !at_rest(ends.goal),
+                          asked_.search};
+  search_begin(memory_->stage.search, memory_->scans, world(), query);
+}
+
+Progress Plan::run_search(Work& work) noexcept {
+  SearchStage& stage = memory_->stage.search;
+  const Progress progress = search_advance(stage, world(), work, memory_->path);
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
+  raise(report_.high_water.nodes, stage.nodes_high);
+  raise(report_.high_water.open, stage.open_high);
+  raise(report_.high_water.jump_points, stage.raw_high);
+  report_.search_used = stage.search_used;
+  report_.search_bound = stage.search_bound;
+  if (progress == Progress::kMore) return progress;
+  report_.raw_occupied = stage.raw_occupied;
+  report_.has_nearest_free = stage.has_nearest_free;
+  if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
+  if (progress == Progress::kFailed) {
+    fail(Stage::kSearch, stage.status);
+  } else {
+    enter(Stage::kShortcut);
+  }
+  return progress;
+}
+
+void Plan::begin_shortcut() noexcept {
+  shortcut_begin(memory_->stage.shortcut, world(), sight_lines_left(), memory_->path);
+}
+
+Progress Plan::run_shortcut(Work& work) noexcept {
+  ShortcutStage& stage = memory_->stage.shortcut;
+  const Progress progress = shortcut_advance(stage, world(), work, memory_->path);
+  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, searches() * kShortcutBound);
+  raise(report_.high_water.segments, stage.segments_high);
+  if (progress == Progress::kMore) return progress;
+  if (progress == Progress::kFailed) {
+    fail(Stage::kShortcut, stage.status);
+    return progress;
+  }
+  has_path_ = true;
+  enter(Stage::kCorridor);
+  return progress;
+}
+
+void Plan::begin_corridor() noexcept {
+  corridor_begin(memory_->stage.corridor, world(), memory_->path, planes_left(), fences());
+}
+
+Progress Plan::run_corridor(Work& work) noexcept {
+  Layout& memory = *memory_;
+  CorridorStage& stage = memory.stage.corridor;
+  const Progress progress = corridor_advance(stage, world(), memory.path, work, memory.corridor);
+  count(Stage::kCorridor, stage.planes, asked_.budget.planes, corridors() * kCorridorBound);
+  raise(report_.high_water.planes, stage.planes_high);
+  raise(report_.high_water.local_boxes, stage.boxes_high);
+  if (progress == Progress::kMore) return progress;
+  if (progress == Progress::kFailed) {
+    fail_corridor(stage.status);
+    return progress;
+  }
+  report_.half_spaces = 0;
+  report_.half_spaces_redundant = 0;
+  for (int i = 0; i < memory.corridor.count; ++i) {
+    report_.half_spaces += memory.corridor.polyhedra[i].count;
+    report_.half_spaces_redundant += memory.corridor.polyhedra[i].redundant;
+  }
+  has_corridor_ = true;
+  enter(Stage::kTimes);
+  return progress;
+}
+
+void Plan::fail_corridor(Status status) noexcept {
+  if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
+  // That the detour has no corridor does not make the path's own one unflyable for any other reason.
+  if (report_.detours == kDetoured) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+  fail(Stage::kCorridor, status);
+}
+
+/// The corridor in the plan's frame, cut into the chain.
+void Plan::begin_times() noexcept {
+  Layout& memory = *memory_;
+  const FlightEnds& ends = memory.ends;
+  TrajectoryMemory& stages = memory.stage.trajectory;
+  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, stages.corridor);
+  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, limits_}, stages.chain);
+}
+
+Progress Plan::run_times(Work& work) noexcept {
+  TrajectoryMemory& stages = memory_->stage.trajectory;
+  const Progress progress = times_advance(stages.times, stages.corridor, work, stages.chain);
+  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + 1) * kTimesBound);
+  if (progress == Progress::kDone) enter(Stage::kTrajectory);
+  return progress;
+}
+
+void Plan::begin_trajectory() noexcept {
+  const FlightEnds& ends = memory_->ends;
+  TrajectoryMemory& stages = memory_->stage.trajectory;
+  const std::uint32_t iterations = stop_and_go_ ? 0 : asked_.budget.iterations - before(Stage::kTrajectory);
+  const TrajectoryQuery query{ends.start, ends.goal, limits_, asked_.time_weight, iterations};
+  trajectory_begin(stages.stage, stages.corridor, query, stages.chain);
+}
+
+Progress Plan::run_trajectory(Work& work) noexcept {
+  Layout& memory = *memory_;
+  TrajectoryStage& stage = memory.stage.trajectory.stage;
+  const Progress progress = trajectory_advance(stage, memory.stage.trajectory.corridor, work, memory.trajectory);
+  count(Stage::kTrajectory, stage.iterations, asked_.budget.iterations, corridors() * kTrajectoryBound);
+  raise(report_.high_water.active, stage.active_high);
+  raise(report_.high_water.qp_iterations, stage.longest_solve);
+  raise(report_.high_water.qp_solves, stage.solves);
+  if (progress == Progress::kMore) return progress;
+  report_trajectory();
+  if (progress == Progress::kDone) {
+    end_trajectory();
+  } else if (stage.status == Status::kNoTrajectory && report_.detours == 0) {
+    enter(Stage::kDetour);
+  } else {
+    fail(Stage::kTrajectory, stage.status);
+  }
+  return progress;
+}
+
+/// With the ways to rest at its ends the trajectory goes to the check.
+void Plan::end_trajectory() noexcept {
+  Layout& memory = *memory_;
+  memory.trajectory.origin = asked_.start.position;
+  if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory)) {
+    raise(report_.high_water.segments, memory.trajectory.count);
+    enter(Stage::kCheck);
+  } else if (stop_and_go_) {
+    fail(Stage::kTrajectory, Status::kSegmentsFull);
+  } else {
+    fall_back(Status::kSegmentsFull);
+  }
+}
+
+void Plan::report_trajectory() noexcept {
+  const TrajectoryStage& stage = memory_->stage.trajectory.stage;
+  report_.quality = stage.quality;
+  report_.optimiser = stop_and_go_ ? refused_ : stage.optimiser;
+  report_.qp_variables = stage.variables;
+  report_.qp_inequalities = stage.inequalities;
+  report_.qp_active = stage.active;
+  report_.qp_iterations = static_cast<std::int32_t>(report_.stages[static_cast<int>(Stage::kTrajectory)].work);
+  report_.kkt_residual = stage.kkt_residual;
+}
+
+/// Flies the same corridor from stop to stop: what the optimiser made of it is refused. `why`: kCheckFailed, or
+/// kSegmentsFull where an escape leaves no room for so many segments.
+void Plan::fall_back(Status why) noexcept {
+  stop_and_go_ = true;
+  refused_ = why;
+  enter(Stage::kTimes);
+}
+
+Progress Plan::run_check(Work& work) noexcept {
+  Layout& memory = *memory_;
+  CheckStage& stage = memory.stage.check;
+  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr,
+                         start_jerk()};
+  const Progress progress = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
+  count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
+  if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);
+  if (progress != Progress::kFailed) return progress;
+  report_.check = stage.found;
+  if (report_.quality == Quality::kOptimised && report_.detours < kEscaped) {
+    fall_back(stage.status);
+  } else {
+    fail(Stage::kCheck, stage.status);
+  }
+  return progress;
+}
+
+}  // namespace tern

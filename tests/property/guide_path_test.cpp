@@ -1,0 +1,116 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The path stage with SearchMode::kFast against a plain A*: every verdict is right, and every bound holds.
+#include <gtest/gtest.h>
+
+#include "support/reference_search.hpp"
+#include "support/walked_path.hpp"
+#include "support/walled_world.hpp"
+
+namespace {
+
+using tern::SearchUsed;
+using tern::Status;
+using tern::Voxel;
+using tern_test::PathRunner;
+using tern_test::Random;
+using tern_test::random_free;
+using tern_test::random_world;
+using tern_test::ReferenceSearch;
+using tern_test::scaled;
+using tern_test::VoxelWorld;
+using tern_test::walled_world;
+
+tern_test::PathQuery fast_query(const VoxelWorld& world, const Voxel& start, const Voxel& goal) {
+  tern_test::PathQuery query{world.grid.center(start), world.grid.center(goal)};
+  query.search = tern::SearchMode::kFast;
+  return query;
+}
+
+TEST(FastPath, VerdictsAreRightAndBoundsHold) {
+  PathRunner runner;
+  Random random(21);
+  int none = 0;
+  int used[3] = {0, 0, 0};
+  for (int k = 0; k < scaled(2500); ++k) {
+    const VoxelWorld world = k % 4 == 0 ? walled_world(random) : random_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    ReferenceSearch reference(world.grid);
+    const double optimum = reference.cost(start, goal);
+    const Status status = runner.run(world.grid, fast_query(world, start, goal));
+    ++used[static_cast<int>(runner.search().search_used)];
+    ASSERT_LE(runner.search().expansions, tern::kSearchBound);
+    if (optimum < 0.0) {
+      ASSERT_EQ(status, Status::kNoPath) << "case " << k;
+      ASSERT_EQ(runner.search().search_used, SearchUsed::kNone);
+      ++none;
+      continue;
+    }
+    ASSERT_TRUE(status == Status::kOk || status == Status::kSegmentsFull) << "case " << k;
+    const double cost = runner.path().grid_length;
+    ASSERT_NEAR(tern_test::walked_cost(world.grid, reference, runner.path()), cost, 1e-9) << "case " << k;
+    const double bound = runner.search().search_bound;
+    ASSERT_GE(bound, 1.0);
+    ASSERT_LE(cost, bound * optimum + 1e-9) << "case " << k;
+    if (runner.search().search_used == SearchUsed::kOptimal) {
+      ASSERT_NEAR(cost, optimum, 1e-9) << "case " << k;
+    }
+  }
+  EXPECT_GT(none, scaled(2500) / 100);
+  EXPECT_GT(used[static_cast<int>(SearchUsed::kGuided)], scaled(2500) / 20);
+  EXPECT_GT(used[static_cast<int>(SearchUsed::kOptimal)], scaled(2500) / 20);
+}
+
+TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
+  PathRunner whole;
+  PathRunner other;
+  Random random(22);
+  for (int k = 0; k < scaled(40); ++k) {
+    const VoxelWorld world = walled_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    const tern_test::PathQuery query = fast_query(world, start, goal);
+    const Status status = whole.run(world.grid, query);
+    for (const std::uint32_t slice : {1u, 7u, 1000u}) {
+      other.fill(static_cast<unsigned char>(slice));
+      ASSERT_EQ(other.run(world.grid, query, slice), status);
+      ASSERT_EQ(other.search().expansions, whole.search().expansions);
+      ASSERT_EQ(other.search().search_used, whole.search().search_used);
+      if (status == Status::kOk) tern_test::expect_same_raw(whole.path(), other.path());
+    }
+  }
+}
+
+/// A budget that ends the search at any unit gives the same answer in one slice and in many.
+TEST(FastPath, BudgetsEndTheSearchWhereverItIs) {
+  PathRunner whole;
+  PathRunner sliced;
+  Random random(23);
+  int guided = 0;
+  for (int k = 0; k < 400 && guided < 3; ++k) {
+    const VoxelWorld world = walled_world(random);
+    Voxel start{};
+    Voxel goal{};
+    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    tern_test::PathQuery query = fast_query(world, start, goal);
+    if (whole.run(world.grid, query) != Status::kOk || whole.search().search_used != SearchUsed::kGuided) continue;
+    ++guided;
+    const std::uint32_t needed = whole.search().expansions;
+    for (const std::uint32_t budget : {0u, 1u, 96u, 97u, needed - 1}) {
+      query.max_expansions = budget;
+      ASSERT_EQ(whole.run(world.grid, query), Status::kBudgetSearch) << budget;
+      ASSERT_EQ(sliced.run(world.grid, query, 3), Status::kBudgetSearch) << budget;
+      EXPECT_EQ(whole.search().expansions, budget);
+      EXPECT_EQ(sliced.search().expansions, budget);
+    }
+    query.max_expansions = needed;
+    EXPECT_EQ(whole.run(world.grid, query), Status::kOk);
+  }
+  EXPECT_EQ(guided, 3);
+}
+
+}  // namespace

@@ -1,0 +1,20 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the check refused a plan for, in words.
+#ifndef TERN_HOST_FINDING_TEXT_HPP
+#define TERN_HOST_FINDING_TEXT_HPP
+
+#include <string>
+
+#include "tern/report.hpp"
+
+namespace tern_host {
+
+/// One clause, for example "velocity of segment 2 on the x axis is beyond its limit by 0.01 m/s". Numbers count from 0,
+/// as in the plan file. Empty where the check found nothing.
+std::string describe_finding(const tern::CheckReport& check);
+
+}  // namespace tern_host
+
+#endif
