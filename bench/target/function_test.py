@@ -23,7 +23,7 @@ def table_of(path):
 
 def check_table(root, path, faults):
     rows = table_of(path)
-    committed = table_of(root / "bench/results/xeon-vm/stages.csv")
+    committed = table_of(root / "bench/results/epyc-vm/stages.csv")
     missing = set(committed[0]) - set(rows[0])
     faults += [f"no column {name}, which the committed tables have" for name in missing]
     if [(row["map"], row["stage"]) for row in rows] != [(case, stage) for case in CASES for stage in STAGES]:

@@ -6,9 +6,9 @@
 #ifndef TERN_TESTS_CONSUME_LAYOUT_H
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
-#include "tern/tern.h"
+#include "tern/tern_map.h"
 
-#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD)
+#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD) TERN_LAYOUT_MAP(FIELD)
 
 /* clang-format off */
 #define TERN_LAYOUT_IN(FIELD)                                                                                        \
@@ -52,6 +52,18 @@
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
   FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)
+
+#define TERN_LAYOUT_MAP(FIELD)                                                                                       \
+  FIELD(tern_map_spec, origin) FIELD(tern_map_spec, cell) FIELD(tern_map_spec, dims) FIELD(tern_map_spec, radius)    \
+  FIELD(tern_map_spec, range) FIELD(tern_map_spec, depth_margin) FIELD(tern_map_spec, depth_margin_square)           \
+  FIELD(tern_map_spec, pose_margin) FIELD(tern_map_spec, angle_margin) FIELD(tern_map_spec, scan_pixel)              \
+  FIELD(tern_map_spec, hits) FIELD(tern_map_spec, misses) FIELD(tern_map_spec, age) FIELD(tern_map_spec, slack)      \
+  FIELD(tern_map_spec, pixels) FIELD(tern_map_spec, prior) FIELD(tern_map_spec, prior_count)                         \
+  FIELD(tern_pose, position) FIELD(tern_pose, quaternion)                                                            \
+  FIELD(tern_depth_view, z16) FIELD(tern_depth_view, z32) FIELD(tern_depth_view, width)                              \
+  FIELD(tern_depth_view, height) FIELD(tern_depth_view, stride) FIELD(tern_depth_view, fx)                           \
+  FIELD(tern_depth_view, fy) FIELD(tern_depth_view, cx) FIELD(tern_depth_view, cy) FIELD(tern_depth_view, scale)     \
+  FIELD(tern_depth_view, min) FIELD(tern_depth_view, max)
 
 /* A field's place and size, and the size of the type that it is in. */
 typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;

@@ -2,7 +2,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """headers.py ROOT COMPILER...: every public header must compile alone, without the C++ standard library's headers, in
-each standard that it promises, with each of these C++ compilers. tern.h must compile as C too."""
+each standard that it promises, with each of these C++ compilers. Those of C must compile as C too."""
 import pathlib
 import subprocess
 import sys
@@ -27,7 +27,8 @@ def main():
     include = pathlib.Path(sys.argv[1]) / "core/include"
     headers = sorted(include.glob("tern/*.h*"))
     tried = [(compiler, "c++", standard, header) for compiler in sys.argv[2:] for standard in CXX for header in headers]
-    tried += [(compiler, "c", standard, include / "tern/tern.h") for compiler in sys.argv[2:] for standard in C]
+    tried += [(compiler, "c", standard, header) for compiler in sys.argv[2:] for standard in C
+              for header in sorted(include.glob("tern/*.h"))]
     bad = [case for case in tried if not compiles(case[0], case[1], case[2], include, case[3])]
     print(f"{len(headers)} headers, {len(tried)} compilations, {len(bad)} failed")
     return 1 if bad or not headers or not tried else 0

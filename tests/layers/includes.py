@@ -7,8 +7,8 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "grid", "inflation", "fence", "search", "guide", "path", "ellipsoid", "corridor", "curve", "times",
-         "qp", "trajectory", "check", "planner"]
+ORDER = ["base", "grid", "inflation", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor", "curve",
+         "times", "qp", "trajectory", "check", "planner"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"}}
 # From the standard library the core takes types and placement, nothing that runs.

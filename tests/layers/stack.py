@@ -15,7 +15,7 @@ EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
 FRAME = re.compile(r"(\d+) bytes \((\w+(?:,\w+)?)\)")
 # Calls through a pointer end here; the only one is the caller's clock, whose stack is the caller's.
 INDIRECT = "__indirect_call"
-CLOCK_CALLER = "run_phase"
+CLOCK_CALLER = "4Plan7advance"
 # What a function outside the graph may take: memcpy and its kin, and the compiler's integer helpers, are leaves of a few
 # registers.
 OUTSIDE_FRAME = 64

@@ -35,15 +35,7 @@ std::vector<std::uint64_t> layers(const Grid& grid) {
 /// A new grid with the same obstacles, inflated once.
 std::vector<std::uint64_t> rebuilt(const Grid& grid) {
   OwnedGrid fresh(grid.spec());
-  const Voxel dims = grid.spec().dims;
-  for (int z = 0; z < dims.z; ++z) {
-    for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) {
-        if (grid.obstacle({x, y, z})) fresh.grid.mark_voxel({x, y, z});
-      }
-    }
-  }
-  fresh.grid.inflate();
+  tern_test::copy_obstacles(grid, fresh.grid);
   return layers(fresh.grid);
 }
 

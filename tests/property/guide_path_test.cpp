@@ -15,7 +15,7 @@ using tern::Status;
 using tern::Voxel;
 using tern_test::PathRunner;
 using tern_test::Random;
-using tern_test::random_free;
+using tern_test::random_ends;
 using tern_test::random_world;
 using tern_test::ReferenceSearch;
 using tern_test::scaled;
@@ -37,7 +37,7 @@ TEST(FastPath, VerdictsAreRightAndBoundsHold) {
     const VoxelWorld world = k % 4 == 0 ? walled_world(random) : random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     ReferenceSearch reference(world.grid);
     const double optimum = reference.cost(start, goal);
     const Status status = runner.run(world.grid, fast_query(world, start, goal));
@@ -72,7 +72,7 @@ TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
     const VoxelWorld world = walled_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     const tern_test::PathQuery query = fast_query(world, start, goal);
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 7u, 1000u}) {
@@ -95,7 +95,7 @@ TEST(FastPath, BudgetsEndTheSearchWhereverItIs) {
     const VoxelWorld world = walled_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     tern_test::PathQuery query = fast_query(world, start, goal);
     if (whole.run(world.grid, query) != Status::kOk || whole.search().search_used != SearchUsed::kGuided) continue;
     ++guided;

@@ -20,7 +20,7 @@ using tern::Voxel;
 using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
-using tern_test::random_free;
+using tern_test::random_ends;
 using tern_test::random_world;
 using tern_test::ReferenceSearch;
 using tern_test::scaled;
@@ -42,7 +42,7 @@ TEST(PathSearch, CostEqualsPlainAStarOnRandomGrids) {
     const VoxelWorld world = random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     ReferenceSearch reference(world.grid);
     const double optimum = reference.cost(start, goal);
     const Status status = runner.run(world.grid, start, goal);
@@ -73,7 +73,7 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     const VoxelWorld world = random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     const double optimum = ReferenceSearch(world.grid).cost(start, goal);
     tern::search_begin(*search, *scans, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
     Status status = Status::kRunning;
@@ -95,7 +95,7 @@ TEST(PathSearch, SlicesDoNotChangeThePath) {
     const VoxelWorld world = random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     const PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 2u, 7u}) {
@@ -115,7 +115,7 @@ TEST(PathSearch, MemoryMayBeginWithAnyBits) {
     const VoxelWorld world = random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     const Status status = reused.run(world.grid, start, goal);
     for (const unsigned char byte : {0x00, 0x01, 0xA5, 0xFF}) {
       filled.fill(byte);
@@ -133,7 +133,7 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     const VoxelWorld world = random_world(random);
     Voxel start{};
     Voxel goal{};
-    if (!random_free(world.grid, random, start) || !random_free(world.grid, random, goal)) continue;
+    if (!random_ends(world.grid, random, start, goal)) continue;
     runner.run(world.grid, start, goal);
     const tern::SearchStage& stage = runner.search();
     // Each search that found no way is followed by another from elsewhere, where an end can join elsewhere.

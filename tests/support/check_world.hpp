@@ -73,10 +73,10 @@ class CheckWorld : public testing::Test {
   /// `where`: the segment, or the polyhedron where no segment was looked at.
   const tern::CheckReport& expect(tern::Finding finding, int where) {
     EXPECT_EQ(run(), tern::Status::kCheckFailed);
-    EXPECT_EQ(stage_.found.finding, finding);
-    EXPECT_EQ(stage_.found.segment >= 0 ? stage_.found.segment : stage_.found.polyhedron, where);
-    EXPECT_GE(stage_.found.excess, 0.0);
-    return stage_.found;
+    EXPECT_EQ(stage_.finding, finding);
+    EXPECT_EQ(stage_.segment >= 0 ? stage_.segment : stage_.polyhedron, where);
+    EXPECT_GE(stage_.excess, 0.0);
+    return stage_;
   }
 
   std::vector<std::uint64_t> words_;

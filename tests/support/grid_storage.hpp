@@ -34,6 +34,19 @@ inline tern::GridSpec whole_grid(tern::Voxel dims, double cell, double radius, t
           radius};
 }
 
+/// Gives a grid of the same size the obstacles of another, and inflates it.
+inline void copy_obstacles(const tern::Grid& from, tern::Grid& to) {
+  const tern::Voxel dims = from.spec().dims;
+  for (int z = 0; z < dims.z; ++z) {
+    for (int y = 0; y < dims.y; ++y) {
+      for (int x = 0; x < dims.x; ++x) {
+        if (from.obstacle({x, y, z})) to.mark_voxel({x, y, z});
+      }
+    }
+  }
+  to.inflate();
+}
+
 inline int count_obstacles(const tern::Grid& grid) {
   int count = 0;
   const tern::Voxel dims = grid.spec().dims;

@@ -162,6 +162,11 @@ inline bool random_free(const tern::Grid& grid, Random& random, tern::Voxel& out
   return false;
 }
 
+/// Two free voxels; false where one was not found.
+inline bool random_ends(const tern::Grid& grid, Random& random, tern::Voxel& start, tern::Voxel& goal) {
+  return random_free(grid, random, start) && random_free(grid, random, goal);
+}
+
 /// Grids of many densities and shapes: noise, boxes and mazes; cubes, towers, plates, rods and rows beyond one word.
 inline VoxelWorld random_world(Random& random) {
   static const tern::Voxel kShapes[] = {{10, 10, 10}, {6, 6, 24}, {20, 16, 3},  {18, 18, 1}, {1, 16, 16},

@@ -46,13 +46,13 @@ TEST_F(CheckFences, ObliqueKeepOutBesideAPolyhedron) {
   const tern::Halfspace prism[] = {{{1.0, 1.0, 0.0}, 2.4}, {{-1.0, 1.0, 0.0}, 0.4}, {{0.0, -1.0, 0.0}, -0.4}};
   const tern::Fence fence{prism, 3, tern::FenceKind::kKeepOut};
   ASSERT_TRUE(copy_fences(&fence, 1, *fences));
-  const bool first = keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_.found);
+  const bool first = keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_);
   EXPECT_FALSE(first);  // the tip, (1, 1.4), is inside
   const tern::Halfspace lower[] = {{{1.0, 1.0, 0.0}, 1.99}, {{-1.0, 1.0, 0.0}, 0.0}, {{0.0, -1.0, 0.0}, -0.4}};
   const tern::Fence below{lower, 3, tern::FenceKind::kKeepOut};
   ASSERT_TRUE(copy_fences(&below, 1, *fences));
   EXPECT_TRUE(keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch,
-                              stage_.found));  // (0.995, 0.995): 0.205 m away
+                              stage_));  // (0.995, 0.995): 0.205 m away
 }
 
 TEST_F(CheckFences, ControlPointOutsideAKeepIn) {
@@ -87,8 +87,7 @@ TEST_F(CheckFences, DegenerateKeepOutsCountAsTheirShape) {
     const tern::Fence fence{shapes[i].data(), static_cast<std::int32_t>(shapes[i].size()), tern::FenceKind::kKeepOut};
     ASSERT_TRUE(copy_fences(&fence, 1, *fences));
     const auto clear_above = [&](double z) {
-      return keep_outs_clear(grid_, box_polyhedron({0.0, 0.0, z}, {4.0, 2.0, 2.0}), *fences, stage_.scratch,
-                             stage_.found);
+      return keep_outs_clear(grid_, box_polyhedron({0.0, 0.0, z}, {4.0, 2.0, 2.0}), *fences, stage_.scratch, stage_);
     };
     EXPECT_TRUE(clear_above(0.9)) << "shape " << i;
     EXPECT_TRUE(clear_above(0.9 - 0.99 * tern::fence_tolerance(grid_))) << "shape " << i;
@@ -108,7 +107,7 @@ TEST_F(CheckFences, KeepOutsWithoutPointsAreClearOfAll) {
   for (const std::vector<Halfspace>& shape : shapes) {
     const tern::Fence fence{shape.data(), static_cast<std::int32_t>(shape.size()), tern::FenceKind::kKeepOut};
     ASSERT_TRUE(copy_fences(&fence, 1, *fences));
-    EXPECT_TRUE(keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_.found));
+    EXPECT_TRUE(keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_));
   }
 }
 
@@ -120,9 +119,9 @@ TEST_F(CheckFences, KeepInsHoldToTheToleranceHoweverFarAway) {
     const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
     ASSERT_TRUE(copy_fences(&fence, 1, *fences));
     Segment segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.5e-9, 1.5, 1.0}, 4.0, 0);  // 0.9e-9 m beyond
-    EXPECT_TRUE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0}, tern::kCheckDistance, stage_.found)) << away;
+    EXPECT_TRUE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0}, tern::kCheckDistance, stage_)) << away;
     segment = straight({0.5, 1.5, 1.0}, {3.0 + 1.8e-9, 1.5, 1.0}, 4.0, 0);  // 1.08e-9 m beyond
-    EXPECT_FALSE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0}, tern::kCheckDistance, stage_.found)) << away;
+    EXPECT_FALSE(keep_ins_hold(segment, *fences, {away, 0.0, 0.0}, tern::kCheckDistance, stage_)) << away;
   }
 }
 

@@ -143,7 +143,7 @@ TEST_F(CheckTest, HorizontalLimitIsOnTheNorm) {
   EXPECT_EQ(run(), Status::kOk);
   query_.limits.v_horizontal *= 1.0 - 1e-6;
   EXPECT_EQ(expect(Finding::kVelocity, 0).axis, 3);
-  EXPECT_NEAR(stage_.found.excess, (1e-6 - tern::kCheckRelative) * query_.limits.v_horizontal, 1e-10);
+  EXPECT_NEAR(stage_.excess, (1e-6 - tern::kCheckRelative) * query_.limits.v_horizontal, 1e-10);
   query_.limits.v_horizontal = 0.0;
   query_.limits.a_horizontal = 1e-3;
   expect(Finding::kAcceleration, 0);
@@ -152,28 +152,28 @@ TEST_F(CheckTest, HorizontalLimitIsOnTheNorm) {
 TEST_F(CheckTest, Joints) {
   trajectory_->segments[1].points[0].x += 1e-5;
   EXPECT_EQ(expect(Finding::kJoint, 1).derivative, 0);
-  EXPECT_EQ(stage_.found.axis, 0);
-  EXPECT_NEAR(stage_.found.excess, 1e-5, 1e-12);
+  EXPECT_EQ(stage_.axis, 0);
+  EXPECT_NEAR(stage_.excess, 1e-5, 1e-12);
   trajectory_->segments[1].points[0].x -= 1e-5;
   trajectory_->segments[1].points[3].z += 1e-4;  // a jump of jerk alone, 7 6 5 / 2^3 times as large
   EXPECT_EQ(expect(Finding::kJoint, 1).derivative, 3);
-  EXPECT_EQ(stage_.found.axis, 2);
-  EXPECT_NEAR(stage_.found.excess, 210.0 / 8.0 * 1e-4, 1e-9);
+  EXPECT_EQ(stage_.axis, 2);
+  EXPECT_NEAR(stage_.excess, 210.0 / 8.0 * 1e-4, 1e-9);
 }
 
 TEST_F(CheckTest, BoundaryStates) {
   query_.start.position.x += 1e-5;
   EXPECT_EQ(expect(Finding::kBoundary, 0).derivative, 0);
-  EXPECT_NEAR(stage_.found.excess, 1e-5, 1e-12);
+  EXPECT_NEAR(stage_.excess, 1e-5, 1e-12);
   query_.start.position.x -= 1e-5;
   query_.start.velocity.y = 1e-3;
   EXPECT_EQ(expect(Finding::kBoundary, 0).derivative, 1);
-  EXPECT_EQ(stage_.found.axis, 1);
-  EXPECT_NEAR(stage_.found.excess, 1e-3, 1e-9);
+  EXPECT_EQ(stage_.axis, 1);
+  EXPECT_NEAR(stage_.excess, 1e-3, 1e-9);
   query_.start.velocity.y = 0.0;
   query_.goal.acceleration.z = 1e-3;
   EXPECT_EQ(expect(Finding::kBoundary, 1).derivative, 2);
-  EXPECT_EQ(stage_.found.axis, 2);
+  EXPECT_EQ(stage_.axis, 2);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(AxisBrake, StopsWithinTheWayThatOneAxisTakes) {
 
 TEST(AxisBrake, UndoesTheAccelerationThatTheStateHas) {
   // 1 m/s and 1 m/s^2 against 2 m/s^2: 1.03125 m/s when the acceleration is undone, 29 quarters of a ramp to hold.
-  const AxisBrake brake = make_axis_brake({{0, 0, 0}, {0, 1, 0}, {0, 1, 0}}, {{9, 9, 9}, {2, 2, 2}}, kRamp);
+  const AxisBrake brake = make_axis_brake({{0, 0, 0}, {0, 1, 0}, {0, 1, 0}}, tern::Limits{{9, 9, 9}, {2, 2, 2}}, kRamp);
   const double hold = 29 * 0.015625;
   // A ramp's way is time * v + time^2 (0.35 from + 0.15 to).
   const double first = 0.0625 + 0.00390625 * (0.35 - 0.30);
@@ -98,7 +98,8 @@ TEST(AxisBrake, EachAxisStopsAtItsOwnTime) {
 }
 
 TEST(AxisBrake, NeedsNoHoldForALittle) {
-  const AxisBrake brake = make_axis_brake({{0, 0, 0}, {0.05, 0, 0}, {0, 0, 0}}, {{9, 9, 9}, {4, 4, 4}}, kRamp);
+  const AxisBrake brake =
+      make_axis_brake({{0, 0, 0}, {0.05, 0, 0}, {0, 0, 0}}, tern::Limits{{9, 9, 9}, {4, 4, 4}}, kRamp);
   EXPECT_EQ(brake.segments, 2);
   EXPECT_DOUBLE_EQ(brake.joint[1].d[2].x, -0.8);
   EXPECT_DOUBLE_EQ(stop_of(brake, 0), 0.5 * 0.05 * 0.125);

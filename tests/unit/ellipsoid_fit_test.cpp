@@ -9,12 +9,14 @@
 #include "base/linear.hpp"
 #include "ellipsoid/barrier_ellipsoid.hpp"
 #include "ellipsoid/ellipsoid_metric.hpp"
+#include "grid/touching.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 
 namespace tern_test {
 namespace {
 
+using tern::box_of;
 using tern::Contact;
 using tern::EllipsoidFrame;
 using tern::EllipsoidMetric;
@@ -22,6 +24,7 @@ using tern::fit_ellipsoid;
 using tern::LocalBox;
 using tern::Obstacles;
 using tern::Polyhedron;
+using tern::support;
 using tern::to_vec3;
 using tern::Vec3;
 using tern::Vector;
@@ -119,7 +122,7 @@ TEST(CorridorEllipsoid, ContactPlaneKeepsTheScaledEllipsoidFromTheGrownBox) {
     const Vec3 normal = to_vec3(contact.normal);
     if (norm3(normal) < 0.5) continue;
     ASSERT_NEAR(norm3(normal), 1.0, 1e-12);
-    const double plane = support(normal, box) - radius;
+    const double plane = support(normal, box_of(box)) - radius;
     const double ellipsoid = dot3(normal, to_vec3(frame.center)) + contact.scale * reach_along(metric, contact.normal);
     ASSERT_NEAR(plane, ellipsoid, 1e-9);
     if (radius <= 0.0) {

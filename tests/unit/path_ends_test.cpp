@@ -18,6 +18,7 @@ using tern::Voxel;
 using tern_test::PathQuery;
 using tern_test::PathRunner;
 using tern_test::Random;
+using tern_test::random_ends;
 using tern_test::random_free;
 using tern_test::random_world;
 using tern_test::scaled;
@@ -181,7 +182,7 @@ TEST(PathEnds, EveryBudgetEndsInItsStageOrGivesTheSamePath) {
     const VoxelWorld world = random_world(random);
     Voxel a{};
     Voxel b{};
-    if (!random_free(world.grid, random, a) || !random_free(world.grid, random, b)) continue;
+    if (!random_ends(world.grid, random, a, b)) continue;
     PathQuery query{world.grid.center(a), world.grid.center(b), 0xFFFFFFFFu, 0xFFFFFFFFu};
     if (whole.run(world.grid, query) != Status::kOk) continue;
     const std::uint32_t expansions = whole.search().expansions;

@@ -112,6 +112,18 @@
 #define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 48 * 1024, 2 * 1024 * 1024)
 #endif
 
+/// Pixels of the images that a rolling map takes (MapSpec::pixels), 4 bytes each in the map's words. Beyond it:
+/// kPixelsFull.
+#ifndef TERN_MAX_PIXELS
+#define TERN_MAX_PIXELS TERN_DEFAULT(4096, 320 * 240, 2 * 1024 * 1024)
+#endif
+
+/// Boxes known beforehand to a rolling map (MapSpec::prior). They cost no memory of the map's, but time in every slide.
+/// Beyond it: kPriorFull.
+#ifndef TERN_MAX_PRIOR_BOXES
+#define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 256, 4096)
+#endif
+
 #ifdef __cplusplus
 
 #include <stddef.h>
@@ -135,6 +147,8 @@ constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
 constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
+constexpr int32_t kMaxPixels = TERN_MAX_PIXELS;
+constexpr int32_t kMaxPriorBoxes = TERN_MAX_PRIOR_BOXES;
 
 /// Coordinates that differ by less than this share of a voxel count as equal. A box whose faces are off the lattice
 /// only by rounding then takes no additional voxel. 1e-9 of a voxel of 0.1 m is 0.1 nm.
@@ -149,6 +163,7 @@ static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
 static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,
               "a fence that is a box; facets of fences live on the stack");
+static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");
 static_assert(kMaxNodes < (1 << 30) && kMaxOpen < (1 << 30), "node indices are 32 bits");
 
 }  // namespace tern

@@ -148,6 +148,7 @@ class Grid {
 
  private:
   friend struct GridView;  // what the core reads beside the above
+  friend class GridWords;  // what the rolling map writes
 
   /// Words of the storage's header that are in use.
   enum Header : int { kTag, kBinding, kRevision, kInflated, kContent };
@@ -157,6 +158,7 @@ class Grid {
            static_cast<size_t>(row_words_);
   }
   void begin_header() noexcept;
+  void inflate_planes(int32_t begin, int32_t end) noexcept;
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
   void set_row(int32_t y, int32_t z, int32_t begin, int32_t end, bool value) noexcept;

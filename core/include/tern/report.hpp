@@ -124,8 +124,8 @@ struct Report {
   bool timing_known;
   /// What kind of plan the trajectory is; kNone unless `status` is kOk.
   Quality quality;
-  /// How optimising ended. kOk: as it should, or it was never begun. kBudgetOptimise together with kOptimised: the
-  /// budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
+  /// How optimising ended. kOk: it finished normally, or was never started. kBudgetOptimise together with kOptimised:
+  /// the budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
   /// optimised plan: kInfeasible, kNumerical, kIterationLimit, kWorkingSetFull, kBudgetOptimise, kSegmentsFull (no room
   /// for so many segments), or kCheckFailed (the check refused the optimised plan;
   /// `check` says why).

@@ -28,11 +28,16 @@ enum class Status : uint8_t {
   /// Start or goal lies outside the grid's boundary. The boundary itself counts as inside. From mark_voxel and
   /// clear_voxel: the voxel lies outside the grid.
   kOutOfMap = 13,
-  /// The start's velocity or acceleration exceeds a limit by more than one part in 1e9. Clamp the state, or raise the
+  /// The start's velocity or acceleration exceeds a limit by more than 4e-8 of it. Clamp the state, or raise the
   /// limit for this request.
   kStartExceedsLimits = 14,
   /// The goal's velocity or acceleration exceeds a limit, likewise.
   kGoalExceedsLimits = 15,
+
+  /// Only from a RollingMap: the pose's quaternion is not a unit quaternion.
+  kPoseInvalid = 18,
+  /// Only from a RollingMap: a depth image has no size, or intrinsics that no camera has (tern/map.hpp).
+  kCameraInvalid = 19,
 
   // 30 .. 49: the request is right, but the world has no answer to it. Choose another start, goal, radius or
   // resolution, or wait.
@@ -73,6 +78,10 @@ enum class Status : uint8_t {
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
   kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences
+
+  /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
+  kPixelsFull = 63,
+  kPriorFull = 64,  ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes
 
   // 70 .. 89: the solver or the machine did not hold up.
 
@@ -157,6 +166,14 @@ enum class Field : uint8_t {
   kNotInflated,        ///< the grid was bound, marked or cleared since its last inflate()
   kConfiguration,      ///< the caller's headers and the library were compiled with different capacities
   kSearch,             ///< Request::search
+  kRange,              ///< MapSpec::range
+  kMargins,            ///< a margin of MapSpec
+  kScanPixel,          ///< MapSpec::scan_pixel
+  kEvidence,           ///< MapSpec::hits or misses
+  kAge,                ///< MapSpec::age
+  kSlack,              ///< MapSpec::slack
+  kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
+  kPrior,              ///< MapSpec::prior: too many, null, or a box that is none
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -215,7 +215,8 @@ static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,     TERN_MAX_OPEN,
                              TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,    TERN_MAX_LOCAL_BOXES,
                              TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES, TERN_MAX_FENCES,
-                             TERN_MAX_FENCE_PLANES, TERN_MAX_FENCE_WORDS,   0x112e0be826d695u,  0x1999999999999au};
+                             TERN_MAX_FENCE_PLANES, TERN_MAX_FENCE_WORDS,   TERN_MAX_PIXELS,    TERN_MAX_PRIOR_BOXES,
+                             0x112e0be826d695u,     0x1999999999999au};
   uint64_t hash = 0xCBF29CE484222325u;
   for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;
   return hash;

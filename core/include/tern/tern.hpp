@@ -11,6 +11,7 @@
 
 #include "tern/flatness.hpp"
 #include "tern/grid.hpp"
+#include "tern/map.hpp"
 #include "tern/planner.hpp"
 #include "tern/self_test.hpp"
 #include "tern/status.hpp"

@@ -16,6 +16,8 @@ const char* status_name(Status status) noexcept {
     case Status::kOutOfMap: return "out_of_map";
     case Status::kStartExceedsLimits: return "start_exceeds_limits";
     case Status::kGoalExceedsLimits: return "goal_exceeds_limits";
+    case Status::kPoseInvalid: return "pose_invalid";
+    case Status::kCameraInvalid: return "camera_invalid";
     case Status::kStartOccupied: return "start_occupied";
     case Status::kGoalOccupied: return "goal_occupied";
     case Status::kNoPath: return "no_path";
@@ -33,6 +35,8 @@ const char* status_name(Status status) noexcept {
     case Status::kFencesFull: return "fences_full";
     case Status::kFencePlanesFull: return "fence_planes_full";
     case Status::kFenceLayerFull: return "fence_layer_full";
+    case Status::kPixelsFull: return "pixels_full";
+    case Status::kPriorFull: return "prior_full";
     case Status::kWorkingSetFull: return "working_set_full";
     case Status::kIterationLimit: return "iteration_limit";
     case Status::kInfeasible: return "infeasible";
@@ -57,6 +61,8 @@ const char* status_meaning(Status status) noexcept {
     case Status::kOutOfMap: return "start or goal lies outside the boundary";
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
     case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
+    case Status::kPoseInvalid: return "the pose's quaternion is not a unit quaternion";
+    case Status::kCameraInvalid: return "the image has no size, or its intrinsics are those of no camera";
     case Status::kStartOccupied: return "the start is closer to an obstacle than the radius";
     case Status::kGoalOccupied: return "the goal is closer to an obstacle than the radius";
     case Status::kNoPath: return "free space at this resolution and radius does not connect start and goal";
@@ -73,6 +79,8 @@ const char* status_meaning(Status status) noexcept {
     case Status::kFencesFull: return "too many geofences: raise TERN_MAX_FENCES";
     case Status::kFencePlanesFull: return "too many half-spaces in geofences: raise TERN_MAX_FENCE_PLANES";
     case Status::kFenceLayerFull: return "the grid is too large for geofences: raise TERN_MAX_FENCE_WORDS";
+    case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
+    case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
     case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";
     case Status::kIterationLimit: return "the quadratic programme ran out of iterations: raise TERN_MAX_QP_ITERATIONS";
@@ -151,6 +159,14 @@ const char* field_name(Field field) noexcept {
     case Field::kPrevious: return "previous plan";
     case Field::kNotInflated: return "grid not inflated";
     case Field::kConfiguration: return "configuration";
+    case Field::kRange: return "range";
+    case Field::kMargins: return "margins";
+    case Field::kScanPixel: return "scan pixel";
+    case Field::kEvidence: return "hits and misses";
+    case Field::kAge: return "age";
+    case Field::kSlack: return "slack";
+    case Field::kPixels: return "pixels";
+    case Field::kPrior: return "prior";
   }
   return "unknown";
 }

@@ -24,6 +24,11 @@ constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b) noexcept {
   return b < a ? b : a;
 }
 
+/// A high-water mark: what is done again does not lower it.
+inline void raise(std::int32_t& mark, std::int32_t value) noexcept {
+  if (mark < value) mark = value;
+}
+
 }  // namespace tern
 
 #endif

@@ -12,9 +12,9 @@ bool counts_are_sane(const Corridor& corridor, const Trajectory& trajectory) {
 
 bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& polyhedron, const CheckQuery& query) {
   const bool clear =
-      polyhedron_clear(grid, polyhedron, stage.found) &&
-      (query.fences == nullptr || keep_outs_clear(grid, polyhedron, *query.fences, stage.scratch, stage.found));
-  if (!clear) stage.found.polyhedron = stage.next;
+      polyhedron_clear(grid, polyhedron, stage) &&
+      (query.fences == nullptr || keep_outs_clear(grid, polyhedron, *query.fences, stage.scratch, stage));
+  if (!clear) stage.polyhedron = stage.next;
   return clear;
 }
 
@@ -22,10 +22,10 @@ bool check_segment(CheckStage& stage, const Grid& grid, const Corridor& corridor
                    const CheckQuery& query) {
   const int index = stage.next - corridor.count;
   const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
-  const bool holds = segment_holds(grid, corridor, trajectory, index, query, stage.found) &&
-                     (query.fences == nullptr || keep_ins_hold(trajectory.segments[index], *query.fences,
-                                                               trajectory.origin, tolerance, stage.found));
-  if (!holds) stage.found.segment = index;
+  const bool holds = segment_holds(grid, corridor, trajectory, index, query, stage) &&
+                     (query.fences == nullptr ||
+                      keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin, tolerance, stage));
+  if (!holds) stage.segment = index;
   return holds;
 }
 
@@ -35,13 +35,13 @@ void check_begin(CheckStage& stage) noexcept {
   stage.status = Status::kOk;
   stage.next = 0;
   stage.units = 0;
-  stage.found = CheckReport{};
+  static_cast<CheckReport&>(stage) = CheckReport{};
 }
 
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept {
   if (!counts_are_sane(corridor, trajectory)) {
-    refuse(Finding::kMalformed, stage.found);
+    refuse(Finding::kMalformed, stage);
     return conclude(Status::kCheckFailed, stage.status);
   }
   const std::int32_t total = corridor.count + trajectory.count;

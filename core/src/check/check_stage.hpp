@@ -41,17 +41,17 @@ struct FenceScratch {
 };
 
 /// One unit of work is one polyhedron or one segment. Plain data, no initialisation needed before check_begin.
-struct CheckStage {
+/// As a CheckReport: what the stage failed for.
+struct CheckStage : CheckReport {
   Status status;        ///< kCheckFailed where the stage failed; else kOk
   std::int32_t next;    ///< units done: polyhedra first, then segments
   std::uint32_t units;  ///< the same, for the report
-  CheckReport found;    ///< what the stage failed for
   FenceScratch scratch;
 };
 
 void check_begin(CheckStage& stage) noexcept;
 
-/// kDone, or kFailed with `found`. Reads its arguments only.
+/// kDone, or kFailed with the reason in `stage`. Reads its arguments only.
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept;
 

@@ -12,8 +12,7 @@ namespace {
 /// The room between the segment and the box grown by the radius, along a normal and in units of its length. It is a
 /// concave function of the normal: a mean of two normals leaves at least the mean of their rooms.
 double room_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
-  const double far = larger(dot(normal, segment.from), dot(normal, segment.to));
-  return support(normal, box) - far - radius * length(normal);
+  return room_along(segment.from, segment.to, box_of(box), normal) - radius * length(normal);
 }
 
 /// The half-space with this normal that keeps the radius from the box. If the segment touches it, the half-space
@@ -21,7 +20,7 @@ double room_along(const SegmentMargin& segment, const LocalBox& box, double radi
 Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& normal) {
   const Vec3 unit = (1.0 / length(normal)) * normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
-  return {unit, larger(support(unit, box) - radius - kHairline * segment.least, far)};
+  return {unit, larger(support(unit, box_of(box)) - radius - kHairline * segment.least, far)};
 }
 
 /// The same for a hull. `far` is how far the segment reaches along `unit`.
@@ -31,7 +30,7 @@ Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3&
 
 /// The normal that leaves the segment the most room.
 Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
-  const Box solid{{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
+  const Box solid = box_of(box);
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);

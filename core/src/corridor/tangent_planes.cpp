@@ -3,6 +3,7 @@
 #include "corridor/tangent_planes.hpp"
 
 #include "base/linear.hpp"
+#include "grid/touching.hpp"
 
 namespace tern {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr double kRounding = 1e-15;
 
 bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
-  const double short_of = plane.offset + radius - support(plane.normal, box);
+  const double short_of = plane.offset + radius - support(plane.normal, box_of(box));
   if (short_of <= 0.0) return true;
   // Local coordinates are not negative, except at boundaries on the grid's own edge, so their sum measures their size.
   return short_of <= kRounding * (1.0 + ((box.upper[0] + box.upper[1]) + box.upper[2]));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/ellipsoid_metric.hpp"
 
+#include "grid/touching.hpp"
+
 namespace tern {
 namespace {
 
@@ -119,7 +121,7 @@ Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double ra
   }
   const double reach = reach_along(metric, normal);
   if (!(reach > 0.0)) return {point, normal, 0.0};
-  const double distance = support(to_vec3(normal), box) - radius - dot(normal, metric.center);
+  const double distance = support(to_vec3(normal), box_of(box)) - radius - dot(normal, metric.center);
   return {point, normal, distance / reach};
 }
 

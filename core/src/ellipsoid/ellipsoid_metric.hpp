@@ -53,14 +53,6 @@ Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double ra
 /// max of normal . p over the ellipsoid, relative to its centre.
 double reach_along(const EllipsoidMetric& metric, const Vector& normal) noexcept;
 
-/// min of normal . p over the box, reached at the corner that the normal points away from.
-inline double support(const Vec3& normal, const LocalBox& box) noexcept {
-  const double x = normal.x * (normal.x < 0.0 ? box.upper[0] : box.lower[0]);
-  const double y = normal.y * (normal.y < 0.0 ? box.upper[1] : box.lower[1]);
-  const double z = normal.z * (normal.z < 0.0 ? box.upper[2] : box.lower[2]);
-  return (x + y) + z;
-}
-
 }  // namespace tern
 
 #endif

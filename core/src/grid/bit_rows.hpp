@@ -35,6 +35,16 @@ inline IndexRange overlap(const IndexRange& a, const IndexRange& b) noexcept {
   return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
 
+inline bool contains(const IndexRange& range, std::int32_t index) noexcept {
+  return index >= range.begin && index < range.end;
+}
+
+/// True where two ranges have an index in common.
+inline bool meets(const IndexRange& a, const IndexRange& b) noexcept {
+  const IndexRange both = overlap(a, b);
+  return both.begin < both.end;
+}
+
 /// The bits of x's word from x on, and those before x.
 inline std::uint64_t bits_from(std::int32_t x) noexcept {
   return kAllBits << (x & 63);

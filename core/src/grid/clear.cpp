@@ -20,14 +20,14 @@ struct Probe {
   double direction;       ///< direction_tolerance
 };
 
-/// With a radius, boxes as they are. Without, a surface may be touched: boxes lose the tolerance, and what is left must
-/// not be met.
+/// With a radius, boxes as they are. With less than the tolerance, a surface may be touched: boxes lose what the
+/// tolerance leaves beyond the radius, and the rest of them must not be met.
 Probe make_probe(const GridSpec& spec, const Vec3& a, const Vec3& b, double radius, double tolerance) {
   const double direction = direction_tolerance(spec);
   if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance), direction};
   // A hair less than the whole tolerance: what is measured rounds.
   constexpr double kHair = 0.05;
-  return {a, b, tolerance, kHair * kHair * tolerance * tolerance, direction};
+  return {a, b, tolerance - radius, kHair * kHair * tolerance * tolerance, direction};
 }
 
 /// The corners of a box that lost the tolerance lie deeper than that in the box itself: near them, the plane between

@@ -28,9 +28,6 @@ constexpr std::uint64_t kUnmade = ~std::uint64_t{0};
 /// been counted through copies of it, in storage that is gone.
 constexpr std::uint64_t kBindStep = std::uint64_t{1} << 32;
 
-/// World coordinates at the origin must tell this part of a cell apart, or "inside" has no meaning there.
-constexpr double kOriginResolution = 1e-3;
-
 Verdict invalid(Field field) {
   return {Status::kInvalidArgument, field};
 }
@@ -45,7 +42,7 @@ Verdict check_finite(const GridSpec& spec) {
 
 bool origin_resolves_cells(const GridSpec& spec) {
   for (int a = 0; a < 3; ++a) {
-    if (absolute(axis(spec.origin, a)) * kWorldRounding > kOriginResolution * spec.cell) return false;
+    if (!resolves_cells(axis(spec.origin, a), spec.cell)) return false;
   }
   return true;
 }

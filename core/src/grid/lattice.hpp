@@ -42,6 +42,34 @@ inline double world_tolerance(const GridSpec& spec, double world) {
   return kLatticeTolerance + absolute(world) * kWorldRounding / spec.cell;
 }
 
+/// World coordinates must tell this part of a cell apart, or "inside" has no meaning where they lie.
+constexpr double kOriginResolution = 1e-3;
+
+inline bool resolves_cells(double world, double cell) {
+  return absolute(world) * kWorldRounding <= kOriginResolution * cell;
+}
+
+/// No face lies beyond the opposite one.
+inline bool valid_box(const Box& box) {
+  return box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z;
+}
+
+/// The voxels of one axis whose interior [lower, upper] meets; empty where it lies outside the grid.
+inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, int a) {
+  const std::int32_t count = axis(spec.dims, a);
+  const double origin = axis(spec.origin, a);
+  const double from = (lower - origin) / spec.cell + world_tolerance(spec, lower);
+  const double to = (upper - origin) / spec.cell - world_tolerance(spec, upper);
+  // One index beyond either end is kept, to tell a plate on the grid's upper face from one past it.
+  std::int32_t begin = floor_index(from, -1, count + 1);
+  std::int32_t end = ceil_index(to, -1, count + 1);
+  if (end <= begin) {  // a plate on a lattice plane: it meets no interior, and must not be lost
+    if (begin == count) begin = count - 1;
+    end = begin + 1;
+  }
+  return {begin < 0 ? 0 : begin, end > count ? count : end};
+}
+
 /// Metres by which a state of a plan may lie beyond the boundary (the trajectory stage's tolerance), and the next plan
 /// begin there.
 constexpr double kFaceTolerance = 1e-9;

@@ -22,6 +22,10 @@ struct LocalBox {
   double upper[3];
 };
 
+inline Box box_of(const LocalBox& box) noexcept {
+  return {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}};
+}
+
 /// Voxels lower <= v < upper on every axis.
 struct VoxelRange {
   Voxel lower;

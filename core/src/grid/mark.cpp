@@ -11,26 +11,6 @@
 namespace tern {
 namespace {
 
-bool valid_box(const Box& box) {
-  return box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z;
-}
-
-/// The voxels of one axis whose interior [lower, upper] meets; empty where it lies outside the grid.
-IndexRange voxels_met(const GridSpec& spec, double lower, double upper, int a) {
-  const std::int32_t count = axis(spec.dims, a);
-  const double origin = axis(spec.origin, a);
-  const double from = (lower - origin) / spec.cell + world_tolerance(spec, lower);
-  const double to = (upper - origin) / spec.cell - world_tolerance(spec, upper);
-  // One index beyond either end is kept, to tell a plate on the grid's upper face from one past it.
-  std::int32_t begin = floor_index(from, -1, count + 1);
-  std::int32_t end = ceil_index(to, -1, count + 1);
-  if (end <= begin) {  // a plate on a lattice plane: it meets no interior, and must not be lost
-    if (begin == count) begin = count - 1;
-    end = begin + 1;
-  }
-  return {begin < 0 ? 0 : begin, end > count ? count : end};
-}
-
 /// Part of a cell that no point's tolerance inside a grid exceeds: bind() refuses coarser coordinates.
 constexpr double kMostTolerance = 0.01;
 

@@ -51,21 +51,16 @@ struct Rows {
     return {block << log, end < count ? end : count};
   }
 
-  /// Blocks of which a free voxel in the plane y = `from` meets a free one in the plane y = `to`.
-  std::uint64_t meet_along_y(std::int32_t word, std::int32_t from, std::int32_t to) const {
-    if (to < 0 || to >= grid.spec().dims.y) return 0;
+  /// Blocks of which a free voxel in the plane `from` across the axis, y or z, meets a free one in the plane `to`.
+  template <int kAxis>
+  std::uint64_t meet(std::int32_t word, std::int32_t from, std::int32_t to) const {
+    if (to < 0 || to >= axis(grid.spec().dims, kAxis)) return 0;
+    const IndexRange& along = kAxis == 1 ? z : y;
+    const auto row = [this](std::int32_t plane, std::int32_t k) {
+      return kAxis == 1 ? grid.blocked_row(plane, k) : grid.blocked_row(k, plane);
+    };
     std::uint64_t closed = ~std::uint64_t{0};
-    for (std::int32_t k = z.begin; k < z.end; ++k) {
-      closed &= grid.blocked_row(from, k)[word] | grid.blocked_row(to, k)[word];
-    }
-    return any_of(~closed, log);
-  }
-  std::uint64_t meet_along_z(std::int32_t word, std::int32_t from, std::int32_t to) const {
-    if (to < 0 || to >= grid.spec().dims.z) return 0;
-    std::uint64_t closed = ~std::uint64_t{0};
-    for (std::int32_t k = y.begin; k < y.end; ++k) {
-      closed &= grid.blocked_row(k, from)[word] | grid.blocked_row(k, to)[word];
-    }
+    for (std::int32_t k = along.begin; k < along.end; ++k) closed &= row(from, k)[word] | row(to, k)[word];
     return any_of(~closed, log);
   }
 };
@@ -93,10 +88,10 @@ void read_word(const Rows& rows, std::int32_t word, int shift, BlockBits& bits) 
   const int log = rows.log;
   bits.of[0] |= squeeze(~below, log) << shift;
   bits.of[1] |= squeeze(~above >> ((1 << log) - 1), log) << shift;
-  bits.of[2] |= rows.meet_along_y(word, rows.y.begin, rows.y.begin - 1) << shift;
-  bits.of[3] |= rows.meet_along_y(word, rows.y.end - 1, rows.y.end) << shift;
-  bits.of[4] |= rows.meet_along_z(word, rows.z.begin, rows.z.begin - 1) << shift;
-  bits.of[5] |= rows.meet_along_z(word, rows.z.end - 1, rows.z.end) << shift;
+  bits.of[2] |= rows.meet<1>(word, rows.y.begin, rows.y.begin - 1) << shift;
+  bits.of[3] |= rows.meet<1>(word, rows.y.end - 1, rows.y.end) << shift;
+  bits.of[4] |= rows.meet<2>(word, rows.z.begin, rows.z.begin - 1) << shift;
+  bits.of[5] |= rows.meet<2>(word, rows.z.end - 1, rows.z.end) << shift;
   const std::uint64_t blocks = ~std::uint64_t{0} >> (64 - (64 >> log));
   bits.of[kSides] |= (~any_of(some, log) & blocks) << shift;
 }

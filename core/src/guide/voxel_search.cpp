@@ -6,9 +6,8 @@ namespace tern {
 namespace {
 
 void raise_high_water(VoxelSearch& search) {
-  const auto nodes = static_cast<std::int32_t>(search.optimal.store.count);
-  if (search.nodes_high < nodes) search.nodes_high = nodes;
-  if (search.open_high < search.optimal.open.high) search.open_high = search.optimal.open.high;
+  raise(search.nodes_high, static_cast<std::int32_t>(search.optimal.store.count));
+  raise(search.open_high, search.optimal.open.high);
 }
 
 void begin_optimal(VoxelSearch& search, const Grid& grid) {

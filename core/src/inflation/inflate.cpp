@@ -167,11 +167,13 @@ struct Inflation {
     }
   }
 
-  void run(PlaneSteps& steps) const {
+  /// Makes what changes reach in the planes of `wanted`.
+  void run(PlaneSteps& steps, const IndexRange& wanted) const {
     const ChangeExtent extent = changes.extent();
     const std::int32_t far_z = stencil.gap_z() + 1;
     const std::int32_t far_blocks = stencil.gap_z() < 0 ? 0 : words_for(stencil.reach(0, 0));
-    const IndexRange planes = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
+    const IndexRange reached = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
+    const IndexRange planes = overlap(reached, wanted);
     const IndexRange blocks =
         overlap({0, changes.blocks()}, {extent.blocks.begin - far_blocks, extent.blocks.end + far_blocks});
     for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
@@ -184,16 +186,20 @@ struct Inflation {
 
 }  // namespace
 
+void Grid::inflate_planes(std::int32_t begin, std::int32_t end) noexcept {
+  const Changes changes(spec_.dims, changes_);
+  if (!changes.any()) return;
+  const Stencil stencil(spec_);
+  const PatchMaker maker(*this, stencil, blocked_);
+  PlaneSteps steps(*this, stencil);
+  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_}.run(steps, {begin, end});
+}
+
 void Grid::inflate() noexcept {
   if (!bound()) return;
+  inflate_planes(0, spec_.dims.z);
   Changes changes(spec_.dims, changes_);
-  if (changes.any()) {
-    const Stencil stencil(spec_);
-    const PatchMaker maker(*this, stencil, blocked_);
-    PlaneSteps steps(*this, stencil);
-    Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_}.run(steps);
-    changes.clear();
-  }
+  if (changes.any()) changes.clear();
   words_[kInflated] = words_[kRevision];
 }
 

@@ -9,10 +9,6 @@
 namespace tern {
 namespace {
 
-std::int32_t larger_of(std::int32_t a, std::int32_t b) {
-  return a < b ? b : a;
-}
-
 Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
   stage.raw_occupied = !point_clear(grid, point, 0.0);
   Voxel voxel{};
@@ -21,7 +17,7 @@ Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status 
   return status;
 }
 
-/// One unit against the budget and the slice; kDone where it may be spent.
+/// Takes one unit of work from the budget and from the slice. kDone if both had one left.
 Progress take_expansion(SearchStage& stage, Work& work) {
   if (stage.expansions >= stage.query.max_expansions) return conclude(Status::kBudgetSearch, stage.status);
   if (!work.take()) return Progress::kMore;
@@ -29,7 +25,8 @@ Progress take_expansion(SearchStage& stage, Work& work) {
   return Progress::kDone;
 }
 
-/// kDone when the end has joined the grid; kNoPath where it has in vain, everywhere.
+/// kDone once the end has joined the grid. If no candidate is left: kNoPath after a search that found no way, otherwise
+/// kStartOccupied or kGoalOccupied.
 Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
@@ -48,8 +45,8 @@ void join_start(SearchStage& stage, const Grid& grid) {
   stage.phase = SearchPhase::kJoinStart;
 }
 
-/// Where the search is to begin or end after it found no way: at the start's other candidates; then, with all of the
-/// start's, at the goal's. False where none is left.
+/// After a search that found no way, chooses where the next one begins and ends. It tries the other candidates of the
+/// start first. Then it tries those of the goal, each with all candidates of the start. False if none is left.
 bool join_elsewhere(SearchStage& stage, const Grid& grid) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
   if (join_others(stage.start, grid, stage.query.start, stage.query.start_moves)) {
@@ -69,7 +66,7 @@ bool is_direct(const SearchStage& stage, const Grid& grid) {
   return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
 }
 
-/// A path that needs no grid: the points coincide, or share one free voxel.
+/// A path that needs no search: the points coincide, or lie in the same free voxel.
 void direct_path(SearchStage& stage, Path& out) {
   stage.search_bound = 1.0;
   out.raw_count = 2;
@@ -78,8 +75,8 @@ void direct_path(SearchStage& stage, Path& out) {
   out.grid_length = 0.0;
 }
 
-/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that is the exact point itself is left
-/// out.
+/// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that equals the exact start or goal is
+/// left out.
 Status write_raw(SearchStage& stage, const Grid& grid, Path& out) {
   const SearchQuery& query = stage.query;
   out.raw_count = 0;
@@ -98,13 +95,13 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   const Status status = voxel_search_advance(stage.search, grid, allowed);
   work.left -= most - allowed.left;
   stage.expansions += most - allowed.left;
-  stage.nodes_high = larger_of(stage.nodes_high, stage.search.nodes_high);
-  stage.open_high = larger_of(stage.open_high, stage.search.open_high);
+  raise(stage.nodes_high, stage.search.nodes_high);
+  raise(stage.open_high, stage.search.open_high);
   const bool spent = stage.expansions >= stage.query.max_expansions;
   return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
 }
 
-/// Searches, and once more where a fast path has too many turns.
+/// Searches. If a fast path has too many turns, searches again for a cheapest one.
 Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
   Status status = run_search(stage, grid, work);
   if (status == Status::kOk) status = write_raw(stage, grid, out);
@@ -119,7 +116,7 @@ Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
   return status == Status::kRunning ? Progress::kMore : conclude(status, stage.status);
 }
 
-/// Joins both ends and searches once, from where the stage is at.
+/// Joins both ends to the grid and searches once, going on from the current phase.
 Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
   if (stage.phase == SearchPhase::kJoinStart) {
     const Progress joined = advance_join(stage, grid, work, stage.start, stage.query.start);
@@ -160,7 +157,7 @@ Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& 
     direct_path(stage, out);
     return Progress::kDone;
   }
-  // Searches again where an end may join elsewhere.
+  // If there is no way, searches again from other voxels that the ends can join.
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
     const Progress progress = advance_once(stage, grid, work, out);
     const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;

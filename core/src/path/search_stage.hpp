@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The search stage: from the exact start to the exact goal through free voxels. Both ends join the grid, and a search
-// over voxels connects them.
+// The search stage finds a path from the exact start to the exact goal through free voxels. It joins both ends to the
+// grid, and a search over voxels connects them.
 #ifndef TERN_PATH_SEARCH_STAGE_HPP
 #define TERN_PATH_SEARCH_STAGE_HPP
 
@@ -18,12 +18,13 @@
 
 namespace tern {
 
-/// Searches of a query at most: one, and others from where an end can join the grid besides. Eight voxels meet in a
-/// corner, each perhaps a pocket of its own. They are small, mostly: no search begins after kExpansionBound expansions.
+/// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
+/// corner, and each may lie in a separate pocket. Most pockets are small: no search begins after kExpansionBound
+/// expansions.
 constexpr std::uint32_t kJoinSearches = 4096;
 
-/// Bound on SearchStage::expansions: the work of all searches, and the lines that join both ends to the grid before
-/// each.
+/// Bound on SearchStage::expansions: the work of all searches, plus the lines checked before each one to join both ends
+/// to the grid.
 constexpr std::uint32_t kSearchBound =
     kExpansionBound + kVoxelSearchBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
@@ -32,7 +33,7 @@ struct SearchQuery {
   Vec3 start;
   Vec3 goal;
   std::uint32_t max_expansions;    ///< what is left of Budget::expansions
-  const Fences* fences = nullptr;  ///< clear of both points; the grid's blocked layer has them already
+  const Fences* fences = nullptr;  ///< both points obey them, and the grid's blocked layer includes them
   bool start_moves = false;        ///< a state in flight, see join_others
   bool goal_moves = false;
   SearchMode mode = SearchMode::kOptimal;
@@ -47,9 +48,9 @@ struct SearchStage {
   std::int32_t nodes_high;   ///< jump points generated
   std::int32_t open_high;    ///< most open at once
   std::int32_t raw_high;     ///< points of the jump-point path
-  SearchUsed search_used;    ///< kNone until the path is found, and where it needs none
+  SearchUsed search_used;    ///< kNone until a search has found the path, or if none was needed
   double search_bound;       ///< Report::search_bound
-  bool raw_occupied;         ///< kStartOccupied / kGoalOccupied: the point is inside an obstacle, radius apart
+  bool raw_occupied;         ///< kStartOccupied / kGoalOccupied: the point itself is inside an obstacle
   bool has_nearest_free;
   Vec3 nearest_free;  ///< local frame: centre of the free voxel nearest to an occupied start or goal
 
@@ -65,13 +66,12 @@ struct SearchStage {
 /// The grid must be inflated and must not change until the stage ends. `map` is that of the search itself.
 void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept;
 
-/// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone with the raw
-/// path in `out`: from each of its points the next is in sight. kFailed: kStartOccupied, kGoalOccupied, kNoPath,
-/// kNodesFull, kOpenFull, kJumpPointsFull or kBudgetSearch, with `out` undefined. `out` must be the same object until
-/// then.
+/// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
+/// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied, kNoPath, kNodesFull,
+/// kOpenFull, kJumpPointsFull or kBudgetSearch, with `out` undefined. Pass the same `out` in every call.
 ///
-/// Every leg lies in free voxels, but for the first and the last one where the exact start or goal is not in a free
-/// voxel: it then leads along a line that keeps the radius to a free voxel near it.
+/// Every leg lies in free voxels. The first and the last one may not, if the exact start or goal is not in a free
+/// voxel: such a leg leads to a free voxel near it along a line that keeps the radius.
 Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept;
 
 }  // namespace tern

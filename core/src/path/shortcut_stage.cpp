@@ -5,7 +5,7 @@
 namespace tern {
 namespace {
 
-/// One unit against the budget and the slice; kDone where it may be spent.
+/// Takes one unit of work from the budget and from the slice. kDone if both had one left.
 Progress take_sight_line(ShortcutStage& stage, Work& work) {
   if (stage.sight_lines >= stage.max_sight_lines) return conclude(Status::kBudgetShortcut, stage.status);
   if (!work.take()) return Progress::kMore;
@@ -13,7 +13,7 @@ Progress take_sight_line(ShortcutStage& stage, Work& work) {
   return Progress::kDone;
 }
 
-/// kDone when the chain is complete and written.
+/// kDone once the chain is complete and written to the path.
 Progress advance_chain(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) {
   while (shortcut_needs_step(stage.shortcut, path)) {
     const Progress taken = take_sight_line(stage, work);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The shortcut stage: the jump-point path in few straight legs, which are then pulled tight.
+// The shortcut stage turns the path over voxels into few straight legs, and then pulls them tight.
 #ifndef TERN_PATH_SHORTCUT_STAGE_HPP
 #define TERN_PATH_SHORTCUT_STAGE_HPP
 
@@ -26,7 +26,7 @@ enum class ShortcutPhase : std::uint8_t { kChain, kTighten };
 struct ShortcutStage {
   Status status;               ///< why the stage failed; else kOk
   std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= kShortcutBound and the budget
-  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments where more would have been needed
+  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments if it needs more
 
   ShortcutPhase phase;
   std::uint32_t max_sight_lines;
@@ -36,17 +36,18 @@ struct ShortcutStage {
   };
 };
 
-/// `path` has the raw path of the search stage. `max_sight_lines`: what is left of Budget::sight_lines. The grid must
-/// not change until the stage ends.
+/// `path` holds the raw path of the search stage. `max_sight_lines` is what is left of Budget::sight_lines. The grid
+/// must not change until the stage ends.
 void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_sight_lines, Path& path) noexcept;
 
-/// One unit of work is one step of the shortcut, which walks one line of sight at most, or one trial of tightening,
-/// which walks two lines at most. kDone with `path` complete. kFailed: kSegmentsFull (its raw path is as it was) or
-/// kBudgetShortcut, with the rest of `path` undefined. `path` must be the same object until then.
+/// One unit of work is one step of the shortcut (at most one line of sight) or one trial of tightening (at most two
+/// lines of sight). kDone: `path` is complete. kFailed: kSegmentsFull or kBudgetShortcut; the raw path stays, and the
+/// rest of `path` is undefined. Pass the same `path` in every call.
 ///
-/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others, but for
-/// the first and the last one where the exact start or goal is itself nearer: it then leads straight to the centre of
-/// the point's own voxel, or, where that voxel is not free, along a line that keeps the radius to a free voxel near it.
+/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The
+/// first and the last segment may come closer if the exact start or goal does. Such a segment leads straight to the
+/// centre of the point's own voxel or, if that voxel is not free, to a free voxel near it along a line that keeps the
+/// radius.
 Progress shortcut_advance(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) noexcept;
 
 }  // namespace tern

@@ -40,10 +40,10 @@ bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& 
   if (!kept) return false;
   escape.rest = rest_of(stopping);
   if (room.to_goal) reverse(stopping);
-  Tube tube = tube_of(escape);
+  Tube tube = tube_of(escape, kEscapeSegments);
   bool fits = true;
   for (int i = 0; i < stopping.count && fits; ++i) {
-    fits = enclose(room.grid, room.origin, stopping.segments[i], scratch, tube);
+    fits = enclose(room.grid, room.origin, stopping.segments[i], scratch, tube) == Status::kOk;
   }
   escape.count = fits ? tube.count : 0;
   return fits;
@@ -62,8 +62,8 @@ bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, c
   control_points({{start.position, start.velocity, start.acceleration, kZero}},
                  {{goal.position, goal.velocity, goal.acceleration, kZero}}, segment.duration, segment.points);
   if (!within_limits(segment, limits, kStopTolerance)) return false;
-  Tube tube = tube_of(escape);
-  if (!enclose(room.grid, room.origin, segment, scratch, tube)) return false;
+  Tube tube = tube_of(escape, kEscapeSegments);
+  if (enclose(room.grid, room.origin, segment, scratch, tube) != Status::kOk) return false;
   escape.count = tube.count;
   return true;
 }

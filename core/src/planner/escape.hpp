@@ -23,24 +23,25 @@ namespace tern {
 /// Report::detours of a plan that took one.
 constexpr std::int32_t kEscaped = 2;
 
+/// Segments of one choice at most.
 constexpr int kEscapeSegments = kMaxSegments < 16 ? kMaxSegments : 16;
 
 /// Half-spaces that one choice makes at most: each segment is the last half of one that had no room.
 constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::uint32_t>(kMaxPlanes);
 
-/// One end's way to rest, each segment in a polyhedron of its own.
+/// One end's way to rest, each segment in a polyhedron of its own: a choice, or the rest of the previous plan.
 struct Escape {
   int next;           ///< choice to be tried next, 0 .. kStoppingChoices
   int count;          ///< segments; 0 while there is no way
   Stopping stopping;  ///< the choice at hand
   Vec3 rest;          ///< where the motion ends (a goal's: begins), relative to the plan's origin
-  Segment segments[kEscapeSegments];
-  Polyhedron polyhedra[kEscapeSegments];
+  Segment segments[kMaxSegments];
+  Polyhedron polyhedra[kMaxSegments];
 };
 
 /// An empty tube over the escape's own arrays.
-inline Tube tube_of(Escape& escape) noexcept {
-  return {escape.segments, escape.polyhedra, kEscapeSegments, 0, 0.0};
+inline Tube tube_of(Escape& escape, int capacity) noexcept {
+  return {escape.segments, escape.polyhedra, capacity, 0, 0.0};
 }
 
 /// Where a stop is flown.

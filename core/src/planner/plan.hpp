@@ -100,6 +100,7 @@ class Plan {
   bool previous_may_help(Status status) const noexcept;
   void begin_previous() noexcept;
   Progress run_previous(Work& work) noexcept;
+  Progress drop_previous(Status why) noexcept;
   void follow_previous() noexcept;
   Vec3 start_jerk() const noexcept;
   void begin_hulls() noexcept;

@@ -50,20 +50,17 @@ Progress Plan::run_previous(Work& work) noexcept {
   Previous& rest = memory.previous;
   GrowScratch& scratch = memory.stage.corridor.grow;
   Escape& escape = memory.escapes[0];
-  Tube tube = tube_of(escape);
+  Tube tube = tube_of(escape, kMaxSegments);
   if (rest.meets_goal) tube = {memory.trajectory.segments, memory.corridor.polyhedra, kMaxSegments, 0, 0.0};
   tube.count = rest.enclosed;
   tube.slack = kPreviousSlack * check_distance(*grid_);
   const Vec3 origin = rest.tries == 1 ? memory.ends.origin_in_grid : grid_->to_local(rest.origin);
   for (; rest.next < rest.count; ++rest.next) {
     if (!work.take()) return Progress::kMore;
-    const bool fits = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
+    const Status status = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
     rest.enclosed = tube.count;
     count(Stage::kPrevious, scratch.planes, asked_.budget.planes, kPreviousPlanes);
-    if (!fits) {
-      fail(failed_stage_, failed_status_);
-      return Progress::kFailed;
-    }
+    if (status != Status::kOk) return drop_previous(status);
   }
   rest.flown = true;
   if (rest.meets_goal) {
@@ -74,6 +71,17 @@ Progress Plan::run_previous(Work& work) noexcept {
     enter(Stage::kEscape);
   }
   return Progress::kDone;
+}
+
+/// What the plan failed of stays the reason, unless the rest lacked only segments.
+Progress Plan::drop_previous(Status why) noexcept {
+  const Status first = failed_status_;
+  if (why == Status::kSegmentsFull) {
+    failed_stage_ = Stage::kPrevious;
+    failed_status_ = why;
+  }
+  fail(failed_stage_, first);
+  return Progress::kFailed;
 }
 
 /// The rest is the plan.

@@ -19,11 +19,6 @@ namespace {
 /// Of a stage that the caller cannot limit.
 constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 
-/// A high-water mark: what is done again does not lower it.
-void raise(std::int32_t& mark, std::int32_t value) {
-  if (mark < value) mark = value;
-}
-
 }  // namespace
 
 void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept {
@@ -228,7 +223,7 @@ Progress Plan::run_check(Work& work) noexcept {
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);
   if (progress != Progress::kFailed) return progress;
-  report_.check = stage.found;
+  report_.check = stage;
   if (report_.quality == Quality::kOptimised && report_.detours < kEscaped) {
     fall_back(stage.status);
   } else {

@@ -4,16 +4,15 @@
 #include <cstdint>
 #include <new>
 
+#include "base/grid_tag.hpp"
 #include "tern/tern.h"
 
 namespace {
 
 using tern::Grid;
+using tern::kGridTag;
 using tern::Planner;
 using tern::Status;
-
-/// A tern_grid's first word once a grid was bound there; the grid follows it.
-constexpr std::uint64_t kGridTag = 0x7465726E2D677269u;
 
 static_assert(sizeof(std::uint64_t) + sizeof(Grid) <= sizeof(tern_grid) && alignof(Grid) <= alignof(tern_grid),
               "raise TERN_GRID_WORDS");

@@ -41,23 +41,23 @@ struct Pending {
 
 }  // namespace
 
-bool enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept {
+Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept {
   Pending pending;
   pending.count = 0;
   pending.push(whole, 0);
   // Each turn appends a segment or halves one; segments that do not fit end it.
   while (pending.count > 0) {
-    if (tube.count + pending.count > tube.capacity) return false;
+    if (tube.count + pending.count > tube.capacity) return Status::kSegmentsFull;
     const Segment segment = pending.segment[--pending.count];
     const int halvings = pending.halvings[pending.count];
     if (append_whole(grid, origin, segment, scratch, tube)) continue;
-    if (halvings == kTubeHalvings) return false;
+    if (halvings == kTubeHalvings) return Status::kCorridorBlocked;
     Curve first = curve_of(segment);
     const Curve second = split(first);
     pending.push(half_of(segment, second), halvings + 1);
     pending.push(half_of(segment, first), halvings + 1);
   }
-  return true;
+  return Status::kOk;
 }
 
 }  // namespace tern

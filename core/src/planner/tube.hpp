@@ -9,6 +9,7 @@
 #include "corridor/grow_scratch.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
+#include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 
 namespace tern {
@@ -26,9 +27,9 @@ struct Tube {
 };
 
 /// Appends the segment (relative to `origin`, a point of the grid's local frame): as a whole where its hull keeps clear
-/// of everything, else in halves, and so on. False where no such parts are found or the tube is full; it then holds
-/// what fitted.
-bool enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
+/// of everything, else in halves, and so on. kCorridorBlocked where no such parts are found, kSegmentsFull where the
+/// tube has no room for them; it then holds what fitted.
+Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
 
 }  // namespace tern
 

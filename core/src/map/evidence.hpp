@@ -1,0 +1,53 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a map knows of 64 voxels, and how hits and misses change it: one operation on words does all 64.
+#ifndef TERN_MAP_EVIDENCE_HPP
+#define TERN_MAP_EVIDENCE_HPP
+
+#include <cstdint>
+
+namespace tern {
+
+/// One bit a voxel. The count has two bits: hits so far of a voxel that is not blocked, misses so far of one that is.
+struct Evidence {
+  std::uint64_t seen;
+  std::uint64_t low;
+  std::uint64_t high;
+  std::uint64_t blocked;
+};
+
+/// The count at which one more hit blocks, or one more miss clears: a number 0 .. 3 in all 64 voxels.
+struct Threshold {
+  std::uint64_t low;
+  std::uint64_t high;
+
+  explicit Threshold(std::int32_t times) noexcept
+      : low(((times - 1) & 1) != 0 ? ~std::uint64_t{0} : 0), high(((times - 1) & 2) != 0 ? ~std::uint64_t{0} : 0) {}
+
+  std::uint64_t reached(const Evidence& e) const noexcept { return ~(e.low ^ low) & ~(e.high ^ high); }
+};
+
+/// Enters a frame. A voxel that is hit and missed counts as hit. In a voxel that is not blocked, a hit adds one to the
+/// count and a miss takes one away; in a blocked one, a miss adds one and a hit sets it to 0. Where the count reaches
+/// the threshold, the voxel changes sides and the count starts again. Every miss shows a voxel.
+inline Evidence after(const Evidence& e, std::uint64_t hit, std::uint64_t miss, const Threshold& hits,
+                      const Threshold& misses) noexcept {
+  miss &= ~hit;
+  const std::uint64_t flips = (hit & ~e.blocked & hits.reached(e)) | (miss & e.blocked & misses.reached(e));
+  const std::uint64_t up = ((hit & ~e.blocked) | (miss & e.blocked)) & ~flips;
+  const std::uint64_t down = miss & ~e.blocked & (e.low | e.high);
+  const std::uint64_t reset = flips | (hit & e.blocked);
+  const std::uint64_t carry = up & e.low;
+  const std::uint64_t borrow = down & ~e.low;
+  return {e.seen | miss, (e.low ^ up ^ down) & ~reset, (e.high ^ carry ^ borrow) & ~reset, e.blocked ^ flips};
+}
+
+/// The voxels that a miss would change.
+inline std::uint64_t open_to_misses(const Evidence& e) noexcept {
+  return ~e.seen | e.blocked | e.low | e.high;
+}
+
+}  // namespace tern
+
+#endif

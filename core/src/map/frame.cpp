@@ -1,0 +1,206 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A depth image: what is refused, where its view lies, and how what it saw enters the map.
+#include "base/math.hpp"
+#include "map/evidence.hpp"
+#include "map/grid_words.hpp"
+#include "map/map_state.hpp"
+
+namespace tern {
+namespace {
+
+constexpr double kNormTolerance = 1e-3;
+/// Largest tangent of a ray.
+constexpr double kMaxTangent = 100.0;
+
+/// The camera's axes in the world, of a unit quaternion: the columns of its rotation matrix.
+void axes_of(const double (&q)[4], Vec3 (&axes)[3]) {
+  const double w = q[0];
+  const double x = q[1];
+  const double y = q[2];
+  const double z = q[3];
+  axes[0] = {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
+  axes[1] = {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
+  axes[2] = {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+}
+
+/// Makes the quaternion's norm 1 where it nearly is.
+bool normalise(const double (&given)[4], double (&unit)[4]) {
+  const double square = (given[0] * given[0] + given[1] * given[1]) + (given[2] * given[2] + given[3] * given[3]);
+  if (!finite(square)) return false;
+  const double norm = square_root(square);
+  if (absolute(norm - 1.0) > kNormTolerance) return false;
+  for (int k = 0; k < 4; ++k) unit[k] = given[k] / norm;
+  return true;
+}
+
+bool numbers_are_finite(const DepthView& view) {
+  return finite(view.fx) && finite(view.fy) && finite(view.cx) && finite(view.cy) && finite(view.scale) &&
+         finite(view.min) && finite(view.max);
+}
+
+/// Larger tangent of the rays through an image's two edges on one axis.
+double tangent(double focal, double center, std::int32_t count) {
+  return larger(absolute(-0.5 - center), absolute(count - 0.5 - center)) / focal;
+}
+
+bool optics_fit(const DepthView& view) {
+  if (!(view.fx > 0.0) || !(view.fy > 0.0) || !(view.scale > 0.0) || !(view.min >= 0.0) || !(view.min < view.max)) {
+    return false;
+  }
+  return tangent(view.fx, view.cx, view.width) <= kMaxTangent && tangent(view.fy, view.cy, view.height) <= kMaxTangent;
+}
+
+Status check_image(const MapState& state, const DepthView& view) {
+  if ((view.z16 == nullptr) == (view.z32 == nullptr)) return Status::kInvalidArgument;
+  if (view.width < 1 || view.height < 1 || view.stride < view.width) return Status::kCameraInvalid;
+  if (!numbers_are_finite(view) || !optics_fit(view)) return Status::kCameraInvalid;
+  if (std::int64_t{view.width} * view.height > state.spec.pixels) return Status::kPixelsFull;
+  if (DepthPyramid::entries(view.width, view.height) > state.image_entries) return Status::kPixelsFull;
+  return Status::kOk;
+}
+
+/// The camera's view, as the map sees it.
+View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3], const Vec3& origin) {
+  View view{};
+  place(view, axes, origin, state.spec.cell);
+  view.fx = image.fx;
+  view.fy = image.fy;
+  view.cx = image.cx;
+  view.cy = image.cy;
+  view.width = image.width;
+  view.height = image.height;
+  view.growth = state.spec.pose_margin;
+  // A point at depth z in the image is at most this times z away, and turns by the angle around the camera.
+  const double across = tangent(image.fx, image.cx, image.width);
+  const double down = tangent(image.fy, image.cy, image.height);
+  view.growth_ahead = state.spec.angle_margin * square_root(1.0 + across * across + down * down);
+  view.units = kDepthUnits / state.spec.range;
+  view.pyramid = DepthPyramid(image.width, image.height, state.image);
+  return view;
+}
+
+}  // namespace
+
+Status check_sensor(const MapState& state, const Vec3& position, std::int64_t t) noexcept {
+  if (state.task != Task::kIdle || (state.timed && t < state.time)) return Status::kInvalidArgument;
+  if (!finite(position)) return Status::kNonFiniteInput;
+  return state.route.inside(state.route.voxel_of(state.route.to_local(position))) ? Status::kOk : Status::kOutOfMap;
+}
+
+void MapState::age_to(std::int64_t t) noexcept {
+  const std::int64_t since = timed ? t - time : 0;
+  time = t;
+  timed = true;
+  frame.forgotten[0] = frame.forgotten[1] = {0, 0};
+  if (spec.age == 0) return;
+  const std::int32_t count = layers();
+  ageing += (since < spec.age ? since : spec.age) * count;
+  const std::int64_t due = ageing / spec.age;
+  ageing %= spec.age;
+  const std::int32_t layers_due = due < count ? static_cast<std::int32_t>(due) : count;
+  const std::int32_t end = forget + layers_due;
+  frame.forgotten[0] = {forget, end < count ? end : count};
+  frame.forgotten[1] = {0, end - count};
+  forget = end % count;
+}
+
+bool MapState::forgets(std::int32_t layer) const noexcept {
+  const IndexRange* f = frame.forgotten;
+  return contains(f[0], layer) || contains(f[1], layer);
+}
+
+Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t t) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  const Status sensor = check_sensor(*state_, pose.position, t);
+  if (sensor != Status::kOk) return sensor;
+  double quaternion[4];
+  if (!normalise(pose.quaternion, quaternion)) return Status::kPoseInvalid;
+  const Status image = check_image(*state_, view);
+  if (image != Status::kOk) return image;
+  Vec3 axes[3];
+  axes_of(quaternion, axes);
+  Frame& frame = state_->frame;
+  frame.image = view;
+  frame.origin = state_->route.to_local(pose.position);
+  frame.views[0] = view_of(*state_, view, axes, frame.origin);
+  frame.view_count = 1;
+  frame.box = reach(frame.views[0], state_->spec.range, state_->route.spec());
+  state_->prepare_views();
+  state_->age_to(t);
+  state_->begin(Task::kPixels);
+  return Status::kRunning;
+}
+
+void MapState::make_pyramid_row(std::int64_t index) noexcept {
+  // All views of a frame have one size.
+  const std::int64_t per_view = pieces() / frame.view_count;
+  const DepthPyramid& pyramid = frame.views[index / per_view].pyramid;
+  std::int64_t row = index % per_view;
+  std::int32_t level = 1;
+  while (level + 1 < pyramid.levels() && row >= pyramid.height(level)) row -= pyramid.height(level++);
+  pyramid.make_row(level, static_cast<std::int32_t>(row));
+}
+
+VoxelBox MapState::block_at(std::int64_t index) const noexcept {
+  const std::int32_t blocks_y = (spec.dims.y + kBlock - 1) / kBlock;
+  const std::int32_t x = static_cast<std::int32_t>(index % row_words()) * 64;
+  const std::int32_t y = static_cast<std::int32_t>(index / row_words() % blocks_y) * kBlock;
+  const std::int32_t z = static_cast<std::int32_t>(index / row_words() / blocks_y) * kBlock;
+  VoxelBox block{{x, x + 64}, overlap({y, y + kBlock}, {0, spec.dims.y}), overlap({z, z + kBlock}, {0, spec.dims.z})};
+  if (forgets(z / kBlock)) return block;
+  const bool met = meets(block.x, frame.box.x) && meets(block.y, frame.box.y) && meets(block.z, frame.box.z);
+  if (!met) block.x.end = block.x.begin;
+  return block;
+}
+
+void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept {
+  const std::uint64_t unseen = ~seen[row(y, z) + static_cast<std::size_t>(k)] & GridWords::valid_bits(route, k);
+  GridWords(route).store(y, z, k, blocked);
+  GridWords(safe).store(y, z, k, blocked | unseen);
+}
+
+void MapState::prepare_views() noexcept {
+  // Both the camera and the voxels are in the window, or at most a block beside it.
+  const double extent = 2.0 * spec.cell * (spec.dims.x + spec.dims.y + spec.dims.z + 128);
+  for (int v = 0; v < frame.view_count; ++v) frame.lookers[v] = Looker(frame.views[v], extent);
+}
+
+void MapState::enter_block(std::int64_t index) noexcept {
+  const VoxelBox block = block_at(index);
+  if (block.x.begin >= block.x.end) return;
+  const std::int32_t k = block.x.begin / 64;
+  const std::uint64_t valid = GridWords::valid_bits(route, k);
+  const bool forget_first = forgets(block.z.begin / kBlock);
+  const auto evidence = [&](std::size_t at) {
+    return Evidence{forget_first ? 0 : seen[at], low[at], high[at], GridWords(route).obstacles()[at]};
+  };
+  BlockWords wanted{};
+  BlockWords free{};
+  for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
+    for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
+      const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
+      wanted.words[z - block.z.begin][y - block.y.begin] = open_to_misses(evidence(at)) & ~hit[at] & valid;
+    }
+  }
+  for (int v = 0; v < frame.view_count; ++v) {
+    carve(frame.views[v], frame.lookers[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
+  }
+  const Threshold hits(spec.hits);
+  const Threshold misses(spec.misses);
+  for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
+    for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
+      const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
+      const std::uint64_t miss = free.words[z - block.z.begin][y - block.y.begin] & valid;
+      const Evidence now = after(evidence(at), hit[at], miss, hits, misses);
+      seen[at] = now.seen;
+      low[at] = now.low;
+      high[at] = now.high;
+      hit[at] = 0;
+      store(y, z, k, now.blocked);
+    }
+  }
+}
+
+}  // namespace tern

@@ -1,0 +1,74 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which pixels cover a cube of voxels: eight cubes at a time, four side by side in a register. Single precision is
+// enough, because each cube is grown by what rounding could move it.
+#ifndef TERN_MAP_LOOK_HPP
+#define TERN_MAP_LOOK_HPP
+
+#include <cstdint>
+
+#include "map/view.hpp"
+
+namespace tern {
+
+/// Four numbers, as SSE2 and NEON have them in a register.
+using Four __attribute__((vector_size(16), __may_alias__)) = float;
+using FourInts __attribute__((vector_size(16), __may_alias__)) = std::int32_t;
+
+/// A point in the camera's frame, metres.
+struct Point {
+  float x, y, z;
+};
+
+/// The centres of eight cubes, four and four.
+struct Centers {
+  Four x[2], y[2], z[2];
+
+  Point at(int k) const noexcept { return {x[k / 4][k % 4], y[k / 4][k % 4], z[k / 4][k % 4]}; }
+};
+
+/// How eight cubes lie to an image.
+struct Footprints {
+  FourInts u0[2], u1[2], v0[2], v1[2];  ///< pixels that cover the cube, where it is inside
+  FourInts near[2], far[2];             ///< its least depth, rounded down, and its largest, rounded up; in units
+  FourInts beside[2];                   ///< not 0 where it is behind the camera, beside the image, or beyond the range
+  FourInts inside[2];                   ///< not 0 where all of it is before the camera and in the image
+
+  PixelBox pixels(int k) const noexcept {
+    return {u0[k / 4][k % 4], u1[k / 4][k % 4], v0[k / 4][k % 4], v1[k / 4][k % 4]};
+  }
+};
+
+/// A view with what cubes of any size need, in single precision.
+class Looker {
+ public:
+  Looker() noexcept = default;
+  /// `extent` is the window's size and distance together, in metres: no coordinate is larger.
+  Looker(const View& view, double extent) noexcept;
+
+  /// Where cubes of `size` voxels with these centres are seen.
+  Footprints look(const Centers& centers, float size) const noexcept;
+  /// The centres of the eight cubes of `size` voxels that a larger one with this centre consists of, x first.
+  Centers parts(const Point& center, float size) const noexcept;
+  /// The centres of eight cubes in a row along x, `size` voxels each, around this point.
+  Centers row(const Point& center, float size) const noexcept;
+
+ private:
+  struct Axis {
+    float focal, from, to, count;  ///< `from` and `to`: the principal point, less and more half a pixel and rounding
+  };
+  struct Image {
+    FourInts first, last, beside, within;
+  };
+  static Image project(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
+
+  Point steps_[3];
+  Point half_;  ///< half the extent of a voxel along the camera's axes
+  float growth_, growth_ahead_, units_;
+  Axis u_, v_;
+};
+
+}  // namespace tern
+
+#endif

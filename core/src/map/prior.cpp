@@ -1,0 +1,127 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the map is told and does not see: boxes known beforehand, points, and a ball that is free.
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+#include "map/grid_words.hpp"
+#include "map/map_state.hpp"
+
+namespace tern {
+namespace {
+
+/// The window's voxels whose interior the box meets.
+VoxelBox voxels_met(const GridSpec& window, const Box& box) {
+  return {voxels_met(window, box.lower.x, box.upper.x, 0), voxels_met(window, box.lower.y, box.upper.y, 1),
+          voxels_met(window, box.lower.z, box.upper.z, 2)};
+}
+
+/// Calls visit(y, z, k, bits) for each word of a box that is not empty along x.
+template <typename Visit>
+void visit_words(const VoxelBox& box, Visit visit) {
+  if (box.x.begin >= box.x.end) return;
+  for (std::int32_t z = box.z.begin; z < box.z.end; ++z) {
+    for (std::int32_t y = box.y.begin; y < box.y.end; ++y) {
+      for (std::int32_t k = box.x.begin >> 6; k <= (box.x.end - 1) >> 6; ++k) visit(y, z, k, bits_within(box.x, k));
+    }
+  }
+}
+
+VoxelBox whole(const Voxel& dims) {
+  return {{0, dims.x}, {0, dims.y}, {0, dims.z}};
+}
+
+/// What is in `hit` blocks, however many hits it takes.
+void enter_marks(MapState& state) {
+  visit_words(whole(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
+    const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
+    const std::uint64_t marked = state.hit[at];
+    state.low[at] &= ~marked;
+    state.high[at] &= ~marked;
+    state.hit[at] = 0;
+    state.store(y, z, k, GridWords(state.route).obstacles()[at] | marked);
+  });
+  state.inflate();
+}
+
+/// Square of the largest distance from a point to voxel `index` on one axis, in cells.
+double farthest_square(double cells, std::int32_t index) {
+  const double far = larger(absolute(cells - index), absolute(cells - (index + 1)));
+  return far * far;
+}
+
+/// The voxels of row (y, z) that lie wholly in a ball, of which word k is asked for.
+std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first, std::int32_t count) {
+  const double rest = square - farthest_square(center.y, first.y) - farthest_square(center.z, first.z);
+  std::uint64_t bits = 0;
+  if (rest < 0.0) return bits;
+  for (std::int32_t b = 0; b < 64 && first.x + b < count; ++b) {
+    if (farthest_square(center.x, first.x + b) <= rest) bits |= std::uint64_t{1} << b;
+  }
+  return bits;
+}
+
+}  // namespace
+
+void MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
+  const bool plane_kept = contains(kept.z, z);
+  for (std::int32_t p = 0; p < spec.prior_count; ++p) {
+    VoxelBox met = voxels_met(route.spec(), spec.prior[p]);
+    if (z < met.z.begin || z >= met.z.end) continue;
+    met.z = {z, z + 1};
+    visit_words(met, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
+      const bool row_kept = plane_kept && contains(kept.y, y);
+      if (row_kept) bits &= ~bits_met(kept.x, k);
+      GridWords(route).store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)] | bits);
+    });
+  }
+}
+
+void MapState::inflate() noexcept {
+  route.inflate();
+  safe.inflate();
+}
+
+Status RollingMap::assume_free(const Vec3& center, double radius) noexcept {
+  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
+  if (!finite(center) || !finite(radius)) return Status::kNonFiniteInput;
+  if (radius < 0.0) return Status::kInvalidArgument;
+  MapState& state = *state_;
+  const double cell = state.spec.cell;
+  const Vec3 cells = (1.0 / cell) * state.route.to_local(center);
+  const double square = (radius / cell) * (radius / cell);
+  visit_words(whole(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
+    const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
+    state.seen[at] |= inside_ball(cells, square, {64 * k, y, z}, state.spec.dims.x);
+    state.store(y, z, k, GridWords(state.route).obstacles()[at]);
+  });
+  state.inflate();
+  return Status::kOk;
+}
+
+Status RollingMap::mark_box(const Box& world) noexcept {
+  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
+  if (!finite(world.lower) || !finite(world.upper)) return Status::kNonFiniteInput;
+  if (!valid_box(world)) return Status::kInvalidArgument;
+  MapState& state = *state_;
+  visit_words(voxels_met(state.route.spec(), world),
+              [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t bits) {
+                state.hit[state.row(y, z) + static_cast<std::size_t>(k)] |= bits;
+              });
+  enter_marks(state);
+  return Status::kOk;
+}
+
+Status RollingMap::mark_points(const Vec3* world, size_t count) noexcept {
+  if (state_ == nullptr || busy() || (world == nullptr && count > 0)) return Status::kInvalidArgument;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!finite(world[k])) return Status::kNonFiniteInput;
+  }
+  MapState& state = *state_;
+  state.frame.box = whole(state.spec.dims);
+  for (std::size_t k = 0; k < count; ++k) state.mark_hit(state.route.voxel_of(state.route.to_local(world[k])));
+  enter_marks(state);
+  return Status::kOk;
+}
+
+}  // namespace tern

@@ -1,0 +1,215 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A map's jobs, task by task and piece by piece.
+#include "base/math.hpp"
+#include "map/grid_words.hpp"
+#include "map/map_state.hpp"
+
+namespace tern {
+namespace {
+
+/// Planes that one piece inflates.
+constexpr std::int32_t kInflatedPlanes = 4;
+/// No job has more tasks than this.
+constexpr int kTasks = 8;
+/// Words that a unit inflates or moves.
+constexpr std::size_t kUnitWords = 16;
+/// Rows of an image that one piece makes for the next level.
+std::int64_t pyramid_rows(const Frame& frame) {
+  std::int64_t rows = 0;
+  const DepthPyramid& pyramid = frame.views[0].pyramid;
+  for (std::int32_t level = 1; level < pyramid.levels(); ++level) rows += pyramid.height(level);
+  return rows * frame.view_count;
+}
+
+std::uint32_t units(std::size_t amount, std::size_t per_unit) {
+  return static_cast<std::uint32_t>((amount + per_unit - 1) / per_unit);
+}
+
+std::int32_t inflation_pieces(const MapState& state) {
+  return (state.spec.dims.z + kInflatedPlanes - 1) / kInflatedPlanes;
+}
+
+std::size_t blocks(const MapState& state) {
+  return static_cast<std::size_t>(state.row_words()) *
+         static_cast<std::size_t>((state.spec.dims.y + kBlock - 1) / kBlock) * static_cast<std::size_t>(state.layers());
+}
+
+std::uint32_t plane_units(const MapState& state, std::int32_t planes) {
+  return units(state.row(0, 1) * static_cast<std::size_t>(planes), kUnitWords);
+}
+
+bool touches(const VoxelBox& box) {
+  return box.x.begin < box.x.end && box.y.begin < box.y.end && box.z.begin < box.z.end;
+}
+
+Task task_after(Task task) {
+  switch (task) {
+    case Task::kClearFaces:
+      return Task::kPoints;
+    case Task::kPoints:
+      return Task::kCloseFaces;
+    case Task::kPixels:
+    case Task::kCloseFaces:
+      return Task::kPyramids;
+    case Task::kPyramids:
+      return Task::kBlocks;
+    case Task::kBlocks:
+    case Task::kSlide:
+      return Task::kInflateRoute;
+    case Task::kInflateRoute:
+      return Task::kInflateSafe;
+    case Task::kIdle:
+    case Task::kInflateSafe:
+      break;
+  }
+  return Task::kIdle;
+}
+
+/// A plane moved, and the prior gone through.
+std::uint32_t slide_price(const MapState& state) {
+  return plane_units(state, 1) + units(static_cast<std::size_t>(state.spec.prior_count), kUnitWords);
+}
+
+void inflate_piece(Grid& grid, std::int64_t piece, bool last) {
+  const std::int32_t begin = static_cast<std::int32_t>(piece) * kInflatedPlanes;
+  const std::int32_t end = begin + kInflatedPlanes;
+  GridWords(grid).inflate_planes(begin, end < grid.spec().dims.z ? end : grid.spec().dims.z);
+  if (last) GridWords(grid).finish_inflation();
+}
+
+/// Units of all blocks, both inflations and one slide.
+std::uint32_t grids_work(const MapState& state) {
+  const std::uint32_t planes =
+      static_cast<std::uint32_t>(inflation_pieces(state)) * plane_units(state, kInflatedPlanes);
+  const std::uint32_t slide = static_cast<std::uint32_t>(state.spec.dims.z) * slide_price(state);
+  return static_cast<std::uint32_t>(blocks(state)) * kBlock * kBlock + 2 * planes + slide;
+}
+
+}  // namespace
+
+std::int64_t MapState::pieces() const noexcept {
+  switch (task) {
+    case Task::kIdle:
+      return 0;
+    case Task::kPixels:
+      return frame.image.height;
+    case Task::kClearFaces:
+    case Task::kCloseFaces:
+      return kFaces * face;
+    case Task::kPoints:
+      return static_cast<std::int64_t>((frame.point_count + 63) / 64);
+    case Task::kPyramids:
+      return pyramid_rows(frame);
+    case Task::kBlocks:
+      return static_cast<std::int64_t>(blocks(*this));
+    case Task::kInflateRoute:
+    case Task::kInflateSafe:
+      return inflation_pieces(*this);
+    case Task::kSlide:
+      return spec.dims.z;
+  }
+  return 0;
+}
+
+// One line a task: a table.
+// clang-format off
+void MapState::do_piece() noexcept {
+  const std::int32_t index = static_cast<std::int32_t>(piece);
+  const bool last = piece + 1 == pieces();
+  switch (task) {
+    case Task::kIdle: return;
+    case Task::kPixels: return read_pixels(index);
+    case Task::kClearFaces: return clear_face_row(index);
+    case Task::kPoints: return read_points(piece);
+    case Task::kCloseFaces: return close_face_row(index);
+    case Task::kPyramids: return make_pyramid_row(index);
+    case Task::kBlocks: return enter_block(piece);
+    case Task::kInflateRoute: return inflate_piece(route, piece, last);
+    case Task::kInflateSafe: return inflate_piece(safe, piece, last);
+    case Task::kSlide: return slide_plane(index);
+  }
+}
+// clang-format on
+
+void MapState::begin(Task first) noexcept {
+  task = first;
+  piece = 0;
+  paid = 0;
+  for (int skipped = 0; skipped < kTasks && task != Task::kIdle && pieces() == 0; ++skipped) task = task_after(task);
+}
+
+std::uint32_t MapState::price() const noexcept {
+  switch (task) {
+    case Task::kIdle:
+    case Task::kPoints:
+      return 1;
+    case Task::kPixels:
+    case Task::kPyramids:
+      return units(static_cast<std::size_t>(frame.views[0].width), 64);
+    case Task::kClearFaces:
+    case Task::kCloseFaces:
+      return units(static_cast<std::size_t>(face), 64);
+    case Task::kBlocks:
+      return touches(block_at(piece)) ? kBlock * kBlock : 1;
+    case Task::kInflateRoute:
+    case Task::kInflateSafe:
+      return plane_units(*this, kInflatedPlanes);
+    case Task::kSlide:
+      return slide_price(*this);
+  }
+  return 1;
+}
+
+Status RollingMap::step(uint32_t work) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  MapState& state = *state_;
+  Work slice{work};
+  while (state.task != Task::kIdle) {
+    const std::uint32_t given = least(slice.left, state.price() - state.paid);
+    slice.left -= given;
+    state.paid += given;
+    if (state.paid < state.price()) return Status::kRunning;
+    state.paid = 0;
+    state.do_piece();
+    if (++state.piece >= state.pieces()) state.begin(task_after(state.task));
+  }
+  return Status::kOk;
+}
+
+bool RollingMap::busy() const noexcept {
+  return state_ != nullptr && state_->task != Task::kIdle;
+}
+
+uint32_t RollingMap::frame_work(int32_t width, int32_t height) const noexcept {
+  if (state_ == nullptr || width < 1 || height < 1) return 0;
+  // The coarser levels have no more rows, two more each way but for the last.
+  const std::uint32_t image = units(static_cast<std::size_t>(width), 64) * static_cast<std::uint32_t>(2 * height + 16);
+  return image + grids_work(*state_);
+}
+
+uint32_t RollingMap::scan_work(size_t count) const noexcept {
+  if (state_ == nullptr) return 0;
+  const std::uint32_t face = static_cast<std::uint32_t>(state_->face);
+  const std::uint32_t rows = kFaces * (4 * face + 16);
+  return units(count, 64) + rows * units(face, 64) + grids_work(*state_);
+}
+
+const Grid& RollingMap::route() const noexcept {
+  return state_->route;
+}
+const Grid& RollingMap::safe() const noexcept {
+  return state_->safe;
+}
+uint64_t RollingMap::revision() const noexcept {
+  return state_ == nullptr ? 0 : state_->safe.revision();
+}
+
+bool RollingMap::seen(const Voxel& voxel) const noexcept {
+  if (state_ == nullptr || !state_->route.inside(voxel)) return false;
+  return (state_->seen[state_->row(voxel.y, voxel.z) + static_cast<std::size_t>(voxel.x >> 6)] >> (voxel.x & 63) & 1) !=
+         0;
+}
+
+}  // namespace tern
