@@ -166,6 +166,27 @@ TEST_F(RandomCorridors, MovingEndsAreMetWhereThereIsAPlan) {
   EXPECT_GE(planned, cases * 6 / 10);
 }
 
+TEST_F(RandomCorridors, MoreWeightIsNeverSlower) {
+  tern_test::Random random(9);
+  int compared = 0;
+  for (int i = 0; i < tern_test::scaled(60); ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.3);
+    TrajectoryQuery query = query_at_rest(random);
+    if (i % 3 == 0) query.start.velocity = part_of(random, limits_.v_max, 0.5);
+    double last = 0.0;
+    for (const double weight : {40.0, 90.0, 100.0, 180.0, 200.0, 300.0, 450.0, 500.0, 900.0, 1e3, 5e3, 1e4, 1e6}) {
+      query.time_weight = weight;
+      if (plan(query) != Status::kOk) break;
+      if (last > 0.0) {
+        EXPECT_LE(duration(plan_), last * (1.0 + 1e-12)) << i << ", weight " << weight;
+      }
+      compared += last > 0.0 ? 1 : 0;
+      last = duration(plan_);
+    }
+  }
+  EXPECT_GE(compared, tern_test::scaled(60) * 4);
+}
+
 TEST_F(RandomCorridors, UnevenLimitsHoldAndAreReached) {
   tern_test::Random random(5);
   for (int i = 0; i < tern_test::scaled(300); ++i) {

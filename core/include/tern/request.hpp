@@ -50,9 +50,12 @@ constexpr double kMaxLimit = 1e3;
 ///
 ///   (integral of squared snap) + time_weight * a^6 / v^4 * (duration),
 ///
-/// where v and a are the largest limits of an axis. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4
-/// makes one weight mean one style of flight, for slow and for fast vehicles. A larger weight gives a faster plan: 10
-/// is gentle, 40 is the default, 1000 is nearly as fast as the limits allow. docs/trajectory.md has measurements.
+/// where a is the acceleration limit along the path, and v the speed limit along it, or the speed that the path has
+/// room to reach if that is less. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4 makes one weight
+/// mean one style of flight, for slow and for fast vehicles, short and long ways. A larger weight gives a faster plan:
+/// 10 is gentle, 40 is the default, 200 is brisk, 1000 is nearly as fast as the limits allow. From the default up, a
+/// larger weight never gives a slower plan of the same corridor, and takes more work. docs/trajectory.md has
+/// measurements.
 constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
