@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How long plans take: over a ladder of time weights and over ladders of limits, and how often the higher rung is the
-// slower flight. tools/bench durations runs it.
+// slower flight; and how much later a replan from a plan's own states arrives than that plan. tools/bench durations
+// runs it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -56,6 +57,12 @@ struct Tally {
 class Bench {
  public:
   explicit Bench(std::ofstream& csv) : csv_(csv) {}
+
+  /// The plan; of no segments where there is none.
+  tern::Trajectory trajectory(const tern_host::Scenario& scenario) {
+    const tern_host::PlanResult result = session_.plan(scenario);
+    return result.ok() ? result.trajectory : tern::Trajectory{};
+  }
 
   /// Seconds of the plan; 0 where there is none.
   double fly(const tern_host::Scenario& scenario, Tally* tally = nullptr) {
@@ -177,16 +184,64 @@ void over_limits(Bench& bench, const std::vector<std::string>& files, double wei
   accelerations.print("  raising a_max");
 }
 
+/// Replans along plans, with nothing handed over but the state. One a goal, in the same limits and weight.
+struct Replans {
+  int asked = 0;
+  int refused = 0;
+  int half_second = 0;  ///< that arrive so much later than the plan they replace
+  int two_seconds = 0;
+  std::vector<double> ratio;  ///< seconds over what was left of that plan
+
+  void add(double seconds, double left) {
+    ++asked;
+    if (!(seconds > 0.0)) {
+      ++refused;
+      return;
+    }
+    half_second += seconds > left + 0.5 ? 1 : 0;
+    two_seconds += seconds > left + 2.0 ? 1 : 0;
+    ratio.push_back(seconds / left);
+  }
+  void print(const std::string& group, double weight, const char* state) const {
+    std::printf("%-10s %6g replans %-12s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f median, "
+                "%.4f p95, %.4f worst\n",
+                group.c_str(), weight, state, asked, refused, half_second, two_seconds, quantile(ratio, 0.5),
+                quantile(ratio, 0.95), quantile(ratio, 1.0));
+  }
+};
+
+void over_replans(Bench& bench, const std::string& group, const std::vector<std::string>& files, double weight) {
+  constexpr double kEvery = 0.3;
+  Replans with_jerk, without;
+  for (const std::string& file : files) {
+    tern_host::Scenario scenario = tern_host::read_scenario(file);
+    scenario.time_weight = weight;
+    const tern::Trajectory plan = bench.trajectory(scenario);
+    const double end = tern::duration(plan);
+    for (double t = kEvery; t < end - kEvery; t += kEvery) {
+      const tern::Sample now = tern::evaluate(plan, t);
+      scenario.start = {now.position, now.velocity, now.acceleration, now.jerk};
+      with_jerk.add(bench.fly(scenario), end - t);
+      scenario.start.jerk = {0.0, 0.0, 0.0};
+      without.add(bench.fly(scenario), end - t);
+    }
+  }
+  with_jerk.print(group, weight, "with jerk");
+  without.print(group, weight, "without jerk");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Durations over ladders of weights and of limits");
+  CLI::App app("Durations over ladders of weights and of limits, and of replans along plans");
   std::vector<std::string> files;
   std::string csv_path;
   bool weights_only = false;
+  bool replans_only = false;
   app.add_option("FILE", files, "Scenarios")->required()->check(CLI::ExistingFile);
   app.add_option("--csv", csv_path, "Write a row for each plan");
   app.add_flag("--weights-only", weights_only, "Leave out the ladders of limits");
+  app.add_flag("--replans-only", replans_only, "Leave out the ladders");
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
   if (!csv_path.empty()) csv.open(csv_path);
@@ -195,6 +250,10 @@ int main(int argc, char** argv) {
   Bench bench(csv);
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& file : files) groups[group_of(file)].push_back(file);
+  for (const auto& [group, members] : groups) {
+    for (const double weight : {40.0, 1000.0}) over_replans(bench, group, members, weight);
+  }
+  if (replans_only) return 0;
   for (const auto& [group, members] : groups) over_weights(bench, group, members);
   if (weights_only) return 0;
   for (const double weight : {10.0, 40.0, 200.0, 1000.0}) over_limits_in_empty_space(bench, weight);

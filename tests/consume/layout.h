@@ -18,6 +18,7 @@
   FIELD(tern_grid_spec, origin) FIELD(tern_grid_spec, cell) FIELD(tern_grid_spec, dims)                              \
   FIELD(tern_grid_spec, boundary) FIELD(tern_grid_spec, radius)                                                      \
   FIELD(tern_state, position) FIELD(tern_state, velocity) FIELD(tern_state, acceleration)                            \
+  FIELD(tern_state, jerk) FIELD(tern_limits, j_max) FIELD(tern_limits, j_horizontal)                                 \
   FIELD(tern_limits, v_max) FIELD(tern_limits, a_max) FIELD(tern_limits, v_min) FIELD(tern_limits, a_min)            \
   FIELD(tern_limits, v_horizontal) FIELD(tern_limits, a_horizontal)                                                  \
   FIELD(tern_budget, expansions) FIELD(tern_budget, sight_lines) FIELD(tern_budget, planes)                          \

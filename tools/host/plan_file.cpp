@@ -25,7 +25,8 @@ Json json(const Vec3& v) {
 Json json(const tern::State& state) {
   return {{"position", json(state.position)},
           {"velocity", json(state.velocity)},
-          {"acceleration", json(state.acceleration)}};
+          {"acceleration", json(state.acceleration)},
+          {"jerk", json(state.jerk)}};
 }
 
 Json limits_json(const tern::Limits& limits) {
@@ -37,6 +38,9 @@ Json limits_json(const tern::Limits& limits) {
                  {"a_min", json(acceleration.lower)}};
   if (velocity.horizontal > 0.0) result["v_horizontal"] = velocity.horizontal;
   if (acceleration.horizontal > 0.0) result["a_horizontal"] = acceleration.horizontal;
+  const Vec3& jerk = limits.j_max;
+  if (jerk.x > 0.0 || jerk.y > 0.0 || jerk.z > 0.0) result["j_max"] = json(jerk);
+  if (limits.j_horizontal > 0.0) result["j_horizontal"] = limits.j_horizontal;
   return result;
 }
 

@@ -45,8 +45,10 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"goal", Shape::kVector, nullptr, &s.goal.position, true, false, {}},
       {"start_velocity", Shape::kVector, nullptr, &s.start.velocity, false, false, {}},
       {"start_acceleration", Shape::kVector, nullptr, &s.start.acceleration, false, false, {}},
+      {"start_jerk", Shape::kVector, nullptr, &s.start.jerk, false, false, {}},
       {"goal_velocity", Shape::kVector, nullptr, &s.goal.velocity, false, false, {}},
       {"goal_acceleration", Shape::kVector, nullptr, &s.goal.acceleration, false, false, {}},
+      {"goal_jerk", Shape::kVector, nullptr, &s.goal.jerk, false, false, {}},
       {"resolution", Shape::kScalar, &s.resolution, nullptr, false, false, {}},
       {"radius", Shape::kScalar, &s.radius, nullptr, false, false, {}},
       {"v_max", Shape::kLimit, nullptr, &s.limits.v_max, false, false, {}},
@@ -55,6 +57,8 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"a_min", Shape::kLimit, nullptr, &s.limits.a_min, false, false, {}},
       {"v_horizontal", Shape::kScalar, &s.limits.v_horizontal, nullptr, false, false, {}},
       {"a_horizontal", Shape::kScalar, &s.limits.a_horizontal, nullptr, false, false, {}},
+      {"j_max", Shape::kLimit, nullptr, &s.limits.j_max, false, false, {}},
+      {"j_horizontal", Shape::kScalar, &s.limits.j_horizontal, nullptr, false, false, {}},
       {"time_weight", Shape::kScalar, &s.time_weight, nullptr, false, false, {}},
   };
 }

@@ -14,19 +14,20 @@
 namespace tern {
 
 /// The state at one end of a plan, world frame. All numbers must be finite (kNonFiniteInput). The position must lie in
-/// the grid's boundary (kOutOfMap), velocity and acceleration within the limits (kStartExceedsLimits,
-/// kGoalExceedsLimits). The jerk is zero at both ends of a plan, with one exception: a plan that continues along
+/// the grid's boundary (kOutOfMap), velocity, acceleration and jerk within the limits (kStartExceedsLimits,
+/// kGoalExceedsLimits). A plan has exactly this state at that end, with one exception: a plan that continues along
 /// Request::previous begins with the jerk of that plan.
 struct State {
   Vec3 position;      ///< m, the robot's centre
   Vec3 velocity;      ///< m/s
   Vec3 acceleration;  ///< m/s^2
+  Vec3 jerk{};        ///< m/s^3. Pass the jerk that the vehicle flies with, and the new plan has no step in it.
 };
 
-/// Limits of velocity and acceleration. A plan keeps them for all t, to 3e-8 of each limit. They hold for each axis of
-/// the world frame separately, in both directions, and for the horizontal norm if you set a limit for it. The Euclidean
-/// norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit], else the
-/// answer is kLimitsInvalid with the field.
+/// Limits of velocity, acceleration and jerk. A plan keeps them for all t, to 3e-8 of each limit. They hold for each
+/// axis of the world frame separately, in both directions, and for the horizontal norm if you set a limit for it. The
+/// Euclidean norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit],
+/// those of jerk within [kMinLimit, kMaxJerk], else the answer is kLimitsInvalid with the field.
 struct Limits {
   /// m/s, > 0: the largest velocity along each axis.
   Vec3 v_max;
@@ -41,10 +42,17 @@ struct Limits {
   double v_horizontal = 0.0;
   /// m/s^2: limit of sqrt(ax^2 + ay^2), likewise. 0 means none.
   double a_horizontal = 0.0;
+  /// m/s^3: the largest jerk along each axis, in both directions. An axis of 0 has no limit. Autopilots do not follow
+  /// plans above their own (PX4's is 4 to 8, ArduPilot's 5 by default).
+  Vec3 j_max{};
+  /// m/s^3: limit of sqrt(jx^2 + jy^2). 0 means none.
+  double j_horizontal = 0.0;
 };
 /// Smallest and largest magnitude of a limit.
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;
+/// Largest limit on jerk, and the largest jerk of a state along each axis, with or without a limit: m/s^3.
+constexpr double kMaxJerk = 1e6;
 
 /// How much a second of flight counts against smoothness. A plan minimises
 ///

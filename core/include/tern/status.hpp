@@ -133,6 +133,7 @@ enum class Finding : uint8_t {
   kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
   kFence,     ///< a control point lies outside a keep-in, or a polyhedron comes closer than the radius to a keep-out
   kBoundary,  ///< the start's or the goal's state is not met
+  kJerk,      ///< some jerk(t) is beyond a limit
 };
 
 /// The field of a request, a grid or a call that a status is about.
@@ -174,6 +175,10 @@ enum class Field : uint8_t {
   kSlack,              ///< MapSpec::slack
   kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
   kPrior,              ///< MapSpec::prior: too many, null, or a box that is none
+  kStartJerk,          ///< Request::start.jerk
+  kGoalJerk,           ///< Request::goal.jerk
+  kJMax,               ///< Limits::j_max
+  kJHorizontal,        ///< Limits::j_horizontal
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 5
+#define TERN_ABI 6
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -57,12 +57,14 @@ typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
 /* Where a grid lies, how fine it is, and the robot's radius: tern/grid.hpp. World frame, metres. */
 typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
-/* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2. */
-typedef struct { tern_vec3 position, velocity, acceleration; } tern_state;
-/* Limits per axis and of the horizontal norm: tern/request.hpp. m/s and m/s^2. */
+/* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2, m/s^3. */
+typedef struct { tern_vec3 position, velocity, acceleration, jerk; } tern_state;
+/* Limits per axis and of the horizontal norm: tern/request.hpp. m/s, m/s^2 and m/s^3. */
 typedef struct {
   tern_vec3 v_max, a_max, v_min, a_min; /* upper ones > 0, lower ones < 0; a lower one of 0 means minus the upper one */
   double v_horizontal, a_horizontal;    /* > 0; 0 means none */
+  tern_vec3 j_max;                      /* m/s^3, > 0 in both directions; an axis of 0 has no limit */
+  double j_horizontal;                  /* m/s^3, > 0; 0 means none */
 } tern_limits;
 /* Work that a plan may spend in each stage: tern/request.hpp. UINT32_MAX means no limit but the stage's own bound. */
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;

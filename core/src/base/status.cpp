@@ -121,6 +121,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kOutside: return "outside";
     case Finding::kVelocity: return "velocity";
     case Finding::kAcceleration: return "acceleration";
+    case Finding::kJerk: return "jerk";
     case Finding::kJoint: return "joint";
     case Finding::kFence: return "fence";
     case Finding::kBoundary: return "boundary state";
@@ -150,6 +151,10 @@ const char* field_name(Field field) noexcept {
     case Field::kBox: return "box";
     case Field::kVMin: return "v_min";
     case Field::kAMin: return "a_min";
+    case Field::kStartJerk: return "start jerk";
+    case Field::kGoalJerk: return "goal jerk";
+    case Field::kJMax: return "j_max";
+    case Field::kJHorizontal: return "j_horizontal";
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";

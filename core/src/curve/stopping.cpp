@@ -138,18 +138,19 @@ Segment segment_between(const JointState& first, const JointState& second, doubl
 }
 
 State state_of(const JointState& joint) {
-  return {joint.d[0], joint.d[1], joint.d[2]};
+  return {joint.d[0], joint.d[1], joint.d[2], joint.d[3]};
 }
 
 /// Ramps to the turn's acceleration and holds it.
 State add_turn(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
   const Turn turn = turn_of(index);
   const Vec3 acceleration = turning(state, limits, turn);
+  const double ramp = larger(least, kSmoothStepPeak * gauge(limits.jerk, acceleration - state.acceleration));
   const double hold = larger(least, turn.hold * gauge(limits.acceleration, kZero - state.velocity));
-  const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
-  const JointState second = after_ramp(first, acceleration, least);
+  const JointState first{{state.position, state.velocity, state.acceleration, state.jerk}};
+  const JointState second = after_ramp(first, acceleration, ramp);
   const JointState third = after_ramp(second, acceleration, hold);
-  out.segments[out.count++] = segment_between(first, second, least);
+  out.segments[out.count++] = segment_between(first, second, ramp);
   out.segments[out.count++] = segment_between(second, third, hold);
   return state_of(third);
 }
@@ -171,8 +172,19 @@ constexpr Swerve straight(int shape) {
   return {0, 0.0, 1.0, shape};
 }
 
+/// A ramp in which every axis can get from its acceleration to its limit.
+double gentlest_ramp(const State& state, const MotionLimits& limits) {
+  double ramp = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double limit = larger(axis(limits.acceleration.upper, a), -axis(limits.acceleration.lower, a));
+    const double change = limit + absolute(axis(state.acceleration, a));
+    ramp = larger(ramp, kSmoothStepPeak * change / axis(limits.jerk.upper, a));
+  }
+  return ramp;
+}
+
 void add_axis_brake(const State& state, const MotionLimits& limits, double ramp, Stopping& out) {
-  const AxisBrake brake = make_axis_brake(state, limits, ramp);
+  const AxisBrake brake = make_axis_brake(state, limits, larger(ramp, gentlest_ramp(state, limits)));
   for (int i = 0; i < brake.segments; ++i) {
     out.segments[out.count++] = segment_between(brake.joint[i], brake.joint[i + 1], brake.duration[i]);
   }
@@ -199,7 +211,7 @@ State level_off(const State& state, const MotionLimits& limits, Stopping& out) {
     if (gauge(bounds, state.velocity + (0.5 * time) * state.acceleration) <= 1.0 + kLimitTolerance) break;
     time *= 0.5;
   }
-  const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
+  const JointState first{{state.position, state.velocity, state.acceleration, state.jerk}};
   const JointState second = after_ramp(first, kZero, time);
   out.segments[out.count++] = segment_between(first, second, time);
   return state_of(second);

@@ -31,7 +31,7 @@ JointState end_state(const Segment& segment) {
 
 /// The goal's motion as the request has it, where the plan ends.
 JointState as_asked(const State& goal, const JointState& end) {
-  return {{end.d[0], goal.velocity, goal.acceleration, {0.0, 0.0, 0.0}}};
+  return {{end.d[0], goal.velocity, goal.acceleration, goal.jerk}};
 }
 
 /// The segment that is flown at `time`, which becomes the time since its beginning. All of them have passed: count.

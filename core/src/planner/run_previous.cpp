@@ -95,7 +95,7 @@ void Plan::follow_previous() noexcept {
 
 Vec3 Plan::start_jerk() const noexcept {
   const Previous& rest = memory_->previous;
-  return rest.flown ? rest.jerk : Vec3{0.0, 0.0, 0.0};
+  return rest.flown ? rest.jerk : asked_.start.jerk;
 }
 
 }  // namespace tern

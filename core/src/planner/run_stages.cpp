@@ -217,8 +217,8 @@ void Plan::fall_back(Status why) noexcept {
 Progress Plan::run_check(Work& work) noexcept {
   Layout& memory = *memory_;
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr,
-                         start_jerk()};
+  CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
+  query.start.jerk = start_jerk();
   const Progress progress = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);

@@ -20,7 +20,7 @@ constexpr double kLongestPart = 0.5;
 constexpr double kLongestRun = 2.5;
 
 bool moves(const JointState& state) {
-  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
+  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
 
 double way(const Polyhedron& polyhedron) {
@@ -97,8 +97,8 @@ double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corr
 
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept {
   chain.count = 0;
-  chain.start = JointState{{query.start.position, query.start.velocity, query.start.acceleration, kZero}};
-  chain.goal = JointState{{query.goal.position, query.goal.velocity, query.goal.acceleration, kZero}};
+  chain.start = JointState{{query.start.position, query.start.velocity, query.start.acceleration, query.start.jerk}};
+  chain.goal = JointState{{query.goal.position, query.goal.velocity, query.goal.acceleration, query.goal.jerk}};
   chain.center = 0.5 * (query.start.position + query.goal.position);
   stage.limits = query.limits;
   stage.speed = reachable(chain, corridor, query.limits).speed;
