@@ -203,10 +203,11 @@ struct Replans {
     ratio.push_back(seconds / left);
   }
   void print(const std::string& group, double weight, const char* state) const {
-    std::printf("%-10s %6g replans %-12s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f median, "
-                "%.4f p95, %.4f worst\n",
-                group.c_str(), weight, state, asked, refused, half_second, two_seconds, quantile(ratio, 0.5),
-                quantile(ratio, 0.95), quantile(ratio, 1.0));
+    std::printf(
+        "%-10s %6g replans %-12s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f median, "
+        "%.4f p95, %.4f worst\n",
+        group.c_str(), weight, state, asked, refused, half_second, two_seconds, quantile(ratio, 0.5),
+        quantile(ratio, 0.95), quantile(ratio, 1.0));
   }
 };
 

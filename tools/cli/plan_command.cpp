@@ -83,9 +83,9 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->type_name("VIEW");
   command
       ->add_option("--set", options->overrides,
-                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, goal_velocity, "
-                   "goal_acceleration, resolution, radius, v_max, a_max, v_min, a_min, v_horizontal, a_horizontal, j_max, j_horizontal, "
-                   "time_weight, search (fast or optimal); "
+                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, start_jerk, "
+                   "goal_velocity, goal_acceleration, goal_jerk, resolution, radius, v_max, a_max, v_min, a_min, "
+                   "v_horizontal, a_horizontal, j_max, j_horizontal, time_weight, search (fast or optimal); "
                    "e.g. --set radius=0.1 --set goal=1,2,3")
       ->type_name("KEY=VALUE")
       ->expected(1)

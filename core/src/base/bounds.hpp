@@ -72,8 +72,8 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
   return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
 }
 
-/// Limits of the same flight backwards in time: velocities change sign, accelerations do not. Those of jerk, which does,
-/// are symmetrical.
+/// Limits of the same flight backwards in time: velocities change sign, accelerations do not. Those of jerk, which
+/// does, are symmetrical.
 inline MotionLimits backwards(const MotionLimits& limits) {
   MotionLimits result = limits;
   result.velocity.upper = -1.0 * limits.velocity.lower;

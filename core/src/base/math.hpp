@@ -62,7 +62,7 @@ inline double cube_root(double x) {
   if (!(x > 0.0)) return 0.0;
   const double fourth = square_root(square_root(x));
   double root = fourth * square_root(square_root(fourth));  // x^(5/16)
-  constexpr int kSteps = 12;                                 // Newton's: enough for 1e-30 to 1e30
+  constexpr int kSteps = 12;                                // Newton's: enough for 1e-30 to 1e30
   for (int i = 0; i < kSteps; ++i) root = (2.0 * root + x / (root * root)) / 3.0;
   return root * (1.0 + 1e-15);
 }

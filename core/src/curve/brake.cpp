@@ -14,8 +14,8 @@ namespace {
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
-/// A ramp of r seconds that changes the acceleration by c has a jerk of 1.5 c / r at most. A brake's first changes it by
-/// no more than 1.5 times what it is, plus the speed over r.
+/// A ramp of r seconds that changes the acceleration by c has a jerk of 1.5 c / r at most. A brake's first changes it
+/// by no more than 1.5 times what it is, plus the speed over r.
 double gentle_ramp(const State& state, const MotionLimits& limits) {
   return square_root(kSmoothStepPeak * gauge(limits.jerk, state.velocity)) +
          kSmoothStepPeak * 1.5 * gauge(limits.jerk, state.acceleration);
@@ -36,8 +36,7 @@ void fill(const State& state, const MotionLimits& limits, int shape, double leas
   const double ramp = ramp_time(state, limits, shape, least);
   // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
   // and the hold.
-  const Vec3 excess =
-      state.velocity + (0.5 * ramp) * state.acceleration + (kJerkToVelocity * ramp * ramp) * state.jerk;
+  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration + (kJerkToVelocity * ramp * ramp) * state.jerk;
   const double hold = larger(least, gauge(limits.acceleration, kZero - excess) - ramp);
   const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
   brake.duration[0] = brake.duration[2] = ramp;

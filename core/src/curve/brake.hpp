@@ -22,7 +22,8 @@ constexpr double kBrakeSharper = 0.5;
 constexpr double kBrakeLessSmooth = 0.9;
 constexpr int kBrakeSegments = 3;
 
-/// Segments of degree 7 (the curve itself has degree 5), continuous to jerk, which is zero at every joint but the first.
+/// Segments of degree 7 (the curve itself has degree 5), continuous to jerk, which is zero at every joint but the
+/// first.
 struct Brake {
   double duration[kBrakeSegments];       ///< ramp, hold, ramp: seconds, >= kMinDuration
   JointState joint[kBrakeSegments + 1];  ///< the last one at rest, exactly
@@ -36,8 +37,8 @@ constexpr double kJerkToVelocity = 1.0 / 12.0;
 constexpr double kJerkToWay = 1.0 / 20.0;
 
 /// The braking whose ramps have shape 0 .. kBrakeShapes - 1, and whose hold is as short as the limits on acceleration
-/// allow; ramps and hold last `least` seconds at least, and ramps as long as the limits on jerk ask for. Nothing else is
-/// looked at.
+/// allow; ramps and hold last `least` seconds at least, and ramps as long as the limits on jerk ask for. Nothing else
+/// is looked at.
 Brake make_brake(const State& state, const MotionLimits& limits, int shape, double least = kMinDuration) noexcept;
 
 /// The state after `time` of a ramp to another acceleration, jerk zero at its end; where both are equal and the jerk is

@@ -26,8 +26,8 @@ constexpr double kPeakTolerance = 1e-7;
 
 /// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly: the
 /// largest over all t of the gauge of v, the root of the gauge of a and the cube root of the gauge of the jerk (see
-/// base/bounds.hpp); below 1 where it could be faster. Never less than the truth, and more by kPeakTolerance at most, or
-/// by kJerkMargin where the jerk decides.
+/// base/bounds.hpp); below 1 where it could be faster. Never less than the truth, and more by kPeakTolerance at most,
+/// or by kJerkMargin where the jerk decides.
 double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept;
 
 /// True where v and a are within (1 + tolerance) times the limits for all t, and the jerk within (1 + kJerkTolerance).
