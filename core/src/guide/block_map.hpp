@@ -31,7 +31,7 @@ constexpr GuideCost guide_cost(int move) {
   return axes_of(move) == 1 ? kGuideStraight : (axes_of(move) == 2 ? kGuidePlane : kGuideSpace);
 }
 
-/// Of the cheapest way in an empty map.
+/// Of the cheapest path in an empty map.
 constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
   const MoveCounts moves = octile_moves(a, b);
   return static_cast<GuideCost>(moves.space) * kGuideSpace + static_cast<GuideCost>(moves.plane) * kGuidePlane +
@@ -41,15 +41,15 @@ constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
 /// A block, and what a search of blocks knows of it.
 struct Block {
   /// In `flags`.
-  static constexpr std::uint8_t kClosed = 1;  ///< the cheapest way is known
+  static constexpr std::uint8_t kClosed = 1;  ///< the cheapest path is known
   static constexpr std::uint8_t kParts = 2;   ///< it is known whether the free voxels are in several parts
   static constexpr std::uint8_t kSplit = 4;   ///< they are
   /// In `sides`, besides one bit a side at which free voxels meet those of the block beyond.
   static constexpr std::uint8_t kFull = 1 << kSides;  ///< all voxels are free
 
-  GuideCost distance;  ///< from the search's origin, by the best way found; kFar before one is
+  GuideCost distance;  ///< from the search's origin, by the best path found; kFar before one is
   std::uint8_t sides;
-  std::uint8_t parent;  ///< the move by which that way arrives
+  std::uint8_t parent;  ///< the move by which that path arrives
   std::uint8_t flags;
 
   bool full() const { return (sides & kFull) != 0; }

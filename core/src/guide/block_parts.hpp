@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The connected parts of one block of 4 x 4 x 4 voxels. A wall that is thinner than a block may leave parts of the same
-// block on both of its sides, and no way from one to the other.
+// block on both of its sides, and no path from one to the other.
 #ifndef TERN_GUIDE_BLOCK_PARTS_HPP
 #define TERN_GUIDE_BLOCK_PARTS_HPP
 

@@ -14,10 +14,10 @@ constexpr GuideCost narrow(GuideCost cost) {
   return cost + cost / 5;
 }
 
-/// The farthest step in blocks of eight voxels, and as much again by which the way that is left may grow.
+/// The farthest step in blocks of eight voxels, and as much again by which the path that is left may grow.
 static_assert((8 * (narrow(kGuidePlane) + kGuidePlane) >> kBucketBits) + 1 < kBlockBuckets, "f stays within the ring");
 static_assert(std::uint64_t{kGuideBlocks} * 4 * narrow(kGuidePlane) < kFar - 8 * 2048 * kGuideSpace,
-              "a way visits a block once");
+              "a path visits a block once");
 
 /// Of a step into a block that is wholly free, for blocks four and eight voxels wide.
 struct BlockCosts {
@@ -48,8 +48,8 @@ bool open_block(BlockSearch& search, const Voxel& block, GuideCost distance) {
   return queue_put(search.open, (distance + left) >> kBucketBits, pack(block));
 }
 
-/// The sides across which the best way may have come into a block: around a corner, those that a block joins to where
-/// the way came from.
+/// The sides across which the best path may have come into a block: around a corner, those that a block joins to where
+/// the path came from.
 SideMask entrances(BlockSearch& search, const Grid& grid, const Voxel& at, int arrival) {
   if (axes_of(arrival) == 1) return sides_of(opposite(arrival));
   BlockMap& map = search.map;

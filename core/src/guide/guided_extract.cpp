@@ -35,7 +35,7 @@ Status guided_extract(GuidedSearch& search, const Grid& grid, int reserve, Path&
   reverse_moves(search);
   TurnWriter writer(grid, path, reserve, search.start);
   for (std::uint32_t k = 0; k <= kGuidedExpansions && !same(writer.last, search.goal); ++k) {
-    writer.leg(move_at(search, writer.last), 1);
+    writer.run(move_at(search, writer.last), 1);
   }
   return writer.finish();
 }

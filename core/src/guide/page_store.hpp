@@ -16,14 +16,14 @@ constexpr std::uint32_t kPageSlots = power_of_two(2u * static_cast<std::uint32_t
 
 /// What the search knows of 4 x 4 x 4 voxels, and where it heads from there.
 struct Page {
-  std::uint64_t reached;     ///< one bit a voxel, x + 4 y + 16 z: a way is known
+  std::uint64_t reached;     ///< one bit a voxel, x + 4 y + 16 z: a path is known
   std::uint64_t closed;      ///< it was expanded
   Voxel at;                  ///< the page's coordinates: voxels / 4
   Voxel carrot;              ///< voxel to head for; valid where `heads`
   GuideCost rest;            ///< estimate from there to the goal; from anywhere in the page where it does not head yet
   bool heads;                ///< the carrot is known: the guide has closed the page's block
-  std::uint8_t arrival[64];  ///< the move by which the best way reaches a voxel
-  GuideCost cost[64];        ///< of that way
+  std::uint8_t arrival[64];  ///< the move by which the best path reaches a voxel
+  GuideCost cost[64];        ///< of that path
 };
 
 /// The pages of one search, found by their coordinates: an open-addressing table over a pool.

@@ -3,7 +3,7 @@
 #include "map/carve.hpp"
 
 #include "base/math.hpp"
-#include "map/look.hpp"
+#include "map/projector.hpp"
 
 namespace tern {
 namespace {
@@ -58,7 +58,7 @@ Sight judge(const DepthPyramid& pyramid, const Footprints& feet, int k) {
 /// A block, and the view that looks at it.
 struct Carving {
   const View& view;
-  const Looker& looker;
+  const Projector& projector;
   const BlockWords& wanted;
   BlockWords& free;
 
@@ -76,8 +76,8 @@ struct Carving {
   template <std::int32_t kSize>
   void divide(const Point& center, const Cube& cube) const {
     constexpr std::int32_t kHalf = kSize / 2;
-    const Centers centers = looker.parts(center, kHalf);
-    const Footprints feet = looker.look(centers, kHalf);
+    const Centers centers = projector.parts(center, kHalf);
+    const Footprints feet = projector.project(centers, kHalf);
     for (int k = 0; k < 8; ++k) {
       decide<kHalf>(centers, feet, k,
                     {cube.x + (k & 1) * kHalf, cube.y + (k >> 1 & 1) * kHalf, cube.z + (k >> 2) * kHalf});
@@ -87,13 +87,13 @@ struct Carving {
 
 }  // namespace
 
-void carve(const View& view, const Looker& looker, const Voxel& first, const BlockWords& wanted,
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
            BlockWords& free) noexcept {
   const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
   const Centers centers =
-      looker.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
-  const Footprints feet = looker.look(centers, kBlock);
-  const Carving carving{view, looker, wanted, free};
+      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
+  const Footprints feet = projector.project(centers, kBlock);
+  const Carving carving{view, projector, wanted, free};
   for (int k = 0; k < 8; ++k) carving.decide<kBlock>(centers, feet, k, {kBlock * k, 0, 0});
 }
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "map/look.hpp"
+#include "map/projector.hpp"
 
 namespace tern {
 
@@ -21,7 +21,7 @@ struct BlockWords {
 
 /// Adds to `free` the wanted voxels that the view saw whole, and maybe others that it saw whole. `first` is the block's
 /// lowest voxel. From cubes of 8 voxels downwards: one that is decided as a whole is not divided.
-void carve(const View& view, const Looker& looker, const Voxel& first, const BlockWords& wanted,
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
            BlockWords& free) noexcept;
 
 }  // namespace tern

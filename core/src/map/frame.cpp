@@ -164,7 +164,7 @@ void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64
 void MapState::prepare_views() noexcept {
   // Both the camera and the voxels are in the window, or at most a block beside it.
   const double extent = 2.0 * spec.cell * (spec.dims.x + spec.dims.y + spec.dims.z + 128);
-  for (int v = 0; v < frame.view_count; ++v) frame.lookers[v] = Looker(frame.views[v], extent);
+  for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
 
 void MapState::enter_block(std::int64_t index) noexcept {
@@ -185,7 +185,7 @@ void MapState::enter_block(std::int64_t index) noexcept {
     }
   }
   for (int v = 0; v < frame.view_count; ++v) {
-    carve(frame.views[v], frame.lookers[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
+    carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
   }
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);

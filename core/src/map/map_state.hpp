@@ -12,7 +12,7 @@
 #include "grid/lattice.hpp"
 #include "map/carve.hpp"
 #include "map/depth_pyramid.hpp"
-#include "map/look.hpp"
+#include "map/projector.hpp"
 #include "map/view.hpp"
 #include "tern/map.hpp"
 
@@ -51,7 +51,7 @@ struct Frame {
   Vec3 origin;        ///< of the sensor, in the window's local frame
   Vec3 world_origin;  ///< the same in the world
   View views[kFaces];
-  Looker lookers[kFaces];  ///< of the views
+  Projector projectors[kFaces];  ///< of the views
   int view_count;
   VoxelBox box;             ///< voxels that may change; blocks that it meets are looked up
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; the second one where the first one wraps

@@ -94,8 +94,8 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Trajectory& plan = rest.plan;
   const Cut cut = cut_at(plan, request.previous_time);
   rest.jerk = cut.now.jerk;
-  const Vec3 way = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
-  rest.meets_goal = distance(way, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
+  const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
+  rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
   JointState from{{{0.0, 0.0, 0.0}, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
   for (int i = cut.first; i < plan.count; ++i) {
     JointState to = end_state(plan.segments[i]);

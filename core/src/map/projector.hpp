@@ -3,8 +3,8 @@
 //
 // Which pixels cover a cube of voxels: eight cubes at a time, four side by side in a register. Single precision is
 // enough, because each cube is grown by what rounding could move it.
-#ifndef TERN_MAP_LOOK_HPP
-#define TERN_MAP_LOOK_HPP
+#ifndef TERN_MAP_PROJECTOR_HPP
+#define TERN_MAP_PROJECTOR_HPP
 
 #include <cstdint>
 
@@ -28,7 +28,7 @@ struct Centers {
   Point at(int k) const noexcept { return {x[k / 4][k % 4], y[k / 4][k % 4], z[k / 4][k % 4]}; }
 };
 
-/// How eight cubes lie to an image.
+/// Where eight cubes lie in an image.
 struct Footprints {
   FourInts u0[2], u1[2], v0[2], v1[2];  ///< pixels that cover the cube, where it is inside
   FourInts near[2], far[2];             ///< its least depth, rounded down, and its largest, rounded up; in units
@@ -40,15 +40,15 @@ struct Footprints {
   }
 };
 
-/// A view with what cubes of any size need, in single precision.
-class Looker {
+/// Projects cubes of voxels into the image of a view, in single precision.
+class Projector {
  public:
-  Looker() noexcept = default;
+  Projector() noexcept = default;
   /// `extent` is the window's size and distance together, in metres: no coordinate is larger.
-  Looker(const View& view, double extent) noexcept;
+  Projector(const View& view, double extent) noexcept;
 
-  /// Where cubes of `size` voxels with these centres are seen.
-  Footprints look(const Centers& centers, float size) const noexcept;
+  /// Where cubes of `size` voxels with these centres lie in the image.
+  Footprints project(const Centers& centers, float size) const noexcept;
   /// The centres of the eight cubes of `size` voxels that a larger one with this centre consists of, x first.
   Centers parts(const Point& center, float size) const noexcept;
   /// The centres of eight cubes in a row along x, `size` voxels each, around this point.
@@ -61,7 +61,7 @@ class Looker {
   struct Image {
     FourInts first, last, beside, within;
   };
-  static Image project(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
+  static Image project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
 
   Point steps_[3];
   Point half_;  ///< half the extent of a voxel along the camera's axes
