@@ -18,7 +18,10 @@ namespace tern {
 constexpr std::int32_t kBlockBuckets = 64;
 constexpr std::int32_t kBlockOpen = kMaxOpen;
 
-/// Every block is closed once, and then opens the 18 that it may lead to: no more entries are ever taken.
+/// Bound on the units of the guide. Each block is closed once and then opens at most the 18 blocks that it leads to. Of
+/// two neighbours only the one closed first opens the other, so there are at most 9 entries a block, and the first one.
+/// The other half leaves room for the unit that finds the list empty, and for the one in which the guided search finds
+/// its limit reached.
 constexpr std::uint32_t kBlocksTaken = 18u * static_cast<std::uint32_t>(kGuideBlocks) + 1u;
 
 /// Plain data; needs no initialisation before block_search_begin.
@@ -34,11 +37,11 @@ struct BlockSearch {
 /// Opens the block of the voxel `from`. Both voxels are free. False where the grid has no block map.
 bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards) noexcept;
 
-/// Takes one entry off the open list. kRunning; kNoPath where none is left and so no way exists; kNodesFull where that
+/// Takes one entry off the open list. kRunning; kNoPath where none is left and so no path exists; kNodesFull where that
 /// is not certain; kOpenFull.
 Status block_search_take(BlockSearch& search, const Grid& grid) noexcept;
 
-/// True once the cheapest way to the block is known.
+/// True once the cheapest path to the block is known.
 inline bool block_closed(const BlockSearch& search, std::int32_t index) noexcept {
   return search.map.blocks[index].closed();
 }

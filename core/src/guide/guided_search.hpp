@@ -28,7 +28,7 @@ constexpr std::uint32_t kGuidedTaken = 16 * kGuidedExpansions;
 constexpr std::int32_t kGuidedBuckets = 1024;
 constexpr std::int32_t kGuidedOpen = 3 * kMaxOpen < 32 * 1024 ? 3 * kMaxOpen : 32 * 1024;
 
-/// Units of work of one guided search: entries taken off either open list.
+/// Bound on the units of one guided search: entries taken off either open list.
 constexpr std::uint32_t kGuidedBound = kBlocksTaken + kGuidedTaken;
 
 /// A search between two free voxels. Plain data; needs no initialisation before guided_begin.
@@ -36,7 +36,7 @@ struct GuidedSearch {
   Voxel start;
   Voxel goal;
   std::uint32_t expanded;  ///< voxels
-  std::uint32_t most;      ///< voxels that it may expand, for as long a way as the guide's
+  std::uint32_t most;      ///< voxels that it may expand, for as long a path as the guide's
   std::uint32_t taken;     ///< entries, of those that `open` held
   std::int32_t awaited;    ///< block that the guide has to close before the search of voxels goes on
   BlockSearch guide;

@@ -22,7 +22,8 @@ namespace tern {
 /// to arrive: easy queries end there, optimally.
 constexpr std::uint32_t kFirstExpansions = 96;
 
-/// Units of work of one search. The first expansions are a search's own, and bounded as one.
+/// Bound on the units of one search: the first expansions, which are bounded like any optimal search, the guided
+/// search, and the optimal search from the beginning.
 constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kOptimal };
