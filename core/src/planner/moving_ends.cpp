@@ -159,6 +159,7 @@ bool Plan::arrives(Work& work) noexcept {
 Progress Plan::run_escape(Work& work) noexcept {
   Layout& memory = *memory_;
   if (arrives(work)) {
+    report_.optimiser = Status::kOk;  // whatever it made of another corridor
     fly(Quality::kStopAndGo, kEscaped);
     return Progress::kDone;
   }
