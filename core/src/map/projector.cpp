@@ -7,9 +7,9 @@
 namespace tern {
 namespace {
 
-/// Parts of a coordinate by which a few roundings in single precision may be off, 2^-20; each is 2^-24 at most.
+/// Relative error of a few roundings in single precision, 2^-20. Each is at most 2^-24.
 constexpr double kRounding = 1.0 / 1048576.0;
-/// Nearest depth that is projected, metres.
+/// The least depth that is projected, metres.
 constexpr float kNearest = 1e-3f;
 
 Point to_point(const Vec3& v) {
