@@ -10,10 +10,11 @@ namespace {
 
 constexpr int kBucketBits = 6;
 
-/// How many blocks ahead the carrot is. It hides the corners of the guide's path, which are not the voxels' path.
+/// Blocks from the current one to the carrot. Aiming ahead smooths the corners of the guide's path, which the path of
+/// voxels need not follow.
 constexpr int kCarrotBlocks = 3;
 
-/// What is left of the path counts one and a half times.
+/// The heuristic counts one and a half times.
 constexpr std::uint64_t weighted(GuideCost left) {
   return std::uint64_t{left} + left / 2;
 }
@@ -22,8 +23,8 @@ constexpr std::uint32_t entry(std::int32_t page, int place) {
   return static_cast<std::uint32_t>(page) << 6 | static_cast<std::uint32_t>(place);
 }
 
-/// The block that the guide's path leads to next. A voxel of a split block may lie in a part that the path does not
-/// pass: then the block beside its part that is nearest to the goal.
+/// The block that the guide's path leads to next. If the voxel lies in a part of a split block that this path does not
+/// pass, the block next to that part that is nearest to the goal.
 Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, const Voxel& voxel) {
   BlockMap& map = search.guide.map;
   const int arrival = map.at(block).parent;
@@ -80,7 +81,7 @@ std::uint32_t bucket_of(const Page& page, const Voxel& voxel, GuideCost cost) {
   return static_cast<std::uint32_t>((cost + weighted(left)) >> kBucketBits);
 }
 
-/// The voxel's page; kGuidePages where there is no room for it.
+/// The voxel's page; kGuidePages if there is no room for it.
 std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel) {
   const std::int32_t before = search.store.count;
   const std::int32_t index = page_find_or_add(search.store, voxel);
@@ -88,8 +89,8 @@ std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel)
   return index;
 }
 
-/// Records a path of this cost to a voxel, which arrives by `move`, where it is the best one. kRunning, or what is
-/// full.
+/// Records a path of this cost that arrives at a voxel by `move`, if it is the best so far. kRunning, or which capacity
+/// is full.
 Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, GuideCost cost, int move) {
   Page& page = search.store.pages[index];
   const int place = place_in_block(voxel);
@@ -102,8 +103,8 @@ Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, Guide
   return room ? Status::kRunning : Status::kOpenFull;
 }
 
-/// A search that can follow its guide expands hardly more voxels than its path has. One that expands several times as
-/// many is led astray.
+/// A search that can follow its guide expands hardly more voxels than its path has. If it expands several times as
+/// many, the guide leads astray.
 constexpr std::uint32_t kLeastExpansions = 256;
 constexpr std::uint32_t kExpansionsPerVoxel = 4;
 
@@ -146,7 +147,7 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
     }
     set_carrot(search, grid, at, page);
   }
-  // The guide has found out more since the entry was made, or the ring had no bucket for it.
+  // The entry is early: the guide has improved the heuristic since, or the ring had no bucket for the entry.
   const std::uint32_t bucket = bucket_of(page, at, page.cost[place]);
   if (bucket > search.open.current) {
     queue_put(search.open, bucket, taken);
