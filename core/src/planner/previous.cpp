@@ -29,12 +29,12 @@ JointState end_state(const Segment& segment) {
   return state;
 }
 
-/// The goal's motion as the request has it, where the plan ends.
+/// The state at the end of the plan, with the requested motion of the goal.
 JointState as_asked(const State& goal, const JointState& end) {
   return {{end.d[0], goal.velocity, goal.acceleration, {0.0, 0.0, 0.0}}};
 }
 
-/// The segment that is flown at `time`, which becomes the time since its beginning. All of them have passed: count.
+/// The segment that is flown at `time`; `time` becomes the time since its beginning. plan.count if the plan is over.
 int segment_at(const Trajectory& plan, double& time) {
   double begin = 0.0;
   int index = 0;
@@ -46,11 +46,11 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
-/// What a cut begins with.
+/// The state at a cut.
 struct Cut {
   Sample now;
-  int first;    ///< the segment at hand; the plan's count where nothing is left to fly
-  double time;  ///< into that segment
+  int first;    ///< the segment that is being flown; plan.count if nothing is left to fly
+  double time;  ///< since the beginning of that segment
   Vec3 begin;   ///< the position in the plan's frame
 };
 
