@@ -161,8 +161,7 @@ class RollingMap {
   /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of its obstacle
   /// layer is either that from before the frame or that from after it.
   const Grid& safe() const noexcept;
-  /// True if the voxel was seen free and has not been forgotten since. It may have become an obstacle. False outside
-  /// the window.
+  /// True where the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
   bool seen(const Voxel& voxel) const noexcept;
   /// Grows with every change of either grid.
   uint64_t revision() const noexcept;

@@ -71,7 +71,7 @@ uint8_t tern_map_mark_points(tern_map* map, const tern_vec3* world, size_t count
  * valid until the map slides; ask for it again after every slide. */
 uint8_t tern_map_route(const tern_map* map, tern_grid* grid);
 uint8_t tern_map_safe(const tern_map* map, tern_grid* grid);
-/* 1 if the voxel was seen free and has not been forgotten, else 0. */
+/* 1 where the voxel was seen free, else 0. */
 uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel);
 /* Grows with every change of either grid. 0 for a map that is not bound. */
 uint64_t tern_map_revision(const tern_map* map);

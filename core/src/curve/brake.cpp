@@ -10,7 +10,7 @@ namespace tern {
 namespace {
 
 /// A ramp's acceleration goes with the smooth step 3 u^2 - 2 u^3, whose integral over [0, 1] is 1/2 and whose second
-/// integral is 3/20: it gains the mean of both accelerations in speed, and these parts of them in distance.
+/// integral is 3/20: it gains the mean of both accelerations in speed, and these parts of them in way.
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
@@ -48,8 +48,8 @@ bool holds(const Brake& brake, const Polyhedron& polyhedron, const MotionLimits&
 }  // namespace
 
 JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept {
-  const Vec3 gained = kFirstPart * from.d[2] + kSecondPart * acceleration;
-  return JointState{{from.d[0] + time * from.d[1] + (time * time) * gained,
+  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration;
+  return JointState{{from.d[0] + time * from.d[1] + (time * time) * way,
                      from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
 }
 

@@ -36,8 +36,8 @@ struct GuidedSearch {
   Voxel start;
   Voxel goal;
   std::uint32_t expanded;  ///< voxels
-  std::uint32_t most;      ///< voxels that it may expand, given the length of the guide's path
-  std::uint32_t taken;     ///< entries taken off `open`
+  std::uint32_t most;      ///< voxels that it may expand, for as long a way as the guide's
+  std::uint32_t taken;     ///< entries, of those that `open` held
   std::int32_t awaited;    ///< block that the guide has to close before the search of voxels goes on
   BlockSearch guide;
   BucketQueue<kGuidedBuckets, kGuidedOpen> open;
@@ -45,12 +45,12 @@ struct GuidedSearch {
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-/// False if the grid has too many blocks for a guide.
+/// False where the grid has too many blocks for a guide.
 bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
 
-/// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath if no
-/// moves connect the two voxels; kNodesFull or kOpenFull if a capacity or one of the limits above is exhausted, which
-/// proves nothing. Not to be called after the end.
+/// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath, where
+/// the blocked layer connects the two by no moves; kNodesFull or kOpenFull, where a capacity or one of the limits above
+/// is exhausted, which proves nothing. Not to be called after the end.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, as search_extract does. Once, after kOk.

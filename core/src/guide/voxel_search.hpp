@@ -23,8 +23,7 @@ namespace tern {
 /// is about to arrive. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstExpansions = 96;
 
-/// Bound on the units of one search: the first expansions, which are bounded like any optimal search, the guided
-/// search, and the optimal search from the beginning.
+/// Units of work of one search. The first expansions are a search's own, and bounded as one.
 constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kOptimal };
@@ -40,7 +39,7 @@ struct VoxelSearch {
   ScanMap* map;
   union {
     Search optimal;
-    GuidedSearch guided;  ///< while the method is kGuided
+    GuidedSearch guided;  ///< while the method says so
   };
 };
 static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");

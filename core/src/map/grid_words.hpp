@@ -27,8 +27,8 @@ class GridWords {
   std::uint64_t* obstacles() const noexcept { return grid_.obstacles_; }
   std::uint64_t* blocked() const noexcept { return grid_.blocked_; }
 
-  /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows if the grid was inflated
-  /// and the word changes.
+  /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows where the grid was
+  /// inflated and the word changes.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t word) const noexcept;
 
   /// Makes the blocked layer of planes begin .. end - 1 as inflate() would. Call finish_inflation() after the last
@@ -36,7 +36,7 @@ class GridWords {
   void inflate_planes(std::int32_t begin, std::int32_t end) const noexcept;
   void finish_inflation() const noexcept;
 
-  /// Begins to move the content of an inflated grid. No view of the grid is bound until end_shift().
+  /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().
   void begin_shift() const noexcept;
   /// Notes that words first .. last of obstacle row (y, z) have changed, so the blocked rows around them must be made
   /// again.

@@ -51,14 +51,14 @@ bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& 
 
 bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
                 GrowScratch& scratch, Escape& escape) noexcept {
-  // In parts of the time that the straight line takes at the mean of both velocities.
+  // Parts of what the way takes at the mean of both velocities.
   constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};
   const double speed = 0.5 * length(start.velocity + goal.velocity);
-  const double line = distance(start.position, goal.position);
+  const double way = distance(start.position, goal.position);
   escape.count = 0;
-  if (!(speed > 0.0) || !(line > 0.0)) return false;
+  if (!(speed > 0.0) || !(way > 0.0)) return false;
   Segment segment{};
-  segment.duration = kParts[choice] * (line / speed);
+  segment.duration = kParts[choice] * (way / speed);
   control_points({{start.position, start.velocity, start.acceleration, kZero}},
                  {{goal.position, goal.velocity, goal.acceleration, kZero}}, segment.duration, segment.points);
   if (!within_limits(segment, limits, kStopTolerance)) return false;

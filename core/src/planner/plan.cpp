@@ -50,7 +50,7 @@ const Fences* Plan::fences() const noexcept {
   return has_fences_ ? &memory_->fences : nullptr;
 }
 
-/// Reads the fences and tests start and goal against them; kRunning if they are valid and obeyed.
+/// Reads the fences and holds start and goal against them; kRunning where all is well.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
   fences_blocked_ = 0;
@@ -72,7 +72,7 @@ Status Plan::accept_fences(const Request& request) noexcept {
   return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
 }
 
-/// The origin of the plan's frame is the start, in world coordinates exactly as given.
+/// The plan's frame has its origin in the start, in world coordinates as they were given.
 void Plan::set_ends() noexcept {
   const Request local = to_local(*grid_, asked_);
   FlightEnds& ends = memory_->ends;

@@ -113,8 +113,8 @@ class Plan {
   Life life_ = Life::kIdle;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
-  std::int32_t fences_blocked_ = 0;         // units that the fences' stage has done
-  std::uint32_t before_[kStageCount] = {};  // work of each stage when the current one began
+  std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
+  std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
   bool stop_and_go_ = false;                // the optimiser's plan was refused...

@@ -27,12 +27,12 @@ void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uin
   entry.bound = least(budget, bound);
 }
 
-/// What earlier stages have left of Budget::sight_lines.
+/// What the stages before the one at hand have left of Budget::sight_lines.
 std::uint32_t Plan::sight_lines_left() const noexcept {
   return asked_.budget.sight_lines - before(Stage::kShortcut) - before(Stage::kDetour);
 }
 
-/// What earlier stages have left of Budget::planes.
+/// The same of Budget::planes.
 std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
