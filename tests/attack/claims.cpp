@@ -55,7 +55,7 @@ std::vector<int> fenced_components(const World& world, const Map& map, const Ask
   return components(world, free);
 }
 
-/// With fences only points in free voxels count: how others are served depends on more than faces.
+/// With fences only points in free voxels count: whether others can join the grid depends on more than faces.
 int own_component(const World& world, const std::vector<int>& component, const Point& p) {
   int common = -2;
   for (const tern::Voxel& v : homes(world, p)) {

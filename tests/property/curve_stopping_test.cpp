@@ -162,9 +162,9 @@ TEST(Stopping, EveryAcceptedChoiceIsAStop) {
       Stopping stopping;
       if (!make_stopping(state, limits, choice, stopping)) continue;
       ++accepted;
-      const int way = choice % kStoppingWays;
+      const int index = choice % kStoppingManoeuvres;
       const int axes = kBrakeShapes + kAxisBrakes;
-      ++of_kind[way < kBrakeShapes ? 0 : (way < axes ? 1 : (way < axes + 2 * kTurns ? 2 : 3))];
+      ++of_kind[index < kBrakeShapes ? 0 : (index < axes ? 1 : (index < axes + 2 * kTurns ? 2 : 3))];
       ASSERT_NO_FATAL_FAILURE(expect_stops(state, limits, stopping)) << "state " << i << ", choice " << choice;
       Stopping back = stopping;
       reverse(back);

@@ -175,6 +175,16 @@ TEST(PlanFile, SaysWhatTheCheckFound) {
   EXPECT_TRUE(plan["check"]["segment"].is_null());
 }
 
+TEST(PlanFile, SaysThatAnArrivalIsNoStopAndGo) {
+  PlanResult result = awkward_result(5);
+  result.report.quality = tern::Quality::kStopAndGo;
+  result.report.optimiser = Status::kOk;
+  const std::string detail = json::parse(tern_host::plan_json(result))["detail"];
+  EXPECT_NE(detail.find("into the goal's motion"), std::string::npos) << detail;
+  EXPECT_EQ(detail.find("stop to stop"), std::string::npos) << detail;
+  EXPECT_EQ(detail.find("ended with"), std::string::npos) << detail;
+}
+
 /// The clause for a finding about a derivative of segment 3.
 std::string clause(tern::Finding finding, int derivative, int axis) {
   tern::CheckReport check;

@@ -158,7 +158,7 @@ void every_budget_gives_a_plan(double weight) {
     const Flight run(corridor, query);
     ASSERT_EQ(run.status, Status::kOk);
     EXPECT_LE(run.stage->iterations, budget);
-    // More budget never gives a dearer plan; the whole of it gives the same bits as no bound.
+    // More budget never gives a costlier plan; the whole of it gives the same bits as no bound.
     const double cost = snap_cost(run.plan) + rate * duration(run.plan);
     EXPECT_LE(cost, last * (1.0 + 1e-9));
     last = cost;

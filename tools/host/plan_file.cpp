@@ -163,10 +163,12 @@ std::string describe_status(const tern::Report& report) {
   if (report.status != tern::Status::kOk) return describe_failure(report);
   const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
                              tern::status_meaning(report.optimiser) + finding_text(report.check);
-  if (report.quality == tern::Quality::kStopAndGo)
-    return "from stop to stop, because the optimiser ended with " + reason;
-  if (report.optimiser != tern::Status::kOk) return "the optimiser ended with " + reason;
-  return "";
+  const bool optimised = report.optimiser == tern::Status::kOk;
+  if (report.quality == tern::Quality::kStopAndGo) {
+    return optimised ? "one curve straight into the goal's motion, which is not optimised"
+                     : "from stop to stop, because the optimiser ended with " + reason;
+  }
+  return optimised ? "" : "the optimiser ended with " + reason;
 }
 
 std::string plan_json(const PlanResult& result) {

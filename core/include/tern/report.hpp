@@ -89,7 +89,8 @@ enum class Quality : uint8_t {
   /// Start equals goal, both at rest: one segment that stays there.
   kHover,
   /// Straight from waypoint to waypoint, coming to rest at each (contract C6). Report::optimiser says why it was not
-  /// optimised. Safe, but slower than an optimised plan.
+  /// optimised. Safe, but slower than an optimised plan. Or, where Report::optimiser is kOk, an arrival: one curve
+  /// straight into the motion of the goal.
   kStopAndGo,
   /// The optimiser's plan: minimum snap, traded against duration.
   kOptimised,
@@ -127,8 +128,8 @@ struct Report {
   /// How optimising ended. kOk: it finished normally, or was never started. kBudgetOptimise together with kOptimised:
   /// the budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
   /// optimised plan: kInfeasible, kNumerical, kIterationLimit, kWorkingSetFull, kBudgetOptimise, kSegmentsFull (no room
-  /// for so many segments), or kCheckFailed (the check refused the optimised plan;
-  /// `check` says why).
+  /// for so many segments), or kCheckFailed (the check refused the optimised plan; `check` says why). An arrival has
+  /// kOk.
   Status optimiser;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
   /// has_nearest_free is true; zero otherwise.

@@ -90,13 +90,13 @@ enum class ShortcutMode : uint8_t {
   kShortestChain = 0,
 };
 
-/// How the search looks for a way over the grid. Any other number is refused (kInvalidArgument, field kSearch). Either
-/// way kNoPath means that there is none.
+/// How the search finds a path over the grid. Any other number is refused (kInvalidArgument, field kSearch). In both
+/// modes, kNoPath means that there is none.
 enum class SearchMode : uint8_t {
-  /// A way that is a few per cent dearer than the cheapest, in a fraction of the time. Report::search_bound says how
-  /// much dearer it can be. Where that search is led astray, the optimal one answers.
+  /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Report::search_bound limits
+  /// how much more. Where that search is led astray, the optimal one answers.
   kFast = 0,
-  /// A cheapest way.
+  /// A cheapest path.
   kOptimal = 1,
 };
 

@@ -64,7 +64,7 @@ enum class Status : uint8_t {
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.
 
-  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points
+  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points, or took 27 units for each
   kOpenFull = 51,        ///< TERN_MAX_OPEN: the search's open list is full
   kJumpPointsFull = 52,  ///< TERN_MAX_JUMP_POINTS: the jump-point path has more points
   kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS: the path needs more segments

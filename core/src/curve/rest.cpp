@@ -31,10 +31,10 @@ State backwards(const State& state) noexcept {
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const MotionLimits& limits) noexcept {
   Segment segment{};
   segment.polyhedron = polyhedron;
-  const Vec3 way = to - from;
+  const Vec3 move = to - from;
   const Bounds& acceleration = limits.acceleration;
-  const double pull = larger(gauge(acceleration, way), gauge(acceleration, kZero - way));
-  const double cruise = kRestPeakSpeed * gauge(limits.velocity, way);
+  const double pull = larger(gauge(acceleration, move), gauge(acceleration, kZero - move));
+  const double cruise = kRestPeakSpeed * gauge(limits.velocity, move);
   segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
   segment.duration = larger(segment.duration, cube_root(kRestPeakJerk * gauge(limits.jerk, way)));
   for (int k = 0; k < kJointOrder; ++k) {

@@ -7,13 +7,13 @@
 namespace tern {
 namespace {
 
-/// Blocks are eight voxels wide, and not four, where the radius is that many voxels or more: obstacles are then too
-/// thick to hide in one.
+/// Blocks are eight voxels wide instead of four if the radius is at least four voxels. Obstacles are then too thick to
+/// split a block.
 constexpr int kSmallLog = 2;
 constexpr int kLargeLog = 3;
 constexpr double kLargeRadius = 4.0;
 
-/// One bit for each block of a word of voxels: bit 0 of its bits. The others are ignored.
+/// One bit for each block in a word of voxels: the lowest bit of the block. The others are ignored.
 std::uint64_t squeeze(std::uint64_t bits, int log) {
   if (log == kSmallLog) {
     bits &= 0x1111111111111111u;
@@ -28,7 +28,7 @@ std::uint64_t squeeze(std::uint64_t bits, int log) {
   return (bits | bits >> 28) & 0xFFu;
 }
 
-/// One bit for each block of a word of voxels: any of its bits.
+/// One bit for each block in a word of voxels: whether any bit of the block is set.
 std::uint64_t any_of(std::uint64_t bits, int log) {
   bits |= bits >> 1;
   bits |= bits >> 2;
@@ -51,7 +51,8 @@ struct Rows {
     return {block << log, end < count ? end : count};
   }
 
-  /// Blocks of which a free voxel in the plane `from` across the axis, y or z, meets a free one in the plane `to`.
+  /// Blocks in which a free voxel of plane `from` (at right angles to the axis, y or z) touches a free voxel of plane
+  /// `to`.
   template <int kAxis>
   std::uint64_t meet(std::int32_t word, std::int32_t from, std::int32_t to) const {
     if (to < 0 || to >= axis(grid.spec().dims, kAxis)) return 0;
@@ -65,7 +66,7 @@ struct Rows {
   }
 };
 
-/// What words of voxels tell about 64 blocks, one bit each: joined at each side, and whether the block is full.
+/// Properties of 64 blocks, one bit each: whether the block is joined at each side, and whether it is full.
 struct BlockBits {
   std::uint64_t of[8];
 };
@@ -128,7 +129,7 @@ void make_word(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// True where the bit was not set; it is now.
+/// Sets the bit. True if it was not set before.
 bool first_time(std::uint64_t* bits, std::int32_t index) {
   const std::uint64_t bit = std::uint64_t{1} << (index & 63);
   if ((bits[index >> 6] & bit) != 0) return false;
@@ -147,7 +148,8 @@ void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// The moves to a side, and on from there to the sides at right angles at which the block there is joined.
+/// The move across a side, and the moves that go on from there across those sides at right angles at which that block
+/// is joined.
 struct CornerTable {
   CellMask moves[kSides][1 << kSides];
 };

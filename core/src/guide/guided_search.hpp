@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The guided search: A* over voxels, weighted, each voxel closed once, with the search of blocks as its heuristic. Fast
-// and not optimal. docs/search.md says what it finds and what bounds it.
+// The guided search: weighted A* over voxels, which closes each voxel once. Its heuristic comes from the search of
+// blocks. It is fast, but not optimal. docs/search.md says what it finds and what bounds it.
 #ifndef TERN_GUIDE_GUIDED_SEARCH_HPP
 #define TERN_GUIDE_GUIDED_SEARCH_HPP
 
@@ -18,17 +18,17 @@
 
 namespace tern {
 
-/// Voxels that one guided search expands at most, and entries that it takes off the open list: some are passed over, or
-/// put in again because the guide has found out more. Where these do not suffice the guide leads astray, and the
-/// optimal search is better.
+/// The most voxels that one guided search expands, and the most entries that it takes off its open list. Some entries
+/// are skipped, or put in again because the guide has improved the heuristic. If these limits do not suffice, the guide
+/// leads astray, and the optimal search is better.
 constexpr std::uint32_t kGuidedExpansions = kMaxNodes / 4 < 8192 ? kMaxNodes / 4 : 8192;
 constexpr std::uint32_t kGuidedTaken = 16 * kGuidedExpansions;
 
-/// Buckets a quarter of a voxel wide; further ones wait in the last.
+/// Buckets are a quarter of a voxel wide. Entries beyond the ring wait in the last bucket.
 constexpr std::int32_t kGuidedBuckets = 1024;
 constexpr std::int32_t kGuidedOpen = 3 * kMaxOpen < 32 * 1024 ? 3 * kMaxOpen : 32 * 1024;
 
-/// Units of work of one guided search: entries taken off either open list.
+/// Bound on the units of one guided search: entries taken off either open list.
 constexpr std::uint32_t kGuidedBound = kBlocksTaken + kGuidedTaken;
 
 /// A search between two free voxels. Plain data; needs no initialisation before guided_begin.

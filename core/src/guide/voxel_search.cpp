@@ -15,7 +15,8 @@ void begin_optimal(VoxelSearch& search, const Grid& grid) {
   search_begin(search.optimal, *search.map, grid, search.start, search.goal);
 }
 
-/// After the first expansions, whose least f is a bound for all paths: the heuristic is consistent.
+/// Begins the guided search after the first expansions. Their least f is a lower bound for all paths, because the
+/// heuristic is consistent.
 void begin_guided(VoxelSearch& search, const Grid& grid) {
   const Cost proven = static_cast<Cost>(search.optimal.open.bin) << kBinBits;
   if (search.least < proven) search.least = proven;
@@ -23,7 +24,7 @@ void begin_guided(VoxelSearch& search, const Grid& grid) {
   if (!guided_begin(search.guided, grid, search.start, search.goal)) begin_optimal(search, grid);
 }
 
-/// True where the optimal search has had its turn before a guided one.
+/// True if the first expansions are done and a guided search must follow.
 bool first_over(const VoxelSearch& search) {
   const bool first = search.method == SearchMethod::kFirst;
   return first && search.optimal.jumps && search.optimal.expanded >= kFirstExpansions;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The search as the path stage knows it: the optimal search alone, or before it a guided one, which mostly spares it.
+// The search that the search stage uses: the optimal search alone, or a guided search first, which usually makes the
+// optimal one unnecessary.
 #ifndef TERN_GUIDE_VOXEL_SEARCH_HPP
 #define TERN_GUIDE_VOXEL_SEARCH_HPP
 
@@ -18,8 +19,8 @@
 
 namespace tern {
 
-/// A fast search begins with so many expansions of the optimal one, or more while that goes step by step and is about
-/// to arrive: easy queries end there, optimally.
+/// A fast search begins with this many expansions of the optimal search, or more while that still goes step by step and
+/// is about to arrive. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstExpansions = 96;
 
 /// Units of work of one search. The first expansions are a search's own, and bounded as one.
@@ -32,7 +33,7 @@ struct VoxelSearch {
   Voxel start;
   Voxel goal;
   SearchMethod method;
-  Cost least;               ///< proven: no path costs less
+  Cost least;               ///< proven lower bound of the cost of any path
   std::int32_t nodes_high;  ///< of the optimal search
   std::int32_t open_high;
   ScanMap* map;
@@ -48,21 +49,21 @@ static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes n
 void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept;
 
-/// One unit of work is one entry taken off an open list. kRunning without work left, or the end: kOk, kNoPath,
-/// kNodesFull, kOpenFull.
+/// One unit of work is one entry taken off an open list, or one sorting step. kRunning without work left, or the end:
+/// kOk, kNoPath, kNodesFull, kOpenFull.
 Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// As search_extract. Once, after kOk.
 Status voxel_search_extract(VoxelSearch& search, const Grid& grid, int reserve, Path& path) noexcept;
 
-/// After kOk: begins the optimal search where the path found was not its own, and could not be used. False where it
-/// was.
+/// Call this after kOk if the path cannot be used. Begins the optimal search if another search found the path;
+/// otherwise does nothing and returns false.
 bool voxel_search_again(VoxelSearch& search, const Grid& grid) noexcept;
 
 /// Which search found the path.
 SearchUsed search_used(const VoxelSearch& search) noexcept;
 
-/// At most so many times the least cost does a path of this cost have that the search found, in voxels; 1 at least.
+/// Upper bound of the cost of the path found, in voxels, divided by the least cost of any path; at least 1.
 double search_bound(const VoxelSearch& search, double cost) noexcept;
 
 }  // namespace tern

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Stands for a slide in the content number; marks have other numbers.
+/// The number that stands for a slide in the content number; marks have other numbers.
 constexpr std::uint64_t kShifted = ~std::uint64_t{1};
 
 }  // namespace

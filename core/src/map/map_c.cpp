@@ -12,7 +12,7 @@ namespace {
 using tern::RollingMap;
 using tern::Status;
 
-/// A tern_map's first word once a map was bound there; the map follows it.
+/// The first word of a tern_map that was bound; the map follows it.
 constexpr std::uint64_t kMapTag = 0x7465726E2D6D6170u;
 constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
 
@@ -24,11 +24,11 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-/// The memory may never have been written: read as volatile, the word has one value.
+/// The memory may be uninitialised. A volatile read gives the word one definite value.
 bool holds_map(const tern_map* map) {
   return map != nullptr && *static_cast<const volatile std::uint64_t*>(map->opaque) == kMapTag;
 }
-/// A map that is not bound where there is none.
+/// The map, or an unbound one if there is none.
 RollingMap object(const tern_map* map) {
   return holds_map(map) ? *std::launder(reinterpret_cast<const RollingMap*>(map->opaque + 1)) : RollingMap{};
 }

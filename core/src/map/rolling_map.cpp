@@ -11,9 +11,9 @@ namespace {
 
 /// Planes that one piece inflates.
 constexpr std::int32_t kInflatedPlanes = 4;
-/// No job has more tasks than this.
+/// The most tasks of a job.
 constexpr int kTasks = 8;
-/// Words that a unit inflates or moves.
+/// Words that one unit inflates or moves.
 constexpr std::size_t kUnitWords = 16;
 /// Rows of an image that one piece makes for the next level.
 std::int64_t pyramid_rows(const Frame& frame) {
@@ -67,7 +67,7 @@ Task task_after(Task task) {
   return Task::kIdle;
 }
 
-/// A plane moved, and the prior gone through.
+/// Units for moving a plane and going through the prior.
 std::uint32_t slide_price(const MapState& state) {
   return plane_units(state, 1) + units(static_cast<std::size_t>(state.spec.prior_count), kUnitWords);
 }
@@ -184,7 +184,7 @@ bool RollingMap::busy() const noexcept {
 
 uint32_t RollingMap::frame_work(int32_t width, int32_t height) const noexcept {
   if (state_ == nullptr || width < 1 || height < 1) return 0;
-  // The coarser levels have no more rows, two more each way but for the last.
+  // Together, the coarser levels have at most `height` rows and a few more.
   const std::uint32_t image = units(static_cast<std::size_t>(width), 64) * static_cast<std::uint32_t>(2 * height + 16);
   return image + grids_work(*state_);
 }

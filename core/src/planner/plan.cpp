@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// A clock that never moved, or moved backwards, measured nothing: no ticks are better than wrong ones.
+/// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
   std::uint64_t sum = 0;
   for (const StageReport& stage : report.stages) sum |= stage.ticks;
@@ -113,8 +113,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
 Status Plan::step(std::uint32_t work) noexcept {
   if (life_ == Life::kIdle) return Status::kInvalidArgument;
   Work slice{work};
-  // Stages follow one another, some again after a detour or an escape; each ends the slice or the plan, or enters the
-  // next one.
+  // Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a detour or an escape.
   while (life_ == Life::kBegun) {
     if (!grid_->version().equals(version_)) return end(stage_, Status::kMapChanged);
     if (advance(slice) == Progress::kMore) return Status::kRunning;

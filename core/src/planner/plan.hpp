@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One plan on its way through the stages: which one it is at, what was asked, and what the report says so far. It
-// lies in the workspace, beside the stages' memory.
+// One plan in progress: the current stage, the request, and the report so far. It lies in the workspace, next to the
+// memory of the stages.
 #ifndef TERN_PLANNER_PLAN_HPP
 #define TERN_PLANNER_PLAN_HPP
 
@@ -24,14 +24,14 @@ struct Fences;
 struct Layout;
 struct Work;
 
-/// Where a plan is between the calls.
+/// The state of a plan between calls.
 enum class Life : std::uint8_t {
   kIdle,   ///< no plan
-  kBegun,  ///< at a stage
+  kBegun,  ///< in some stage
   kEnded,  ///< until finish()
 };
 
-/// The calls are those of Planner.
+/// The public calls are those of Planner.
 class Plan {
  public:
   /// `memory` holds this plan and must outlive it.
@@ -57,7 +57,7 @@ class Plan {
   Progress run_stage(Work& work) noexcept;
   Progress advance(Work& work) noexcept;
 
-  // run_stages.cpp: a slice of each stage, and which one follows. kMore where the slice is empty.
+  // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
   Progress run_fences(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
@@ -80,7 +80,7 @@ class Plan {
   std::uint32_t planes_left() const noexcept;
   const Fences* fences() const noexcept;
 
-  // moving_ends.cpp: ways on where an end moves.
+  // moving_ends.cpp: further attempts if an end is in motion.
   void fail(Stage stage, Status status) noexcept;
   Progress run_detour(Work& work) noexcept;
   bool escape_may_help(Status status) const noexcept;
@@ -109,16 +109,16 @@ class Plan {
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;
-  GridVersion version_{};  // of the map that is planned on
+  GridVersion version_{};  // of the grid when the plan began
   Life life_ = Life::kIdle;
-  Stage stage_ = Stage::kRequest;  // at hand
+  Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
   std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
-  bool stop_and_go_ = false;                // the optimiser's plan was refused,
-  Status refused_ = Status::kOk;            // for this
+  bool stop_and_go_ = false;                // the optimiser's plan was refused...
+  Status refused_ = Status::kOk;            // ...with this status
   Stage failed_stage_ = Stage::kRequest;
   Status failed_status_ = Status::kOk;
   bool has_path_ = false;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stages that every plan goes through: each runs a slice, copies what the stage counted into the report, and enters
-// the stage that follows.
+// The stages that every plan goes through. Each function runs a slice, copies the stage's counts into the report, and
+// enters the next stage.
 #include "base/math.hpp"
 #include "base/progress.hpp"
 #include "base/work.hpp"
@@ -16,7 +16,7 @@
 namespace tern {
 namespace {
 
-/// Of a stage that the caller cannot limit.
+/// The budget of a stage that the caller cannot limit.
 constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 
 }  // namespace
@@ -37,7 +37,7 @@ std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
 
-/// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
+/// Blocks the voxels that fences forbid: one unit for all keep-ins together, and one for each keep-out.
 Progress Plan::run_fences(Work& work) noexcept {
   Layout& memory = *memory_;
   const Fences& fences = memory.fences;
@@ -131,12 +131,12 @@ Progress Plan::run_corridor(Work& work) noexcept {
 
 void Plan::fail_corridor(Status status) noexcept {
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
-  // That the detour has no corridor does not make the path's own one unflyable for any other reason.
+  // If the detour has no corridor, the reason is still that the path's own corridor has no trajectory.
   if (report_.detours == kDetoured) return fail(Stage::kTrajectory, Status::kNoTrajectory);
   fail(Stage::kCorridor, status);
 }
 
-/// The corridor in the plan's frame, cut into the chain.
+/// Moves the corridor into the plan's frame and cuts it into the chain.
 void Plan::begin_times() noexcept {
   Layout& memory = *memory_;
   const FlightEnds& ends = memory.ends;
@@ -181,7 +181,7 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   return progress;
 }
 
-/// With the ways to rest at its ends the trajectory goes to the check.
+/// Adds the escapes at both ends to the trajectory, and passes it to the check.
 void Plan::end_trajectory() noexcept {
   Layout& memory = *memory_;
   memory.trajectory.origin = asked_.start.position;
@@ -206,8 +206,8 @@ void Plan::report_trajectory() noexcept {
   report_.kkt_residual = stage.kkt_residual;
 }
 
-/// Flies the same corridor from stop to stop: what the optimiser made of it is refused. `why`: kCheckFailed, or
-/// kSegmentsFull where an escape leaves no room for so many segments.
+/// Replaces the refused plan of the optimiser by stop-and-go along the same corridor. `why`: kCheckFailed, or
+/// kSegmentsFull if the escapes leave too little room for its segments.
 void Plan::fall_back(Status why) noexcept {
   stop_and_go_ = true;
   refused_ = why;

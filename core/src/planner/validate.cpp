@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Relative excess of a boundary state over a limit that still counts as the limit: what the check grants a plan
-/// (kCheckRelative), of which this may be a state, and the rounding of its evaluation.
+/// Relative excess over a limit that a start or goal may have. It may be a state of a plan, so this is the tolerance of
+/// the check (kCheckRelative) plus the rounding of its evaluation.
 constexpr double kLimitSlack = 4e-8;
 
 Verdict check_finite(const Request& request) {
@@ -47,7 +47,7 @@ bool in_range(double limit) {
   return limit >= kMinLimit && limit <= kMaxLimit;
 }
 
-/// Zero, in any axis or the number, is the limit that was not given.
+/// A zero, in an axis or in the number, means that the limit was not given.
 bool is_given(double limit) {
   return limit < 0.0 || limit > 0.0;
 }
@@ -118,7 +118,7 @@ Verdict check_states(const Request& request, const MotionLimits& limits) {
   return start.status != Status::kOk ? start : check_state(request.goal, limits, kGoal);
 }
 
-/// From C any byte may come.
+/// A caller in C can pass any byte.
 bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
 }
@@ -127,7 +127,7 @@ bool known(SearchMode mode) {
   return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
 }
 
-/// In the local frame, on the boundary's face where only rounding put it beyond.
+/// Moves a point into the local frame, and onto the boundary's face if it is outside only by rounding.
 Vec3 position_to_local(const Grid& grid, const Vec3& world) {
   Vec3 local = grid.to_local(world);
   for (int a = 0; a < 3; ++a) axis(local, a) = onto_boundary(grid, axis(local, a), a);
