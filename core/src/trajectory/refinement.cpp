@@ -24,8 +24,8 @@ const Effort& effort(const Refinement& refinement) {
   return refinement.rung == 0 ? kFirstRung : kNextRungs;
 }
 
-void enter(Refinement& refinement, Course course) {
-  refinement.course = course;
+void enter(Refinement& refinement, RefinementPhase phase) {
+  refinement.phase = phase;
   refinement.round = 0;
   refinement.failures = 0;
 }
@@ -84,24 +84,24 @@ void raise_rate(Refinement& refinement, const Chain& chain, double rate) {
 void next_rung(Refinement& refinement, Chain& chain) {
   if (refinement.rung == refinement.last_rung) {
     raise_rate(refinement, chain, refinement.unit * refinement.weight);
-    return enter(refinement, Course::kDone);
+    return enter(refinement, RefinementPhase::kDone);
   }
   raise_rate(refinement, chain, refinement.unit * kRungs[refinement.rung]);
   ++refinement.rung;
-  enter(refinement, Course::kTrade);
+  enter(refinement, RefinementPhase::kDescent);
   retime(refinement, chain);
 }
 
 /// The ends' fitting may have shortened the chain's durations: each round starts from the last one's before that.
-void climb(Refinement& refinement, const Round& round, Chain& chain) {
+void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.better) {
     keep(refinement, round, chain);
-    enter(refinement, Course::kTrade);
+    enter(refinement, RefinementPhase::kDescent);
     return retime(refinement, chain);
   }
-  if (refinement.round == kClimbRounds) return enter(refinement, Course::kDone);
+  if (refinement.round == kFeasibilityRounds) return enter(refinement, RefinementPhase::kDone);
   for (int i = 0; i < chain.count; ++i) {
-    refinement.base[i] = kClimbStep * refinement.base[i];
+    refinement.base[i] = kLengthening * refinement.base[i];
     chain.duration[i] = refinement.base[i];
   }
 }
@@ -113,7 +113,7 @@ void retreat(Refinement& refinement, Chain& chain) {
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = square_root(chain.duration[i] * refinement.base[i]);
 }
 
-void trade(Refinement& refinement, const Round& round, Chain& chain) {
+void descend(Refinement& refinement, const Round& round, Chain& chain) {
   const double enough = refinement.best.cost * (1.0 - effort(refinement).least_gain);
   if (round.better) keep(refinement, round, chain);
   if (refinement.round == effort(refinement).rounds) return next_rung(refinement, chain);
@@ -125,7 +125,7 @@ void trade(Refinement& refinement, const Round& round, Chain& chain) {
 }  // namespace
 
 void refinement_begin(Refinement& refinement, const Chain& chain, double unit, double weight, bool elastic) noexcept {
-  enter(refinement, Course::kClimb);
+  enter(refinement, RefinementPhase::kFeasibility);
   refinement.elastic = elastic;
   refinement.rung = 0;
   refinement.last_rung = rung_of(weight);
@@ -152,12 +152,12 @@ bool improves(const Refinement& refinement, Offer& offer) noexcept {
 
 void refinement_next(Refinement& refinement, const Round& round, Chain& chain) noexcept {
   ++refinement.round;
-  switch (refinement.course) {
-    case Course::kClimb:
-      return climb(refinement, round, chain);
-    case Course::kTrade:
-      return trade(refinement, round, chain);
-    case Course::kDone:
+  switch (refinement.phase) {
+    case RefinementPhase::kFeasibility:
+      return lengthen(refinement, round, chain);
+    case RefinementPhase::kDescent:
+      return descend(refinement, round, chain);
+    case RefinementPhase::kDone:
       return;
   }
 }

@@ -3,13 +3,14 @@
 //
 // Which durations to try next: a bounded search for the plan of least  snap + rate * duration.  One solve a round.
 //
-//   climb   durations grow from round to round until the programme has a solution: the first feasible plan.
-//   trade   every segment's duration moves to where the price of its time (time_prices.hpp) would equal the rate;
-//           halfway back where that leaves no plan or a worse one, and shorter steps from there on.
+//   feasibility   durations grow from round to round until the programme has a solution: the first feasible plan.
+//   descent       every segment's duration moves to where the price of its time (time_prices.hpp) would equal the rate;
+//                 halfway back where that leaves no plan or a worse one, and shorter steps from there on.
 //
-// A larger weight never gives a longer plan. The search for it first finds the default weight's plan, and then climbs a
-// ladder of weights. It passes through the plan of every weight below, and from there takes only plans that cost less
-// and last no longer. Since each of them also costs less at every larger weight, more budget never gives a dearer plan.
+// A larger weight never gives a longer plan. The search for it first finds the default weight's plan, and then goes up
+// a ladder of weights. It passes through the plan of every weight below, and from there takes only plans that cost less
+// and last no longer. Since each of them also costs less at every larger weight, more budget never gives a more
+// expensive plan.
 #ifndef TERN_TRAJECTORY_REFINEMENT_HPP
 #define TERN_TRAJECTORY_REFINEMENT_HPP
 
@@ -19,7 +20,7 @@
 
 namespace tern {
 
-enum class Course : std::uint8_t { kClimb, kTrade, kDone };
+enum class RefinementPhase : std::uint8_t { kFeasibility, kDescent, kDone };
 
 /// A plan as the search weighs it: the figures of a programme's solution, and by how much it is stretched in time.
 struct Offer {
@@ -31,9 +32,9 @@ struct Offer {
 };
 
 struct Refinement {
-  Course course;
+  RefinementPhase phase;
   bool elastic;                 ///< plans may be stretched: from rest to rest
-  int round;                    ///< of this course, or of this rung of the trade
+  int round;                    ///< of this phase, or of this rung of the descent
   int failures;                 ///< of the rung's steps, each of which halves the steps to come
   int rung;                     ///< of the ladder of weights; 0 is the default weight, or the one asked for if less
   int last_rung;                ///< the highest one not above the weight asked for
@@ -41,7 +42,7 @@ struct Refinement {
   double weight;                ///< that was asked for
   double rate;                  ///< m^2/s^8: what a second costs on this rung
   Offer best;                   ///< the best plan so far
-  double base[kMaxSegments];    ///< durations of that plan, stretched; of the climb, the last ones tried
+  double base[kMaxSegments];    ///< durations of that plan, stretched; of the feasibility phase, the last ones tried
   double prices[kMaxSegments];  ///< of each segment's time in that plan, m^2/s^7
 };
 
@@ -52,13 +53,14 @@ struct Round {
   double prices[kMaxSegments];  ///< of each segment's time, before the stretch
 };
 
-constexpr int kClimbRounds = 6;
-constexpr double kClimbStep = 1.35;
-/// One round changes a duration by these factors at most: a programme that shrank too far is dear to prove infeasible.
+constexpr int kFeasibilityRounds = 6;
+constexpr double kLengthening = 1.35;
+/// One round changes a duration by these factors at most: a programme that shrank too far is costly to prove
+/// infeasible.
 constexpr double kShortest = 0.85;
 constexpr double kLongest = 1.6;
 
-/// How long the trade stays on a rung.
+/// How long the descent stays on a rung.
 struct Effort {
   int rounds;
   int failures;

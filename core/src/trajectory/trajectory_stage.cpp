@@ -57,7 +57,7 @@ double fixed_snap(TrajectoryStage& stage) {
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
-  if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
+  if (stage.refinement.phase == RefinementPhase::kDone || stage.solves == kMaxQpSolves) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
@@ -162,7 +162,7 @@ void judge(TrajectoryStage& stage, const Corridor& corridor) {
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   refinement_next(stage.refinement, stage.round, stage.chain);
-  if (stage.refinement.course == Course::kDone) follow_fallback(stage, corridor);
+  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
