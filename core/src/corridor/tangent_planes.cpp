@@ -89,8 +89,7 @@ Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles
   while (count > 0) {
     const Met met = first_met(metric, obstacles, scratch, count);
     Halfspace plane;
-    Status status =
-        separate(segment, obstacles.boxes[met.box], obstacles.radius, to_vec3(met.contact.normal), plane);
+    Status status = separate(segment, obstacles.boxes[met.box], obstacles.radius, to_vec3(met.contact.normal), plane);
     if (status == Status::kOk) status = append(plane, scratch, out);
     if (status != Status::kOk) return status;
     count = drop_cut_off(plane, obstacles, met.box, scratch, count);

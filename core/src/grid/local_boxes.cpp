@@ -46,8 +46,9 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
-/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid world
-/// equal the one below, so that this is what the extraction spends its time on; most windows are one or two words.
+/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid
+/// world equal the one below, so that this is what the extraction spends its time on; most windows are one or two
+/// words.
 bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back) {
   const std::int32_t end = window.words - 1;
   const std::uint64_t* row = rows.words;
