@@ -62,4 +62,10 @@ VoxelMask voxels_at(SideMask sides) noexcept {
   return voxels;
 }
 
+VoxelMask voxels_across(VoxelMask voxels, int side) noexcept {
+  constexpr int kWidth[] = {3, 12, 48};  // from a face to the opposite one
+  const VoxelMask here = voxels & kFaces[side];
+  return side % 2 == 0 ? here << kWidth[side / 2] : here >> kWidth[side / 2];
+}
+
 }  // namespace tern
