@@ -55,6 +55,9 @@ bool one_part(VoxelMask free) noexcept;
 SideMask sides_touched(VoxelMask voxels) noexcept;
 VoxelMask voxels_at(SideMask sides) noexcept;
 
+/// The voxels of the next block that meet some of these across a side.
+VoxelMask voxels_across(VoxelMask voxels, int side) noexcept;
+
 }  // namespace tern
 
 #endif

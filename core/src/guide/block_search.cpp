@@ -102,13 +102,15 @@ Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
   if (block.closed()) return Status::kRunning;
   block.flags |= Block::kClosed;
   search.f = search.open.current << kBucketBits;
+  const GuideCost* const costs = kBlockCosts.of[map.log - 2];
+  const GuideCost here = block.distance;
   const CellMask moves = block_moves(map, grid, at, exits(search, grid, at));
   for (CellMask left = moves; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
     Block& next = (&block)[map.offsets[move]];
-    const GuideCost cost = kBlockCosts.of[map.log - 2][move];
-    if (next.distance <= block.distance + cost || next.closed()) continue;
-    const GuideCost distance = block.distance + (next.full() ? cost : narrow(cost));
+    const GuideCost cost = costs[move];
+    if (next.distance <= here + cost || next.closed()) continue;
+    const GuideCost distance = here + (next.full() ? cost : narrow(cost));
     if (next.distance <= distance) continue;
     next.distance = distance;
     next.parent = static_cast<std::uint8_t>(move);

@@ -164,21 +164,32 @@ bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, co
   search.goal = goal;
   search.expanded = 0;
   search.most = 0;
-  search.taken = 0;
   if (!block_search_begin(search.guide, grid, goal, start)) return false;
   search.awaited = search.guide.map.index(search.guide.target);
+  guided_reopen(search, grid);
+  search.patience = kGuidePatience;
+  return true;
+}
+
+void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
+  search.taken = 0;
+  search.patience = ~std::uint32_t{0};  // more than it ever takes
   queue_reset(search.open);
   page_store_reset(search.store);
-  const std::int32_t page = page_of(search, grid, start);
-  return reach(search, page, start, 0, kHere) == Status::kRunning;
+  reach(search, page_of(search, grid, search.start), search.start, 0, kHere);  // the lists are empty, so it fits
 }
 
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
     if (!work.take()) return status;
-    const bool known = block_closed(search.guide, search.awaited);
-    status = known ? take_voxel(search, grid) : block_search_take(search.guide, grid);
+    if (block_closed(search.guide, search.awaited)) {
+      status = take_voxel(search, grid);
+      continue;
+    }
+    status = block_search_take(search.guide, grid);
+    --search.patience;
+    if (status == Status::kRunning && guide_stalls(search)) return status;
   }
   return status;
 }

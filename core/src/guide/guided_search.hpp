@@ -38,6 +38,7 @@ struct GuidedSearch {
   std::uint32_t expanded;  ///< voxels
   std::uint32_t most;      ///< voxels that it may expand, for as long a way as the guide's
   std::uint32_t taken;     ///< entries, of those that `open` held
+  std::uint32_t patience;  ///< entries that the guide may still take before it stalls
   std::int32_t awaited;    ///< block that the guide has to close before the search of voxels goes on
   BlockSearch guide;
   BucketQueue<kGuidedBuckets, kGuidedOpen> open;
@@ -48,9 +49,19 @@ struct GuidedSearch {
 /// False where the grid has too many blocks for a guide.
 bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
 
+/// True once the guide has taken kGuidePatience entries and not reached the start's block: the start may be walled in.
+/// The search goes on after guided_reopen().
+constexpr std::uint32_t kGuidePatience = 4096;
+inline bool guide_stalls(const GuidedSearch& search) noexcept {
+  return search.patience == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
+}
+
+/// Opens the start again, with nothing else open. Only where the guide stalls, which it does once.
+void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
+
 /// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath, where
 /// the blocked layer connects the two by no moves; kNodesFull or kOpenFull, where a capacity or one of the limits above
-/// is exhausted, which proves nothing. Not to be called after the end.
+/// is exhausted, which proves nothing. Not to be called after the end. Also kRunning where guide_stalls() becomes true.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, as search_extract does. Once, after kOk.

@@ -10,6 +10,7 @@
 
 #include "base/work.hpp"
 #include "guide/guided_search.hpp"
+#include "guide/pocket.hpp"
 #include "search/search.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
@@ -24,22 +25,24 @@ namespace tern {
 constexpr std::uint32_t kFirstExpansions = 96;
 
 /// Units of work of one search. The first expansions are a search's own, and bounded as one.
-constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kExpansionBound;
+constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
-enum class SearchMethod : std::uint8_t { kFirst, kGuided, kOptimal };
+enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
 
 /// Plain data; needs no initialisation before voxel_search_begin.
 struct VoxelSearch {
   Voxel start;
   Voxel goal;
   SearchMethod method;
+  bool start_flooded;       ///< around the start there is no pocket, or a large one
+  bool gave_up;             ///< the guided search did
   Cost least;               ///< proven lower bound of the cost of any path
   std::int32_t nodes_high;  ///< of the optimal search
   std::int32_t open_high;
   ScanMap* map;
   union {
     Search optimal;
-    GuidedSearch guided;  ///< while the method says so
+    GuidedSearch guided;  ///< while the method is not the first or the last
   };
 };
 static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");
