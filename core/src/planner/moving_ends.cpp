@@ -35,17 +35,22 @@ bool Plan::rests() const noexcept {
   return at_rest(asked_.start) && at_rest(asked_.goal);
 }
 
+/// To the goal, and to the reachable point instead.
+std::uint32_t Plan::attempts() const noexcept {
+  return asked_.goal_mode == GoalMode::kNearest ? 2 : 1;
+}
+
 std::uint32_t Plan::searches() const noexcept {
-  return rests() ? 1 : 1 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 1 + kEscapeTries);
 }
 
 std::uint32_t Plan::corridors() const noexcept {
-  return rests() ? 1 : 2 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 2 + kEscapeTries);
 }
 
 /// Each corridor's plan may be checked, the optimiser's first, then the fallback's; and the previous plan's rest.
 std::uint32_t Plan::checks() const noexcept {
-  return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
+  return corridors() + attempts() * (asked_.previous != nullptr ? 1 + kPreviousTries : 1);
 }
 
 /// The start (0) or the goal (1) as it was asked for, relative to the plan's origin.
@@ -61,7 +66,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
                      take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
-  count(Stage::kDetour, lines, asked_.budget.sight_lines, kDetourLines);
+  count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
     fail(Stage::kTrajectory, Status::kNoTrajectory);
     return Progress::kFailed;
@@ -108,7 +113,7 @@ void Plan::fail(Stage stage, Status status) noexcept {
   } else if (escape_may_help(status)) {
     enter(Stage::kEscape);
   } else {
-    end(failed_stage_, failed_status_);
+    give_up();
   }
 }
 
@@ -122,7 +127,7 @@ void Plan::fly(Quality quality, std::int32_t detours) noexcept {
 
 /// The half-spaces that the escape at hand has made.
 void Plan::count_escape() noexcept {
-  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, kEscapeBound);
+  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, attempts() * kEscapeBound);
 }
 
 void Plan::begin_escape() noexcept {
@@ -168,7 +173,7 @@ Progress Plan::run_escape(Work& work) noexcept {
     const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
     while (!at_rest(state) && escape.count == 0) {
       if (escape.next == kStoppingChoices) {
-        end(failed_stage_, failed_status_);
+        give_up();
         return Progress::kFailed;
       }
       if (!work.take()) return Progress::kMore;
