@@ -97,8 +97,8 @@ class Reference {
   }
   void join(const Vec3& start, const Voxel& v, const Voxel& home) {
     const Vec3 c = grid_.center(v);
-    const bool beside = std::fabs(c.x - start.x) <= 0.5 && std::fabs(c.y - start.y) <= 0.5 &&
-                        std::fabs(c.z - start.z) <= 0.5;
+    const bool beside =
+        std::fabs(c.x - start.x) <= 0.5 && std::fabs(c.y - start.y) <= 0.5 && std::fabs(c.z - start.z) <= 0.5;
     const bool own = v.x == home.x && v.y == home.y && v.z == home.z;
     if (own || (beside && grid_.free(v) && tern::segment_clear(grid_, start, c, 0.0))) reach(v);
   }
@@ -110,7 +110,8 @@ class Reference {
 };
 
 Vec3 random_quarters(Random& random, const Voxel& dims) {
-  return {random.integer(0, 4 * dims.x) / 4.0, random.integer(0, 4 * dims.y) / 4.0, random.integer(0, 4 * dims.z) / 4.0};
+  return {random.integer(0, 4 * dims.x) / 4.0, random.integer(0, 4 * dims.y) / 4.0,
+          random.integer(0, 4 * dims.z) / 4.0};
 }
 
 TEST(PathReach, FindsTheNearestVoxelThatAFloodReaches) {

@@ -136,8 +136,8 @@ struct Report {
   /// for so many segments), or kCheckFailed (the check refused the optimised plan;
   /// `check` says why).
   Status optimiser;
-  /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced or kNoPath. kOk where it was
-  /// not, and always with GoalMode::kExact.
+  /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced or kNoPath. kOk where it
+  /// was not, and always with GoalMode::kExact.
   Status goal_missed;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
   /// has_nearest_free is true; zero otherwise.
@@ -149,8 +149,8 @@ struct Report {
   /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
   StageReport stages[kStageCount];
   HighWater high_water;
-  /// Only where `status` or `goal_missed` is kStartFenced or kGoalFenced: the index in Request::fences of a fence that is broken. Keep-in fences are
-  /// looked at first, in the request's order, then keep-out fences. Else kNoFence.
+  /// Only where `status` or `goal_missed` is kStartFenced or kGoalFenced: the index in Request::fences of a fence that
+  /// is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Else kNoFence.
   int32_t fence = kNoFence;
 
   /// Only where `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its

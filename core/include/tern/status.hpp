@@ -77,7 +77,7 @@ enum class Status : uint8_t {
   kIterationLimit = 57,
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
-  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
+  kFenceLayerFull = 60,  ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
 
   /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
   kPixelsFull = 63,

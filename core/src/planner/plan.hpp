@@ -123,7 +123,7 @@ class Plan {
   Life life_ = Life::kIdle;
   Stage stage_ = Stage::kRequest;  // at hand
   bool has_fences_ = false;
-  bool given_at_rest_ = false;  // both ends of the request as given
+  bool given_at_rest_ = false;              // both ends of the request as given
   std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried

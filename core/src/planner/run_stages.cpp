@@ -152,7 +152,8 @@ void Plan::begin_times() noexcept {
 Progress Plan::run_times(Work& work) noexcept {
   TrajectoryMemory& stages = memory_->stage.trajectory;
   const Progress progress = times_advance(stages.times, stages.corridor, work, stages.chain);
-  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + attempts()) * kTimesBound);
+  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget,
+        (corridors() + attempts()) * kTimesBound);
   if (progress == Progress::kDone) enter(Stage::kTrajectory);
   return progress;
 }
