@@ -106,6 +106,7 @@ Json timing_json(const Timing& timing) {
           {"detour", timing.of(tern::Stage::kDetour)},
           {"previous", timing.of(tern::Stage::kPrevious)},
           {"escape", timing.of(tern::Stage::kEscape)},
+          {"reach", timing.of(tern::Stage::kReach)},
           {"total", timing.total()}};
 }
 
@@ -153,6 +154,7 @@ std::string describe_failure(const tern::Report& report) {
   if (is_occupied(report.status)) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
   }
+  if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free cell is at " + point_text(report.nearest_free);
   return text + finding_text(report.check);
 }
@@ -161,6 +163,10 @@ std::string describe_failure(const tern::Report& report) {
 
 std::string describe_status(const tern::Report& report) {
   if (report.status != tern::Status::kOk) return describe_failure(report);
+  if (report.goal_missed != tern::Status::kOk) {
+    return std::string("not at the goal but at ") + point_text(report.reachable) +
+           ", as near as a path comes: " + tern::status_meaning(report.goal_missed);
+  }
   const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
                              tern::status_meaning(report.optimiser) + finding_text(report.check);
   const bool optimised = report.optimiser == tern::Status::kOk;
@@ -183,6 +189,9 @@ std::string plan_json(const PlanResult& result) {
                {"time_weight", scenario.time_weight},
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
+  const tern::Report& report = result.report;
+  if (report.has_reachable) plan["reachable"] = json(report.reachable);
+  if (report.goal_missed != tern::Status::kOk) plan["goal_missed"] = tern::status_name(report.goal_missed);
   if (result.path != nullptr) plan["search"] = search_json(result);
   if (result.corridor != nullptr) plan["corridor"] = corridor_json(*result.corridor, result.grid.origin);
   if (result.ok()) {

@@ -161,6 +161,12 @@ class RollingMap {
   /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of its obstacle
   /// layer is either that from before the frame or that from after it.
   const Grid& safe() const noexcept;
+  /// Copies the route grid, for plans that go on while frames are entered. `words` is yours: `word_count` words, at
+  /// least grid_words(spec.dims) of them, which must outlive `grid`. Keep one grid with its words for all snapshots: it
+  /// is bound again only where the window has moved. The planner keeps what it learned of voxels that are the same.
+  /// kOk, and the grid is inflated; kInvalidArgument where the map is not bound, a job is in work, or the words are too
+  /// few. Not sliced: it copies two layers, a byte for four voxels.
+  Status snapshot(Grid& grid, uint64_t* words, size_t word_count) const noexcept;
   /// True where the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
   bool seen(const Voxel& voxel) const noexcept;
   /// Grows with every change of either grid.

@@ -72,7 +72,7 @@ constexpr double kMaxTimeWeight = 1e6;
 /// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
   /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
-  /// Beyond it: kBudgetSearch.
+  /// Beyond it: kBudgetSearch. What the search leaves may be spent on Report::reachable.
   uint32_t expansions = 0xFFFFFFFFu;
   /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
   uint32_t sight_lines = 0xFFFFFFFFu;
@@ -100,6 +100,17 @@ enum class SearchMode : uint8_t {
   kOptimal = 1,
 };
 
+/// What to do about a goal that cannot be planned to: one that is occupied or fenced, or that no chain of free voxels
+/// leads to. Any other number is refused (kInvalidArgument, field kGoalMode).
+enum class GoalMode : uint8_t {
+  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. For kGoalOccupied and kNoPath, Report::reachable says how
+  /// near the robot could come.
+  kExact = 0,
+  /// As near as you can: the plan ends at rest at Report::reachable, and Report::goal_missed says why. A goal that can
+  /// be planned to gets the same plan as with kExact.
+  kNearest = 1,
+};
+
 /// One planning query. The caller owns it and everything that it points to. Planner::plan and Planner::begin read it
 /// while they run and keep no pointer into it.
 struct Request {
@@ -109,6 +120,7 @@ struct Request {
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
   SearchMode search = SearchMode::kFast;
+  GoalMode goal_mode = GoalMode::kExact;
   /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
   double time_weight = kDefaultTimeWeight;
   /// Geofences: an array of `fence_count`, or null with fence_count 0.

@@ -77,7 +77,7 @@ enum class Status : uint8_t {
   kIterationLimit = 57,
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
-  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences
+  kFenceLayerFull = 60,  ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
 
   /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
   kPixelsFull = 63,
@@ -119,8 +119,9 @@ enum class Stage : uint8_t {
   kDetour,       ///< leading the path along the motion of its ends, where a moving end has no room
   kPrevious,     ///< proving the rest of Request::previous anew, where nothing new was found
   kEscape,       ///< finding ways to come to rest first, where a moving end has no other way
+  kReach,        ///< finding the point nearest to the goal that a path leads to, where none leads to the goal
 };
-constexpr int kStageCount = 11;
+constexpr int kStageCount = 12;
 
 /// What the check refuses a plan for. The numbers are part of the ABI; docs/check.md has the rules and tolerances.
 enum class Finding : uint8_t {
@@ -179,6 +180,7 @@ enum class Field : uint8_t {
   kGoalJerk,           ///< Request::goal.jerk
   kJMax,               ///< Limits::j_max
   kJHorizontal,        ///< Limits::j_horizontal
+  kGoalMode,           ///< Request::goal_mode
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

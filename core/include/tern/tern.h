@@ -82,6 +82,7 @@ typedef struct {
   tern_budget budget;
   uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
   uint8_t search;           /* tern::SearchMode: 0 fast, 1 optimal; any other number is refused */
+  uint8_t goal_mode;        /* tern::GoalMode: 0 exact, 1 as near as possible; any other number is refused */
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
   const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
@@ -117,14 +118,16 @@ typedef struct {
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
   uint8_t status, stage, field;
-  /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value; the
-   * ticks were measured. */
-  bool raw_occupied, has_nearest_free, timing_known;
-  /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. */
-  uint8_t quality, optimiser;
+  /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value;
+   * reachable has a value; the ticks were measured. */
+  bool raw_occupied, has_nearest_free, has_reachable, timing_known;
+  /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. Goal_missed:
+   * why the plan ends at `reachable` instead of the goal; 0 if it does not. */
+  uint8_t quality, optimiser, goal_missed;
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
-  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape */
-  tern_stage_report stages[11];
+  tern_vec3 reachable;         /* world frame: the point nearest to the goal that a path leads to */
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
+  tern_stage_report stages[12];
   tern_high_water high_water;
   int32_t fence; /* index of the fence that start or goal breaks; -1: none */
   tern_check_report check; /* only where status or optimiser is check_failed */

@@ -42,6 +42,16 @@ void GridWords::finish_inflation() const noexcept {
   grid_.words_[Grid::kInflated] = grid_.words_[Grid::kRevision];
 }
 
+void GridWords::copy(const Grid& from) const noexcept {
+  const std::size_t layer = GridView::layer_words(from);
+  __builtin_memcpy(grid_.obstacles_, from.obstacles_, sizeof(std::uint64_t) * layer);
+  __builtin_memcpy(grid_.blocked_, from.blocked_, sizeof(std::uint64_t) * layer);
+  for (std::int32_t k = 0; k < Regions(from.spec_.dims).count(); ++k) grid_.contents_[k] = from.contents_[k];
+  ++grid_.words_[Grid::kRevision];
+  grid_.words_[Grid::kContent] = from.words_[Grid::kContent];
+  finish_inflation();
+}
+
 void GridWords::begin_shift() const noexcept {
   grid_.words_[Grid::kBinding] = ~grid_.binding_;
   ++grid_.words_[Grid::kRevision];

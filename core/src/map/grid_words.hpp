@@ -27,6 +27,9 @@ class GridWords {
   std::uint64_t* obstacles() const noexcept { return grid_.obstacles_; }
   std::uint64_t* blocked() const noexcept { return grid_.blocked_; }
 
+  /// True where the grid's storage begins there.
+  bool lies_in(const std::uint64_t* words) const noexcept { return grid_.words_ == words; }
+
   /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows where the grid was
   /// inflated and the word changes.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t word) const noexcept;
@@ -35,6 +38,9 @@ class GridWords {
   /// plane.
   void inflate_planes(std::int32_t begin, std::int32_t end) const noexcept;
   void finish_inflation() const noexcept;
+
+  /// Makes a bound grid equal to an inflated one with the same spec: both layers, and the numbers of the regions.
+  void copy(const Grid& from) const noexcept;
 
   /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().
   void begin_shift() const noexcept;

@@ -104,6 +104,15 @@ std::uint8_t tern_map_safe(const tern_map* map, tern_grid* grid) {
   return bound.bound() && grid != nullptr ? put(bound.safe(), grid) : kInvalid;
 }
 
+std::uint8_t tern_map_snapshot(const tern_map* map, tern_grid* grid, std::uint64_t* words, std::size_t word_count) {
+  if (grid == nullptr) return kInvalid;
+  const RollingMap bound = object(map);
+  const bool used = *static_cast<const volatile std::uint64_t*>(grid->opaque) == tern::kGridTag;
+  tern::Grid copy = used ? *std::launder(reinterpret_cast<const tern::Grid*>(grid->opaque + 1)) : tern::Grid{};
+  const Status status = bound.snapshot(copy, words, word_count);
+  return status == Status::kOk ? put(copy, grid) : code(status);
+}
+
 std::uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel) {
   return object(map).seen(voxel) ? 1 : 0;
 }

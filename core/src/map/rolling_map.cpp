@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A map's jobs, task by task and piece by piece.
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -77,6 +78,12 @@ void inflate_piece(Grid& grid, std::int64_t piece, bool last) {
   const std::int32_t end = begin + kInflatedPlanes;
   GridWords(grid).inflate_planes(begin, end < grid.spec().dims.z ? end : grid.spec().dims.z);
   if (last) GridWords(grid).finish_inflation();
+}
+
+bool same_spec(const GridSpec& a, const GridSpec& b) {
+  return same(a.origin, b.origin) && same(a.cell, b.cell) && same(a.dims, b.dims) &&
+         same(a.boundary.lower, b.boundary.lower) && same(a.boundary.upper, b.boundary.upper) &&
+         same(a.radius, b.radius);
 }
 
 /// Units of all blocks, both inflations and one slide.
@@ -202,6 +209,17 @@ const Grid& RollingMap::route() const noexcept {
 const Grid& RollingMap::safe() const noexcept {
   return state_->safe;
 }
+
+Status RollingMap::snapshot(Grid& grid, uint64_t* words, size_t word_count) const noexcept {
+  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
+  const Grid& route = state_->route;
+  // A grid that lies where the window lay when the words were bound needs no other binding.
+  const bool there = grid.bound() && GridWords(grid).lies_in(words) && same_spec(grid.spec(), route.spec());
+  const Status status = there ? Status::kOk : grid.bind(route.spec(), words, word_count);
+  if (status == Status::kOk) GridWords(grid).copy(route);
+  return status;
+}
+
 uint64_t RollingMap::revision() const noexcept {
   return state_ == nullptr ? 0 : state_->safe.revision();
 }

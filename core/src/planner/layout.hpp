@@ -7,6 +7,7 @@
 #include "corridor/corridor_stage.hpp"
 #include "fence/fence_layer.hpp"
 #include "fence/fences.hpp"
+#include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
 #include "planner/escape.hpp"
@@ -53,6 +54,7 @@ struct Layout {
   ScanMap scans;  ///< jump stops, which are kept for the next search
   union {
     SearchStage search;
+    ReachStage reach;
     ShortcutStage shortcut;
     CorridorStage corridor;
     TrajectoryMemory trajectory;

@@ -35,18 +35,23 @@ bool Plan::rests() const noexcept {
   return at_rest(asked_.start) && at_rest(asked_.goal);
 }
 
+/// To the goal, and to the reachable point instead.
+std::uint32_t Plan::attempts() const noexcept {
+  return asked_.goal_mode == GoalMode::kNearest ? 2 : 1;
+}
+
 std::uint32_t Plan::searches() const noexcept {
-  return rests() ? 1 : 1 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 1 + kEscapeTries);
 }
 
 std::uint32_t Plan::corridors() const noexcept {
-  return rests() ? 1 : 2 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 2 + kEscapeTries);
 }
 
 /// The most checks of a plan: for each corridor the optimiser's plan, then the fallback; and the rest of the previous
 /// plan.
 std::uint32_t Plan::checks() const noexcept {
-  return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
+  return corridors() + attempts() * (asked_.previous != nullptr ? 1 + kPreviousTries : 1);
 }
 
 /// The requested start (0) or goal (1), relative to the plan's origin.
@@ -63,7 +68,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
                      take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
-  count(Stage::kDetour, lines, asked_.budget.sight_lines, kDetourLines);
+  count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
     fail(Stage::kTrajectory, Status::kNoTrajectory);
     return Progress::kFailed;
@@ -110,7 +115,7 @@ void Plan::fail(Stage stage, Status status) noexcept {
   } else if (escape_may_help(status)) {
     enter(Stage::kEscape);
   } else {
-    end(failed_stage_, failed_status_);
+    give_up();
   }
 }
 
@@ -124,7 +129,7 @@ void Plan::fly(Quality quality, std::int32_t detours) noexcept {
 
 /// Counts the half-spaces that the current escape has made.
 void Plan::count_escape() noexcept {
-  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, kEscapeBound);
+  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, attempts() * kEscapeBound);
 }
 
 void Plan::begin_escape() noexcept {
@@ -172,7 +177,7 @@ Progress Plan::run_escape(Work& work) noexcept {
     const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
     while (!at_rest(state) && escape.count == 0) {
       if (escape.next == kStoppingChoices) {
-        end(failed_stage_, failed_status_);
+        give_up();
         return Progress::kFailed;
       }
       if (!work.take()) return Progress::kMore;

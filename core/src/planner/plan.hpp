@@ -48,7 +48,8 @@ class Plan {
   // plan.cpp: the calls.
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
-  void set_ends() noexcept;
+  void begin_attempt() noexcept;
+  Status refuse_goal() noexcept;
   Status accept_fences(const Request& request) noexcept;
   const Grid& world() const noexcept;
 
@@ -76,6 +77,7 @@ class Plan {
   void report_trajectory() noexcept;
   void count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept;
   std::uint32_t before(Stage stage) const noexcept { return before_[static_cast<int>(stage)]; }
+  std::uint32_t expansions_left() const noexcept;
   std::uint32_t sight_lines_left() const noexcept;
   std::uint32_t planes_left() const noexcept;
   const Fences* fences() const noexcept;
@@ -92,6 +94,7 @@ class Plan {
   void rest_at_escapes() noexcept;
   State asked_end(int end) const noexcept;
   bool rests() const noexcept;
+  std::uint32_t attempts() const noexcept;
   std::uint32_t searches() const noexcept;
   std::uint32_t corridors() const noexcept;
   std::uint32_t checks() const noexcept;
@@ -105,6 +108,13 @@ class Plan {
   Vec3 start_jerk() const noexcept;
   void begin_hulls() noexcept;
 
+  // run_reach.cpp: the point nearest to a goal that cannot be planned to.
+  void give_up() noexcept;
+  void begin_reach() noexcept;
+  Progress run_reach(Work& work) noexcept;
+  Vec3 reachable_point(const Voxel& voxel) const noexcept;
+  void plan_to_reachable() noexcept;
+
   Layout* memory_;
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
@@ -113,6 +123,7 @@ class Plan {
   Life life_ = Life::kIdle;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
+  bool given_at_rest_ = false;              // both ends of the request as given
   std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
@@ -125,7 +136,7 @@ class Plan {
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
   MotionLimits limits_{};  // the request's
-  Request asked_{};        // as given; its fences and its previous plan are not read again
+  Request asked_{};        // as given, or to the reachable point; its fences and its previous plan are not read again
   Report report_{};
 };
 

@@ -59,7 +59,7 @@ Progress Plan::run_previous(Work& work) noexcept {
     if (!work.take()) return Progress::kMore;
     const Status status = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
     rest.enclosed = tube.count;
-    count(Stage::kPrevious, scratch.planes, asked_.budget.planes, kPreviousPlanes);
+    count(Stage::kPrevious, scratch.planes, asked_.budget.planes, attempts() * kPreviousPlanes);
     if (status != Status::kOk) return drop_previous(status);
   }
   rest.flown = true;

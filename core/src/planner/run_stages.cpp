@@ -27,7 +27,12 @@ void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uin
   entry.bound = least(budget, bound);
 }
 
-/// What the stages before the one at hand have left of Budget::sight_lines.
+/// What the stages before the one at hand have left of Budget::expansions.
+std::uint32_t Plan::expansions_left() const noexcept {
+  return asked_.budget.expansions - before(Stage::kSearch) - before(Stage::kReach);
+}
+
+/// The same of Budget::sight_lines.
 std::uint32_t Plan::sight_lines_left() const noexcept {
   return asked_.budget.sight_lines - before(Stage::kShortcut) - before(Stage::kDetour);
 }
@@ -50,15 +55,14 @@ Progress Plan::run_fences(Work& work) noexcept {
     }
     count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
   }
-  enter(Stage::kSearch);
+  enter(failed_status_ == Status::kGoalFenced ? Stage::kReach : Stage::kSearch);
   return Progress::kDone;
 }
 
 void Plan::begin_search() noexcept {
   const FlightEnds& ends = memory_->ends;
-  const SearchQuery query{ends.start_in_grid, ends.goal_in_grid,    asked_.budget.expansions - before(Stage::kSearch),
-                          fences(),           !at_rest(ends.start), !at_rest(ends.goal),
-                          asked_.search};
+  const SearchQuery query{ends.start_in_grid,   ends.goal_in_grid,   expansions_left(), fences(),
+                          !at_rest(ends.start), !at_rest(ends.goal), asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
 }
 
@@ -148,7 +152,8 @@ void Plan::begin_times() noexcept {
 Progress Plan::run_times(Work& work) noexcept {
   TrajectoryMemory& stages = memory_->stage.trajectory;
   const Progress progress = times_advance(stages.times, stages.corridor, work, stages.chain);
-  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + 1) * kTimesBound);
+  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget,
+        (corridors() + attempts()) * kTimesBound);
   if (progress == Progress::kDone) enter(Stage::kTrajectory);
   return progress;
 }

@@ -28,6 +28,8 @@ void Plan::enter(Stage stage) noexcept {
       return begin_previous();
     case Stage::kEscape:
       return begin_escape();
+    case Stage::kReach:
+      return begin_reach();
     case Stage::kCheck:
       return check_begin(memory_->stage.check);
     case Stage::kRequest:
@@ -57,6 +59,8 @@ Progress Plan::run_stage(Work& work) noexcept {
       return run_previous(work);
     case Stage::kEscape:
       return run_escape(work);
+    case Stage::kReach:
+      return run_reach(work);
     case Stage::kCheck:
       return run_check(work);
     case Stage::kRequest:

@@ -123,6 +123,10 @@ bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
 }
 
+bool known(GoalMode mode) {
+  return mode == GoalMode::kExact || mode == GoalMode::kNearest;
+}
+
 bool known(SearchMode mode) {
   return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
 }
@@ -156,6 +160,7 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
   }
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
   if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
+  if (!known(request.goal_mode)) return {Status::kInvalidArgument, Field::kGoalMode};
   if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};
