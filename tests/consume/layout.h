@@ -6,9 +6,9 @@
 #ifndef TERN_TESTS_CONSUME_LAYOUT_H
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
-#include "tern/tern_map.h"
+#include "tern/tern_flight.h"
 
-#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD) TERN_LAYOUT_MAP(FIELD)
+#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD) TERN_LAYOUT_MAP(FIELD) TERN_LAYOUT_FLIGHT(FIELD)
 
 /* clang-format off */
 #define TERN_LAYOUT_IN(FIELD)                                                                                        \
@@ -54,6 +54,18 @@
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
   FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)
+
+#define TERN_LAYOUT_FLIGHT(FIELD)                                                                                    \
+  FIELD(tern_proof_report, until) FIELD(tern_proof_report, end) FIELD(tern_proof_report, voxel)                      \
+  FIELD(tern_proof_report, work)                                                                                     \
+  FIELD(tern_flight_spec, limits) FIELD(tern_flight_spec, time_weight) FIELD(tern_flight_spec, tick)                 \
+  FIELD(tern_flight_spec, work_per_tick) FIELD(tern_flight_spec, plan_work) FIELD(tern_flight_spec, horizon)         \
+  FIELD(tern_flight_spec, near) FIELD(tern_flight_spec, yaw_rate)                                                    \
+  FIELD(tern_flight_report, mode) FIELD(tern_flight_report, reason) FIELD(tern_flight_report, plan)                  \
+  FIELD(tern_flight_report, asked) FIELD(tern_flight_report, committed) FIELD(tern_flight_report, dropped)           \
+  FIELD(tern_flight_report, failed) FIELD(tern_flight_report, work) FIELD(tern_flight_report, contact_time)          \
+  FIELD(tern_flight_report, contact_speed)                                                                           \
+  FIELD(tern_command, sample) FIELD(tern_command, look_at)
 
 #define TERN_LAYOUT_MAP(FIELD)                                                                                       \
   FIELD(tern_map_spec, origin) FIELD(tern_map_spec, cell) FIELD(tern_map_spec, dims) FIELD(tern_map_spec, radius)    \

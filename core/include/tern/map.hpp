@@ -171,6 +171,8 @@ class RollingMap {
   bool seen(const Voxel& voxel) const noexcept;
   /// Grows with every change of either grid.
   uint64_t revision() const noexcept;
+  /// MapSpec::slack of the last bind.
+  int32_t slack() const noexcept;
 
  private:
   MapState* state_ = nullptr;

@@ -10,9 +10,11 @@
 #define TERN_TERN_HPP
 
 #include "tern/flatness.hpp"
+#include "tern/flight.hpp"
 #include "tern/grid.hpp"
 #include "tern/map.hpp"
 #include "tern/planner.hpp"
+#include "tern/proof.hpp"
 #include "tern/self_test.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"

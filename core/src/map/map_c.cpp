@@ -9,11 +9,10 @@
 
 namespace {
 
+using tern::kMapTag;
 using tern::RollingMap;
 using tern::Status;
 
-/// The first word of a tern_map that was bound; the map follows it.
-constexpr std::uint64_t kMapTag = 0x7465726E2D6D6170u;
 constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
 
 static_assert(sizeof(std::uint64_t) + sizeof(RollingMap) <= sizeof(tern_map) &&

@@ -224,6 +224,10 @@ uint64_t RollingMap::revision() const noexcept {
   return state_ == nullptr ? 0 : state_->safe.revision();
 }
 
+int32_t RollingMap::slack() const noexcept {
+  return state_ == nullptr ? 0 : state_->spec.slack;
+}
+
 bool RollingMap::seen(const Voxel& voxel) const noexcept {
   if (state_ == nullptr || !state_->route.inside(voxel)) return false;
   return (state_->seen[state_->row(voxel.y, voxel.z) + static_cast<std::size_t>(voxel.x >> 6)] >> (voxel.x & 63) & 1) !=

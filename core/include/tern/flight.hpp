@@ -1,0 +1,127 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Flying through a world that is discovered: a RollingMap is filled by the vehicle's sensors, a Planner makes plans on
+// it, and a Flight decides what is flown. Whatever it commits to ends at rest, and was proven clear of all that is not
+// known to be free. docs/flight.md has the rules and what they promise.
+#ifndef TERN_FLIGHT_HPP
+#define TERN_FLIGHT_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "tern/map.hpp"
+#include "tern/planner.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// How to fly. The distance kept from obstacles is the map's radius: body, tracking error and pose error together.
+struct FlightSpec {
+  /// Limits of every plan, as Request::limits.
+  Limits limits;
+  /// As Request::time_weight.
+  double time_weight;
+  /// Nanoseconds from one tick to the next, > 0.
+  int64_t tick;
+  /// Units of work that a tick may spend, 128 at least.
+  uint32_t work_per_tick;
+  /// Units after which a plan is dropped, > 0. With work_per_tick it says how many ticks ahead a new plan begins.
+  uint32_t plan_work;
+  /// How far ahead plans lead, metres, > 0. About 1.5 times the map's range, and less than half the window.
+  double horizon;
+  /// Up to this distance along each axis, plans take the unseen for solid. Metres, >= 0.
+  double near;
+  /// How fast the vehicle turns its sensor, rad/s, > 0. It says how long to look into one direction.
+  double yaw_rate;
+};
+
+/// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
+/// near 2.5 m, yaw rate 2.5 rad/s.
+FlightSpec flight_spec(const Limits& limits) noexcept;
+
+/// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.
+size_t flight_words(const Voxel& dims) noexcept;
+
+/// What the vehicle is doing.
+enum class FlightMode : uint8_t {
+  kRest = 0,  ///< hovering
+  kLook,      ///< hovering, and turning the sensor to where space is unknown
+  kFly,       ///< on the way
+  kStop,      ///< on the brake that ends the committed plan; a new plan may still take over
+  kThreat,    ///< the committed plan is no longer proven on the map as it is now
+};
+
+/// Why the vehicle rests, or does not go on.
+enum class FlightReason : uint8_t {
+  kNone = 0,    ///< it flies, or is about to
+  kNoGoal,      ///< there is no goal: none was set yet, or stop() took it away
+  kArrived,     ///< it rests at the goal
+  kNearest,     ///< the goal is occupied; it rests as near to it as it can
+  kNoProgress,  ///< after a look around there is still no way. set_goal() makes it try again
+};
+
+/// What one tick did.
+struct FlightReport {
+  FlightMode mode;
+  FlightReason reason;
+  /// Answer of the last plan.
+  Status plan;
+  /// Plans begun, committed, dropped because they were late, and failed: no plan, or nothing of it proven.
+  uint32_t asked, committed, dropped, failed;
+  /// Units that this tick spent.
+  uint32_t work;
+  /// For kThreat: the time until which the committed plan is proven, and the speed there, m/s. Otherwise 0.
+  int64_t contact_time;
+  double contact_speed;
+};
+
+/// What to fly at one time.
+struct Command {
+  /// Position to snap, world frame.
+  Sample sample;
+  /// Where to point the sensor, world frame, metres.
+  Vec3 look_at;
+};
+
+class FlightState;
+
+/// A flight over a map and a planner, in words of yours. All three must outlive it, and nobody else may step or slide
+/// the map, or plan with the planner, while it is in use. Enter frames with RollingMap::begin_frame() whenever the map
+/// is not busy; tick() does the rest. Copies share the flight. It is not thread-safe.
+///
+/// Times are nanoseconds of a clock of yours. No decision depends on any other clock, so a recorded flight replays to
+/// the same bits.
+class Flight {
+ public:
+  /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
+  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, too few words);
+  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free: see RollingMap::assume_free. Whatever
+  /// is refused leaves the flight without a binding.
+  Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
+               const Vec3& position, int64_t t) noexcept;
+  /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
+  /// the goal as it was; kInvalidArgument before start().
+  Status set_goal(const Vec3& goal) noexcept;
+  /// Comes to rest soon and forgets the goal. kInvalidArgument before start().
+  Status stop() noexcept;
+  /// Does one tick's work: the map's job in work, the proof of what is flown where the map changed, and the next plan.
+  /// Call it every FlightSpec::tick; where ticks are skipped, plans come late and are dropped. `t` must not fall. kOk;
+  /// kInvalidArgument before start(), or if `t` falls. `report` is always filled.
+  Status tick(int64_t t, FlightReport& report) noexcept;
+  /// What to fly at time `t`. Every time has an answer: the beginning before it, and rest after the end. Before start()
+  /// zeros.
+  Command command(int64_t t) const noexcept;
+  /// The committed plan's end: where the vehicle comes to rest if nothing else happens. World frame.
+  Vec3 rest_position() const noexcept;
+
+ private:
+  FlightState* state_ = nullptr;
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,129 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Until when is a trajectory proven on a map? For plans that were made on an older map, or on another one: a plan made
+// on a rolling map's route grid is proven on its safe grid. docs/flight.md explains the method.
+#ifndef TERN_PROOF_HPP
+#define TERN_PROOF_HPP
+
+#include <stdint.h>
+
+#include "tern/grid.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// What a proof assumes of the space beyond the grid's boundary.
+enum class Beyond : uint8_t {
+  kEmpty,  ///< The centre must stay within the boundary. This is the planner's rule.
+  kSolid,  ///< The centre must keep the radius from the boundary too, because nobody has seen what is beyond it.
+};
+
+/// Why a proof ended.
+enum class ProofEnd : uint8_t {
+  kProven = 0,    ///< the whole trajectory is proven
+  kObstacle,      ///< too near to an obstacle, or too nearly so to tell
+  kOutside,       ///< beyond the boundary, or too near to it with Beyond::kSolid
+  kVelocity,      ///< beyond a limit of velocity
+  kAcceleration,  ///< beyond a limit of acceleration
+  kMalformed,     ///< the trajectory has numbers that are not finite, no duration, or a gap between two segments
+  kPieces,        ///< a segment needs more pieces than kProofPieces
+};
+
+/// How far a proof came.
+struct ProofReport {
+  /// Seconds since the beginning of the trajectory. What lies between `from` and here is proven.
+  double until;
+  /// What ended the proof there.
+  ProofEnd end;
+  /// For kObstacle: the voxel that is too near. Otherwise -1.
+  Voxel voxel;
+  /// Pieces that were looked at.
+  uint32_t work;
+};
+
+/// A segment is halved at most this many times over. What cannot be proven then is not proven.
+constexpr int kProofDepth = 18;
+/// Pieces of one segment that are looked at for each of position, velocity and acceleration.
+constexpr int kProofPieces = 2048;
+/// Voxels along each axis that a piece may extend over. A larger one is halved before obstacles are looked at, which
+/// bounds the work for a piece.
+constexpr int kProofSpan = 8;
+/// Metres by which the centre may be nearer to an obstacle than the grid's radius, or parts of a voxel where voxels are
+/// larger than a metre: as much as the check grants a plan. Rounding of coordinates comes on top.
+constexpr double kProofTolerance = 4e-9;
+/// Relative excess over a limit that counts as the limit. Rounding comes on top.
+constexpr double kProofExcess = 4e-8;
+
+/// Proves a trajectory from a given time on, piece by piece. Every piece is a Bezier curve, which lies in the hull of
+/// its control points. It is proven if a plane separates that hull from each obstacle cube nearby with the grid's
+/// radius to spare; otherwise it is halved. So the proof is about the whole curve, not about samples of it. It reads
+/// the obstacle layer alone, and shares no code with the stages that make plans.
+///
+/// Proof of a trajectory ends at the first piece that cannot be proven. It is at most 2^-kProofDepth of a segment's
+/// duration earlier than need be, unless the curve keeps the radius by less than rounding.
+class Proof {
+ public:
+  /// Begins. The grid and the trajectory must stay until the proof is done. The grid need not be inflated. Obstacles
+  /// that are marked while the proof is at work may be missed: begin again. `from` is in seconds since the trajectory's
+  /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
+  /// be null: then only clearance is proven.
+  ///
+  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty.
+  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+               Beyond beyond) noexcept;
+  /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
+  /// proof was begun.
+  ///
+  /// A piece takes at most as long as it takes to read the voxels within the radius of a box of kProofSpan voxels.
+  Status step(uint32_t work) noexcept;
+  /// What is known so far.
+  const ProofReport& report() const noexcept { return report_; }
+
+ private:
+  /// One piece of a curve of degree 7 or less.
+  struct Piece {
+    Vec3 c[kControlPoints];
+    double begin;  // of the segment's parameter, 0 .. 1
+    int depth;
+  };
+  enum Part : int { kPosition, kVelocity, kAcceleration, kParts };
+
+  bool sound(const Segment& segment) const noexcept;
+  void enter_segment() noexcept;
+  void enter_part(int part) noexcept;
+  bool holds(const Piece& piece, int count, ProofEnd& end) noexcept;
+  bool keeps_clear(const Piece& piece, ProofEnd& end) noexcept;
+  bool keeps_limit(const Piece& piece, int count) const noexcept;
+  void look_at_piece() noexcept;
+  void lose(double u, ProofEnd end) noexcept;
+  void end_part() noexcept;
+
+  const Grid* grid_ = nullptr;
+  const Trajectory* trajectory_ = nullptr;
+  bool running_ = false;
+  bool has_limits_ = false;
+  Limits limits_{};
+  Beyond beyond_ = Beyond::kEmpty;
+  int segment_ = 0;
+  double begin_ = 0.0;  // of the segment
+  double first_ = 0.0;  // the segment's parameter where its proof begins
+  double lost_ = 1.0;   // the segment's parameter where it ends
+  int part_ = kPosition;
+  int height_ = 0;
+  int pieces_ = 0;
+  Piece stack_[kProofDepth + 1] = {};
+  ProofReport report_{};
+};
+
+/// The same in one call: the time until which the trajectory is proven, in seconds since its beginning. It is
+/// duration(trajectory) if all of it is, and `from` if nothing is, or where begin() refuses. `report` may be null.
+double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits = nullptr,
+                   Beyond beyond = Beyond::kEmpty, ProofReport* report = nullptr) noexcept;
+
+}  // namespace tern
+
+#endif

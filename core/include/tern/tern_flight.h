@@ -1,0 +1,107 @@
+/* Copyright (c) 2026, the Tern authors
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Proofs and flights for C99: tern::clear_until and tern::Flight under C names. tern/proof.hpp and tern/flight.hpp
+ * explain every field and answer.
+ *
+ * In order: bind a map (tern/tern_map.h) and tell it what is free around the vehicle, initialise a planner, start a
+ * flight over both, set a goal, then enter frames, call tern_flight_tick() at a constant rate and fly what
+ * tern_flight_command() says. */
+#ifndef TERN_TERN_FLIGHT_H
+#define TERN_TERN_FLIGHT_H
+
+#include "tern/tern_map.h"
+
+#ifdef __cplusplus
+#include "tern/flight.hpp"
+#include "tern/proof.hpp"
+typedef tern::ProofReport tern_proof_report;
+typedef tern::FlightSpec tern_flight_spec;
+typedef tern::FlightReport tern_flight_report;
+typedef tern::Command tern_command;
+extern "C" {
+#else
+/* clang-format off */
+/* How far a proof came: tern::ProofReport. */
+typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; } tern_proof_report;
+/* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
+typedef struct {
+  tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
+  double horizon, near, yaw_rate;
+} tern_flight_spec;
+/* What one tick did: tern::FlightReport. */
+typedef struct {
+  uint8_t mode, reason, plan;
+  uint32_t asked, committed, dropped, failed, work;
+  int64_t contact_time; double contact_speed;
+} tern_flight_report;
+/* What to fly at one time: tern::Command. */
+typedef struct { tern_sample sample; tern_vec3 look_at; } tern_command;
+/* clang-format on */
+#endif
+
+/* What a proof assumes beyond the boundary: nothing, or that all is solid. */
+enum { TERN_BEYOND_EMPTY = 0, TERN_BEYOND_SOLID = 1 };
+/* What ends a proof. */
+enum {
+  TERN_PROVEN = 0,             /* nothing: all of it is proven */
+  TERN_PROOF_OBSTACLE = 1,     /* an obstacle that is too near */
+  TERN_PROOF_OUTSIDE = 2,      /* the boundary */
+  TERN_PROOF_VELOCITY = 3,     /* a limit of velocity */
+  TERN_PROOF_ACCELERATION = 4, /* a limit of acceleration */
+  TERN_PROOF_MALFORMED = 5,    /* no trajectory at all */
+  TERN_PROOF_PIECES = 6        /* a segment that needs too many pieces */
+};
+/* What the vehicle is doing. */
+enum {
+  TERN_FLIGHT_REST = 0,  /* hovering */
+  TERN_FLIGHT_LOOK = 1,  /* hovering and looking around */
+  TERN_FLIGHT_FLY = 2,   /* on the way */
+  TERN_FLIGHT_STOP = 3,  /* on a brake */
+  TERN_FLIGHT_THREAT = 4 /* what is flown is no longer proven */
+};
+/* Why it rests. */
+enum {
+  TERN_FLIGHT_GOES_ON = 0,    /* it flies, or is about to */
+  TERN_FLIGHT_NO_GOAL = 1,    /* there is no goal */
+  TERN_FLIGHT_ARRIVED = 2,    /* at the goal */
+  TERN_FLIGHT_NEAREST = 3,    /* as near to an occupied goal as it gets */
+  TERN_FLIGHT_NO_PROGRESS = 4 /* there is no way that can be proven */
+};
+
+/* Until when the trajectory is proven from `from` on, in seconds since its beginning. `limits` and `report` may be
+ * null. NaN for a null grid or trajectory. */
+double tern_clear_until(const tern_grid* grid, const tern_trajectory* trajectory, double from,
+                        const tern_limits* limits, uint8_t beyond, tern_proof_report* report);
+
+/* Size of tern_flight in words of 64 bits. The core asserts that it suffices. */
+#define TERN_FLIGHT_WORDS 2
+
+/* A flight: an object of the library in memory of yours. It may hold anything before its first start. Zero it where
+ * another call can come first: that call then answers invalid_argument. Copies share the flight. */
+typedef struct {
+  uint64_t opaque[TERN_FLIGHT_WORDS];
+} tern_flight;
+
+/* Common values: tern::flight_spec(). Null does nothing. */
+void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
+/* Words of 64 bits that a flight over a map of these dimensions needs; 0 where they are out of range. */
+size_t tern_flight_words(tern_voxel dims);
+/* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
+ * limits_invalid or start_occupied. */
+uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
+                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
+/* Sets the goal. ok, non_finite_input or invalid_argument. */
+uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
+/* Comes to rest and forgets the goal. */
+uint8_t tern_flight_stop(tern_flight* flight);
+/* One tick's work; `t` in nanoseconds. `report` may be null. ok or invalid_argument. */
+uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* report);
+/* What to fly at time `t`: any time has an answer. Null does nothing. */
+void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif
+
+#endif

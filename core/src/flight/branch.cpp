@@ -1,0 +1,87 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/branch.hpp"
+
+#include "base/math.hpp"
+#include "curve/stopping.hpp"
+
+namespace tern {
+namespace {
+
+/// A stop need not settle a jerk that is only rounding, m/s^3.
+constexpr double kNoJerk = 1e-6;
+
+/// The first part of a segment, up to u in (0, 1): the left edge of de Casteljau's triangle.
+void shorten(double u, Segment& segment) {
+  for (int level = 1; level <= kDegree; ++level) {
+    for (int i = kDegree; i >= level; --i) {
+      segment.points[i] = (1.0 - u) * segment.points[i - 1] + u * segment.points[i];
+    }
+  }
+  segment.duration *= u;
+}
+
+}  // namespace
+
+JointState settled(const JointState& from, double time) noexcept {
+  const Vec3& p = from.d[0];
+  const Vec3& v = from.d[1];
+  const Vec3& a = from.d[2];
+  const Vec3& j = from.d[3];
+  const double square = time * time;
+  return JointState{{p + time * v + (0.5 * square) * a + (0.125 * square * time) * j, v + time * a + (square / 3.0) * j,
+                     a + (0.5 * time) * j, kZero}};
+}
+
+double settle_time(const JointState& from, const MotionLimits& limits) noexcept {
+  double time = kSettleTime;
+  for (int i = 0; i < kSettleHalvings; ++i) {
+    const JointState to = settled(from, time);
+    if (gauge(limits.velocity, to.d[1]) <= 1.0 && gauge(limits.acceleration, to.d[2]) <= 1.0) break;
+    time *= 0.5;
+  }
+  return time;
+}
+
+JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept {
+  const Sample sample = evaluate(plan, t);
+  return JointState{{sample.position - origin, sample.velocity, sample.acceleration, sample.jerk}};
+}
+
+bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept {
+  if (out.count == kMaxSegments) return false;
+  Segment& segment = out.segments[out.count++];
+  segment.duration = time;
+  segment.polyhedron = 0;
+  control_points(from, to, time, segment.points);
+  return true;
+}
+
+void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept {
+  out.origin = plan.origin;
+  out.count = 0;
+  double begin = 0.0;
+  for (int i = 0; i < plan.count && t > begin; ++i) {
+    Segment& segment = out.segments[out.count++];
+    segment = plan.segments[i];
+    const double end = begin + segment.duration;
+    if (t < end) shorten((t - begin) / segment.duration, segment);
+    begin = end;
+  }
+}
+
+bool append_stop(const JointState& from, const MotionLimits& limits, int shape, Trajectory& out) noexcept {
+  JointState now = from;
+  if (length(from.d[3]) > kNoJerk) {
+    const double time = settle_time(from, limits);
+    now = settled(from, time);
+    if (!append_between(from, now, time, out)) return false;
+  }
+  Stopping stop;
+  if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, shape, stop)) return false;
+  if (stop.count > kMaxSegments - out.count) return false;
+  for (int i = 0; i < stop.count; ++i) out.segments[out.count++] = stop.segments[i];
+  return true;
+}
+
+}  // namespace tern

@@ -1,0 +1,207 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The calls, and one tick.
+#include "tern/flight.hpp"
+
+#include <new>
+
+#include "base/math.hpp"
+#include "flight/branch.hpp"
+#include "flight/flight_state.hpp"
+
+namespace tern {
+namespace {
+
+/// What the spec's numbers may be.
+constexpr std::uint32_t kLeastWork = 128;
+constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
+
+std::size_t state_words() {
+  return (sizeof(FlightState) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+}
+
+bool positive(double x) {
+  return finite(x) && x > 0.0;
+}
+
+bool spec_fits(const FlightSpec& spec) {
+  return spec.tick > 0 && spec.tick <= kLongestTick && spec.work_per_tick >= kLeastWork && spec.plan_work > 0 &&
+         positive(spec.horizon) && finite(spec.near) && spec.near >= 0.0 && positive(spec.yaw_rate) &&
+         spec.yaw_rate >= 1e-3;
+}
+
+bool limit_fits(const Vec3& most, const Vec3& least) {
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(most, a) >= kMinLimit && axis(most, a) <= kMaxLimit)) return false;
+    if (!(axis(least, a) <= 0.0 && axis(least, a) >= -kMaxLimit)) return false;
+    if (axis(least, a) < 0.0 && axis(least, a) > -kMinLimit) return false;
+  }
+  return true;
+}
+
+bool norm_fits(double limit) {
+  return same(limit, 0.0) || (limit >= kMinLimit && limit <= kMaxLimit);
+}
+
+bool limits_fit(const FlightSpec& spec) {
+  const Limits& limits = spec.limits;
+  return limit_fits(limits.v_max, limits.v_min) && limit_fits(limits.a_max, limits.a_min) &&
+         norm_fits(limits.v_horizontal) && norm_fits(limits.a_horizontal) && spec.time_weight >= kMinTimeWeight &&
+         spec.time_weight <= kMaxTimeWeight;
+}
+
+/// One segment that stays at a point.
+void hover(const Vec3& position, std::int64_t t, Course& course) {
+  course.begin = t;
+  course.flown.origin = course.aim = position;
+  const JointState rest{};
+  append_between(rest, rest, kMinDuration, course.flown);
+  course.wished = course.flown;
+  course.branch = kMinDuration;
+}
+
+}  // namespace
+
+FlightSpec flight_spec(const Limits& limits) noexcept {
+  return {limits, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
+}
+
+size_t flight_words(const Voxel& dims) noexcept {
+  const std::size_t grid = grid_words(dims);
+  return grid == 0 ? 0 : state_words() + grid;
+}
+
+Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,
+                     size_t word_count, const Vec3& position, int64_t t) noexcept {
+  state_ = nullptr;
+  if (!finite(position)) return Status::kNonFiniteInput;
+  if (!spec_fits(spec) || !map.bound() || map.busy() || words == nullptr) return Status::kInvalidArgument;
+  if (!limits_fit(spec)) return Status::kLimitsInvalid;
+  const GridSpec& window = map.safe().spec();
+  if (!(window.radius > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
+  FlightState* const state = new (words) FlightState{};
+  state->spec = spec;
+  state->limits = MotionLimits(spec.limits);
+  state->map = map;
+  state->planner = &planner;
+  state->time = t;
+  state->reason = FlightReason::kNoGoal;
+  state->look_at = position;
+  hover(position, t, state->now);
+  ProofReport proven;
+  clear_until(map.safe(), state->now.flown, 0.0, nullptr, Beyond::kSolid, &proven);
+  if (proven.end != ProofEnd::kProven) return Status::kStartOccupied;
+  const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());
+  if (bound != Status::kOk) return bound;
+  state->watched = map.revision();
+  state_ = state;
+  return Status::kOk;
+}
+
+Status Flight::set_goal(const Vec3& goal) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  if (!finite(goal)) return Status::kNonFiniteInput;
+  FlightState& state = *state_;
+  state.goal = goal;
+  state.has_goal = true;
+  ++state.goal_number;
+  state.parked = state.stopping = state.is_looking = false;
+  state.idle_cycles = state.fruitless = 0;
+  state.nearest = -1.0;
+  state.reason = FlightReason::kNone;
+  return Status::kOk;
+}
+
+Status Flight::stop() noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  state_->has_goal = state_->is_looking = false;
+  state_->stopping = true;
+  state_->reason = FlightReason::kNoGoal;
+  return Status::kOk;
+}
+
+const Course& FlightState::course_at(std::int64_t t) const noexcept {
+  return has_next && t >= next.begin ? next : now;
+}
+
+Sample FlightState::sample_at(std::int64_t t) const noexcept {
+  const Course& course = course_at(t);
+  return evaluate(course.flown, seconds_between(course.begin, t));
+}
+
+std::int64_t FlightState::rest_begins() const noexcept {
+  return now.begin + nanoseconds(duration(now.flown)) + 1;
+}
+
+void FlightState::take_over() noexcept {
+  if (!has_next || time < next.begin) return;
+  now = next;
+  has_next = false;
+}
+
+FlightMode FlightState::mode() const noexcept {
+  if (threat || alarmed) return FlightMode::kThreat;
+  if (rests()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
+  return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
+}
+
+/// Copies and proofs are about one map, which must not change meanwhile.
+bool FlightState::reads_map() const noexcept {
+  switch (job) {
+    case Job::kIdle:
+    case Job::kKeep:
+    case Job::kPlan:
+    case Job::kWait:
+      return watching;
+    default:
+      return true;
+  }
+}
+
+/// At most half of what is left.
+void FlightState::step_map(Work& work) noexcept {
+  if (reads_map()) return;
+  if (!map.busy()) follow_window();
+  if (!map.busy()) return;
+  const std::uint32_t share = work.left / 2;
+  map.step(share);
+  work.left -= share;
+}
+
+void FlightState::finish_report(std::uint32_t spent) noexcept {
+  report.mode = mode();
+  report.reason = reason;
+  report.work = spent;
+  report.contact_time = report.mode == FlightMode::kThreat ? contact : 0;
+  report.contact_speed = report.mode == FlightMode::kThreat ? contact_speed : 0.0;
+}
+
+Status Flight::tick(int64_t t, FlightReport& report) noexcept {
+  report = FlightReport{};
+  if (state_ == nullptr || t < state_->time) return Status::kInvalidArgument;
+  FlightState& state = *state_;
+  state.time = t;
+  state.alarmed = false;
+  state.take_over();
+  Work work{state.spec.work_per_tick};
+  state.step_map(work);
+  state.run_watch(work);
+  state.advance(work);
+  state.finish_report(state.spec.work_per_tick - work.left);
+  report = state.report;
+  return Status::kOk;
+}
+
+Command Flight::command(int64_t t) const noexcept {
+  if (state_ == nullptr) return Command{};
+  return {state_->sample_at(t), state_->looking_at(t)};
+}
+
+Vec3 Flight::rest_position() const noexcept {
+  if (state_ == nullptr) return kZero;
+  const Trajectory& flown = state_->has_next ? state_->next.flown : state_->now.flown;
+  return flown.origin + flown.segments[flown.count - 1].points[kDegree];
+}
+
+}  // namespace tern

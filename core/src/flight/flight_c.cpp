@@ -1,0 +1,105 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include "base/grid_tag.hpp"
+#include "tern/tern_flight.h"
+
+namespace {
+
+using tern::Flight;
+using tern::Grid;
+using tern::RollingMap;
+using tern::Status;
+
+/// A tern_flight's first word once a flight was started there; the flight follows it.
+constexpr std::uint64_t kFlightTag = 0x7465726E2D666C79u;
+constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
+
+static_assert(sizeof(std::uint64_t) + sizeof(Flight) <= sizeof(tern_flight) && alignof(Flight) <= alignof(tern_flight),
+              "raise TERN_FLIGHT_WORDS");
+
+std::uint8_t code(Status status) {
+  return static_cast<std::uint8_t>(status);
+}
+
+/// The memory may never have been written: read as volatile, the word has one value.
+bool holds(const std::uint64_t* opaque, std::uint64_t tag) {
+  return *static_cast<const volatile std::uint64_t*>(opaque) == tag;
+}
+
+/// A flight that was not started where there is none.
+Flight object(const tern_flight* flight) {
+  if (flight == nullptr || !holds(flight->opaque, kFlightTag)) return Flight{};
+  return *std::launder(reinterpret_cast<const Flight*>(flight->opaque + 1));
+}
+
+/// What stands in for a grid that was never bound.
+constexpr Grid kNoGrid{};
+
+const Grid& object(const tern_grid& grid) {
+  return holds(grid.opaque, tern::kGridTag) ? *std::launder(reinterpret_cast<const Grid*>(grid.opaque + 1)) : kNoGrid;
+}
+
+RollingMap object(const tern_map& map) {
+  if (!holds(map.opaque, tern::kMapTag)) return RollingMap{};
+  return *std::launder(reinterpret_cast<const RollingMap*>(map.opaque + 1));
+}
+
+}  // namespace
+
+extern "C" {
+
+double tern_clear_until(const tern_grid* grid, const tern_trajectory* trajectory, double from,
+                        const tern_limits* limits, std::uint8_t beyond, tern_proof_report* report) {
+  if (grid == nullptr || trajectory == nullptr) return __builtin_nan("");
+  const tern::Beyond space = beyond == TERN_BEYOND_EMPTY ? tern::Beyond::kEmpty : tern::Beyond::kSolid;
+  return tern::clear_until(object(*grid), *trajectory, from, limits, space, report);
+}
+
+void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits) {
+  if (spec == nullptr || limits == nullptr) return;
+  *spec = tern::flight_spec(*limits);
+}
+
+std::size_t tern_flight_words(tern_voxel dims) {
+  return tern::flight_words(dims);
+}
+
+std::uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
+                               tern_planner* planner, std::uint64_t* words, std::size_t word_count,
+                               const tern_vec3* position, std::int64_t t) {
+  if (flight == nullptr || spec == nullptr || map == nullptr || planner == nullptr || position == nullptr) {
+    return kInvalid;
+  }
+  tern::Planner& plans = *std::launder(reinterpret_cast<tern::Planner*>(planner->opaque));
+  Flight begun;
+  const Status status = begun.start(*spec, object(*map), plans, words, word_count, *position, t);
+  if (status != Status::kOk) return code(status);
+  new (flight->opaque + 1) Flight(begun);
+  flight->opaque[0] = kFlightTag;
+  return code(status);
+}
+
+std::uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal) {
+  return goal == nullptr ? kInvalid : code(object(flight).set_goal(*goal));
+}
+
+std::uint8_t tern_flight_stop(tern_flight* flight) {
+  return code(object(flight).stop());
+}
+
+std::uint8_t tern_flight_tick(tern_flight* flight, std::int64_t t, tern_flight_report* report) {
+  tern::FlightReport done{};
+  const Status status = object(flight).tick(t, done);
+  if (report != nullptr) *report = done;
+  return code(status);
+}
+
+void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command* command) {
+  if (command != nullptr) *command = object(flight).command(t);
+}
+
+}  // extern "C"

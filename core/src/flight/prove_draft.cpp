@@ -1,0 +1,133 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From a plan to what is flown: until when it is proven, where a brake from it is proven, and the commit.
+#include "base/math.hpp"
+#include "flight/branch.hpp"
+#include "flight/flight_state.hpp"
+
+namespace tern {
+namespace {
+
+/// Brakes tried from each branch: sharp ones need the least room.
+constexpr int kShapes[kBranchShapes] = {7, 5, 3};
+
+}  // namespace
+
+/// From here on the map stands still.
+Progress FlightState::run_wait() noexcept {
+  if (map.busy()) return Progress::kMore;
+  const Status begun = proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid);
+  job = Job::kReach;
+  if (begun != Status::kRunning) give_up();
+  return Progress::kDone;
+}
+
+double FlightState::start_of_proof() const noexcept {
+  return larger(0.0, seconds_between(draft.begin, takeover));
+}
+
+Progress FlightState::run_reach(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  reached = proof.report().until;
+  look_at = evaluate(draft.wished, reached).position;
+  if (proof.report().end == ProofEnd::kProven) {
+    draft.flown = draft.wished;
+    draft.branch = reached;
+    if (leads_on()) {
+      commit();
+    } else {
+      fail();
+    }
+    return Progress::kDone;
+  }
+  branch = -1;
+  job = Job::kBranch;
+  next_branch();
+  return Progress::kDone;
+}
+
+/// A branch that is no later than the one that is flown already would change nothing; from rest it must lead somewhere.
+double FlightState::earliest_branch() const noexcept {
+  return extends ? now.branch : 2.0 * 1e-9 * static_cast<double>(spec.tick);
+}
+
+/// A hop of less than a voxel from rest is no progress.
+bool FlightState::leads_on() const noexcept {
+  const Trajectory& flown = draft.flown;
+  const Vec3 end = flown.origin + flown.segments[flown.count - 1].points[kDegree];
+  return !rests_at_takeover() || draft.to_goal || distance(end, start.d[0]) >= map.safe().spec().cell;
+}
+
+/// The candidates: from the last proven instant back, each with its brakes.
+bool FlightState::make_branch() noexcept {
+  const double earliest = earliest_branch();
+  const int from_last = branch / kBranchShapes;
+  const double at = reached - (reached - earliest) * from_last / kBranches;
+  if (!(at > earliest)) return false;
+  draft.branch = at;
+  take_first_part(draft.wished, at, draft.flown);
+  const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
+  if (!append_stop(joint, limits, kShapes[branch % kBranchShapes], draft.flown)) return false;
+  if (!leads_on()) return false;
+  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
+}
+
+void FlightState::next_branch() noexcept {
+  while (++branch < kBranches * kBranchShapes) {
+    if (make_branch()) return;
+  }
+  fail();
+}
+
+Progress FlightState::run_branch(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  if (proof.report().end != ProofEnd::kProven) {
+    next_branch();
+    return Progress::kDone;
+  }
+  job = Job::kConfirm;
+  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
+  return Progress::kDone;
+}
+
+Progress FlightState::run_confirm(Work& work) noexcept {
+  if (prove(work) == Progress::kMore) return Progress::kMore;
+  if (proof.report().end == ProofEnd::kProven) {
+    commit();
+  } else {
+    job = Job::kBranch;
+    next_branch();
+  }
+  return Progress::kDone;
+}
+
+/// An extension has the same bits up to the branch that is flown, and so replaces it in place. A new plan takes over at
+/// its beginning.
+void FlightState::commit() noexcept {
+  if (!extends && job != Job::kEvade) note_progress();
+  job = Job::kIdle;
+  ++report.committed;
+  idle_cycles = 0;
+  is_looking = false;
+  watching = threat = false;
+  watched = map.revision();
+  if (extends) {
+    now = draft;
+  } else {
+    next = draft;
+    has_next = true;
+  }
+}
+
+void FlightState::fail() noexcept {
+  ++report.failed;
+  give_up();
+}
+
+void FlightState::give_up() noexcept {
+  job = Job::kIdle;
+  note_idle();
+}
+
+}  // namespace tern

@@ -1,0 +1,26 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether the hull of a few points keeps a distance from every obstacle cube of a grid. Local frame, metres.
+#ifndef TERN_PROOF_HULL_CLEAR_HPP
+#define TERN_PROOF_HULL_CLEAR_HPP
+
+#include "tern/grid.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// The box around the points.
+Box box_around(const Vec3* points, int count) noexcept;
+
+/// True only where the hull of the points keeps `distance` > 0 from the closed box. The answer may be false although
+/// the hull keeps it, but hardly where the points lie nearly on a line.
+bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept;
+
+/// The same for all obstacle cubes. `found` gets the first voxel for which it is false. Reads the voxels within the
+/// distance of the hull's box.
+bool hull_clear(const Grid& grid, const Vec3* points, int count, double distance, Voxel& found) noexcept;
+
+}  // namespace tern
+
+#endif

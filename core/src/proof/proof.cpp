@@ -1,0 +1,240 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/proof.hpp"
+
+#include "base/math.hpp"
+#include "proof/hull_clear.hpp"
+#include "proof/proven_limits.hpp"
+
+namespace tern {
+namespace {
+
+/// A unit in the last place, relative: 2^-52.
+constexpr double kLastPlace = 1.0 / 4503599627370496.0;
+/// Units in the last place of world coordinates and extents that positions may be off by.
+constexpr double kPlaceUlps = 32.0;
+/// The same for the control points that derivatives are differences of.
+constexpr double kPointUlps = 40.0;
+
+double size_of(const Vec3& v) {
+  return (absolute(v.x) + absolute(v.y)) + absolute(v.z);
+}
+
+/// Metres by which a proof forgives: what the check grants a plan, and rounding.
+double place_tolerance(const Grid& grid, const Trajectory& trajectory) {
+  const GridSpec& spec = grid.spec();
+  const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
+  const double size = (size_of(spec.origin) + size_of(trajectory.origin)) + size_of(extent);
+  return kProofTolerance * larger(1.0, spec.cell) + kPlaceUlps * kLastPlace * size;
+}
+
+/// Error of a derivative of a segment whose control points are rounded: a difference of 2^order of them, over the
+/// duration to that power.
+double derivative_rounding(const Segment& segment, int order) {
+  double size = 0.0;
+  for (const Vec3& point : segment.points) size = larger(size, size_of(point));
+  double factor = 1.0;
+  for (int k = 0; k < order; ++k) factor *= 2.0 * (kDegree - k) / segment.duration;
+  return kPointUlps * kLastPlace * size * factor;
+}
+
+/// The derivative's control points over time: one fewer.
+void derive(Vec3* points, int degree, double duration) {
+  const double factor = degree / duration;
+  for (int i = 0; i < degree; ++i) points[i] = factor * (points[i + 1] - points[i]);
+}
+
+Vec3 blend(const Vec3& a, const Vec3& b, double u) {
+  return (1.0 - u) * a + u * b;
+}
+
+/// de Casteljau: `points` becomes the part before u, `after` the part behind it.
+void cut(Vec3* points, int degree, double u, Vec3* after) {
+  for (int level = 0; level <= degree; ++level) {
+    after[degree - level] = points[degree];
+    for (int i = degree; i > level; --i) points[i] = blend(points[i - 1], points[i], u);
+  }
+}
+
+/// Wide enough to be halved before its surroundings are read.
+bool is_wide(const Box& box, double cell) {
+  for (int a = 0; a < 3; ++a) {
+    if (axis(box.upper, a) - axis(box.lower, a) > kProofSpan * cell) return true;
+  }
+  return false;
+}
+
+/// True where every point is inside the box, grown by `margin`.
+bool inside_box(const Box& points, const Box& box, double margin) {
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(points.lower, a) >= axis(box.lower, a) - margin)) return false;
+    if (!(axis(points.upper, a) <= axis(box.upper, a) + margin)) return false;
+  }
+  return true;
+}
+
+constexpr Voxel kNoVoxel{-1, -1, -1};
+
+}  // namespace
+
+Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                    Beyond beyond) noexcept {
+  running_ = false;
+  report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0};
+  if (!grid.bound() || !(grid.spec().radius > 0.0)) return Status::kInvalidArgument;
+  if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
+  grid_ = &grid;
+  trajectory_ = &trajectory;
+  beyond_ = beyond;
+  has_limits_ = limits != nullptr;
+  if (has_limits_) limits_ = *limits;
+  segment_ = 0;
+  begin_ = 0.0;
+  while (segment_ + 1 < trajectory.count && report_.until >= begin_ + trajectory.segments[segment_].duration) {
+    begin_ += trajectory.segments[segment_].duration;
+    ++segment_;
+  }
+  running_ = true;
+  report_.end = ProofEnd::kProven;
+  const double into = (report_.until - begin_) / trajectory.segments[segment_].duration;
+  first_ = into >= 0.0 ? smaller(into, 1.0) : 0.0;
+  enter_segment();
+  return Status::kRunning;
+}
+
+/// Finite, with a duration, and joined to the segment before.
+bool Proof::sound(const Segment& segment) const noexcept {
+  if (!finite(segment.duration) || !(segment.duration > 0.0)) return false;
+  for (const Vec3& point : segment.points) {
+    if (!finite(point)) return false;
+  }
+  if (segment_ == 0) return finite(trajectory_->origin);
+  const Vec3 step = segment.points[0] - trajectory_->segments[segment_ - 1].points[kDegree];
+  return size_of(step) <= place_tolerance(*grid_, *trajectory_);
+}
+
+void Proof::enter_segment() noexcept {
+  lost_ = 1.0;
+  if (!sound(trajectory_->segments[segment_])) return lose(first_, ProofEnd::kMalformed);
+  enter_part(kPosition);
+}
+
+/// Loads the curve of this part, from where the proof begins.
+void Proof::enter_part(int part) noexcept {
+  part_ = part;
+  pieces_ = 0;
+  const Segment& segment = trajectory_->segments[segment_];
+  Piece& piece = stack_[0];
+  piece.begin = first_;
+  piece.depth = 0;
+  const Vec3 place = part == kPosition ? trajectory_->origin - grid_->spec().origin : kZero;
+  for (int i = 0; i <= kDegree; ++i) piece.c[i] = segment.points[i];
+  for (int k = 0; k < part; ++k) derive(piece.c, kDegree - k, segment.duration);
+  Vec3 rest[kControlPoints];
+  if (first_ > 0.0) {
+    cut(piece.c, kDegree - part, first_, rest);
+    for (int i = 0; i <= kDegree - part; ++i) piece.c[i] = rest[i];
+  }
+  for (int i = 0; i <= kDegree; ++i) piece.c[i] = piece.c[i] + place;
+  height_ = 1;
+}
+
+bool Proof::keeps_clear(const Piece& piece, ProofEnd& end) noexcept {
+  const GridSpec& spec = grid_->spec();
+  const double tolerance = place_tolerance(*grid_, *trajectory_);
+  const Box box = box_around(piece.c, kControlPoints);
+  end = ProofEnd::kOutside;
+  const double margin = beyond_ == Beyond::kSolid ? -spec.radius : 0.0;
+  if (!inside_box(box, grid_->local_boundary(), margin + tolerance)) return false;
+  end = ProofEnd::kObstacle;
+  if (is_wide(box, spec.cell)) return false;
+  return hull_clear(*grid_, piece.c, kControlPoints, spec.radius - tolerance, report_.voxel);
+}
+
+bool Proof::keeps_limit(const Piece& piece, int count) const noexcept {
+  const double rounding = derivative_rounding(trajectory_->segments[segment_], part_);
+  const Allowed allowed =
+      part_ == kVelocity ? allowed_velocity(limits_, rounding) : allowed_acceleration(limits_, rounding);
+  return hull_allowed(allowed, piece.c, count);
+}
+
+bool Proof::holds(const Piece& piece, int count, ProofEnd& end) noexcept {
+  if (part_ == kPosition) return keeps_clear(piece, end);
+  end = part_ == kVelocity ? ProofEnd::kVelocity : ProofEnd::kAcceleration;
+  return keeps_limit(piece, count);
+}
+
+/// The earliest loss of a segment's parts counts.
+void Proof::lose(double u, ProofEnd end) noexcept {
+  height_ = 0;
+  if (report_.end != ProofEnd::kProven && u >= lost_) return;
+  lost_ = u;
+  report_.end = end;
+  if (part_ != kPosition) report_.voxel = kNoVoxel;
+}
+
+/// The piece on top of the stack is proven, halved, or lost.
+void Proof::look_at_piece() noexcept {
+  Piece& piece = stack_[height_ - 1];
+  const int degree = kDegree - part_;
+  ProofEnd end = ProofEnd::kPieces;
+  ++report_.work;
+  if (pieces_++ == kProofPieces) return lose(piece.begin, end);
+  if (holds(piece, degree + 1, end)) {
+    --height_;
+    return;
+  }
+  if (piece.depth == kProofDepth) return lose(piece.begin, end);
+  Piece first = piece;
+  ++first.depth;
+  piece.depth = first.depth;
+  cut(first.c, degree, 0.5, piece.c);
+  double length = 1.0 - first_;
+  for (int k = 0; k < first.depth; ++k) length *= 0.5;
+  piece.begin = first.begin + length;
+  stack_[height_++] = first;
+}
+
+/// Goes on with the next part, then with the next segment, unless the segment was lost somewhere.
+void Proof::end_part() noexcept {
+  const Segment& segment = trajectory_->segments[segment_];
+  if (has_limits_ && part_ + 1 < kParts && report_.end != ProofEnd::kMalformed) return enter_part(part_ + 1);
+  const double end = begin_ + segment.duration;
+  if (report_.end == ProofEnd::kProven) report_.voxel = kNoVoxel;
+  if (report_.end != ProofEnd::kProven || segment_ + 1 == trajectory_->count) {
+    running_ = false;
+    const double until = lost_ < 1.0 ? begin_ + lost_ * segment.duration : end;
+    report_.until = larger(report_.until, smaller(until, end));
+    return;
+  }
+  report_.until = begin_ = end;
+  first_ = 0.0;
+  ++segment_;
+  enter_segment();
+}
+
+Status Proof::step(uint32_t work) noexcept {
+  if (!running_ && trajectory_ == nullptr) return Status::kInvalidArgument;
+  for (uint32_t left = work; running_;) {
+    if (height_ == 0) {
+      end_part();
+      continue;
+    }
+    if (left-- == 0) return Status::kRunning;
+    look_at_piece();
+  }
+  return Status::kOk;
+}
+
+double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+                   ProofReport* report) noexcept {
+  Proof proof;
+  const bool begun = proof.begin(grid, trajectory, from, limits, beyond) == Status::kRunning;
+  // A segment takes 3 * (kProofPieces + 1) pieces at most.
+  for (int i = 0; begun && i <= kMaxSegments && proof.step(4u * kProofPieces) == Status::kRunning; ++i) {
+  }
+  if (report != nullptr) *report = proof.report();
+  return proof.report().until;
+}
+
+}  // namespace tern

@@ -1,0 +1,141 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Flights through C: the same commands as through C++, and an answer to every call that comes too early or is wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "support/flown.hpp"
+#include "tern/tern_flight.h"
+
+namespace {
+
+using tern_test::FlightSettings;
+using tern_test::Flown;
+using tern_test::Scene;
+
+constexpr std::uint8_t kOk = 0;
+constexpr auto kInvalid = static_cast<std::uint8_t>(tern::Status::kInvalidArgument);
+
+/// A C map over words of its own that knows the ball around the start.
+struct MapInC {
+  MapInC() : spec(Flown::spec_of(FlightSettings{})), words(tern_map_words(&spec)) {
+    EXPECT_EQ(tern_map_bind(&map, &spec, words.data(), words.size(), nullptr), kOk);
+    EXPECT_EQ(tern_map_assume_free(&map, &start, 1.2), kOk);
+  }
+  tern_vec3 start = FlightSettings{}.start;
+  tern_map_spec spec;
+  std::vector<std::uint64_t> words;
+  tern_map map{};
+};
+
+TEST(FlightC, EqualsTheFlightInCpp) {
+  Flown flown(Scene{}, FlightSettings{});
+  ASSERT_EQ(flown.started, tern::Status::kOk);
+  MapInC c;
+  auto memory = std::make_unique<tern::Workspace>();
+  tern_planner planner{};
+  ASSERT_EQ(tern_planner_init(&planner, memory.get(), sizeof *memory), kOk);
+  tern_flight_spec spec{};
+  tern_flight_spec_init(&spec, &flown.spec.limits);
+  std::vector<std::uint64_t> words(tern_flight_words(c.spec.dims));
+  EXPECT_EQ(words.size(), flown.words.size());
+  tern_flight flight{};
+  ASSERT_EQ(tern_flight_start(&flight, &spec, &c.map, &planner, words.data(), words.size(), &c.start, 0), kOk);
+  const tern_vec3 goal{3.0, 0.5, 1.5};
+  ASSERT_EQ(tern_flight_set_goal(&flight, &goal), kOk);
+  ASSERT_EQ(flown.flight.set_goal(goal), tern::Status::kOk);
+  flown.frames = false;
+  for (int k = 0; k < 60; ++k) {
+    tern_flight_report report{};
+    ASSERT_EQ(tern_flight_tick(&flight, k * spec.tick, &report), kOk);
+    flown.tick();
+    EXPECT_EQ(report.committed, flown.report.committed);
+    tern_command command{};
+    tern_flight_command(&flight, k * spec.tick, &command);
+    const tern::Command other = flown.flight.command(k * spec.tick);
+    EXPECT_EQ(std::memcmp(&command, &other, sizeof command), 0);
+  }
+  EXPECT_GT(flown.report.committed, 0u);
+  EXPECT_EQ(tern_flight_stop(&flight), kOk);
+}
+
+TEST(FlightC, ProofEqualsTheProofInCpp) {
+  MapInC c;
+  tern_grid safe{};
+  ASSERT_EQ(tern_map_safe(&c.map, &safe), kOk);
+  tern_trajectory plan{};
+  plan.count = 1;
+  plan.origin = c.start;
+  plan.segments[0].duration = 4.0;
+  for (int i = 0; i < tern::kControlPoints; ++i) plan.segments[0].points[i] = {i / 7.0 * 4.0, 0.0, 0.0};
+  tern_proof_report report{};
+  const double until = tern_clear_until(&safe, &plan, 0.0, nullptr, TERN_BEYOND_SOLID, &report);
+  EXPECT_GT(until, 0.3);
+  EXPECT_LT(until, 1.2);
+  EXPECT_EQ(static_cast<int>(report.end), TERN_PROOF_OBSTACLE);
+  EXPECT_TRUE(std::isnan(tern_clear_until(nullptr, &plan, 0.0, nullptr, 0, nullptr)));
+  EXPECT_TRUE(std::isnan(tern_clear_until(&safe, nullptr, 0.0, nullptr, 0, nullptr)));
+  const tern_grid none{};
+  EXPECT_EQ(tern_clear_until(&none, &plan, 0.5, nullptr, 0, nullptr), 0.5);
+}
+
+TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
+  tern_flight flight{};
+  tern_flight_report report{};
+  const tern_vec3 goal{1.0, 0.0, 1.0};
+  EXPECT_EQ(tern_flight_set_goal(&flight, &goal), kInvalid);
+  EXPECT_EQ(tern_flight_set_goal(&flight, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_set_goal(nullptr, &goal), kInvalid);
+  EXPECT_EQ(tern_flight_stop(&flight), kInvalid);
+  EXPECT_EQ(tern_flight_tick(&flight, 0, &report), kInvalid);
+  tern_command command{};
+  command.look_at = goal;
+  tern_flight_command(&flight, 0, &command);
+  EXPECT_EQ(command.look_at.x, 0.0);
+  tern_flight_command(&flight, 0, nullptr);
+  tern_flight_spec_init(nullptr, nullptr);
+  EXPECT_EQ(tern_flight_words({0, 1, 1}), 0u);
+}
+
+/// What start() refuses, and that it refuses it.
+TEST(FlightC, BadStartsAreRefused) {
+  const auto start = [](auto change) {
+    Flown flown(Scene{}, FlightSettings{});
+    tern::FlightSpec spec = flown.spec;
+    tern::Vec3 position = flown.settings.start;
+    std::size_t count = flown.words.size();
+    change(spec, position, count);
+    return flown.flight.start(spec, flown.owned.map, flown.planner, flown.words.data(), count, position, 0);
+  };
+  using tern::FlightSpec;
+  using tern::Status;
+  using tern::Vec3;
+  EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t&) {}), Status::kOk);
+  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1.5; }), Status::kStartOccupied);
+  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1e6; }), Status::kStartOccupied);
+  EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t& n) { --n; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = 0; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.work_per_tick = 127; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.plan_work = 0; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.horizon = NAN; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.near = -1.0; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.yaw_rate = 0.0; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.v_max.x = 0.0; }), Status::kLimitsInvalid);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_min.z = 1.0; }), Status::kLimitsInvalid);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_horizontal = NAN; }), Status::kLimitsInvalid);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.time_weight = 0.0; }), Status::kLimitsInvalid);
+}
+
+TEST(FlightC, TimeMustNotFall) {
+  Flown flown(Scene{}, FlightSettings{});
+  tern::FlightReport report{};
+  EXPECT_EQ(flown.flight.tick(1000, report), tern::Status::kOk);
+  EXPECT_EQ(flown.flight.tick(999, report), tern::Status::kInvalidArgument);
+  EXPECT_EQ(flown.flight.tick(1000, report), tern::Status::kOk);
+}
+
+}  // namespace
