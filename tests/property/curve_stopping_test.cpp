@@ -191,7 +191,7 @@ TEST(Stopping, JerkIsContinuedAndLimited) {
                 random_within(random, {-1, -1, -1}, {1, 1, 1}, 0.0),
                 random_within(random, -0.8 * limits.j_max, 0.8 * limits.j_max, 0.0)};
     int accepted = 0;
-    for (int choice = 0; choice < kStoppingWays; ++choice) {
+    for (int choice = 0; choice < kStoppingManoeuvres; ++choice) {
       Stopping stopping;
       if (!make_stopping(state, limits, choice, stopping)) continue;
       ++accepted;

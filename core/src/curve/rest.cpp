@@ -36,7 +36,7 @@ Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const
   const double pull = larger(gauge(acceleration, move), gauge(acceleration, kZero - move));
   const double cruise = kRestPeakSpeed * gauge(limits.velocity, move);
   segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
-  segment.duration = larger(segment.duration, cube_root(kRestPeakJerk * gauge(limits.jerk, way)));
+  segment.duration = larger(segment.duration, cube_root(kRestPeakJerk * gauge(limits.jerk, move)));
   for (int k = 0; k < kJointOrder; ++k) {
     segment.points[k] = from;
     segment.points[kDegree - k] = to;
