@@ -167,13 +167,13 @@ bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, co
   if (!block_search_begin(search.guide, grid, goal, start)) return false;
   search.awaited = search.guide.map.index(search.guide.target);
   guided_reopen(search, grid);
-  search.patience = kGuidePatience;
+  search.guide_left = kGuideStallLimit;
   return true;
 }
 
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
   search.taken = 0;
-  search.patience = ~std::uint32_t{0};  // more than it ever takes
+  search.guide_left = ~std::uint32_t{0};  // more than it ever takes
   queue_reset(search.open);
   page_store_reset(search.store);
   reach(search, page_of(search, grid, search.start), search.start, 0, kHere);  // the lists are empty, so it fits
@@ -188,7 +188,7 @@ Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexce
       continue;
     }
     status = block_search_take(search.guide, grid);
-    --search.patience;
+    --search.guide_left;
     if (status == Status::kRunning && guide_stalls(search)) return status;
   }
   return status;

@@ -35,33 +35,33 @@ constexpr std::uint32_t kGuidedBound = kBlocksTaken + kGuidedTaken;
 struct GuidedSearch {
   Voxel start;
   Voxel goal;
-  std::uint32_t expanded;  ///< voxels
-  std::uint32_t most;      ///< voxels that it may expand, for as long a way as the guide's
-  std::uint32_t taken;     ///< entries, of those that `open` held
-  std::uint32_t patience;  ///< entries that the guide may still take before it stalls
-  std::int32_t awaited;    ///< block that the guide has to close before the search of voxels goes on
+  std::uint32_t expanded;    ///< voxels
+  std::uint32_t most;        ///< voxels that it may expand, given the length of the guide's path
+  std::uint32_t taken;       ///< entries taken off `open`
+  std::uint32_t guide_left;  ///< entries that the guide may still take before it stalls
+  std::int32_t awaited;      ///< block that the guide has to close before the search of voxels goes on
   BlockSearch guide;
   BucketQueue<kGuidedBuckets, kGuidedOpen> open;
   PageStore store;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-/// False where the grid has too many blocks for a guide.
+/// False if the grid has too many blocks for a guide.
 bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
 
-/// True once the guide has taken kGuidePatience entries and not reached the start's block: the start may be walled in.
-/// The search goes on after guided_reopen().
-constexpr std::uint32_t kGuidePatience = 4096;
+/// True once the guide has taken kGuideStallLimit entries without reaching the start's block: the start may be walled
+/// in. The search continues after guided_reopen().
+constexpr std::uint32_t kGuideStallLimit = 4096;
 inline bool guide_stalls(const GuidedSearch& search) noexcept {
-  return search.patience == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
+  return search.guide_left == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
 }
 
-/// Opens the start again, with nothing else open. Only where the guide stalls, which it does once.
+/// Opens the start again, with nothing else open. Only after the guide has stalled, which it does once.
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 
-/// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath, where
-/// the blocked layer connects the two by no moves; kNodesFull or kOpenFull, where a capacity or one of the limits above
-/// is exhausted, which proves nothing. Not to be called after the end. Also kRunning where guide_stalls() becomes true.
+/// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath if no
+/// moves connect the two voxels; kNodesFull or kOpenFull if a capacity or one of the limits above is exhausted, which
+/// proves nothing. Also kRunning once guide_stalls() is true. Not to be called after the end.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, as search_extract does. Once, after kOk.
