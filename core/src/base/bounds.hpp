@@ -5,8 +5,6 @@
 #ifndef TERN_BASE_BOUNDS_HPP
 #define TERN_BASE_BOUNDS_HPP
 
-#include <limits>
-
 #include "base/math.hpp"
 #include "tern/request.hpp"
 
@@ -20,7 +18,7 @@ struct Bounds {
 };
 
 /// A limit that no value reaches: value / kUnlimited is 0.
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = __builtin_inf();
 
 /// A lower limit of 0 stands for the upper one's opposite.
 inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal) {
