@@ -43,6 +43,43 @@ World noise(double density, std::uint64_t seed) {
   return world;
 }
 
+/// A goal that is walled in, beside the start: the search wanders off until it is out of room, the flood does not.
+TEST(TinyPlanner, AsNearAsPossibleNeedsNoNodesToFindOutThatThereIsNoPath) {
+  int missed = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    World world = noise(0.1, seed);
+    world.block({2.0, 2.0, 1.0}, {3.75, 3.75, 2.75}).grid.clear_box({{2.25, 2.75, 1.75}, {2.5, 3.0, 2.0}});
+    world.grid.clear_box({{1.0, 2.5, 1.5}, {2.0, 3.0, 2.0}});
+    world.from({1.125, 2.875, 1.875}).to({2.375, 2.875, 1.875});
+    world.request.search = tern::SearchMode::kOptimal;
+    const Status exact = world.plan();
+    if (exact != Status::kNodesFull && exact != Status::kOpenFull) continue;
+    EXPECT_TRUE(world.report.has_reachable);
+    EXPECT_NEAR(world.report.reachable.x, 1.875, 1e-12);
+    world.request.goal_mode = tern::GoalMode::kNearest;
+    ASSERT_EQ(world.replan(), Status::kOk);
+    EXPECT_EQ(world.report.goal_missed, exact);
+    ++missed;
+  }
+  EXPECT_GT(missed, 10);
+}
+
+/// A goal that can be reached, with more room than there is.
+TEST(TinyPlanner, AsNearAsPossibleSaysWhatWasFullWhereThereIsAPath) {
+  int full = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    World world = noise(0.1, seed);
+    world.request.goal_mode = tern::GoalMode::kNearest;
+    world.request.search = tern::SearchMode::kOptimal;
+    const Status status = world.plan();
+    if (status != Status::kNodesFull && status != Status::kOpenFull) continue;
+    EXPECT_TRUE(world.report.has_reachable);
+    EXPECT_EQ(world.report.goal_missed, Status::kOk);
+    ++full;
+  }
+  EXPECT_GT(full, 10);
+}
+
 TEST(TinyPlanner, OpenSpaceFits) {
   World world({32, 32, 16}, 0.25, 0.3);
   world.from({0.5, 0.5, 0.5}).to({2.0, 1.5, 1.0});

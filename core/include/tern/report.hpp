@@ -123,9 +123,9 @@ struct Report {
   bool raw_occupied;
   /// Only for kStartOccupied and kGoalOccupied: true where nearest_free has a value.
   bool has_nearest_free;
-  /// True where reachable has a value: the goal is occupied, or no path leads to it, or it is fenced and
-  /// Request::goal_mode is kNearest. False where the start joins no free voxel, where Budget::expansions did not last,
-  /// and where the grid is too large (TERN_MAX_FENCE_WORDS).
+  /// True where reachable has a value: the goal is occupied, or no path leads to it, or the search had no room to find
+  /// one (kNodesFull, kOpenFull), or the goal is fenced and Request::goal_mode is kNearest. False where the start joins
+  /// no free voxel, where Budget::expansions did not last, and where the grid is too large (TERN_MAX_FENCE_WORDS).
   bool has_reachable;
   /// True where ticks were measured. False where no clock was given, or where it stood still or ran backwards.
   bool timing_known;
@@ -137,8 +137,8 @@ struct Report {
   /// for so many segments), or kCheckFailed (the check refused the optimised plan; `check` says why). An arrival has
   /// kOk.
   Status optimiser;
-  /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced or kNoPath. kOk where it
-  /// was not, and always with GoalMode::kExact.
+  /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced, kNoPath, kNodesFull or
+  /// kOpenFull. kOk where it was not, and always with GoalMode::kExact.
   Status goal_missed;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
   /// has_nearest_free is true; zero otherwise.

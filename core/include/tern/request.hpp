@@ -103,8 +103,8 @@ enum class SearchMode : uint8_t {
 /// What to do about a goal that cannot be planned to: one that is occupied or fenced, or that no chain of free voxels
 /// leads to. Any other number is refused (kInvalidArgument, field kGoalMode).
 enum class GoalMode : uint8_t {
-  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. For kGoalOccupied and kNoPath, Report::reachable says how
-  /// near the robot could come.
+  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come,
+  /// except for kGoalFenced.
   kExact = 0,
   /// As near as you can: the plan ends at rest at Report::reachable, and Report::goal_missed says why. A goal that can
   /// be planned to gets the same plan as with kExact.

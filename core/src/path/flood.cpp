@@ -9,17 +9,15 @@
 namespace tern {
 namespace {
 
-/// Spreads bits through runs of free ones, towards higher bits. Doubles its reach in each step.
+/// Spreads some of the free bits through runs of free ones, towards higher bits: as the carries of a sum do.
 std::uint64_t fill_up(std::uint64_t bits, std::uint64_t free) {
-  for (int step = 1; step < kWordBits; step *= 2) {
-    bits |= free & bits << step;
-    free &= free << step;
-  }
-  return bits;
+  return free & ((free ^ (free + bits)) | bits);
 }
 
-/// The same towards lower bits.
+/// The same towards lower bits. Doubles its reach in each step; most words are wholly free, or reached already.
 std::uint64_t fill_down(std::uint64_t bits, std::uint64_t free) {
+  if (bits == 0 || bits == free) return bits;
+  if (free == kAllBits) return kAllBits >> __builtin_clzll(bits);
   for (int step = 1; step < kWordBits; step *= 2) {
     bits |= free & bits >> step;
     free &= free >> step;

@@ -12,9 +12,15 @@
 namespace tern {
 namespace {
 
+/// The search had no room for a proof that there is a path, or none.
+bool lacks_nodes(Status status) {
+  return status == Status::kNodesFull || status == Status::kOpenFull;
+}
+
 /// The goal cannot be planned to, whatever the limits and the budget.
 bool misses_goal(Status status) {
-  return status == Status::kGoalOccupied || status == Status::kGoalFenced || status == Status::kNoPath;
+  return status == Status::kGoalOccupied || status == Status::kGoalFenced || status == Status::kNoPath ||
+         lacks_nodes(status);
 }
 
 }  // namespace
@@ -45,7 +51,8 @@ Progress Plan::run_reach(Work& work) noexcept {
   }
   report_.has_reachable = true;
   report_.reachable = reachable_point(stage.nearest);
-  if (go_there) {
+  const bool at_goal = same(world().voxel_of(memory_->ends.goal_in_grid), stage.nearest);
+  if (go_there && !(at_goal && lacks_nodes(failed_status_))) {
     plan_to_reachable();
   } else {
     end(failed_stage_, failed_status_);
