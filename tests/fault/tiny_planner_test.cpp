@@ -129,4 +129,44 @@ TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
   EXPECT_GT(segments, 0);
 }
 
+/// Voxels strewn at random, and two free ones near each other.
+World strewn(Random& random) {
+  World world({32, 32, 16}, 0.25, 0.0);
+  const auto any = [&random] {
+    return tern::Voxel{random.integer(0, 31), random.integer(0, 31), random.integer(0, 15)};
+  };
+  for (int k = random.integer(3000, 5000); k > 0; --k) world.grid.mark_voxel(any());
+  const tern::Voxel start = any();
+  const tern::Voxel goal{(start.x + random.integer(0, 9)) % 32, (start.y + random.integer(0, 9)) % 32,
+                         (start.z + random.integer(0, 4)) % 16};
+  world.grid.clear_voxel(start);
+  world.grid.clear_voxel(goal);
+  const auto centre = [](const tern::Voxel& v) {
+    return tern::Vec3{0.25 * v.x + 0.125, 0.25 * v.y + 0.125, 0.25 * v.z + 0.125};
+  };
+  world.from(centre(start)).to(centre(goal));
+  return world;
+}
+
+/// A fast path that needs too many segments is never the last word: the optimal search has its say.
+TEST(TinyPlanner, AFastPathThatDoesNotFitIsSearchedForAgain) {
+  Random random(31);
+  int again = 0;
+  for (int k = 0; k < 1500; ++k) {
+    World world = strewn(random);
+    world.request.search = tern::SearchMode::kFast;
+    const Status status = world.plan();
+    const tern::StageReport& search = world.report.stages[static_cast<int>(Stage::kSearch)];
+    const tern::StageReport& shortcut = world.report.stages[static_cast<int>(Stage::kShortcut)];
+    EXPECT_LE(search.work, search.bound);
+    EXPECT_LE(shortcut.work, shortcut.bound);
+    if (status == Status::kSegmentsFull) {
+      EXPECT_EQ(world.report.search_used, tern::SearchUsed::kOptimal) << "case " << k;
+    }
+    // A plan that fails in the search although a path was shortened before.
+    again += world.report.stage == Stage::kSearch && shortcut.work > 0 ? 1 : 0;
+  }
+  EXPECT_GT(again, 0);
+}
+
 }  // namespace

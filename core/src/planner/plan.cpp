@@ -107,6 +107,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   report_.timing_known = clock_ != nullptr;
   has_path_ = false;
   has_corridor_ = false;
+  searched_again_ = 0;
   grid_ = &grid;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);

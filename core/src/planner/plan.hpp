@@ -64,6 +64,7 @@ class Plan {
   Progress run_search(Work& work) noexcept;
   void begin_shortcut() noexcept;
   Progress run_shortcut(Work& work) noexcept;
+  bool search_again(Status why) noexcept;
   void begin_corridor() noexcept;
   Progress run_corridor(Work& work) noexcept;
   void fail_corridor(Status status) noexcept;
@@ -128,6 +129,7 @@ class Plan {
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
+  std::uint32_t searched_again_ = 0;        // 1: by the optimal search, as the fast path had too many segments
   bool stop_and_go_ = false;                // the optimiser's plan was refused...
   Status refused_ = Status::kOk;            // ...with this status
   Stage failed_stage_ = Stage::kRequest;

@@ -61,15 +61,20 @@ Progress Plan::run_fences(Work& work) noexcept {
 
 void Plan::begin_search() noexcept {
   const FlightEnds& ends = memory_->ends;
-  const SearchQuery query{ends.start_in_grid,   ends.goal_in_grid,   expansions_left(), fences(),
-                          !at_rest(ends.start), !at_rest(ends.goal), asked_.search};
+  const SearchQuery query{ends.start_in_grid,
+                          ends.goal_in_grid,
+                          expansions_left(),
+                          fences(),
+                          !at_rest(ends.start),
+                          !at_rest(ends.goal),
+                          searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
 }
 
 Progress Plan::run_search(Work& work) noexcept {
   SearchStage& stage = memory_->stage.search;
   const Progress progress = search_advance(stage, world(), work, memory_->path);
-  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, (searches() + searched_again_) * kSearchBound);
   raise(report_.high_water.nodes, stage.nodes_high);
   raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
@@ -94,16 +99,27 @@ void Plan::begin_shortcut() noexcept {
 Progress Plan::run_shortcut(Work& work) noexcept {
   ShortcutStage& stage = memory_->stage.shortcut;
   const Progress progress = shortcut_advance(stage, world(), work, memory_->path);
-  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, searches() * kShortcutBound);
+  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
+        (searches() + searched_again_) * kShortcutBound);
   raise(report_.high_water.segments, stage.segments_high);
   if (progress == Progress::kMore) return progress;
   if (progress == Progress::kFailed) {
+    if (search_again(stage.status)) return Progress::kDone;
     fail(Stage::kShortcut, stage.status);
     return progress;
   }
   has_path_ = true;
   enter(Stage::kCorridor);
   return progress;
+}
+
+/// A fast path may need more segments than there are; a cheapest one often needs fewer. Once.
+bool Plan::search_again(Status why) noexcept {
+  if (why != Status::kSegmentsFull || report_.search_used != SearchUsed::kGuided) return false;
+  searched_again_ = 1;
+  has_path_ = false;
+  enter(Stage::kSearch);
+  return true;
 }
 
 void Plan::begin_corridor() noexcept {
@@ -114,11 +130,12 @@ Progress Plan::run_corridor(Work& work) noexcept {
   Layout& memory = *memory_;
   CorridorStage& stage = memory.stage.corridor;
   const Progress progress = corridor_advance(stage, world(), memory.path, work, memory.corridor);
-  count(Stage::kCorridor, stage.planes, asked_.budget.planes, corridors() * kCorridorBound);
+  count(Stage::kCorridor, stage.planes, asked_.budget.planes, (corridors() + searched_again_) * kCorridorBound);
   raise(report_.high_water.planes, stage.planes_high);
   raise(report_.high_water.local_boxes, stage.boxes_high);
   if (progress == Progress::kMore) return progress;
   if (progress == Progress::kFailed) {
+    if (report_.detours == 0 && search_again(stage.status)) return Progress::kDone;
     fail_corridor(stage.status);
     return progress;
   }
