@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
 namespace tern_bench {
 namespace {
@@ -34,20 +35,36 @@ void add_crossings(double from, double to, std::vector<double>& out) {
   }
 }
 
-/// The voxels that a segment passes through, coordinates in voxels.
-std::vector<Voxel> voxels_along(const Vec3& a, const Vec3& b) {
+/// The voxels that a segment passes through, coordinates in voxels; of a point on a face or an edge, the upper ones.
+void add_voxels(const Vec3& a, const Vec3& b, std::vector<Voxel>& voxels) {
   std::vector<double> crossings{0.0, 1.0};
   add_crossings(a.x, b.x, crossings);
   add_crossings(a.y, b.y, crossings);
   add_crossings(a.z, b.z, crossings);
   std::sort(crossings.begin(), crossings.end());
-  std::vector<Voxel> voxels;
   for (std::size_t k = 1; k < crossings.size(); ++k) {
     if (crossings[k] - crossings[k - 1] < 1e-12) continue;
     const Vec3 p = plus(a, plus(b, a, -1.0), 0.5 * (crossings[k - 1] + crossings[k]));
     voxels.push_back(
         {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)), static_cast<int>(std::floor(p.z))});
   }
+}
+
+/// Half the width of the rod that has to fit, in voxels: none fits between two voxels that share an edge.
+constexpr double kRod = 1e-6;
+
+/// The voxels that a thin rod around the segment passes through.
+std::vector<Voxel> voxels_along(const Vec3& a, const Vec3& b) {
+  std::vector<Voxel> voxels;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 aside{(corner & 1) != 0 ? kRod : -kRod, (corner & 2) != 0 ? kRod : -kRod,
+                     (corner & 4) != 0 ? kRod : -kRod};
+    add_voxels(plus(a, aside), plus(b, aside), voxels);
+  }
+  const auto order = [](const Voxel& v) { return std::make_tuple(v.z, v.y, v.x); };
+  std::sort(voxels.begin(), voxels.end(), [&](const Voxel& v, const Voxel& w) { return order(v) < order(w); });
+  const auto same = [&](const Voxel& v, const Voxel& w) { return order(v) == order(w); };
+  voxels.erase(std::unique(voxels.begin(), voxels.end(), same), voxels.end());
   return voxels;
 }
 

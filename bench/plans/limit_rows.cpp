@@ -53,7 +53,7 @@ std::vector<LimitRow> Prober::rows(const tern::Corridor& corridor, const tern::L
     durations_.assign(stage_->chain.duration, stage_->chain.duration + stage_->chain.count);
     tern::Work unit{1};
     progress = tern::trajectory_advance(*stage_, corridor, unit, *plan_);
-    if (judges && stage_->round.accepted) collect(rows);
+    if (judges && stage_->solve_status == tern::Status::kOk) collect(rows);
   }
   return rows;
 }

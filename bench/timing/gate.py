@@ -116,7 +116,7 @@ def print_caps(caps):
 
 
 def print_bounds(rows, caps):
-    """Per stage: the dearest of its caps, the worst scenario, and what part of the one the other is."""
+    """Per stage: the costliest of its caps, the worst scenario, and what part of the one the other is."""
     print(f"{'':12}{'bound':>16}{'worst':>14}{'worst / bound':>16}  from, seen in")
     for stage in STAGES:
         bounds = [(cap.count * cap.times, name) for (name, of), cap in caps.items() if of == stage]

@@ -38,8 +38,8 @@ void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::
     const tern::Sample at = tern::evaluate(plan, t);
     if (!look_around(grid, at.position)) continue;  // yours: mark what the sensors see
     grid.inflate();
-    request.start = {at.position, at.velocity, at.acceleration};  // the new plan begins where this cycle ends
-    request.previous = &plan;                                     // the fallback: the rest of this plan
+    request.start = {at.position, at.velocity, at.acceleration, at.jerk};  // the new plan begins where this cycle ends
+    request.previous = &plan;                                              // the fallback: the rest of this plan
     request.previous_time = t;
     if (planner.plan(grid, request, next, report) != tern::Status::kOk) continue;
     plan = next;

@@ -88,13 +88,15 @@ void make_replan(Context& context, const World& world, const Map& map, const Ask
   next.fences = ask.fences;
   next.request = ask.request;
   next.request.fences = next.fences.empty() ? nullptr : next.fences.data();
-  next.request.start = {s.position, s.velocity, s.acceleration};
+  next.request.start = {s.position, s.velocity, s.acceleration, {0.0, 0.0, 0.0}};
+  if (side_stream(context.rng).chance(0.5)) next.request.start.jerk = s.jerk;
   next.request.budget = tern::Budget{};
   if (new_goal) next.request.goal = {make_point(context.rng, world, map), {0, 0, 0}, {0, 0, 0}};
 }
 
 bool goal_moves(const Ask& ask) {
-  return !is_zero(ask.request.goal.velocity) || !is_zero(ask.request.goal.acceleration);
+  const tern::State& goal = ask.request.goal;
+  return !is_zero(goal.velocity) || !is_zero(goal.acceleration) || !is_zero(goal.jerk);
 }
 
 /// No plan lasts less than a segment does: a goal in motion that is nearer than that cannot be met again.

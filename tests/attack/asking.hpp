@@ -44,7 +44,7 @@ void make_fences(Rng& rng, const World& world, Ask& ask);
 tern::Vec3 make_point(Rng& rng, const World& world, const Map& map);
 
 /// True where the answer has to be a plan as far as the map goes: start and goal are inside the boundary, in free
-/// voxels (or served, docs/search.md), and the free voxels connect them. Fences count by their own faces alone.
+/// voxels (or can join one, docs/search.md), and the free voxels connect them. Fences count by their own faces alone.
 bool must_connect(const World& world, const Map& map, const Ask& ask);
 
 /// True where the world is empty and the start's motion leaves room to stop straight ahead.

@@ -47,16 +47,19 @@ void print_ask(const World& world, const Ask& ask) {
   line("start", r.start.position);
   line("start velocity", r.start.velocity);
   line("start acceleration", r.start.acceleration);
+  line("start jerk", r.start.jerk);
   line("goal", r.goal.position);
   line("goal velocity", r.goal.velocity);
   line("goal acceleration", r.goal.acceleration);
+  line("goal jerk", r.goal.jerk);
   line("v_max", r.limits.v_max);
   line("a_max", r.limits.a_max);
   line("v_min", r.limits.v_min);
   line("a_min", r.limits.a_min);
-  std::printf("  v_horizontal %.17g a_horizontal %.17g weight %.17g budget %u %u %u %u\n", r.limits.v_horizontal,
-              r.limits.a_horizontal, r.time_weight, r.budget.expansions, r.budget.sight_lines, r.budget.planes,
-              r.budget.iterations);
+  line("j_max", r.limits.j_max);
+  std::printf("  v_horizontal %.17g a_horizontal %.17g j_horizontal %.17g weight %.17g budget %u %u %u %u\n",
+              r.limits.v_horizontal, r.limits.a_horizontal, r.limits.j_horizontal, r.time_weight, r.budget.expansions,
+              r.budget.sight_lines, r.budget.planes, r.budget.iterations);
   for (const tern::Fence& fence : ask.fences) {
     std::printf("  %s\n", fence.kind == tern::FenceKind::kKeepIn ? "keep-in" : "keep-out");
     for (int k = 0; k < fence.count; ++k) {

@@ -55,7 +55,7 @@ std::vector<int> fenced_components(const World& world, const Map& map, const Ask
   return components(world, free);
 }
 
-/// With fences only points in free voxels count: how others are served depends on more than faces.
+/// With fences only points in free voxels count: whether others can join the grid depends on more than faces.
 int own_component(const World& world, const std::vector<int>& component, const Point& p) {
   int common = -2;
   for (const tern::Voxel& v : homes(world, p)) {
@@ -100,6 +100,7 @@ bool has_room_to_stop(const World& world, const Ask& ask) {
   const Point v = point(start.velocity);
   const Real speed = length(v);
   if (!world.empty() || !ask.fences.empty() || largest(point(start.acceleration)) > 0) return false;
+  if (largest(point(l.j_max)) > 0 || l.j_horizontal > 0.0 || largest(point(start.jerk)) > 0) return false;
   if (largest(point(ask.request.goal.velocity)) > 0 || largest(point(ask.request.goal.acceleration)) > 0) return false;
   if (speed <= 0) return true;
   // Braking is an acceleration against the velocity: by how much the limits allow it along its direction.

@@ -34,6 +34,17 @@ bool holds(const Allowed& limit, const Point& v) {
   return limit.horizontal <= 0 || v[0] * v[0] + v[1] * v[1] <= limit.horizontal * limit.horizontal;
 }
 
+/// An axis of 0 has no limit.
+Allowed allowed_jerk(const tern::Limits& limits, Real excess) {
+  Allowed result = allowed(limits.j_max, {0, 0, 0}, limits.j_horizontal, excess);
+  for (int a = 0; a < 3; ++a) {
+    if (axis(limits.j_max, a) > 0.0) continue;
+    result.most[a] = std::numeric_limits<Real>::infinity();
+    result.least[a] = -result.most[a];
+  }
+  return result;
+}
+
 void check_derivative(const Curve& curve, const Allowed& limit, const char* kind, int s, Findings& findings) {
   const Verdict verdict = prove(curve, [&](const Point& v) { return holds(limit, v); });
   if (verdict.proof == Proof::kProven) return;
@@ -78,6 +89,8 @@ void check_limits(const tern::Request& request, const tern::Trajectory& trajecto
     check_derivative(velocity, allowed(limits.v_max, limits.v_min, limits.v_horizontal, v), "velocity", s, findings);
     check_derivative(acceleration, allowed(limits.a_max, limits.a_min, limits.a_horizontal, a), "acceleration", s,
                      findings);
+    const Curve jerk = derivative(acceleration, segment.duration);
+    check_derivative(jerk, allowed_jerk(limits, rounding(segment, 3)), "jerk", s, findings);
   }
 }
 
@@ -100,7 +113,7 @@ void check_joints(const tern::Trajectory& trajectory, Findings& findings) {
 namespace {
 
 void check_end(const World& world, const tern::State& state, const tern::Segment& segment, Real u, const Point& origin,
-               const Point& asked_jerk, const char* kind, Findings& findings) {
+               const Point& other_jerk, const char* kind, Findings& findings) {
   const Jet end = jet(segment, u);
   const Point asked[] = {point(state.position) - origin, point(state.velocity), point(state.acceleration)};
   // World coordinates have the rounding of their own size; a point on the boundary's face may be moved onto it.
@@ -111,7 +124,7 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
     const Real slack = slack_of(segment, k) + (k == 0 ? own + face : 0);
     if (gap > slack) return report(findings, kind, "%s by %.6Lg, allowed %.6Lg", kOrders[k], gap, slack);
   }
-  const Real jerk = std::min(largest(end.d[3]), largest(end.d[3] - asked_jerk));
+  const Real jerk = std::min(largest(end.d[3] - point(state.jerk)), largest(end.d[3] - other_jerk));
   if (jerk > slack_of(segment, 3)) report(findings, kind, "jerk %.6Lg", jerk);
 }
 
@@ -120,12 +133,12 @@ void check_end(const World& world, const tern::State& state, const tern::Segment
 void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
                 Findings& findings) {
   const Point origin = point(trajectory.origin);
-  // A plan begins without jerk, or goes on with that of the previous one.
-  const Point zero{{0, 0, 0}};
+  // A plan begins with the jerk that was asked for, or goes on with that of the previous one.
   const bool goes_on = request.previous != nullptr;
-  const Point jerk = goes_on ? point(tern::evaluate(*request.previous, request.previous_time).jerk) : zero;
-  check_end(world, request.start, trajectory.segments[0], 0, origin, jerk, "start_state", findings);
-  check_end(world, request.goal, trajectory.segments[trajectory.count - 1], 1, origin, zero, "goal_state", findings);
+  const tern::Vec3 other = goes_on ? tern::evaluate(*request.previous, request.previous_time).jerk : request.start.jerk;
+  check_end(world, request.start, trajectory.segments[0], 0, origin, point(other), "start_state", findings);
+  check_end(world, request.goal, trajectory.segments[trajectory.count - 1], 1, origin, point(request.goal.jerk),
+            "goal_state", findings);
 }
 
 namespace {

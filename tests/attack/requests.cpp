@@ -106,11 +106,14 @@ tern::Vec3 make_goal(Rng& rng, const World& world, const Map& map, const tern::V
   return goal;
 }
 
+bool rests(const tern::State& state) {
+  return zero(state.velocity) && zero(state.acceleration) && zero(state.jerk);
+}
+
 }  // namespace
 
 bool Ask::rest_to_rest() const {
-  return zero(request.start.velocity) && zero(request.start.acceleration) && zero(request.goal.velocity) &&
-         zero(request.goal.acceleration);
+  return rests(request.start) && rests(request.goal);
 }
 
 bool Ask::unlimited_search() const {
@@ -150,6 +153,26 @@ void make_limits(Rng& rng, tern::Limits& limits) {
   if (rng.chance(0.15)) limits.a_horizontal = rng.spread(0.01, 100);
 }
 
+namespace {
+
+/// Limits on jerk, and a jerk within them at an end that moves.
+void limit_jerk(Rng& rng, tern::Request& request) {
+  const double j = rng.spread(0.01, 1000.0);
+  request.limits.j_max = {j, j, j};
+  if (rng.chance(0.3)) axis(request.limits.j_max, rng.integer(0, 2)) = rng.chance(0.5) ? 0.0 : rng.spread(0.01, 1000.0);
+  if (rng.chance(0.3)) request.limits.j_horizontal = rng.spread(0.01, 1000.0);
+  const double norm = request.limits.j_horizontal > 0.0 ? std::min(j, request.limits.j_horizontal) : j;
+  for (tern::State* state : {&request.start, &request.goal}) {
+    if (rests(*state) || rng.chance(0.5)) continue;
+    for (int a = 0; a < 3; ++a) {
+      const double most = axis(request.limits.j_max, a) > 0.0 ? std::min(norm, axis(request.limits.j_max, a)) : norm;
+      axis(state->jerk, a) = 0.7 * most * rng.real(-1.0, 1.0);
+    }
+  }
+}
+
+}  // namespace
+
 void make_request(Rng& rng, Family family, const World& world, const Map& map, Ask& ask) {
   tern::Request& r = ask.request;
   make_limits(rng, r.limits);
@@ -162,6 +185,8 @@ void make_request(Rng& rng, Family family, const World& world, const Map& map, A
   make_budget(rng, far ? 0.5 : 0.25, r.budget);
   if (rng.chance(0.3)) r.time_weight = rng.spread(1e-3, 1e6);
   if (family == Family::kFences) make_fences(rng, world, ask);
+  Rng own = side_stream(rng);
+  if (own.chance(0.2)) limit_jerk(own, r);
 }
 
 }  // namespace tern_attack

@@ -24,6 +24,11 @@ class Rng : public tern_test::Random {
   }
 };
 
+/// A stream of its own that does not move `rng` on: what draws from it changes nothing that comes after.
+inline Rng side_stream(Rng rng) {
+  return Rng(rng.next() ^ 0x7F4A7C159E3779B9u);
+}
+
 /// Where case `number` of `seed` begins.
 inline Rng rng_of(std::uint64_t seed, std::uint64_t number) {
   Rng mixed(seed * 0xD1342543DE82EF95u + 0x632BE59BD9B4E019u);

@@ -38,8 +38,8 @@ Row row_of(const char* name, const Tally& t, const std::map<std::string, std::ui
 }
 
 std::vector<Row> rows_of(const Options& options, const Progress& progress) {
-  std::vector<Row> rows{{"family", "cases", "plans", "of these replans", "that needed the previous plan", "compared",
-                         "ok", "optimised / stop-and-go / hover / previous", "refused", "violations"}};
+  std::vector<Row> rows{{"family", "cases", "plans", "replans among them", "replans that needed the previous plan",
+                         "compared", "ok", "optimised / stop-and-go / hover / previous", "refused", "violations"}};
   Tallies all{};
   std::map<std::string, std::uint64_t> sum;
   for (int f = 0; f < kFamilies; ++f) {

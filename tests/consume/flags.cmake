@@ -23,7 +23,7 @@ target_include_directories(consume_flags_core SYSTEM INTERFACE ${eigen_dirs})
 # tern_add_flags_test(name expected [flag...]): without Tern's own flags the self-test finds the expected faults, and
 # with them after the others none. The archive does not mind its caller's flags, but for the constants of the headers.
 function(tern_add_flags_test name expected)
-  set(source ${PROJECT_SOURCE_DIR}/core/src/planner/self_test.cpp)
+  set(source ${PROJECT_SOURCE_DIR}/core/src/base/self_test.cpp)
   tern_add_flags_program(${name} "${expected}" LIBRARIES consume_flags_core SOURCES ${source}
     FLAGS -ffp-contract=off ${ARGN})
   tern_add_flags_program(${name}_undone 0 LIBRARIES consume_flags_core tern_core_flags SOURCES ${source} FLAGS ${ARGN})

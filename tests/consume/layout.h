@@ -18,6 +18,7 @@
   FIELD(tern_grid_spec, origin) FIELD(tern_grid_spec, cell) FIELD(tern_grid_spec, dims)                              \
   FIELD(tern_grid_spec, boundary) FIELD(tern_grid_spec, radius)                                                      \
   FIELD(tern_state, position) FIELD(tern_state, velocity) FIELD(tern_state, acceleration)                            \
+  FIELD(tern_state, jerk) FIELD(tern_limits, j_max) FIELD(tern_limits, j_horizontal)                                 \
   FIELD(tern_limits, v_max) FIELD(tern_limits, a_max) FIELD(tern_limits, v_min) FIELD(tern_limits, a_min)            \
   FIELD(tern_limits, v_horizontal) FIELD(tern_limits, a_horizontal)                                                  \
   FIELD(tern_budget, expansions) FIELD(tern_budget, sight_lines) FIELD(tern_budget, planes)                          \
@@ -25,9 +26,9 @@
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
-  FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, time_weight)                         \
+  FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, goal_mode)                           \
   FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
-  FIELD(tern_request, previous_time)                                                                                 \
+  FIELD(tern_request, time_weight) FIELD(tern_request, previous_time)                                                \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
@@ -48,6 +49,7 @@
   FIELD(tern_report, has_nearest_free) FIELD(tern_report, timing_known) FIELD(tern_report, quality)                  \
   FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free) FIELD(tern_report, stages)                          \
   FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, check)                                 \
+  FIELD(tern_report, has_reachable) FIELD(tern_report, goal_missed) FIELD(tern_report, reachable)                    \
   FIELD(tern_report, half_spaces)                                                                                    \
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \

@@ -24,6 +24,7 @@ int main() {
         sizeof Layout::fences + sizeof Layout::asked_fences + sizeof Layout::fenced + sizeof Layout::fence_layer);
   print("`scans`", sizeof Layout::scans);
   print("`stage.search`", sizeof Layout::stage.search);
+  print("`stage.reach`", sizeof Layout::stage.reach);
   print("`stage.shortcut`", sizeof Layout::stage.shortcut);
   print("`stage.corridor`", sizeof Layout::stage.corridor);
   print("`stage.trajectory`", sizeof Layout::stage.trajectory);

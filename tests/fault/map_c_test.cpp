@@ -72,6 +72,14 @@ TEST(MapC, EqualsTheMapInCpp) {
   EXPECT_EQ(tern_grid_inflate(&route), kOk);
   EXPECT_EQ(tern_grid_inflate(&safe), kOk);
   EXPECT_GT(tern_map_revision(&map), 0u);
+  tern_grid snapshot{};
+  std::vector<std::uint64_t> copy(tern_grid_words(spec.dims));
+  EXPECT_EQ(tern_map_snapshot(&map, &snapshot, copy.data(), copy.size() - 1), kInvalid);
+  EXPECT_EQ(tern_map_snapshot(&map, nullptr, copy.data(), copy.size()), kInvalid);
+  for (int k = 0; k < 2; ++k) {
+    ASSERT_EQ(tern_map_snapshot(&map, &snapshot, copy.data(), copy.size()), kOk);
+    EXPECT_EQ(tern_grid_inflate(&snapshot), kOk);
+  }
 }
 
 TEST(MapC, AnswersWithoutAMap) {
@@ -92,6 +100,7 @@ TEST(MapC, AnswersWithoutAMap) {
     EXPECT_EQ(tern_map_mark_points(none, &point, 1), kInvalid);
     EXPECT_EQ(tern_map_route(none, &grid), kInvalid);
     EXPECT_EQ(tern_map_safe(none, &grid), kInvalid);
+    EXPECT_EQ(tern_map_snapshot(none, &grid, nullptr, 0), kInvalid);
     EXPECT_EQ(tern_map_seen(none, {0, 0, 0}), 0);
     EXPECT_EQ(tern_map_revision(none), 0u);
   }

@@ -41,5 +41,15 @@ TEST(TinyFences, ANarrowGridNeedsMoreWordsThanVoxels) {
   EXPECT_EQ(world.report.field, tern::Field::kFences);
 }
 
+TEST(TinyFences, AGoalAsNearAsPossibleNeedsALayerToo) {
+  World world({1, 64, 64}, 0.1, 0.0);
+  world.block({0.0, 0.5, 0.0}, {0.1, 0.6, 6.4}).from({0.05, 0.25, 0.25}).to({0.05, 0.85, 0.45});
+  EXPECT_EQ(world.plan(), Status::kNoPath);
+  EXPECT_FALSE(world.report.has_reachable);
+  world.request.goal_mode = tern::GoalMode::kNearest;
+  EXPECT_EQ(world.plan(), Status::kFenceLayerFull);
+  EXPECT_EQ(world.report.stage, tern::Stage::kReach);
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -43,6 +43,43 @@ World noise(double density, std::uint64_t seed) {
   return world;
 }
 
+/// A goal that is walled in, beside the start: the search wanders off until it is out of room, the flood does not.
+TEST(TinyPlanner, AsNearAsPossibleNeedsNoNodesToFindOutThatThereIsNoPath) {
+  int missed = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    World world = noise(0.1, seed);
+    world.block({2.0, 2.0, 1.0}, {3.75, 3.75, 2.75}).grid.clear_box({{2.25, 2.75, 1.75}, {2.5, 3.0, 2.0}});
+    world.grid.clear_box({{1.0, 2.5, 1.5}, {2.0, 3.0, 2.0}});
+    world.from({1.125, 2.875, 1.875}).to({2.375, 2.875, 1.875});
+    world.request.search = tern::SearchMode::kOptimal;
+    const Status exact = world.plan();
+    if (exact != Status::kNodesFull && exact != Status::kOpenFull) continue;
+    EXPECT_TRUE(world.report.has_reachable);
+    EXPECT_NEAR(world.report.reachable.x, 1.875, 1e-12);
+    world.request.goal_mode = tern::GoalMode::kNearest;
+    ASSERT_EQ(world.replan(), Status::kOk);
+    EXPECT_EQ(world.report.goal_missed, exact);
+    ++missed;
+  }
+  EXPECT_GT(missed, 10);
+}
+
+/// A goal that can be reached, with more room than there is.
+TEST(TinyPlanner, AsNearAsPossibleSaysWhatWasFullWhereThereIsAPath) {
+  int full = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    World world = noise(0.1, seed);
+    world.request.goal_mode = tern::GoalMode::kNearest;
+    world.request.search = tern::SearchMode::kOptimal;
+    const Status status = world.plan();
+    if (status != Status::kNodesFull && status != Status::kOpenFull) continue;
+    EXPECT_TRUE(world.report.has_reachable);
+    EXPECT_EQ(world.report.goal_missed, Status::kOk);
+    ++full;
+  }
+  EXPECT_GT(full, 10);
+}
+
 TEST(TinyPlanner, OpenSpaceFits) {
   World world({32, 32, 16}, 0.25, 0.3);
   world.from({0.5, 0.5, 0.5}).to({2.0, 1.5, 1.0});
@@ -90,6 +127,46 @@ TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
   EXPECT_GT(nodes, 0);
   EXPECT_GT(open, 0);
   EXPECT_GT(segments, 0);
+}
+
+/// Voxels strewn at random, and two free ones near each other.
+World strewn(Random& random) {
+  World world({32, 32, 16}, 0.25, 0.0);
+  const auto any = [&random] {
+    return tern::Voxel{random.integer(0, 31), random.integer(0, 31), random.integer(0, 15)};
+  };
+  for (int k = random.integer(3000, 5000); k > 0; --k) world.grid.mark_voxel(any());
+  const tern::Voxel start = any();
+  const tern::Voxel goal{(start.x + random.integer(0, 9)) % 32, (start.y + random.integer(0, 9)) % 32,
+                         (start.z + random.integer(0, 4)) % 16};
+  world.grid.clear_voxel(start);
+  world.grid.clear_voxel(goal);
+  const auto centre = [](const tern::Voxel& v) {
+    return tern::Vec3{0.25 * v.x + 0.125, 0.25 * v.y + 0.125, 0.25 * v.z + 0.125};
+  };
+  world.from(centre(start)).to(centre(goal));
+  return world;
+}
+
+/// A fast path that needs too many segments is never the last word: the optimal search has its say.
+TEST(TinyPlanner, AFastPathThatDoesNotFitIsSearchedForAgain) {
+  Random random(31);
+  int again = 0;
+  for (int k = 0; k < 1500; ++k) {
+    World world = strewn(random);
+    world.request.search = tern::SearchMode::kFast;
+    const Status status = world.plan();
+    const tern::StageReport& search = world.report.stages[static_cast<int>(Stage::kSearch)];
+    const tern::StageReport& shortcut = world.report.stages[static_cast<int>(Stage::kShortcut)];
+    EXPECT_LE(search.work, search.bound);
+    EXPECT_LE(shortcut.work, shortcut.bound);
+    if (status == Status::kSegmentsFull) {
+      EXPECT_EQ(world.report.search_used, tern::SearchUsed::kOptimal) << "case " << k;
+    }
+    // A plan that fails in the search although a path was shortened before.
+    again += world.report.stage == Stage::kSearch && shortcut.work > 0 ? 1 : 0;
+  }
+  EXPECT_GT(again, 0);
 }
 
 }  // namespace

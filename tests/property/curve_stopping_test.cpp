@@ -83,7 +83,7 @@ void expect_begins_at(const Segment& segment, const State& state) {
     ASSERT_EQ(axis(segment.points[0], a), axis(state.position, a));
     ASSERT_NEAR(axis(first.velocity, a), axis(state.velocity, a), rounding(segment.duration, 1));
     ASSERT_NEAR(axis(first.acceleration, a), axis(state.acceleration, a), rounding(segment.duration, 2));
-    ASSERT_NEAR(axis(first.jerk, a), 0.0, rounding(segment.duration, 3));
+    ASSERT_NEAR(axis(first.jerk, a), axis(state.jerk, a), rounding(segment.duration, 3));
   }
 }
 
@@ -104,6 +104,8 @@ void expect_keeps(const Segment& segment, const Limits& limits) {
     const double claim = joint ? kStopTolerance : 1e-6;
     ASSERT_LE(speed_excess(sample.velocity, limits), claim + rounding(segment.duration, 1)) << k;
     ASSERT_LE(pull_excess(sample.acceleration, limits), claim + rounding(segment.duration, 2)) << k;
+    if (!(limits.j_max.x > 0.0)) continue;
+    ASSERT_LE(excess(sample.jerk, {}, limits.j_max, 0.0), claim + rounding(segment.duration, 3)) << k;
   }
 }
 
@@ -160,9 +162,9 @@ TEST(Stopping, EveryAcceptedChoiceIsAStop) {
       Stopping stopping;
       if (!make_stopping(state, limits, choice, stopping)) continue;
       ++accepted;
-      const int way = choice % kStoppingWays;
+      const int index = choice % kStoppingManoeuvres;
       const int axes = kBrakeShapes + kAxisBrakes;
-      ++of_kind[way < kBrakeShapes ? 0 : (way < axes ? 1 : (way < axes + 2 * kTurns ? 2 : 3))];
+      ++of_kind[index < kBrakeShapes ? 0 : (index < axes ? 1 : (index < axes + 2 * kTurns ? 2 : 3))];
       ASSERT_NO_FATAL_FAILURE(expect_stops(state, limits, stopping)) << "state " << i << ", choice " << choice;
       Stopping back = stopping;
       reverse(back);
@@ -174,6 +176,30 @@ TEST(Stopping, EveryAcceptedChoiceIsAStop) {
   }
   EXPECT_GT(accepted, scaled(12) * 100);
   for (const int count : of_kind) EXPECT_GT(count, 0);
+}
+
+TEST(Stopping, JerkIsContinuedAndLimited) {
+  Random random(62);
+  int stopped = 0;
+  const int cases = scaled(60);
+  for (int i = 0; i < cases; ++i) {
+    Limits limits{{3, 3, 2}, {4, 4, 3}};
+    const double j = random.real(2.0, 20.0);
+    limits.j_max = {j, j, j};
+    State state{{0, 0, 0},
+                random_within(random, {-2, -2, -1}, {2, 2, 1}, 0.0),
+                random_within(random, {-1, -1, -1}, {1, 1, 1}, 0.0),
+                random_within(random, -0.8 * limits.j_max, 0.8 * limits.j_max, 0.0)};
+    int accepted = 0;
+    for (int choice = 0; choice < kStoppingManoeuvres; ++choice) {
+      Stopping stopping;
+      if (!make_stopping(state, limits, choice, stopping)) continue;
+      ++accepted;
+      ASSERT_NO_FATAL_FAILURE(expect_stops(state, limits, stopping)) << "state " << i << ", choice " << choice;
+    }
+    stopped += accepted > 0 ? 1 : 0;
+  }
+  EXPECT_GE(stopped, cases * 9 / 10);
 }
 
 TEST(Stopping, RefusesWhatBreaksTheLimits) {

@@ -79,6 +79,7 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     Status status = Status::kRunning;
     while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
     ASSERT_EQ(status, optimum < 0.0 ? Status::kNoPath : Status::kOk) << "case " << k;
+    ASSERT_LE(search->units, 2 * search->store.count) << "case " << k << ": docs/search.md says 1.2";
     if (optimum < 0.0) continue;
     const double cost = static_cast<double>(search->store.nodes[store_find_or_add(search->store, search->goal)].g);
     ASSERT_NEAR(cost / static_cast<double>(tern::kStraightCost), optimum, 1e-7) << "case " << k;

@@ -45,10 +45,11 @@ class RandomCorridors : public testing::Test {
       }
     }
   }
-  /// The highest parts of the velocity and of the acceleration limits that dense samples use.
+  /// The highest parts of the limits that dense samples use.
   struct Use {
     double v = 0.0;
     double a = 0.0;
+    double j = 0.0;
   };
   Use sampled_use() const {
     Use use;
@@ -58,6 +59,7 @@ class RandomCorridors : public testing::Test {
       const Sample s = evaluate(plan_, end * i / steps);
       use.v = std::fmax(use.v, part(s.velocity, limits_.v_max, limits_.v_min, limits_.v_horizontal));
       use.a = std::fmax(use.a, part(s.acceleration, limits_.a_max, limits_.a_min, limits_.a_horizontal));
+      if (limits_.j_max.x > 0.0) use.j = std::fmax(use.j, part(s.jerk, limits_.j_max, {}, limits_.j_horizontal));
     }
     return use;
   }
@@ -73,6 +75,7 @@ class RandomCorridors : public testing::Test {
     const Use use = sampled_use();
     EXPECT_LE(use.v, 1.0 + 1e-8);
     EXPECT_LE(use.a, 1.0 + 1e-8);
+    EXPECT_LE(use.j, 1.0 + 3e-8);
   }
   void expect_joints() const {
     double at = 0.0;
@@ -91,7 +94,7 @@ class RandomCorridors : public testing::Test {
     EXPECT_EQ(first.position.x, query.start.position.x);
     EXPECT_NEAR(first.velocity.y, query.start.velocity.y, 1e-9);
     EXPECT_NEAR(first.acceleration.z, query.start.acceleration.z, 1e-7);
-    EXPECT_NEAR(first.jerk.x, 0.0, 1e-5);
+    EXPECT_NEAR(first.jerk.x, query.start.jerk.x, 1e-5);
     const Sample last = evaluate(plan_, std::nextafter(duration(plan_), 0.0));
     EXPECT_NEAR(last.position.x, query.goal.position.x, 1e-9);
     EXPECT_NEAR(last.velocity.y, query.goal.velocity.y, 1e-7);
@@ -166,6 +169,27 @@ TEST_F(RandomCorridors, MovingEndsAreMetWhereThereIsAPlan) {
   EXPECT_GE(planned, cases * 6 / 10);
 }
 
+TEST_F(RandomCorridors, MoreWeightIsNeverSlower) {
+  tern_test::Random random(9);
+  int compared = 0;
+  for (int i = 0; i < tern_test::scaled(60); ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.3);
+    TrajectoryQuery query = query_at_rest(random);
+    if (i % 3 == 0) query.start.velocity = part_of(random, limits_.v_max, 0.5);
+    double last = 0.0;
+    for (const double weight : {40.0, 90.0, 100.0, 180.0, 200.0, 300.0, 450.0, 500.0, 900.0, 1e3, 5e3, 1e4, 1e6}) {
+      query.time_weight = weight;
+      if (plan(query) != Status::kOk) break;
+      if (last > 0.0) {
+        EXPECT_LE(duration(plan_), last * (1.0 + 1e-12)) << i << ", weight " << weight;
+      }
+      compared += last > 0.0 ? 1 : 0;
+      last = duration(plan_);
+    }
+  }
+  EXPECT_GE(compared, tern_test::scaled(60) * 4);
+}
+
 TEST_F(RandomCorridors, UnevenLimitsHoldAndAreReached) {
   tern_test::Random random(5);
   for (int i = 0; i < tern_test::scaled(300); ++i) {
@@ -197,6 +221,36 @@ TEST_F(RandomCorridors, UnevenLimitsHoldFromMovingStarts) {
     expect_good(query);
   }
   EXPECT_GE(planned, cases * 9 / 10);
+}
+
+TEST_F(RandomCorridors, LimitsOnJerkHoldAndAreReached) {
+  tern_test::Random random(10);
+  int moving = 0;
+  const int cases = tern_test::scaled(200);
+  for (int i = 0; i < cases; ++i) {
+    corridor_ = tern_test::random_corridor(random, random.integer(1, 8), 5.0, 0.3);
+    TrajectoryQuery query = query_at_rest(random);
+    Limits limits = tern_test::random_limits(random);
+    const double j = random.real(0.5, 2.0) * limits.a_max.x;
+    limits.j_max = {j, j, j};
+    if (i % 4 == 0) limits.j_horizontal = 1.2 * j;
+    query.limits = limits_ = limits;
+    query.time_weight = kMaxTimeWeight;
+    if (i % 5 == 4) query.max_iterations = 0;
+    if (i % 2 == 1) {
+      query.start.velocity = part_of(random, limits_.v_max, 0.3);
+      query.start.acceleration = part_of(random, limits_.a_max, 0.1);
+      query.start.jerk = part_of(random, limits_.j_max, 0.3);
+    }
+    const Status status = plan(query);
+    if (i % 2 == 1 && status == Status::kNoTrajectory) continue;
+    ASSERT_EQ(status, Status::kOk) << i;
+    moving += i % 2;
+    expect_good(query);
+    const Use use = sampled_use();
+    EXPECT_GE(std::fmax(std::fmax(use.v, use.a), use.j), i % 2 == 1 ? 0.5 : 0.9) << i;
+  }
+  EXPECT_GE(moving, cases / 4);
 }
 
 TEST_F(RandomCorridors, VeryUnequalLegs) {

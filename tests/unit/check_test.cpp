@@ -121,6 +121,28 @@ TEST_F(CheckTest, AccelerationLimitIsExact) {
   EXPECT_LE(found.excess, 1e-6 * query_.limits.a_max.y);
 }
 
+// The peak of the jerk is 105/2 L/T^3, half-way.
+TEST_F(CheckTest, JerkLimitIsExact) {
+  query_.limits.v_max = {100.0, 100.0, 100.0};
+  query_.limits.a_max = {100.0, 100.0, 100.0};
+  query_.limits.j_max.x = 52.5 * 2.5 / 64.0;
+  EXPECT_EQ(run(), Status::kOk);
+  query_.limits.j_max.x *= 1.0 - 1e-6;
+  EXPECT_EQ(expect(Finding::kJerk, 0).derivative, 3);
+  EXPECT_EQ(stage_.axis, 0);
+  query_.limits.j_max.x = 0.0;
+  query_.limits.j_horizontal = 1.0;
+  EXPECT_EQ(expect(Finding::kJerk, 0).axis, 3);
+}
+
+TEST_F(CheckTest, JerkAtTheEndsIsThatWhichWasAsked) {
+  query_.start.jerk.y = 1e-3;
+  EXPECT_EQ(expect(Finding::kBoundary, 0).derivative, 3);
+  query_.start.jerk.y = 0.0;
+  query_.goal.jerk.z = -1e-3;
+  EXPECT_EQ(expect(Finding::kBoundary, trajectory_->count - 1).axis, 2);
+}
+
 // The first segment flies along +x alone, so a limit on -x is met by its braking and by no velocity.
 TEST_F(CheckTest, LowerLimitsAreTheirOwn) {
   query_.limits.v_max = {100.0, 100.0, 100.0};

@@ -131,6 +131,24 @@ TEST(CorridorEllipsoid, ContactPlaneKeepsTheScaledEllipsoidFromTheGrownBox) {
   }
 }
 
+TEST(CorridorEllipsoid, TheLeastScaleIsABoundAndMostlyANearOne) {
+  Random random(13);
+  int cases = 0;
+  int near = 0;
+  for (int i = 0; i < scaled(20000); ++i) {
+    const EllipsoidMetric metric = metric_of(random_frame(random));
+    const LocalBox box = random_box(random);
+    const double scale = contact_of(metric, box, 0.0).scale;  // without a radius it is exact
+    ASSERT_LE(least_scale(metric, box, 0.0), scale) << "case " << i;
+    const double radius = random.real(0.0, 0.5);
+    ASSERT_LE(least_scale(metric, box, radius), scale) << "case " << i;
+    if (!(scale > 0.0)) continue;
+    ++cases;
+    near += least_scale(metric, box, 0.0) > 0.9 * scale ? 1 : 0;
+  }
+  EXPECT_GT(4 * near, 3 * cases);
+}
+
 TEST(CorridorEllipsoid, AFreeSegmentGetsASphere) {
   const Obstacles none{nullptr, 0, 0.25};
   const EllipsoidFrame frame = fit_ellipsoid({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, none, 0.1, nullptr);

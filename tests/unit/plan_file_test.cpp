@@ -118,7 +118,7 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["corridor"][0]["ellipsoid"]["E"].size(), 3u);
   EXPECT_EQ(plan["qp"]["iterations"], 17);
   for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization", "check",
-                            "fences", "detour", "previous", "escape"}) {
+                            "fences", "detour", "previous", "escape", "reach"}) {
     EXPECT_TRUE(plan["timing_us"][stage].is_number()) << stage;
   }
   EXPECT_EQ(plan["timing_us"]["total"], 3.75);
@@ -153,6 +153,23 @@ TEST(PlanFile, FailureCarriesStatusDetailAndThePartsReached) {
     EXPECT_FALSE(plan.contains(part)) << part;
 }
 
+TEST(PlanFile, SaysHowNearItComesToAGoalThatCannotBePlannedTo) {
+  const std::string text = "boundary 0 0 0 6 3 2\nblock 3 0 0 3.2 3 2\nstart 1 1 1\ngoal 5 1.02 1.02\n";
+  tern_host::Session session;
+  const json exact = json::parse(tern_host::plan_json(session.plan(tern_host::parse_scenario(text, "walled"))));
+  EXPECT_EQ(exact["status"], "no_path");
+  EXPECT_NEAR(exact["reachable"][0].get<double>(), 2.65, 1e-12);
+  EXPECT_NE(exact["detail"].get<std::string>().find("a path comes as near as (2.65, 1.05, 1.05)"), std::string::npos)
+      << exact["detail"];
+  EXPECT_FALSE(exact.contains("goal_missed"));
+  const tern_host::PlanResult near = session.plan(tern_host::parse_scenario(text + "goal_mode nearest\n", "walled"));
+  const json nearest = json::parse(tern_host::plan_json(near));
+  EXPECT_EQ(nearest["status"], "ok");
+  EXPECT_EQ(nearest["goal_missed"], "no_path");
+  EXPECT_EQ(nearest["reachable"], exact["reachable"]);
+  EXPECT_EQ(nearest["detail"].get<std::string>().rfind("not at the goal but at (2.65, 1.05, 1.05)", 0), 0u);
+}
+
 TEST(PlanFile, SaysWhatTheCheckFound) {
   PlanResult result = awkward_result(5);
   result.report.quality = tern::Quality::kStopAndGo;
@@ -173,6 +190,16 @@ TEST(PlanFile, SaysWhatTheCheckFound) {
   EXPECT_EQ(plan["check"]["voxel"], json({20, 9, 0}));
   EXPECT_EQ(plan["check"]["excess"], 0.125);
   EXPECT_TRUE(plan["check"]["segment"].is_null());
+}
+
+TEST(PlanFile, SaysThatAnArrivalIsNoStopAndGo) {
+  PlanResult result = awkward_result(5);
+  result.report.quality = tern::Quality::kStopAndGo;
+  result.report.optimiser = Status::kOk;
+  const std::string detail = json::parse(tern_host::plan_json(result))["detail"];
+  EXPECT_NE(detail.find("into the goal's motion"), std::string::npos) << detail;
+  EXPECT_EQ(detail.find("stop to stop"), std::string::npos) << detail;
+  EXPECT_EQ(detail.find("ended with"), std::string::npos) << detail;
 }
 
 /// The clause for a finding about a derivative of segment 3.

@@ -96,6 +96,7 @@ TEST_F(EscapePlan, ArrivesAtAGoalInMotionThatThereIsNoRoomToStopBefore) {
   world_.request.start.velocity = world_.request.goal.velocity = {0.0, 2.0, 0.0};
   expect_escaped();
   EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
+  EXPECT_EQ(world_.report.optimiser, Status::kOk) << "it was not asked for this curve";
   EXPECT_NEAR(tern::duration(world_.trajectory), 0.06, 1e-12);
 }
 

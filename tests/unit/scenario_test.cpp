@@ -61,6 +61,7 @@ TEST(Scenario, EveryRecordIsRead) {
       "goal +2 3 4E0\n"
       "start_velocity 0.1 0.2 0.3\nstart_acceleration 0.4 0.5 0.6\n"
       "goal_velocity 1 2 3\ngoal_acceleration 4 5 6\n"
+      "start_jerk 0.7 0.8 0.9\ngoal_jerk 7 8 9\nj_max 5 6 7\nj_horizontal 4.5\n"
       "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3\n"
       "v_min -1 -2 -0.5\na_min -4\nv_horizontal 2.5\na_horizontal 1.5\ntime_weight 7",
       "m");
@@ -74,6 +75,10 @@ TEST(Scenario, EveryRecordIsRead) {
   expect_vec(s.start.acceleration, 0.4, 0.5, 0.6);
   expect_vec(s.goal.velocity, 1, 2, 3);
   expect_vec(s.goal.acceleration, 4, 5, 6);
+  expect_vec(s.start.jerk, 0.7, 0.8, 0.9);
+  expect_vec(s.goal.jerk, 7, 8, 9);
+  expect_vec(s.limits.j_max, 5, 6, 7);
+  EXPECT_DOUBLE_EQ(s.limits.j_horizontal, 4.5);
   EXPECT_DOUBLE_EQ(s.resolution, 0.05);
   EXPECT_DOUBLE_EQ(s.radius, 0);
   expect_vec(s.limits.v_max, 3, 3, 3);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The open list and the node store against the standard library.
+// The open list and the node store against the standard library, and the bound on the units of a search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "search/open_list.hpp"
+#include "search/search.hpp"
 #include "support/path_world.hpp"
 #include "support/random.hpp"
 
@@ -177,6 +178,25 @@ TEST(PathCost, OctileIsConsistentAndExact) {
       EXPECT_LE(tern::octile(a, goal), tern::move_cost(d) + tern::octile(a + tern::offset(d), goal));
     }
   }
+}
+
+TEST(SearchBound, EndsTheSearchWithoutAnAnswer) {
+  const tern_test::VoxelWorld world({40, 1, 1});
+  const std::unique_ptr<tern::Search> search(new tern::Search);
+  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
+  const auto end = [&](std::uint32_t units_left) {
+    tern::search_begin(*search, *scans, world.grid, {0, 0, 0}, {5, 0, 0});
+    search->units = tern::kExpansionBound - units_left;
+    tern::Status status = tern::Status::kRunning;
+    while (status == tern::Status::kRunning) status = tern::search_expand(*search, world.grid);
+    return status;
+  };
+  // Step by step, each voxel of the corridor takes one unit. All have the same f, so nothing is sorted.
+  EXPECT_EQ(end(3), tern::Status::kNodesFull);
+  EXPECT_EQ(search->expanded, 3u);
+  EXPECT_EQ(search->units, tern::kExpansionBound);
+  EXPECT_EQ(end(5), tern::Status::kNodesFull);
+  EXPECT_EQ(end(6), tern::Status::kOk) << "the goal is the sixth voxel";
 }
 
 }  // namespace

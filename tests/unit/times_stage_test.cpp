@@ -60,11 +60,27 @@ TEST_F(Times, RampsAtBothEndsAndCruisingBetween) {
 
 TEST_F(Times, AShortLegTakesItsTriangleAtMost) {
   leg({0.0, 0.0, 0.0}, {0.02, 0.0, 0.0});
+  leg({0.02, 0.0, 0.0}, {4.0, 0.0, 0.0});
   begin(first(), last());
   ASSERT_EQ(advance(100), tern::Progress::kDone);
-  // Half of the way a piece: both ramps of 0.5 s would be more than 2 sqrt(x / a).
-  ASSERT_EQ(chain_->count, 2);
-  EXPECT_NEAR(chain_->duration[0], kSlack * 2.0 * std::sqrt(0.01 / 2.0), 1e-12);
+  // The ramp to 1.4 m/s alone would take 0.35 s, more than 2 sqrt(x / a).
+  EXPECT_EQ(chain_->polyhedron[1], 1);
+  EXPECT_NEAR(chain_->duration[0], kSlack * 2.0 * std::sqrt(0.02 / 2.0), 1e-12);
+}
+
+TEST_F(Times, ALimitBeyondReachIsNoneAtAll) {
+  leg({0.0, 0.0, 0.0}, {10.0, 0.0, 0.0});
+  for (const double v : {2.5, 5.0, 20.0, 1000.0}) {
+    begin(first(), last(), {{v, v, v}, {2.0, 2.0, 2.0}});
+    ASSERT_EQ(advance(100), tern::Progress::kDone);
+    // A lone leg is three pieces. There is room for half of sqrt(2 m/s^2 * 10 m).
+    ASSERT_EQ(chain_->count, 3);
+    const double speed = 0.5 * std::sqrt(20.0);
+    const double cruise = 10.0 / 3.0 / speed;
+    EXPECT_NEAR(chain_->duration[0], kSlack * (cruise + speed / 4.0), 1e-12);
+    EXPECT_NEAR(chain_->duration[1], kSlack * cruise, 1e-12);
+    EXPECT_NEAR(chain_->duration[2], kSlack * (cruise + speed / 4.0), 1e-12);
+  }
 }
 
 TEST_F(Times, NoLengthTakesTheLeastDuration) {

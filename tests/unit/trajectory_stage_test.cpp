@@ -145,17 +145,20 @@ TEST(TrajectoryStage, NoIterationsIsStopAndGo) {
   EXPECT_EQ(run.plan.count, 3);
 }
 
-TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
+void every_budget_gives_a_plan(double weight) {
   const Corridor corridor = corner();
-  const Flight full(corridor, rest_to_rest(corridor));
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.time_weight = weight;
+  const Flight full(corridor, query);
   const std::uint32_t all = full.stage->iterations;
+  const double rate = weight * full.stage->refinement.unit;
   double last = 1e9;
-  const double rate = kDefaultTimeWeight * 4.0;  // a^6 / v^4 of the limits
   for (std::uint32_t budget = 0; budget <= all + 1; ++budget) {
-    const Flight run(corridor, rest_to_rest(corridor, budget));
+    query.max_iterations = budget;
+    const Flight run(corridor, query);
     ASSERT_EQ(run.status, Status::kOk);
     EXPECT_LE(run.stage->iterations, budget);
-    // More budget never gives a dearer plan; the whole of it gives the same bits as no bound.
+    // More budget never gives a costlier plan; the whole of it gives the same bits as no bound.
     const double cost = snap_cost(run.plan) + rate * duration(run.plan);
     EXPECT_LE(cost, last * (1.0 + 1e-9));
     last = cost;
@@ -166,6 +169,14 @@ TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
       EXPECT_EQ(run.stage->optimiser, Status::kBudgetOptimise);
     }
   }
+}
+
+TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
+  every_budget_gives_a_plan(kDefaultTimeWeight);
+}
+
+TEST(TrajectoryStage, EveryBudgetGivesAPlanOnEveryRung) {
+  every_budget_gives_a_plan(1000.0);
 }
 
 TEST(TrajectoryStage, SlicingChangesNothing) {

@@ -18,6 +18,7 @@ void add_plan_command(CLI::App& app, int& exit_status);
 void add_table_command(CLI::App& app, int& exit_status);
 void add_fly_command(CLI::App& app, int& exit_status);
 void add_solve_command(CLI::App& app, int& exit_status);
+void add_map_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli
 

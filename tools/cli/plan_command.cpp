@@ -9,6 +9,7 @@
 #include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
 #include "host/atomic_file.hpp"
+#include "host/map/map_files.hpp"
 #include "host/number.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
@@ -42,8 +43,8 @@ void write_outputs(const PlanOptions& options, const tern_host::PlanResult& resu
 }
 
 int plan(const PlanOptions& options) {
-  check_output_paths({options.scenario}, {options.json, options.csv, options.svg});
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  check_output_paths(tern_host::input_paths(scenario), {options.json, options.csv, options.svg});
   const tern_host::PlanResult result = tern_host::Session().plan(scenario);
   write_outputs(options, result);
   if (result.ok()) {
@@ -83,9 +84,10 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->type_name("VIEW");
   command
       ->add_option("--set", options->overrides,
-                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, goal_velocity, "
-                   "goal_acceleration, resolution, radius, v_max, a_max, v_min, a_min, v_horizontal, a_horizontal, "
-                   "time_weight, search (fast or optimal); "
+                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, start_jerk, "
+                   "goal_velocity, goal_acceleration, goal_jerk, resolution, radius, v_max, a_max, v_min, a_min, "
+                   "v_horizontal, a_horizontal, j_max, j_horizontal, time_weight, search (fast or optimal), "
+                   "goal_mode (exact or nearest), unknown (free or solid); "
                    "e.g. --set radius=0.1 --set goal=1,2,3")
       ->type_name("KEY=VALUE")
       ->expected(1)

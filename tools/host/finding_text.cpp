@@ -74,6 +74,7 @@ std::string describe_finding(const CheckReport& check) {
       return outside_text(check);
     case Finding::kVelocity:
     case Finding::kAcceleration:
+    case Finding::kJerk:
       return motion_text(check, "is beyond its limit");
     case Finding::kJoint:
       return motion_text(check, "jumps from the segment before");

@@ -84,7 +84,8 @@ double resolution_that_fits(const Scenario& scenario, bool padded) {
 }  // namespace
 
 tern::GridSpec lay_out_grid(const Scenario& scenario) {
-  const Layout layout = layout_at(scenario, scenario.resolution, block_sticks_out(scenario));
+  const bool padded = scenario.unknown == Unknown::kSolid || block_sticks_out(scenario);
+  const Layout layout = layout_at(scenario, scenario.resolution, padded);
   if (!layout.fits()) throw_too_large(scenario, layout);
   const Vec3& lower = scenario.boundary.lower;
   const double margin = layout.padding * layout.cell;

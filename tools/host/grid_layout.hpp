@@ -9,8 +9,8 @@
 namespace tern_host {
 
 /// The grid that a scenario asks for: from the boundary's lower corner, as many voxels as cover the boundary. Where a
-/// block sticks out of the boundary the grid is wider by the radius and a voxel on every side, in whole voxels, so that
-/// obstacles beyond the boundary keep their distance; the boundary stays what it is.
+/// block sticks out of the boundary, or the unknown is solid, the grid is wider by the radius and a voxel on every
+/// side, in whole voxels, so that obstacles beyond the boundary keep their distance; the boundary stays what it is.
 /// Throws ScenarioError where the grid is beyond a compiled capacity.
 tern::GridSpec lay_out_grid(const Scenario& scenario);
 

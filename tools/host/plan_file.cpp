@@ -25,7 +25,8 @@ Json json(const Vec3& v) {
 Json json(const tern::State& state) {
   return {{"position", json(state.position)},
           {"velocity", json(state.velocity)},
-          {"acceleration", json(state.acceleration)}};
+          {"acceleration", json(state.acceleration)},
+          {"jerk", json(state.jerk)}};
 }
 
 Json limits_json(const tern::Limits& limits) {
@@ -37,6 +38,9 @@ Json limits_json(const tern::Limits& limits) {
                  {"a_min", json(acceleration.lower)}};
   if (velocity.horizontal > 0.0) result["v_horizontal"] = velocity.horizontal;
   if (acceleration.horizontal > 0.0) result["a_horizontal"] = acceleration.horizontal;
+  const Vec3& jerk = limits.j_max;
+  if (jerk.x > 0.0 || jerk.y > 0.0 || jerk.z > 0.0) result["j_max"] = json(jerk);
+  if (limits.j_horizontal > 0.0) result["j_horizontal"] = limits.j_horizontal;
   return result;
 }
 
@@ -102,6 +106,7 @@ Json timing_json(const Timing& timing) {
           {"detour", timing.of(tern::Stage::kDetour)},
           {"previous", timing.of(tern::Stage::kPrevious)},
           {"escape", timing.of(tern::Stage::kEscape)},
+          {"reach", timing.of(tern::Stage::kReach)},
           {"total", timing.total()}};
 }
 
@@ -149,6 +154,7 @@ std::string describe_failure(const tern::Report& report) {
   if (is_occupied(report.status)) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
   }
+  if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free cell is at " + point_text(report.nearest_free);
   return text + finding_text(report.check);
 }
@@ -157,12 +163,18 @@ std::string describe_failure(const tern::Report& report) {
 
 std::string describe_status(const tern::Report& report) {
   if (report.status != tern::Status::kOk) return describe_failure(report);
+  if (report.goal_missed != tern::Status::kOk) {
+    return std::string("not at the goal but at ") + point_text(report.reachable) +
+           ", as near as a path comes: " + tern::status_meaning(report.goal_missed);
+  }
   const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
                              tern::status_meaning(report.optimiser) + finding_text(report.check);
-  if (report.quality == tern::Quality::kStopAndGo)
-    return "from stop to stop, because the optimiser ended with " + reason;
-  if (report.optimiser != tern::Status::kOk) return "the optimiser ended with " + reason;
-  return "";
+  const bool optimised = report.optimiser == tern::Status::kOk;
+  if (report.quality == tern::Quality::kStopAndGo) {
+    return optimised ? "one curve straight into the goal's motion, which is not optimised"
+                     : "from stop to stop, because the optimiser ended with " + reason;
+  }
+  return optimised ? "" : "the optimiser ended with " + reason;
 }
 
 std::string plan_json(const PlanResult& result) {
@@ -177,6 +189,9 @@ std::string plan_json(const PlanResult& result) {
                {"time_weight", scenario.time_weight},
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
+  const tern::Report& report = result.report;
+  if (report.has_reachable) plan["reachable"] = json(report.reachable);
+  if (report.goal_missed != tern::Status::kOk) plan["goal_missed"] = tern::status_name(report.goal_missed);
   if (result.path != nullptr) plan["search"] = search_json(result);
   if (result.corridor != nullptr) plan["corridor"] = corridor_json(*result.corridor, result.grid.origin);
   if (result.ok()) {

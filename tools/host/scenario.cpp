@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario.hpp"
 
+#include "host/map/map_files.hpp"
 #include "host/scenario_records.hpp"
 
 namespace tern_host {
@@ -38,7 +39,9 @@ Scenario parse_scenario(const std::string& text, const std::string& name, const 
 }
 
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_scenario(read_text(path), path, overrides);
+  Scenario scenario = parse_scenario(read_text(path), path, overrides);
+  load_map_files(scenario);
+  return scenario;
 }
 
 }  // namespace tern_host

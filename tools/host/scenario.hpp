@@ -6,6 +6,7 @@
 #define TERN_HOST_SCENARIO_HPP
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,22 +33,42 @@ struct FenceRecord {
   std::vector<tern::Halfspace> planes;
 };
 
+class KnownSpace;
+
+enum class MapFileKind { kOctomap, kCloud };
+
+/// A file with a part of the map; its name is relative to the scenario's folder.
+struct MapFile {
+  MapFileKind kind;
+  std::string name;
+  Place place;
+};
+
+/// What is made of space that no OctoMap shows: free, or solid.
+enum class Unknown { kFree, kSolid };
+
 /// World frame, metres, seconds.
 struct Scenario {
   std::string name;  ///< the file's name as given
   tern::Box boundary{};
   std::vector<Block> blocks;
   std::vector<FenceRecord> fences;
+  std::vector<MapFile> map_files;
+  Unknown unknown = Unknown::kFree;
+  std::vector<std::shared_ptr<const KnownSpace>> known;  ///< what the OctoMaps say is free, once they are read
   tern::State start{};
   tern::State goal{};
   tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite
   double time_weight = tern::kDefaultTimeWeight;
   tern::SearchMode search = tern::SearchMode::kFast;
+  tern::GoalMode goal_mode = tern::GoalMode::kExact;
   double resolution = 0.1;
   double radius = 0.25;
   Place boundary_place;    ///< for errors that show only once the grid is laid out
   Place resolution_place;  ///< empty file name where the default holds
 };
+
+constexpr std::size_t kMaxMapFiles = 64;
 
 /// One kind of limit, written out: lower < 0 < upper; horizontal 0 where there is none.
 struct LimitRange {
@@ -59,11 +80,11 @@ LimitRange velocity_range(const tern::Limits& limits);
 LimitRange acceleration_range(const tern::Limits& limits);
 
 /// Parses a whole scenario. `overrides` are "key=value" with the value's numbers separated by commas or blanks; they
-/// replace records of the text, or stand for missing ones. Throws ScenarioError.
+/// replace records of the text, or stand for missing ones. Map files are not read. Throws ScenarioError.
 Scenario parse_scenario(const std::string& text, const std::string& name,
                         const std::vector<std::string>& overrides = {});
 
-/// Reads and parses a file of at most kMaxTextBytes. Throws ScenarioError.
+/// Reads and parses a file of at most kMaxTextBytes, and reads its map files. Throws ScenarioError.
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {});
 
 }  // namespace tern_host

@@ -37,7 +37,10 @@ std::string first_given(const Place& place) {
 
 }  // namespace
 
-ScenarioBuilder::ScenarioBuilder(const std::string& name) {
+ScenarioBuilder::ScenarioBuilder(const std::string& name)
+    : choices_{{"search", {"fast", "optimal"}, 0, false, {}},
+               {"goal_mode", {"exact", "nearest"}, 0, false, {}},
+               {"unknown", {"free", "solid"}, 0, false, {}}} {
   scenario_.name = name;
   Scenario& s = scenario_;
   settings_ = {
@@ -45,8 +48,10 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"goal", Shape::kVector, nullptr, &s.goal.position, true, false, {}},
       {"start_velocity", Shape::kVector, nullptr, &s.start.velocity, false, false, {}},
       {"start_acceleration", Shape::kVector, nullptr, &s.start.acceleration, false, false, {}},
+      {"start_jerk", Shape::kVector, nullptr, &s.start.jerk, false, false, {}},
       {"goal_velocity", Shape::kVector, nullptr, &s.goal.velocity, false, false, {}},
       {"goal_acceleration", Shape::kVector, nullptr, &s.goal.acceleration, false, false, {}},
+      {"goal_jerk", Shape::kVector, nullptr, &s.goal.jerk, false, false, {}},
       {"resolution", Shape::kScalar, &s.resolution, nullptr, false, false, {}},
       {"radius", Shape::kScalar, &s.radius, nullptr, false, false, {}},
       {"v_max", Shape::kLimit, nullptr, &s.limits.v_max, false, false, {}},
@@ -55,6 +60,8 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name) {
       {"a_min", Shape::kLimit, nullptr, &s.limits.a_min, false, false, {}},
       {"v_horizontal", Shape::kScalar, &s.limits.v_horizontal, nullptr, false, false, {}},
       {"a_horizontal", Shape::kScalar, &s.limits.a_horizontal, nullptr, false, false, {}},
+      {"j_max", Shape::kLimit, nullptr, &s.limits.j_max, false, false, {}},
+      {"j_horizontal", Shape::kScalar, &s.limits.j_horizontal, nullptr, false, false, {}},
       {"time_weight", Shape::kScalar, &s.time_weight, nullptr, false, false, {}},
   };
 }
@@ -66,14 +73,22 @@ ScenarioBuilder::Setting* ScenarioBuilder::find(const std::string& key) {
   return nullptr;
 }
 
+ScenarioBuilder::Choice* ScenarioBuilder::find_choice(const std::string& key) {
+  for (Choice& choice : choices_) {
+    if (key == choice.key) return &choice;
+  }
+  return nullptr;
+}
+
 void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& place) {
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") return add_fence(words, place);
-  if (key == "search") {
-    if (has_search_) throw ScenarioError(place, "'search' is given twice" + first_given(search_place_));
-    return set_search(words, place);
+  if (key == "octomap" || key == "cloud") return add_map_file(words, place);
+  if (Choice* const choice = find_choice(key)) {
+    if (choice->given) throw ScenarioError(place, "'" + key + "' is given twice" + first_given(choice->place));
+    return choose(*choice, words, place);
   }
   Setting* const setting = find(key);
   if (setting == nullptr) throw ScenarioError(place, "unknown record " + quote(key));
@@ -87,7 +102,7 @@ void ScenarioBuilder::override_setting(const std::string& key, const std::vector
                                        const Place& place) {
   std::vector<std::string> words{key};
   words.insert(words.end(), values.begin(), values.end());
-  if (key == "search") return set_search(words, place);
+  if (Choice* const choice = find_choice(key)) return choose(*choice, words, place);
   Setting* const setting = find(key);
   if (setting == nullptr) throw ScenarioError(place, "unknown or not a setting: " + quote(key));
   assign(*setting, numbers(words, place), place);
@@ -104,12 +119,33 @@ void ScenarioBuilder::add_boundary(const std::vector<std::string>& words, const 
   has_boundary_ = true;
 }
 
-void ScenarioBuilder::set_search(const std::vector<std::string>& words, const Place& place) {
-  const bool known = words.size() == 2 && (words[1] == "fast" || words[1] == "optimal");
-  if (!known) throw ScenarioError(place, "'search' is 'fast' or 'optimal'");
-  scenario_.search = words[1] == "fast" ? tern::SearchMode::kFast : tern::SearchMode::kOptimal;
-  has_search_ = true;
-  search_place_ = place;
+void ScenarioBuilder::choose(Choice& choice, const std::vector<std::string>& words, const Place& place) {
+  const std::string first = choice.words[0];
+  const std::string second = choice.words[1];
+  const bool known = words.size() == 2 && (words[1] == first || words[1] == second);
+  if (!known) throw ScenarioError(place, std::string("'") + choice.key + "' is '" + first + "' or '" + second + "'");
+  choice.chosen = words[1] == first ? 0 : 1;
+  choice.given = true;
+  choice.place = place;
+}
+
+void ScenarioBuilder::add_map_file(const std::vector<std::string>& words, const Place& place) {
+  const std::string& key = words.front();
+  if (words.size() != 2) throw ScenarioError(place, "'" + key + "' needs one file name, without blanks");
+  if (scenario_.map_files.size() == kMaxMapFiles) {
+    throw ScenarioError(place, "more than " + std::to_string(kMaxMapFiles) + " map files");
+  }
+  const MapFileKind kind = key == "octomap" ? MapFileKind::kOctomap : MapFileKind::kCloud;
+  scenario_.map_files.push_back({kind, words[1], place});
+}
+
+/// A cloud does not say what is free.
+void ScenarioBuilder::check_unknown() const {
+  if (scenario_.unknown == Unknown::kFree) return;
+  for (const MapFile& file : scenario_.map_files) {
+    if (file.kind == MapFileKind::kOctomap) return;
+  }
+  throw ScenarioError(choices_[2].place, "'unknown solid' needs an 'octomap', which says what is free");
 }
 
 void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {
@@ -190,6 +226,10 @@ Scenario ScenarioBuilder::finish(const Place& end) {
     }
   }
   check_ranges();
+  scenario_.search = static_cast<tern::SearchMode>(find_choice("search")->chosen);
+  scenario_.goal_mode = static_cast<tern::GoalMode>(find_choice("goal_mode")->chosen);
+  scenario_.unknown = find_choice("unknown")->chosen == 0 ? Unknown::kFree : Unknown::kSolid;
+  check_unknown();
   scenario_.resolution_place = find("resolution")->place;
   return scenario_;
 }

@@ -40,19 +40,30 @@ class ScenarioBuilder {
     Place place;  // of the record that set it, where given
   };
 
+  /// A setting that is one of two words, with the numbers 0 and 1.
+  struct Choice {
+    const char* key;
+    const char* words[2];
+    int chosen;
+    bool given;
+    Place place;
+  };
+
   Setting* find(const std::string& key);
+  Choice* find_choice(const std::string& key);
   void add_boundary(const std::vector<std::string>& words, const Place& place);
   void add_fence(const std::vector<std::string>& words, const Place& place);
-  void set_search(const std::vector<std::string>& words, const Place& place);
+  static void choose(Choice& choice, const std::vector<std::string>& words, const Place& place);
+  void add_map_file(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
   void check_ranges() const;
+  void check_unknown() const;
 
   Scenario scenario_;
   bool has_boundary_ = false;
-  bool has_search_ = false;
-  Place search_place_;
   std::vector<Setting> settings_;
+  Choice choices_[3];
 };
 
 }  // namespace tern_host

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "host/grid_layout.hpp"
+#include "host/map/scenario_grid.hpp"
 #include "tern_port/port.hpp"
 
 namespace tern_host {
@@ -28,6 +29,7 @@ tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence
   request.limits = scenario.limits;
   request.time_weight = scenario.time_weight;
   request.search = scenario.search;
+  request.goal_mode = scenario.goal_mode;
   return request;
 }
 
@@ -72,10 +74,8 @@ tern::Status Session::build_grid(PlanResult& result) {
   words_.resize(tern::grid_words(result.grid.dims));
   const tern::Status status = grid_.bind(result.grid, words_.data(), words_.size(), &result.report.field);
   if (status != tern::Status::kOk) return refuse(result, status);
-  for (const Block& block : result.scenario.blocks) {
-    const tern::Status marked = grid_.mark_box(block.box);
-    if (marked != tern::Status::kOk) return refuse(result, marked);
-  }
+  const tern::Status filled = fill_grid(result.scenario, grid_);
+  if (filled != tern::Status::kOk) return refuse(result, filled);
   const std::uint64_t before = clock_.read(clock_.context);
   grid_.inflate();
   result.timing.inflate = microseconds(clock_.read(clock_.context) - before);

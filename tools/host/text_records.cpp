@@ -34,10 +34,8 @@ void check_line(const std::string& line, const Place& place) {
   }
 }
 
-void check_size(const std::string& text, const Place& place) {
-  if (text.size() > kMaxTextBytes) {
-    throw RecordError(place, "larger than " + std::to_string(kMaxTextBytes) + " bytes");
-  }
+void check_size(const std::string& text, std::size_t most, const Place& place) {
+  if (text.size() > most) throw RecordError(place, "larger than " + std::to_string(most) + " bytes");
 }
 
 /// Where the text begins: past a byte order mark.
@@ -56,6 +54,10 @@ RecordError::RecordError(const Place& place, const std::string& reason)
       reason_(reason) {}
 
 std::string read_text(const std::string& path) {
+  return read_bytes(path, kMaxTextBytes);
+}
+
+std::string read_bytes(const std::string& path, std::size_t most) {
   const Place place{path, 0};
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
@@ -65,7 +67,7 @@ std::string read_text(const std::string& path) {
   std::size_t got = 0;
   while ((got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0) {
     text.append(buffer, got);
-    check_size(text, place);
+    check_size(text, most, place);
   }
   if (std::ferror(file.get()) != 0) throw RecordError(place, std::string("cannot be read: ") + std::strerror(errno));
   return text;
@@ -88,7 +90,7 @@ Words split_words(const std::string& text, bool commas) {
 
 Place for_each_record(const std::string& text, const std::string& name,
                       const std::function<void(const Words&, const Place&)>& add) {
-  check_size(text, {name, 0});
+  check_size(text, kMaxTextBytes, {name, 0});
   Place place{name, 1};
   for (std::size_t begin = first_byte(text, place); begin < text.size(); ++place.line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());

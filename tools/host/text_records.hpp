@@ -44,6 +44,9 @@ using Words = std::vector<std::string>;
 /// The whole file, at most kMaxTextBytes. Throws RecordError.
 std::string read_text(const std::string& path);
 
+/// The whole file, at most `most` bytes of any kind. Throws RecordError.
+std::string read_bytes(const std::string& path, std::size_t most);
+
 /// The words of one line, between blanks and, where told, commas.
 Words split_words(const std::string& text, bool commas);
 

@@ -92,7 +92,7 @@
 /// memory; they bound the time. After the last one, the answer is the best plan so far, or stop-and-go if there is
 /// none.
 #ifndef TERN_MAX_QP_SOLVES
-#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 24, 24)
+#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48)
 #endif
 
 /// Geofences of one request. Beyond it: kFencesFull.

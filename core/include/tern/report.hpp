@@ -26,6 +26,8 @@ struct StageReport {
   /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
   /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
   /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor
+  /// - kReach: a row of voxels flooded, or a line that joins the start to the grid; Budget::expansions counts it with
+  ///   those of kSearch
   uint32_t work;
   /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).
   uint32_t bound;
@@ -89,7 +91,8 @@ enum class Quality : uint8_t {
   /// Start equals goal, both at rest: one segment that stays there.
   kHover,
   /// Straight from waypoint to waypoint, coming to rest at each (contract C6). Report::optimiser says why it was not
-  /// optimised. Safe, but slower than an optimised plan.
+  /// optimised. Safe, but slower than an optimised plan. Or, where Report::optimiser is kOk, an arrival: one curve
+  /// straight into the motion of the goal.
   kStopAndGo,
   /// The optimiser's plan: minimum snap, traded against duration.
   kOptimised,
@@ -120,6 +123,10 @@ struct Report {
   bool raw_occupied;
   /// Only for kStartOccupied and kGoalOccupied: true where nearest_free has a value.
   bool has_nearest_free;
+  /// True where reachable has a value: the goal is occupied, or no path leads to it, or the search had no room to find
+  /// one (kNodesFull, kOpenFull), or the goal is fenced and Request::goal_mode is kNearest. False where the start joins
+  /// no free voxel, where Budget::expansions did not last, and where the grid is too large (TERN_MAX_FENCE_WORDS).
+  bool has_reachable;
   /// True where ticks were measured. False where no clock was given, or where it stood still or ran backwards.
   bool timing_known;
   /// What kind of plan the trajectory is; kNone unless `status` is kOk.
@@ -127,17 +134,24 @@ struct Report {
   /// How optimising ended. kOk: it finished normally, or was never started. kBudgetOptimise together with kOptimised:
   /// the budget ended it early, and the plan is the best one found until then. With kStopAndGo it says why there is no
   /// optimised plan: kInfeasible, kNumerical, kIterationLimit, kWorkingSetFull, kBudgetOptimise, kSegmentsFull (no room
-  /// for so many segments), or kCheckFailed (the check refused the optimised plan;
-  /// `check` says why).
+  /// for so many segments), or kCheckFailed (the check refused the optimised plan; `check` says why). An arrival has
+  /// kOk.
   Status optimiser;
+  /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced, kNoPath, kNodesFull or
+  /// kOpenFull. kOk where it was not, and always with GoalMode::kExact.
+  Status goal_missed;
   /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
   /// has_nearest_free is true; zero otherwise.
   Vec3 nearest_free;
+  /// World frame, metres: the point nearest to the goal of those that a path leads to. It is the centre of a free
+  /// voxel; of centres that are equally near, the one with the least z, then y, then x. Where the start is at rest in
+  /// that voxel it is the start. Valid where has_reachable is true; zero otherwise.
+  Vec3 reachable;
   /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
   StageReport stages[kStageCount];
   HighWater high_water;
-  /// Only for kStartFenced and kGoalFenced: the index in Request::fences of a fence that is broken. Keep-in fences are
-  /// looked at first, in the request's order, then keep-out fences. Else kNoFence.
+  /// Only where `status` or `goal_missed` is kStartFenced or kGoalFenced: the index in Request::fences of a fence that
+  /// is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Else kNoFence.
   int32_t fence = kNoFence;
 
   /// Only where `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its

@@ -14,19 +14,20 @@
 namespace tern {
 
 /// The state at one end of a plan, world frame. All numbers must be finite (kNonFiniteInput). The position must lie in
-/// the grid's boundary (kOutOfMap), velocity and acceleration within the limits (kStartExceedsLimits,
-/// kGoalExceedsLimits). The jerk is zero at both ends of a plan, with one exception: a plan that continues along
+/// the grid's boundary (kOutOfMap), velocity, acceleration and jerk within the limits (kStartExceedsLimits,
+/// kGoalExceedsLimits). A plan has exactly this state at that end, with one exception: a plan that continues along
 /// Request::previous begins with the jerk of that plan.
 struct State {
   Vec3 position;      ///< m, the robot's centre
   Vec3 velocity;      ///< m/s
   Vec3 acceleration;  ///< m/s^2
+  Vec3 jerk{};        ///< m/s^3. Pass the jerk that the vehicle flies with, and the new plan has no step in it.
 };
 
-/// Limits of velocity and acceleration. A plan keeps them for all t, to 3e-8 of each limit. They hold for each axis of
-/// the world frame separately, in both directions, and for the horizontal norm if you set a limit for it. The Euclidean
-/// norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit], else the
-/// answer is kLimitsInvalid with the field.
+/// Limits of velocity, acceleration and jerk. A plan keeps them for all t, to 3e-8 of each limit. They hold for each
+/// axis of the world frame separately, in both directions, and for the horizontal norm if you set a limit for it. The
+/// Euclidean norm of all three axes has no limit of its own. Every magnitude must lie within [kMinLimit, kMaxLimit],
+/// those of jerk within [kMinLimit, kMaxJerk], else the answer is kLimitsInvalid with the field.
 struct Limits {
   /// m/s, > 0: the largest velocity along each axis.
   Vec3 v_max;
@@ -41,18 +42,28 @@ struct Limits {
   double v_horizontal = 0.0;
   /// m/s^2: limit of sqrt(ax^2 + ay^2), likewise. 0 means none.
   double a_horizontal = 0.0;
+  /// m/s^3: the largest jerk along each axis, in both directions. An axis of 0 has no limit. Autopilots do not follow
+  /// plans above their own (PX4's is 4 to 8, ArduPilot's 5 by default).
+  Vec3 j_max{};
+  /// m/s^3: limit of sqrt(jx^2 + jy^2). 0 means none.
+  double j_horizontal = 0.0;
 };
 /// Smallest and largest magnitude of a limit.
 constexpr double kMinLimit = 1e-3;
 constexpr double kMaxLimit = 1e3;
+/// Largest limit on jerk, and the largest jerk of a state along each axis, with or without a limit: m/s^3.
+constexpr double kMaxJerk = 1e6;
 
 /// How much a second of flight counts against smoothness. A plan minimises
 ///
 ///   (integral of squared snap) + time_weight * a^6 / v^4 * (duration),
 ///
-/// where v and a are the largest limits of an axis. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4
-/// makes one weight mean one style of flight, for slow and for fast vehicles. A larger weight gives a faster plan: 10
-/// is gentle, 40 is the default, 1000 is nearly as fast as the limits allow. docs/trajectory.md has measurements.
+/// where a is the acceleration limit along the path, and v the speed limit along it, or the speed that the path has
+/// room to reach if that is less. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4 makes one weight
+/// mean one style of flight, for slow and for fast vehicles, short and long ways. A larger weight gives a faster plan:
+/// 10 is gentle, 40 is the default, 200 is brisk, 1000 is nearly as fast as the limits allow. From the default up, a
+/// larger weight never gives a slower plan of the same corridor, and takes more work. docs/trajectory.md has
+/// measurements.
 constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
@@ -61,7 +72,7 @@ constexpr double kMaxTimeWeight = 1e6;
 /// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
   /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
-  /// Beyond it: kBudgetSearch.
+  /// Beyond it: kBudgetSearch. What the search leaves may be spent on Report::reachable.
   uint32_t expansions = 0xFFFFFFFFu;
   /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
   uint32_t sight_lines = 0xFFFFFFFFu;
@@ -79,14 +90,25 @@ enum class ShortcutMode : uint8_t {
   kShortestChain = 0,
 };
 
-/// How the search looks for a way over the grid. Any other number is refused (kInvalidArgument, field kSearch). Either
-/// way kNoPath means that there is none.
+/// How the search finds a path over the grid. Any other number is refused (kInvalidArgument, field kSearch). In both
+/// modes, kNoPath means that there is none.
 enum class SearchMode : uint8_t {
-  /// A way that is a few per cent dearer than the cheapest, in a fraction of the time. Report::search_bound says how
-  /// much dearer it can be. Where that search is led astray, the optimal one answers.
+  /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Report::search_bound limits
+  /// how much more. Where that search is led astray, the optimal one answers.
   kFast = 0,
-  /// A cheapest way.
+  /// A cheapest path.
   kOptimal = 1,
+};
+
+/// What to do about a goal that cannot be planned to: one that is occupied or fenced, or that no chain of free voxels
+/// leads to. Any other number is refused (kInvalidArgument, field kGoalMode).
+enum class GoalMode : uint8_t {
+  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come,
+  /// except for kGoalFenced.
+  kExact = 0,
+  /// As near as you can: the plan ends at rest at Report::reachable, and Report::goal_missed says why. A goal that can
+  /// be planned to gets the same plan as with kExact.
+  kNearest = 1,
 };
 
 /// One planning query. The caller owns it and everything that it points to. Planner::plan and Planner::begin read it
@@ -98,6 +120,7 @@ struct Request {
   Budget budget{};
   ShortcutMode shortcut = ShortcutMode::kShortestChain;
   SearchMode search = SearchMode::kFast;
+  GoalMode goal_mode = GoalMode::kExact;
   /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
   double time_weight = kDefaultTimeWeight;
   /// Geofences: an array of `fence_count`, or null with fence_count 0.

@@ -64,7 +64,7 @@ enum class Status : uint8_t {
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.
 
-  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points
+  kNodesFull = 50,       ///< TERN_MAX_NODES: the search generated more jump points, or took 27 units for each
   kOpenFull = 51,        ///< TERN_MAX_OPEN: the search's open list is full
   kJumpPointsFull = 52,  ///< TERN_MAX_JUMP_POINTS: the jump-point path has more points
   kSegmentsFull = 53,    ///< TERN_MAX_SEGMENTS: the path needs more segments
@@ -77,7 +77,7 @@ enum class Status : uint8_t {
   kIterationLimit = 57,
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
-  kFenceLayerFull = 60,   ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences
+  kFenceLayerFull = 60,  ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
 
   /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
   kPixelsFull = 63,
@@ -119,8 +119,9 @@ enum class Stage : uint8_t {
   kDetour,       ///< leading the path along the motion of its ends, where a moving end has no room
   kPrevious,     ///< proving the rest of Request::previous anew, where nothing new was found
   kEscape,       ///< finding ways to come to rest first, where a moving end has no other way
+  kReach,        ///< finding the point nearest to the goal that a path leads to, where none leads to the goal
 };
-constexpr int kStageCount = 11;
+constexpr int kStageCount = 12;
 
 /// What the check refuses a plan for. The numbers are part of the ABI; docs/check.md has the rules and tolerances.
 enum class Finding : uint8_t {
@@ -133,6 +134,7 @@ enum class Finding : uint8_t {
   kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
   kFence,     ///< a control point lies outside a keep-in, or a polyhedron comes closer than the radius to a keep-out
   kBoundary,  ///< the start's or the goal's state is not met
+  kJerk,      ///< some jerk(t) is beyond a limit
 };
 
 /// The field of a request, a grid or a call that a status is about.
@@ -174,6 +176,11 @@ enum class Field : uint8_t {
   kSlack,              ///< MapSpec::slack
   kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
   kPrior,              ///< MapSpec::prior: too many, null, or a box that is none
+  kStartJerk,          ///< Request::start.jerk
+  kGoalJerk,           ///< Request::goal.jerk
+  kJMax,               ///< Limits::j_max
+  kJHorizontal,        ///< Limits::j_horizontal
+  kGoalMode,           ///< Request::goal_mode
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 5
+#define TERN_ABI 6
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -57,12 +57,14 @@ typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
 /* Where a grid lies, how fine it is, and the robot's radius: tern/grid.hpp. World frame, metres. */
 typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
-/* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2. */
-typedef struct { tern_vec3 position, velocity, acceleration; } tern_state;
-/* Limits per axis and of the horizontal norm: tern/request.hpp. m/s and m/s^2. */
+/* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2, m/s^3. */
+typedef struct { tern_vec3 position, velocity, acceleration, jerk; } tern_state;
+/* Limits per axis and of the horizontal norm: tern/request.hpp. m/s, m/s^2 and m/s^3. */
 typedef struct {
   tern_vec3 v_max, a_max, v_min, a_min; /* upper ones > 0, lower ones < 0; a lower one of 0 means minus the upper one */
   double v_horizontal, a_horizontal;    /* > 0; 0 means none */
+  tern_vec3 j_max;                      /* m/s^3, > 0 in both directions; an axis of 0 has no limit */
+  double j_horizontal;                  /* m/s^3, > 0; 0 means none */
 } tern_limits;
 /* Work that a plan may spend in each stage: tern/request.hpp. UINT32_MAX means no limit but the stage's own bound. */
 typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
@@ -80,6 +82,7 @@ typedef struct {
   tern_budget budget;
   uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
   uint8_t search;           /* tern::SearchMode: 0 fast, 1 optimal; any other number is refused */
+  uint8_t goal_mode;        /* tern::GoalMode: 0 exact, 1 as near as possible; any other number is refused */
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
   const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
@@ -115,14 +118,16 @@ typedef struct {
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
   uint8_t status, stage, field;
-  /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value; the
-   * ticks were measured. */
-  bool raw_occupied, has_nearest_free, timing_known;
-  /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. */
-  uint8_t quality, optimiser;
+  /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value;
+   * reachable has a value; the ticks were measured. */
+  bool raw_occupied, has_nearest_free, has_reachable, timing_known;
+  /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. Goal_missed:
+   * why the plan ends at `reachable` instead of the goal; 0 if it does not. */
+  uint8_t quality, optimiser, goal_missed;
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
-  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape */
-  tern_stage_report stages[11];
+  tern_vec3 reachable;         /* world frame: the point nearest to the goal that a path leads to */
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
+  tern_stage_report stages[12];
   tern_high_water high_water;
   int32_t fence; /* index of the fence that start or goal breaks; -1: none */
   tern_check_report check; /* only where status or optimiser is check_failed */

@@ -3,8 +3,8 @@
  *
  * The rolling map for C99: tern::RollingMap under C names. tern/map.hpp explains every field and answer.
  *
- * In order: fill in a spec (tern_map_spec_init), bind a map to words of yours, tell it what is free where the vehicle
- * stands, enter frames or scans, and plan on its grids. */
+ * In this order: fill in a spec (tern_map_spec_init), bind a map to words of yours, call tern_map_assume_free for the
+ * place where the vehicle stands, enter frames or scans, and plan on the map's grids. */
 #ifndef TERN_TERN_MAP_H
 #define TERN_TERN_MAP_H
 
@@ -18,7 +18,7 @@ typedef tern::DepthView tern_depth_view;
 extern "C" {
 #else
 /* clang-format off */
-/* The window, the sensor's errors, and when voxels change: tern::MapSpec. Metres, radians, nanoseconds. */
+/* The window, its resolution, and the errors of the sensor: tern::MapSpec. Metres, radians, nanoseconds. */
 typedef struct {
   tern_vec3 origin; double cell; tern_voxel dims; double radius;
   double range, depth_margin, depth_margin_square, pose_margin, angle_margin, scan_pixel;
@@ -39,30 +39,30 @@ typedef struct {
 /* Size of tern_map in words of 64 bits. The core asserts that it suffices. */
 #define TERN_MAP_WORDS 4
 
-/* A map: an object of the library in memory of yours. It may hold anything before its first bind. Zero it where another
- * call can come first: that call then answers invalid_argument. Copies share the map. */
+/* A map: an object of the library in memory of yours. It may hold anything before its first bind. Zero it if another
+ * call can come before bind: that call then answers invalid_argument. Copies share the map. */
 typedef struct {
   uint64_t opaque[TERN_MAP_WORDS];
 } tern_map;
 
 /* Common values: tern::map_spec(). Null does nothing. */
 void tern_map_spec_init(tern_map_spec* spec, const tern_vec3* origin, double cell, tern_voxel dims, double radius);
-/* Words of 64 bits that a map of this spec needs; 0 where it is out of range, or null. */
+/* Words of 64 bits that a map of this spec needs; 0 if the spec is null or out of range. */
 size_t tern_map_words(const tern_map_spec* spec);
 /* Binds the map to `words`, which are yours and must outlive it. ok, non_finite_input, invalid_argument, pixels_full or
- * prior_full; `field`, which may be null, gets the number of the field that is wrong. */
+ * prior_full. `field` receives the number of the field that is wrong; it may be null. */
 uint8_t tern_map_bind(tern_map* map, const tern_map_spec* spec, uint64_t* words, size_t word_count, uint8_t* field);
-/* Begins to enter a depth image; `t` in nanoseconds. The image must stay until the job is done. running, or why it is
- * refused: pose_invalid, camera_invalid, out_of_map, pixels_full, non_finite_input, invalid_argument. */
+/* Begins to enter a depth image; `t` in nanoseconds. The image must stay until the job is done. running, or the reason
+ * why it is refused: pose_invalid, camera_invalid, out_of_map, pixels_full, non_finite_input, invalid_argument. */
 uint8_t tern_map_begin_frame(tern_map* map, const tern_depth_view* view, const tern_pose* pose, int64_t t);
 /* Begins to enter a scan of `count` points, world frame, measured from `origin`. The points must stay until the job is
  * done. Answers as tern_map_begin_frame(). */
 uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, size_t count, const tern_vec3* origin, int64_t t);
-/* Begins to move the window so that `center` comes near its middle. ok where it need not move, or running. */
+/* Begins to move the window so that `center` comes near its middle. ok if it need not move, or running. */
 uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);
-/* Goes on with the job for at most `work` units. running: call it again. ok: nothing is in work. */
+/* Continues the job for at most `work` units. running: call it again. ok: no job is left. */
 uint8_t tern_map_step(tern_map* map, uint32_t work);
-/* Takes the voxels wholly in a ball for seen, before take-off. */
+/* States, before take-off, that a ball is free: the voxels wholly inside it count as seen. */
 uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double radius);
 /* Marks a box, or the voxels of points, as obstacles. */
 uint8_t tern_map_mark_box(tern_map* map, const tern_box* world);
@@ -71,6 +71,10 @@ uint8_t tern_map_mark_points(tern_map* map, const tern_vec3* world, size_t count
  * valid until the map slides; ask for it again after every slide. */
 uint8_t tern_map_route(const tern_map* map, tern_grid* grid);
 uint8_t tern_map_safe(const tern_map* map, tern_grid* grid);
+/* Copies the route grid into `words`, which are yours: at least tern_grid_words(dims) words that outlive the grid.
+ * Plans on the copy go on while frames are entered. Pass the same grid and words each time. `grid` may hold anything at
+ * first, or zeros. ok, or invalid_argument: no map, a job in work, too few words. */
+uint8_t tern_map_snapshot(const tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
 /* 1 where the voxel was seen free, else 0. */
 uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel);
 /* Grows with every change of either grid. 0 for a map that is not bound. */

@@ -32,6 +32,8 @@ constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 
 /// The search: nodes with their hash slots, the open list, and a dominance record for each 64 voxels.
 constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
+/// The flood of the voxels that the start can reach: a layer, and a queue of its rows.
+constexpr size_t kReach = static_cast<size_t>(kMaxFenceWords) * 12 + static_cast<size_t>(kMaxFenceWords) / 8 + 4096;
 /// What the planner remembers about a map between plans: the jump stops (for each of six directions, one bit per
 /// voxel), how far they are known, and which map they belong to.
 constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
@@ -57,7 +59,8 @@ constexpr size_t kResults =
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
 constexpr size_t kWorkspaceBytes =
-    (workspace::larger(workspace::kSearch, workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
+    (workspace::larger(workspace::larger(workspace::kSearch, workspace::kReach),
+                       workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
      workspace::kScans + workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
     kWorkspaceAlignment * kWorkspaceAlignment;
 #endif

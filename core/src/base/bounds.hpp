@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A request's limits as the stages read them: one convex set around zero for velocities, one for accelerations.
+// A request's limits as the stages read them: one convex set around zero for each derivative.
 #ifndef TERN_BASE_BOUNDS_HPP
 #define TERN_BASE_BOUNDS_HPP
 
@@ -12,10 +12,13 @@ namespace tern {
 
 /// A box around zero, cut by an upright cylinder.
 struct Bounds {
-  Vec3 lower;         ///< < 0 on every axis
-  Vec3 upper;         ///< > 0 on every axis
+  Vec3 lower;         ///< < 0 on every axis; -kUnlimited where there is no limit
+  Vec3 upper;         ///< > 0 on every axis; kUnlimited where there is none
   double horizontal;  ///< radius of the cylinder; 0: there is none
 };
+
+/// A limit that no value reaches: value / kUnlimited is 0.
+constexpr double kUnlimited = __builtin_inf();
 
 /// A lower limit of 0 stands for the upper one's opposite.
 inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal) {
@@ -26,15 +29,33 @@ inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal
   return bounds;
 }
 
+/// Symmetrical; 0 stands for no limit.
+inline Bounds make_optional_bounds(const Vec3& most, double horizontal) {
+  Bounds bounds{{}, {}, horizontal};
+  for (int a = 0; a < 3; ++a) {
+    axis(bounds.upper, a) = axis(most, a) > 0.0 ? axis(most, a) : kUnlimited;
+    axis(bounds.lower, a) = -axis(bounds.upper, a);
+  }
+  return bounds;
+}
+
+/// True where some value is beyond the bounds.
+inline bool limits_anything(const Bounds& bounds) {
+  return bounds.horizontal > 0.0 || bounds.upper.x < kUnlimited || bounds.upper.y < kUnlimited ||
+         bounds.upper.z < kUnlimited;
+}
+
 /// A request's limits as every stage but the check takes them: made once, where the request is accepted.
 struct MotionLimits {
   Bounds velocity;      ///< m/s
   Bounds acceleration;  ///< m/s^2
+  Bounds jerk;          ///< m/s^3; may limit nothing
 
   MotionLimits() = default;
   MotionLimits(const Limits& limits)
       : velocity(make_bounds(limits.v_min, limits.v_max, limits.v_horizontal)),
-        acceleration(make_bounds(limits.a_min, limits.a_max, limits.a_horizontal)) {}
+        acceleration(make_bounds(limits.a_min, limits.a_max, limits.a_horizontal)),
+        jerk(make_optional_bounds(limits.j_max, limits.j_horizontal)) {}
 };
 
 /// The bounds' gauge: the least g >= 0 for which `value` is within g times the bounds. 1 where it touches them, and
@@ -49,7 +70,8 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
   return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
 }
 
-/// Limits of the same flight backwards in time: velocities change sign, accelerations do not.
+/// Limits of the same flight backwards in time: velocities change sign, accelerations do not. Those of jerk, which
+/// does, are symmetrical.
 inline MotionLimits backwards(const MotionLimits& limits) {
   MotionLimits result = limits;
   result.velocity.upper = -1.0 * limits.velocity.lower;

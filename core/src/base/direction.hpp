@@ -64,7 +64,7 @@ constexpr MoveTable make_moves() {
 }
 inline constexpr MoveTable kMoveOf = make_moves();
 
-/// How often each kind of move occurs in the cheapest way between two voxels of an empty map.
+/// How often each kind of move occurs in the cheapest path between two voxels of an empty map.
 struct MoveCounts {
   std::int32_t space;     ///< along three axes
   std::int32_t plane;     ///< along two
@@ -85,7 +85,7 @@ constexpr MoveCounts octile_moves(const Voxel& a, const Voxel& b) {
   return {low, middle - low, high - middle};
 }
 
-/// The cost of that way: a consistent heuristic, and the cost of a jump, which is always such a way.
+/// The cost of that path: a consistent heuristic, and the cost of a jump, which is always such a path.
 constexpr Cost octile(const Voxel& a, const Voxel& b) {
   const MoveCounts moves = octile_moves(a, b);
   return static_cast<Cost>(moves.space) * kSpaceDiagonalCost + static_cast<Cost>(moves.plane) * kPlaneDiagonalCost +

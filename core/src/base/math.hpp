@@ -57,6 +57,16 @@ inline double& axis(Vec3& v, int a) {
   return a == 0 ? v.x : (a == 1 ? v.y : v.z);
 }
 
+/// The cube root of x >= 0, rounded up: its cube is not below x.
+inline double cube_root(double x) {
+  if (!(x > 0.0)) return 0.0;
+  const double fourth = square_root(square_root(x));
+  double root = fourth * square_root(square_root(fourth));  // x^(5/16)
+  constexpr int kSteps = 12;                                // Newton's: enough for 1e-30 to 1e30
+  for (int i = 0; i < kSteps; ++i) root = (2.0 * root + x / (root * root)) / 3.0;
+  return root * (1.0 + 1e-15);
+}
+
 /// x^7: snap falls with it where a trajectory is stretched in time.
 inline double seventh_power(double x) {
   const double cube = x * x * x;

@@ -78,7 +78,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kGoalFenced: return "the goal is outside a keep-in, or nearer than the radius to a keep-out";
     case Status::kFencesFull: return "too many geofences: raise TERN_MAX_FENCES";
     case Status::kFencePlanesFull: return "too many half-spaces in geofences: raise TERN_MAX_FENCE_PLANES";
-    case Status::kFenceLayerFull: return "the grid is too large for geofences: raise TERN_MAX_FENCE_WORDS";
+    case Status::kFenceLayerFull: return "the grid is too large for geofences, or for a goal as near as possible: raise TERN_MAX_FENCE_WORDS";
     case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
     case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
@@ -109,6 +109,7 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kDetour: return "detour";
     case Stage::kPrevious: return "previous";
     case Stage::kEscape: return "escape";
+    case Stage::kReach: return "reach";
   }
   return "unknown";
 }
@@ -121,6 +122,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kOutside: return "outside";
     case Finding::kVelocity: return "velocity";
     case Finding::kAcceleration: return "acceleration";
+    case Finding::kJerk: return "jerk";
     case Finding::kJoint: return "joint";
     case Finding::kFence: return "fence";
     case Finding::kBoundary: return "boundary state";
@@ -150,6 +152,10 @@ const char* field_name(Field field) noexcept {
     case Field::kBox: return "box";
     case Field::kVMin: return "v_min";
     case Field::kAMin: return "a_min";
+    case Field::kStartJerk: return "start jerk";
+    case Field::kGoalJerk: return "goal jerk";
+    case Field::kJMax: return "j_max";
+    case Field::kJHorizontal: return "j_horizontal";
     case Field::kVHorizontal: return "v_horizontal";
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";
@@ -167,6 +173,7 @@ const char* field_name(Field field) noexcept {
     case Field::kSlack: return "slack";
     case Field::kPixels: return "pixels";
     case Field::kPrior: return "prior";
+    case Field::kGoalMode: return "goal mode";
   }
   return "unknown";
 }

@@ -17,7 +17,7 @@ struct TurnWriter {
   Path& path;
   int capacity;  ///< points
   Voxel last;
-  int heading = kHere;  ///< direction of the last leg, kHere before the first
+  int heading = kHere;  ///< direction of the last run, kHere before the first
   bool full = false;
   MoveCounts moves{0, 0, 0};
 
@@ -32,7 +32,8 @@ struct TurnWriter {
     if (!full) path.raw[path.raw_count++] = grid.center(voxel);
   }
 
-  void leg(int move, std::int32_t steps) noexcept {
+  /// Goes on by so many equal moves.
+  void run(int move, std::int32_t steps) noexcept {
     if (steps == 0) return;
     const Voxel step = offset(move);
     last = {last.x + steps * step.x, last.y + steps * step.y, last.z + steps * step.z};
@@ -45,7 +46,7 @@ struct TurnWriter {
     point(last);
   }
 
-  /// After the last leg: kOk, or kJumpPointsFull.
+  /// After the last run: kOk, or kJumpPointsFull.
   Status finish() noexcept {
     constexpr double kSqrt2 = 1.4142135623730951;
     constexpr double kSqrt3 = 1.7320508075688772;

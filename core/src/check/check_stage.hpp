@@ -27,11 +27,10 @@ constexpr std::uint32_t kCheckBound = 2 * kMaxSegments;
 
 /// What the plan was asked for, as it was asked. World frame.
 struct CheckQuery {
-  State start;
+  State start;  ///< with the jerk that the plan was made to begin with
   State goal;
   Limits limits;
   const AskedFences* fences = nullptr;  ///< null: none
-  Vec3 start_jerk{0.0, 0.0, 0.0};       ///< m/s^3; a plan that goes on with another one has its jerk
 };
 
 /// One keep-out at a time, about the middle of what surrounds it.

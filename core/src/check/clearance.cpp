@@ -49,14 +49,18 @@ Range voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
 /// A half-space as a row of voxels along x meets it: which of the row's voxels it cuts off from the polyhedron, as
 /// closed cubes with the radius to spare.
 struct Cut {
-  Vec3 normal;
+  double y;  ///< of the normal
+  double z;
+  int far_y;  ///< which end of a row of cubes it cuts off last: 0 the lower, 1 the upper
+  int far_z;
   double reach;  ///< metres along the normal from which on a cube is cut off
   double per_x;  ///< 1 / (normal.x * cell): voxels of x a metre along the normal; 0: all voxels of a row alike
 };
 
+/// Cuts by the sign of per_x: none, negative, positive.
 struct Cuts {
-  int count;
   Cut cut[kMaxPlanes];
+  int end[3];  ///< of each sign's cuts
 };
 
 /// Units in the last place by which the square of a unit normal may miss 1.
@@ -66,19 +70,34 @@ constexpr double kUnitUlps = 16.0;
 /// the tolerance at most.
 constexpr double kSlopeShare = 0.01;
 
-Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
+Cut cut_of(const Grid& grid, const Halfspace& plane, double tolerance) {
   const GridSpec& spec = grid.spec();
   const double row = spec.dims.x * spec.cell;
-  Cuts cuts{};
-  for (int p = 0; p < all_planes(polyhedron); ++p) {
-    const Halfspace& plane = polyhedron.planes[p];
-    Cut& cut = cuts.cut[cuts.count++];
-    cut = {plane.normal, plane.offset + spec.radius - tolerance, 0.0};
-    if (absolute(plane.normal.x) * row > kSlopeShare * tolerance) {
-      cut.per_x = 1.0 / (plane.normal.x * spec.cell);
-    } else {
-      cut.reach -= smaller(0.0, plane.normal.x * row);
+  const Vec3& n = plane.normal;
+  Cut cut{n.y, n.z, n.y < 0.0 ? 1 : 0, n.z < 0.0 ? 1 : 0, plane.offset + spec.radius - tolerance, 0.0};
+  if (absolute(n.x) * row > kSlopeShare * tolerance) {
+    cut.per_x = 1.0 / (n.x * spec.cell);
+  } else {
+    cut.reach -= smaller(0.0, n.x * row);
+  }
+  return cut;
+}
+
+int sign_of(const Cut& cut) {
+  return cut.per_x < 0.0 ? 1 : (cut.per_x > 0.0 ? 2 : 0);
+}
+
+Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
+  const int planes = all_planes(polyhedron);
+  Cut all[kMaxPlanes];
+  for (int p = 0; p < planes; ++p) all[p] = cut_of(grid, polyhedron.planes[p], tolerance);
+  Cuts cuts;
+  int count = 0;
+  for (int sign = 0; sign < 3; ++sign) {
+    for (int p = 0; p < planes; ++p) {
+      if (sign_of(all[p]) == sign) cuts.cut[count++] = all[p];
     }
+    cuts.end[sign] = count;
   }
   return cuts;
 }
@@ -93,20 +112,18 @@ struct Span {
 /// towards larger x cuts off all that follow, so that what is left is one span; empty where begin >= end.
 Span uncut(const Grid& grid, const Cuts& cuts, const Range& block) {
   const double cell = grid.spec().cell;
-  const Box box{{0.0, block.lo.y * cell, block.lo.z * cell}, {0.0, (block.hi.y + 1) * cell, (block.hi.z + 1) * cell}};
+  const double y[2] = {block.lo.y * cell, (block.hi.y + 1) * cell};
+  const double z[2] = {block.lo.z * cell, (block.hi.z + 1) * cell};
+  const auto missing = [&y, &z](const Cut& cut) { return cut.reach - (cut.y * y[cut.far_y] + cut.z * z[cut.far_z]); };
   double begin = block.lo.x;
   double end = block.hi.x + 1.0;
-  for (int p = 0; p < cuts.count; ++p) {
-    const Cut& cut = cuts.cut[p];
-    const double y = cut.normal.y * (cut.normal.y < 0.0 ? box.upper.y : box.lower.y);
-    const double z = cut.normal.z * (cut.normal.z < 0.0 ? box.upper.z : box.lower.z);
-    const double missing = cut.reach - (y + z);
-    const double x = missing * cut.per_x;
-    if (cut.per_x > 0.0) end = smaller(end, x);
-    if (cut.per_x < 0.0) begin = larger(begin, x);
-    if (!(cut.per_x > 0.0) && !(cut.per_x < 0.0) && missing <= 0.0) return {0, 0};
-    if (begin >= end) return {0, 0};
+  int p = 0;
+  for (; p < cuts.end[0]; ++p) {
+    if (missing(cuts.cut[p]) <= 0.0) return {0, 0};
   }
+  for (; p < cuts.end[1]; ++p) begin = larger(begin, missing(cuts.cut[p]) * cuts.cut[p].per_x);
+  for (; p < cuts.end[2]; ++p) end = smaller(end, missing(cuts.cut[p]) * cuts.cut[p].per_x);
+  if (begin >= end) return {0, 0};
   // A voxel is cut off from above where it begins at `end` or later, from below where it ends at `begin` or earlier.
   const auto last = static_cast<std::int32_t>(end);
   return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
@@ -127,11 +144,24 @@ std::int32_t first_obstacle(const std::uint64_t* row, const Span& span) {
 /// Rows of y and z that are looked at together: most blocks are cut off as a whole, or lie inside where nothing is.
 constexpr std::int32_t kBlock = 4;
 
+/// True where a row of the block has an obstacle in the span.
+bool any_obstacle(const BitRows& obstacles, const Range& block, const Span& span) {
+  for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
+    std::uint64_t any = 0;
+    for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
+      const std::uint64_t* word = obstacles.row(block.lo.y, z) + k;
+      for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y, word += obstacles.row_words) any |= *word;
+    }
+    if ((any & bits_within({span.begin, span.end}, k)) != 0) return true;
+  }
+  return false;
+}
+
 /// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
 /// leave of all rows together. `obstacle`: the first that is not cut off.
 bool block_clear(const Grid& grid, const Cuts& cuts, const Range& block, Voxel& obstacle) {
   const Span span = uncut(grid, cuts, block);
-  if (span.begin >= span.end) return true;
+  if (span.begin >= span.end || !any_obstacle(GridView::obstacles(grid), block, span)) return true;
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = grid.obstacle_row(y, z);

@@ -10,6 +10,8 @@ namespace {
 constexpr int kMaxDepth = 16;
 /// Pieces looked at for one derivative of one segment: a curve that needs more is refused.
 constexpr int kMaxPieces = 4096;
+/// Stands for an axis without a limit on jerk, m/s^3.
+constexpr double kAnyJerk = 1e300;
 
 /// Bernstein coefficients of a curve.
 struct Curve {
@@ -251,13 +253,15 @@ bool boundary_met(const Segment& segment, const Jet& asked, double rounding, boo
   return true;
 }
 
+Jet asked_jet(const State& state, const Vec3& origin) {
+  return {{state.position - origin, state.velocity, state.acceleration, state.jerk}};
+}
+
 /// Both ends of the plan, where the segment has one.
 bool ends_met(const Trajectory& trajectory, int index, const CheckQuery& query, double rounding, CheckReport& found) {
   const Segment& segment = trajectory.segments[index];
-  const Jet start{
-      {query.start.position - trajectory.origin, query.start.velocity, query.start.acceleration, query.start_jerk}};
-  const Jet goal{
-      {query.goal.position - trajectory.origin, query.goal.velocity, query.goal.acceleration, Vec3{0.0, 0.0, 0.0}}};
+  const Jet start = asked_jet(query.start, trajectory.origin);
+  const Jet goal = asked_jet(query.goal, trajectory.origin);
   if (index == 0 && !boundary_met(segment, start, rounding, false, found)) return false;
   return index < trajectory.count - 1 || boundary_met(segment, goal, rounding, true, found);
 }
@@ -269,13 +273,26 @@ bool keeps(Curve curve, const Allowed& limit, int derivative, Finding finding, C
   return refuse(finding, found);
 }
 
+/// Where the jerk is limited at all; an axis without a limit may have any.
+bool jerk_holds(const Segment& segment, const Curve& jerk, const Limits& limits, CheckReport& found) {
+  Vec3 most = limits.j_max;
+  bool limited = limits.j_horizontal > 0.0;
+  for (int a = 0; a < 3; ++a) {
+    limited = limited || axis(most, a) > 0.0;
+    if (!(axis(most, a) > 0.0)) axis(most, a) = kAnyJerk;
+  }
+  const Allowed jolt = allowed(most, Vec3{0.0, 0.0, 0.0}, limits.j_horizontal, hodograph_rounding(segment, 3));
+  return !limited || keeps(jerk, jolt, 3, Finding::kJerk, found);
+}
+
 bool limits_hold(const Segment& segment, const Limits& limits, CheckReport& found) {
   const Curve velocity = derivative(position_of(segment), segment.duration);
   const Allowed speed = allowed(limits.v_max, limits.v_min, limits.v_horizontal, hodograph_rounding(segment, 1));
   if (!keeps(velocity, speed, 1, Finding::kVelocity, found)) return false;
   const Curve acceleration = derivative(velocity, segment.duration);
   const Allowed pull = allowed(limits.a_max, limits.a_min, limits.a_horizontal, hodograph_rounding(segment, 2));
-  return keeps(acceleration, pull, 2, Finding::kAcceleration, found);
+  return keeps(acceleration, pull, 2, Finding::kAcceleration, found) &&
+         jerk_holds(segment, derivative(acceleration, segment.duration), limits, found);
 }
 
 }  // namespace

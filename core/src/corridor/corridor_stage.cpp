@@ -27,7 +27,7 @@ std::int32_t segments_ahead(const CorridorStage& stage, const Path& path) {
   return (legs_of(path) - stage.leg - 1) + (stage.pieces - stage.piece - 1);
 }
 
-/// How many equal pieces of at most kLongLeg this leg is cut into: fewer if each later leg could not have a segment.
+/// How many equal pieces of at most kLongLeg this leg is cut into: fewer if later legs would be left without segments.
 std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   const double length = distance(path.points[stage.leg], path.points[stage.leg + 1]);
   const std::int32_t room = kMaxSegments - kKeptForEnds - stage.built - (legs_of(path) - stage.leg - 1);
@@ -91,7 +91,7 @@ Progress move_on(CorridorStage& stage, const Path& path, double margin, Polyhedr
   return progress;
 }
 
-/// Drops polyhedra before the last one as long as the last one contains their segments too. The first polyhedron stays.
+/// Drops polyhedra before the last one as long as the last one contains their lines too. The first polyhedron stays.
 void drop_held(Corridor& out, double margin) {
   while (out.count > 2) {
     const Polyhedron& last = out.polyhedra[out.count - 1];

@@ -62,8 +62,8 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
-/// of that piece with kSightMargin of a voxel to spare; its segment is then the straight line to or from there. The
-/// first and the last piece of the path always have polyhedra of their own.
+/// of that piece with kSightMargin of a voxel to spare; its line then leads straight to or from there. The first and
+/// the last piece of the path always have polyhedra of their own.
 ///
 /// If the interior legs of the path keep kSightMargin of a voxel from everything that is not free, any two neighbours
 /// share a ball of radius kSightMargin * cell around their common point (less 1e-9 m of rounding).

@@ -60,11 +60,14 @@ Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const Segment
   return room_at(polyhedron, center) < room_at(polyhedron, middle) ? middle : center;
 }
 
-/// Fits the ellipsoid, makes the half-spaces and improves them.
-Status enclose(const Obstacles& obstacles, const SegmentMargin& segment, double cell, GrowScratch& scratch,
-               Polyhedron& out) {
+/// Fits the ellipsoid between the obstacles in scratch.boxes, makes half-spaces for those that the given ones leave,
+/// and improves them.
+Status enclose(int count, const SegmentMargin& segment, const GridSpec& spec, GrowScratch& scratch, Polyhedron& out) {
   const int given = out.count;
-  EllipsoidFrame frame = fit_ellipsoid(segment.from, segment.to, obstacles, cell, scratch.remaining);
+  const double cell = spec.cell;
+  EllipsoidFrame frame =
+      fit_ellipsoid(segment.from, segment.to, {scratch.boxes, count, spec.radius}, cell, scratch.remaining);
+  const Obstacles obstacles{scratch.boxes, keep_uncut(out, spec.radius, scratch.boxes, count), spec.radius};
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
@@ -97,7 +100,7 @@ Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach,
     return Status::kObstaclesFull;
   }
   if (count > scratch.boxes_high) scratch.boxes_high = count;
-  return enclose({scratch.boxes, count, spec.radius}, segment, spec.cell, scratch, out);
+  return enclose(count, segment, spec, scratch, out);
 }
 
 bool within(const Box& boundary, const Vec3& p, double tolerance) {

@@ -22,7 +22,7 @@ struct GrowScratch {
   std::int32_t boxes_high;       ///< of the busiest local box
 
   LocalBox boxes[kMaxLocalBoxes];
-  double scale[kMaxLocalBoxes];            ///< scale at which the growing ellipsoid meets each box
+  double scale[kMaxLocalBoxes];            ///< scale at which the growing ellipsoid meets each box, or a bound of it
   std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
   Polyhedron trial;                        ///< of the current round
   ExtractScratch extract;

@@ -12,9 +12,9 @@
 
 namespace tern {
 
-/// Gives the polyhedron a new segment, from `from` to `to`, which it must contain. The half-spaces stay. The ellipsoid
-/// becomes a round one along the new segment, inscribed again. If the new segment is a point, because the path came
-/// back to where it began, the old ellipsoid stays.
+/// Gives the polyhedron a new line, from `from` to `to`, which it must contain. The half-spaces stay. The ellipsoid
+/// becomes a round one along the new line, inscribed again. If the new line is a point, because the path came back to
+/// where it began, the old ellipsoid stays.
 void set_segment(Polyhedron& polyhedron, const Vec3& from, const Vec3& to) noexcept;
 
 }  // namespace tern

@@ -19,20 +19,15 @@ bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   return short_of <= kRounding * (1.0 + ((box.upper[0] + box.upper[1]) + box.upper[2]));
 }
 
-/// Lists the boxes that no half-space cuts off yet, with the scale at which the ellipsoid meets each. Returns how many.
-int measure(const EllipsoidMetric& metric, const Obstacles& obstacles, const Polyhedron& out, GrowScratch& scratch) {
-  int count = 0;
+/// Lists all boxes as remaining, each with a lower bound of the scale at which the ellipsoid meets it.
+void list_all(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScratch& scratch) {
   for (int i = 0; i < obstacles.count; ++i) {
-    bool cut = false;
-    for (int p = 0; p < out.count && !cut; ++p) cut = cut_off(out.planes[p], obstacles.boxes[i], obstacles.radius);
-    if (cut) continue;
-    scratch.scale[i] = contact_of(metric, obstacles.boxes[i], obstacles.radius).scale;
-    scratch.remaining[count++] = i;
+    scratch.scale[i] = least_scale(metric, obstacles.boxes[i], obstacles.radius);
+    scratch.remaining[i] = i;
   }
-  return count;
 }
 
-/// The remaining box that the growing ellipsoid meets first; of two met at once, the one with the lower index.
+/// The remaining box with the least scale or bound; of equals, the one with the lower index.
 std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
   std::int32_t nearest = scratch.remaining[0];
   for (int k = 1; k < count; ++k) {
@@ -40,6 +35,26 @@ std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
     if (scratch.scale[i] < scratch.scale[nearest]) nearest = i;
   }
   return nearest;
+}
+
+/// The remaining box that the growing ellipsoid meets first.
+struct Met {
+  std::int32_t box;
+  Contact contact;
+};
+
+/// Computes contacts, the least bound first, until a box with a contact has the least scale. Each contact takes the
+/// place of the box's bound. Most boxes are cut off before their bound is the least, and never need one.
+Met first_met(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScratch& scratch, int count) {
+  Met met{-1, {}};
+  // Each iteration but the last two turns a bound into a scale.
+  for (int k = 0; k < count + 2; ++k) {
+    const std::int32_t nearest = nearest_remaining(scratch, count);
+    if (nearest == met.box) break;
+    met = {nearest, contact_of(metric, obstacles.boxes[nearest], obstacles.radius)};
+    scratch.scale[nearest] = met.contact.scale;
+  }
+  return met;
 }
 
 /// Keeps the remaining boxes that the half-space does not cut off. The box `made_for` is always dropped, because the
@@ -57,18 +72,27 @@ int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_
 
 }  // namespace
 
+int keep_uncut(const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count) noexcept {
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    bool cut = false;
+    for (int p = 0; p < polyhedron.count && !cut; ++p) cut = cut_off(polyhedron.planes[p], boxes[i], radius);
+    if (!cut) boxes[kept++] = boxes[i];
+  }
+  return kept;
+}
+
 Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
                        GrowScratch& scratch, Polyhedron& out) noexcept {
-  int count = measure(metric, obstacles, out, scratch);
+  list_all(metric, obstacles, scratch);
+  int count = obstacles.count;
   while (count > 0) {
-    const std::int32_t nearest = nearest_remaining(scratch, count);
-    const LocalBox& box = obstacles.boxes[nearest];
-    const Vec3 tangent = to_vec3(contact_of(metric, box, obstacles.radius).normal);
+    const Met met = first_met(metric, obstacles, scratch, count);
     Halfspace plane;
-    Status status = separate(segment, box, obstacles.radius, tangent, plane);
+    Status status = separate(segment, obstacles.boxes[met.box], obstacles.radius, to_vec3(met.contact.normal), plane);
     if (status == Status::kOk) status = append(plane, scratch, out);
     if (status != Status::kOk) return status;
-    count = drop_cut_off(plane, obstacles, nearest, scratch, count);
+    count = drop_cut_off(plane, obstacles, met.box, scratch, count);
   }
   return Status::kOk;
 }

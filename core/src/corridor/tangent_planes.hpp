@@ -12,10 +12,14 @@
 
 namespace tern {
 
+/// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. Returns how many.
+int keep_uncut(const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count) noexcept;
+
 /// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of them by the
-/// radius. The next half-space is made for the obstacle that the growing ellipsoid meets first; of two met at once, for
-/// the one with the lower index. It also settles every other obstacle that it cuts off. Each pass settles at least one
-/// obstacle. kOk, kCorridorBlocked, kPlanesFull or kBudgetCorridor.
+/// radius. The obstacles are those that `out` does not cut off yet. The next half-space is made for the obstacle that
+/// the growing ellipsoid meets first; of two met at once, for the one with the lower index. It also settles every other
+/// obstacle that it cuts off. Each pass settles at least one obstacle. kOk, kCorridorBlocked, kPlanesFull or
+/// kBudgetCorridor.
 Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
                        GrowScratch& scratch, Polyhedron& out) noexcept;
 

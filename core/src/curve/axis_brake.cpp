@@ -3,6 +3,7 @@
 #include "curve/axis_brake.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/brake.hpp"
 
 namespace tern {
 namespace {
@@ -17,6 +18,7 @@ struct AxisMotion {
   double from;
   double to;
   double hold;
+  double jerk;  ///< that it begins with
 };
 
 /// Smallest multiple of a quarter of the ramp that is no less than `time`.
@@ -29,9 +31,10 @@ double in_quarters(double time, double ramp) {
 }
 
 AxisMotion motion_of(const State& state, const Bounds& bounds, double ramp, int a) {
-  AxisMotion motion{axis(state.position, a), axis(state.velocity, a), axis(state.acceleration, a), 0.0, 0.0};
+  AxisMotion motion{axis(state.position, a), axis(state.velocity, a), axis(state.acceleration, a), 0.0, 0.0,
+                    axis(state.jerk, a)};
   // What the first ramp leaves when it only undoes the acceleration; the rest takes a ramp and the hold.
-  const double excess = motion.velocity + 0.5 * ramp * motion.from;
+  const double excess = motion.velocity + 0.5 * ramp * motion.from + kJerkToVelocity * ramp * ramp * motion.jerk;
   const double limit = excess > 0.0 ? -axis(bounds.lower, a) : axis(bounds.upper, a);
   motion.hold = in_quarters(absolute(excess) / limit - ramp, ramp);
   motion.to = -excess / (ramp + motion.hold);
@@ -52,13 +55,15 @@ void ramp_on(double time, double ramp, double to, double* jet) {
   jet[0] = position;
 }
 
-/// Derivatives 0 to 3 of the axis after `time` seconds.
+/// Derivatives 0 to 3 of the axis after `time` seconds, a ramp at least.
 void jet_at(const AxisMotion& motion, double ramp, double time, double* jet) {
   jet[0] = motion.position;
   jet[1] = motion.velocity;
   jet[2] = motion.from;
   jet[3] = 0.0;
-  ramp_on(smaller(time, ramp), ramp, motion.to, jet);
+  ramp_on(ramp, ramp, motion.to, jet);
+  jet[0] += kJerkToWay * ramp * ramp * ramp * motion.jerk;
+  jet[1] += kJerkToVelocity * ramp * ramp * motion.jerk;
   if (time <= ramp) return;
   const double held = smaller(time - ramp, motion.hold);
   jet[0] += held * jet[1] + 0.5 * held * held * motion.to;
@@ -97,7 +102,7 @@ AxisBrake make_axis_brake(const State& state, const MotionLimits& limits, double
   double times[kAxisBrakeSegments];
   AxisBrake brake;
   brake.segments = sorted_times(motions, ramp, times);
-  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, {0.0, 0.0, 0.0}}};
+  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, state.jerk}};
   for (int i = 0; i < brake.segments; ++i) {
     brake.duration[i] = times[i] - (i == 0 ? 0.0 : times[i - 1]);
     for (int a = 0; a < 3; ++a) {

@@ -16,7 +16,7 @@ namespace tern {
 constexpr int kAxisBrakeSegments = 7;
 
 /// States at the joints; between them every axis is one polynomial of degree 5 at most, so that a segment of degree 7
-/// between the states is the motion itself. The first state is the one given, jerk zero; the last is at rest.
+/// between the states is the motion itself. The first state is the one given; the last is at rest.
 struct AxisBrake {
   int segments;
   double duration[kAxisBrakeSegments];

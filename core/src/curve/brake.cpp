@@ -14,10 +14,21 @@ namespace {
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
+/// A ramp of r seconds that changes the acceleration by c has a jerk of 1.5 c / r at most. A brake's first changes it
+/// by no more than 1.5 times what it is, plus the speed over r.
+double gentle_ramp(const State& state, const MotionLimits& limits) {
+  return square_root(kSmoothStepPeak * gauge(limits.jerk, state.velocity)) +
+         kSmoothStepPeak * 1.5 * gauge(limits.jerk, state.acceleration);
+}
+
 double ramp_time(const State& state, const MotionLimits& limits, int shape, double least) {
   double time = gauge(limits.acceleration, kZero - state.velocity);
-  for (int i = 0; i < shape; ++i) time *= kBrakeSharper;
-  return larger(least, time);
+  double smooth = gentle_ramp(state, limits);
+  for (int i = 0; i < shape; ++i) {
+    time *= kBrakeSharper;
+    smooth *= kBrakeLessSmooth;
+  }
+  return larger(larger(least, time), smooth);
 }
 
 /// In place: a brake that is returned would stand on the stack twice.
@@ -25,12 +36,12 @@ void fill(const State& state, const MotionLimits& limits, int shape, double leas
   const double ramp = ramp_time(state, limits, shape, least);
   // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
   // and the hold.
-  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration;
+  const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration + (kJerkToVelocity * ramp * ramp) * state.jerk;
   const double hold = larger(least, gauge(limits.acceleration, kZero - excess) - ramp);
   const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;
   brake.duration[0] = brake.duration[2] = ramp;
   brake.duration[1] = hold;
-  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, kZero}};
+  brake.joint[0] = JointState{{state.position, state.velocity, state.acceleration, state.jerk}};
   brake.joint[1] = after_ramp(brake.joint[0], deceleration, ramp);
   brake.joint[2] = after_ramp(brake.joint[1], deceleration, hold);
   brake.joint[3] = after_ramp(brake.joint[2], kZero, ramp);
@@ -48,9 +59,11 @@ bool holds(const Brake& brake, const Polyhedron& polyhedron, const MotionLimits&
 }  // namespace
 
 JointState after_ramp(const JointState& from, const Vec3& acceleration, double time) noexcept {
-  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration;
-  return JointState{{from.d[0] + time * from.d[1] + (time * time) * way,
-                     from.d[1] + (0.5 * time) * (from.d[2] + acceleration), acceleration, kZero}};
+  const double square = time * time;
+  const Vec3 way = kFirstPart * from.d[2] + kSecondPart * acceleration + (kJerkToWay * time) * from.d[3];
+  return JointState{{from.d[0] + time * from.d[1] + square * way,
+                     from.d[1] + (0.5 * time) * (from.d[2] + acceleration) + (kJerkToVelocity * square) * from.d[3],
+                     acceleration, kZero}};
 }
 
 Brake make_brake(const State& state, const MotionLimits& limits, int shape, double least) noexcept {

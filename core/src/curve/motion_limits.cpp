@@ -13,7 +13,12 @@ double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noe
   const double speed = peak_bound(velocity, limits.velocity, 0.0, kPeakTolerance);
   // A peak of the acceleration that asks for no more than the speed does is not looked into.
   const Curve acceleration = hodograph(velocity, segment.duration);
-  return square_root(peak_bound(acceleration, limits.acceleration, speed * speed, kPeakTolerance));
+  const double factor = square_root(peak_bound(acceleration, limits.acceleration, speed * speed, kPeakTolerance));
+  if (!limits_anything(limits.jerk)) return factor;
+  const Curve jerk = hodograph(acceleration, segment.duration);
+  const double floor = factor * factor * factor;
+  const double peak = peak_bound(jerk, limits.jerk, floor, kPeakTolerance);
+  return peak > floor ? cube_root((1.0 + kJerkMargin) * peak) : factor;
 }
 
 bool within_limits(const Segment& segment, const MotionLimits& limits, double tolerance) noexcept {
@@ -21,7 +26,10 @@ bool within_limits(const Segment& segment, const MotionLimits& limits, double to
   const Curve velocity = hodograph(curve_of(segment), segment.duration);
   if (peak_bound(velocity, limits.velocity, most, 0.0) > most) return false;
   const Curve acceleration = hodograph(velocity, segment.duration);
-  return !(peak_bound(acceleration, limits.acceleration, most, 0.0) > most);
+  if (peak_bound(acceleration, limits.acceleration, most, 0.0) > most) return false;
+  if (!limits_anything(limits.jerk)) return true;
+  const double most_jerk = 1.0 + kJerkTolerance;
+  return !(peak_bound(hodograph(acceleration, segment.duration), limits.jerk, most_jerk, 0.0) > most_jerk);
 }
 
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept {

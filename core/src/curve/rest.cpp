@@ -15,7 +15,7 @@ bool is_zero(const Vec3& v) {
 }  // namespace
 
 bool at_rest(const State& state) noexcept {
-  return is_zero(state.velocity) && is_zero(state.acceleration);
+  return is_zero(state.velocity) && is_zero(state.acceleration) && is_zero(state.jerk);
 }
 
 Segment reversed(const Segment& segment) noexcept {
@@ -25,17 +25,18 @@ Segment reversed(const Segment& segment) noexcept {
 }
 
 State backwards(const State& state) noexcept {
-  return State{state.position, kZero - state.velocity, state.acceleration};
+  return State{state.position, kZero - state.velocity, state.acceleration, kZero - state.jerk};
 }
 
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const MotionLimits& limits) noexcept {
   Segment segment{};
   segment.polyhedron = polyhedron;
-  const Vec3 way = to - from;
+  const Vec3 move = to - from;
   const Bounds& acceleration = limits.acceleration;
-  const double pull = larger(gauge(acceleration, way), gauge(acceleration, kZero - way));
-  const double cruise = kRestPeakSpeed * gauge(limits.velocity, way);
+  const double pull = larger(gauge(acceleration, move), gauge(acceleration, kZero - move));
+  const double cruise = kRestPeakSpeed * gauge(limits.velocity, move);
   segment.duration = larger(kMinDuration, larger(cruise, square_root(kRestPeakAcceleration * pull)));
+  segment.duration = larger(segment.duration, cube_root(kRestPeakJerk * gauge(limits.jerk, move)));
   for (int k = 0; k < kJointOrder; ++k) {
     segment.points[k] = from;
     segment.points[kDegree - k] = to;

@@ -15,8 +15,10 @@ namespace tern {
 /// end): at u = 1/2 and at u = (5 - sqrt 5) / 10.
 constexpr double kRestPeakSpeed = 35.0 / 16.0;
 constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 25
+/// Peak of its jerk, at u = 1/2.
+constexpr double kRestPeakJerk = 52.5;
 
-/// True where velocity and acceleration are zero.
+/// True where velocity, acceleration and jerk are zero.
 bool at_rest(const State& state) noexcept;
 
 /// The same state flown backwards in time, and the same segment.

@@ -15,7 +15,7 @@ constexpr double kHalfRoot = 0.70710678118654752;  // sqrt(1 / 2)
 /// One of the swerves.
 struct Swerve {
   int side;
-  double size;      ///< part of the largest sideways way that the limits allow
+  double size;      ///< part of the largest sideways displacement that the limits allow
   double strength;  ///< part of the limits on acceleration that the braking takes
   int shape;        ///< of the braking
 };
@@ -105,7 +105,7 @@ void step_between(double begin, double end, double* coefficients) {
 }
 
 /// Moves the braking's end sideways, from its beginning on.
-void add_swerve(const Vec3& way, const Brake& brake, Segment* segments) {
+void add_swerve(const Vec3& displacement, const Brake& brake, Segment* segments) {
   double total = 0.0;
   for (const double duration : brake.duration) total += duration;
   double begin = 0.0;
@@ -113,7 +113,8 @@ void add_swerve(const Vec3& way, const Brake& brake, Segment* segments) {
     const double end = part + 1 == kBrakeSegments ? total : begin + brake.duration[part];
     double step[kControlPoints];
     step_between(begin / total, end / total, step);
-    for (int k = 0; k < kControlPoints; ++k) segments[part].points[k] = segments[part].points[k] + step[k] * way;
+    for (int k = 0; k < kControlPoints; ++k)
+      segments[part].points[k] = segments[part].points[k] + step[k] * displacement;
     begin = end;
   }
 }
@@ -138,18 +139,19 @@ Segment segment_between(const JointState& first, const JointState& second, doubl
 }
 
 State state_of(const JointState& joint) {
-  return {joint.d[0], joint.d[1], joint.d[2]};
+  return {joint.d[0], joint.d[1], joint.d[2], joint.d[3]};
 }
 
 /// Ramps to the turn's acceleration and holds it.
 State add_turn(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
   const Turn turn = turn_of(index);
   const Vec3 acceleration = turning(state, limits, turn);
+  const double ramp = larger(least, kSmoothStepPeak * gauge(limits.jerk, acceleration - state.acceleration));
   const double hold = larger(least, turn.hold * gauge(limits.acceleration, kZero - state.velocity));
-  const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
-  const JointState second = after_ramp(first, acceleration, least);
+  const JointState first{{state.position, state.velocity, state.acceleration, state.jerk}};
+  const JointState second = after_ramp(first, acceleration, ramp);
   const JointState third = after_ramp(second, acceleration, hold);
-  out.segments[out.count++] = segment_between(first, second, least);
+  out.segments[out.count++] = segment_between(first, second, ramp);
   out.segments[out.count++] = segment_between(second, third, hold);
   return state_of(third);
 }
@@ -171,22 +173,33 @@ constexpr Swerve straight(int shape) {
   return {0, 0.0, 1.0, shape};
 }
 
+/// A ramp in which every axis can get from its acceleration to its limit.
+double gentlest_ramp(const State& state, const MotionLimits& limits) {
+  double ramp = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double limit = larger(axis(limits.acceleration.upper, a), -axis(limits.acceleration.lower, a));
+    const double change = limit + absolute(axis(state.acceleration, a));
+    ramp = larger(ramp, kSmoothStepPeak * change / axis(limits.jerk.upper, a));
+  }
+  return ramp;
+}
+
 void add_axis_brake(const State& state, const MotionLimits& limits, double ramp, Stopping& out) {
-  const AxisBrake brake = make_axis_brake(state, limits, ramp);
+  const AxisBrake brake = make_axis_brake(state, limits, larger(ramp, gentlest_ramp(state, limits)));
   for (int i = 0; i < brake.segments; ++i) {
     out.segments[out.count++] = segment_between(brake.joint[i], brake.joint[i + 1], brake.duration[i]);
   }
 }
 
-/// Way 0 .. kStoppingWays - 1, with ramps of `least` seconds at least.
-void add_way(const State& state, const MotionLimits& limits, int way, double least, Stopping& out) {
-  if (way < kBrakeShapes) return add_brake(state, limits, straight(way), least, out);
-  way -= kBrakeShapes;
-  if (way < kAxisBrakes) return add_axis_brake(state, limits, way == 0 ? least : 4.0 * least, out);
-  way -= kAxisBrakes;
-  if (way >= 2 * kTurns) return add_brake(state, limits, swerve_of(way - 2 * kTurns), least, out);
-  const State turned = add_turn(state, limits, way / 2, least, out);
-  if (way % 2 == 0) return add_brake(turned, limits, straight(kBrakeShapes - 1), least, out);
+/// Adds manoeuvre 0 .. kStoppingManoeuvres - 1, with ramps of `least` seconds at least.
+void add_manoeuvre(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
+  if (index < kBrakeShapes) return add_brake(state, limits, straight(index), least, out);
+  index -= kBrakeShapes;
+  if (index < kAxisBrakes) return add_axis_brake(state, limits, index == 0 ? least : 4.0 * least, out);
+  index -= kAxisBrakes;
+  if (index >= 2 * kTurns) return add_brake(state, limits, swerve_of(index - 2 * kTurns), least, out);
+  const State turned = add_turn(state, limits, index / 2, least, out);
+  if (index % 2 == 0) return add_brake(turned, limits, straight(kBrakeShapes - 1), least, out);
   add_axis_brake(turned, limits, least, out);
 }
 
@@ -199,7 +212,7 @@ State level_off(const State& state, const MotionLimits& limits, Stopping& out) {
     if (gauge(bounds, state.velocity + (0.5 * time) * state.acceleration) <= 1.0 + kLimitTolerance) break;
     time *= 0.5;
   }
-  const JointState first{{state.position, state.velocity, state.acceleration, kZero}};
+  const JointState first{{state.position, state.velocity, state.acceleration, state.jerk}};
   const JointState second = after_ramp(first, kZero, time);
   out.segments[out.count++] = segment_between(first, second, time);
   return state_of(second);
@@ -208,15 +221,15 @@ State level_off(const State& state, const MotionLimits& limits, Stopping& out) {
 }  // namespace
 
 bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept {
-  const double least = choice < kStoppingWays ? kMinDuration : kSharpRamp;
-  const int way = choice % kStoppingWays;
+  const double least = choice < kStoppingManoeuvres ? kMinDuration : kSharpRamp;
+  const int index = choice % kStoppingManoeuvres;
   out.count = 0;
-  add_way(state, limits, way, least, out);
+  add_manoeuvre(state, limits, index, least, out);
   close_joints(out);
   if (keeps_limits(out, limits)) return true;
-  if (way >= kBrakeShapes) return false;
+  if (index >= kBrakeShapes) return false;
   out.count = 0;
-  add_brake(level_off(state, limits, out), limits, straight(way), least, out);
+  add_brake(level_off(state, limits, out), limits, straight(index), least, out);
   close_joints(out);
   return keeps_limits(out, limits);
 }

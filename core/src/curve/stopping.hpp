@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ways to come to rest from a moving state, in closed form: straight ahead (brake.hpp), each axis on its own
+// Manoeuvres that bring a moving state to rest, in closed form: straight ahead (brake.hpp), each axis on its own
 // (axis_brake.hpp), after a turn, or with a swerve to a side. Whether there is room for one is the caller's question.
 #ifndef TERN_CURVE_STOPPING_HPP
 #define TERN_CURVE_STOPPING_HPP
@@ -39,10 +39,11 @@ constexpr int kSwerves = kSwerveSides * kSwerveSizes * kSwerveStrengths * kSwerv
 /// Axes on their own: with ramps as short as may be, and four times that.
 constexpr int kAxisBrakes = 2;
 
-/// Straight ways first, the sharpest last; each axis on its own; turns, with either braking behind them; swerves. All
-/// of them with the usual ramps, then all again with ramps that may be as short as kSharpRamp.
-constexpr int kStoppingWays = kBrakeShapes + kAxisBrakes + 2 * kTurns + kSwerves;
-constexpr int kStoppingChoices = 2 * kStoppingWays;
+/// In this order: braking straight ahead, the sharpest last; braking each axis on its own; turns, each followed by
+/// either kind of braking; swerves. First all of them with the usual ramps, then all again with ramps that may be as
+/// short as kSharpRamp.
+constexpr int kStoppingManoeuvres = kBrakeShapes + kAxisBrakes + 2 * kTurns + kSwerves;
+constexpr int kStoppingChoices = 2 * kStoppingManoeuvres;
 constexpr int kStoppingSegments = 2 + kAxisBrakeSegments;
 constexpr double kSharpRamp = 0.01;  ///< seconds
 

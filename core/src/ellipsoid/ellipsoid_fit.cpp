@@ -42,6 +42,7 @@ bool first_contact(const EllipsoidFrame& frame, const Obstacles& obstacles, Cand
   int kept = 0;
   for (int k = 0; k < candidates.count; ++k) {
     const std::int32_t i = candidates.index[k];
+    if (least_scale(metric, obstacles.boxes[i], obstacles.radius) >= 1.0) continue;
     const Contact contact = contact_of(metric, obstacles.boxes[i], obstacles.radius);
     if (contact.scale >= 1.0 - kFitTolerance) continue;
     candidates.index[kept] = i;

@@ -18,6 +18,27 @@ struct Bounds {
   Vector upper;
 };
 
+/// What least_scale keeps of its bound. The fixed-point iteration may stop early and understate a scale; with this
+/// share, the bound rarely exceeds what contact_of says, and boxes keep their order.
+constexpr double kBoundShare = 0.99;
+
+Bounds bounds_about(const Vector& center, const LocalBox& box) {
+  return {vector_at(box.lower) - center, vector_at(box.upper) - center};
+}
+
+/// An offset into the box that is near the nearest one: the nearest by Euclid's metric, moved once along each axis.
+Vector near_offset(const EllipsoidMetric& metric, const Bounds& bounds) {
+  const Matrix& m = metric.matrix;
+  Vector d;
+  for (int a = 0; a < 3; ++a) d[a] = clamp(0.0, bounds.lower[a], bounds.upper[a]);
+  for (int a = 0; a < 3; ++a) {
+    const int b = a == 2 ? 0 : a + 1;
+    const int c = a == 0 ? 2 : a - 1;
+    d[a] = clamp(-(m(a, b) * d[b] + m(a, c) * d[c]) / m(a, a), bounds.lower[a], bounds.upper[a]);
+  }
+  return d;
+}
+
 /// The best offset so far.
 struct Best {
   Vector offset;
@@ -90,13 +111,24 @@ Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept {
 }
 
 Vector nearest_offset(const EllipsoidMetric& metric, const Vector& center, const LocalBox& box) noexcept {
-  const Bounds bounds{vector_at(box.lower) - center, vector_at(box.upper) - center};
+  const Bounds bounds = bounds_about(center, box);
   Best best{Vector::Zero(), -1.0};
   for (int a = 0; a < 3; ++a) {
     if (bounds.lower[a] > 0.0) offer_face(best, metric, bounds, a, bounds.lower[a]);
     if (bounds.upper[a] < 0.0) offer_face(best, metric, bounds, a, bounds.upper[a]);
   }
   return best.offset;
+}
+
+double least_scale(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept {
+  const Bounds bounds = bounds_about(metric.center, box);
+  const Vector near = near_offset(metric, bounds);
+  const Vector normal = multiply(metric.matrix, near);
+  const double squared_reach = dot(normal, near);
+  if (!(squared_reach > 0.0)) return -1.0;  // the box holds the centre, and only the contact tells how deep
+  Vector first;
+  for (int a = 0; a < 3; ++a) first[a] = normal[a] < 0.0 ? bounds.upper[a] : bounds.lower[a];
+  return kBoundShare * (dot(normal, first) - radius * length(normal)) / square_root(squared_reach);
 }
 
 double reach_along(const EllipsoidMetric& metric, const Vector& normal) noexcept {

@@ -50,6 +50,10 @@ struct Contact {
 /// the room.
 Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
 
+/// A lower bound of the scale at which the growing ellipsoid meets the box grown by the radius, for a fraction of the
+/// price of contact_of: the ellipsoid meets the box beyond any plane that cuts the box off.
+double least_scale(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
+
 /// max of normal . p over the ellipsoid, relative to its centre.
 double reach_along(const EllipsoidMetric& metric, const Vector& normal) noexcept;
 

@@ -46,13 +46,29 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
-/// The first row at or after `y` whose bits in the window differ from those `back` words before them, or rows.count.
-/// Most rows of a cuboid world equal the one before, and most layers the one below, so that this is what the extraction
-/// spends its time on; most windows are one or two words.
-std::int32_t first_difference(const Rows& rows, const Window& window, std::ptrdiff_t back, std::int32_t y) {
+/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid
+/// world equal the one below, so that this is what the extraction spends its time on; most windows are one or two
+/// words.
+bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back) {
+  const std::int32_t end = window.words - 1;
+  const std::uint64_t* row = rows.words;
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+  std::uint64_t middle = 0;
+  for (std::int32_t y = 0; y < rows.count; ++y, row += rows.stride) {
+    first |= row[0] ^ row[-back];
+    last |= row[end] ^ row[end - back];
+    for (std::int32_t k = 1; k < end; ++k) middle |= row[k] ^ row[k - back];
+  }
+  return ((first & window.first_mask) | middle | (last & window.last_mask)) == 0;
+}
+
+/// The first row at or after `y` whose bits in the window differ from those of the row before, or rows.count.
+std::int32_t first_difference(const Rows& rows, const Window& window, std::int32_t y) {
   const std::int32_t last = window.words - 1;
-  const std::uint64_t* row = rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride;
-  for (; y < rows.count; ++y, row += rows.stride) {
+  const std::ptrdiff_t back = rows.stride;
+  const std::uint64_t* row = rows.words + y * back;
+  for (; y < rows.count; ++y, row += back) {
     std::uint64_t difference = ((row[0] ^ row[-back]) & window.first_mask);
     difference |= ((row[last] ^ row[last - back]) & window.last_mask);
     for (std::int32_t k = 1; k < last; ++k) difference |= row[k] ^ row[k - back];
@@ -130,7 +146,7 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
 int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles) {
   Layer layer{rectangles, 0, 0};
   int now = 0;
-  for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, rows.stride, y + 1)) {
+  for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, y + 1)) {
     copy_window(rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride, window, scratch.row);
     if (!take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now])) return -1;
     now ^= 1;
@@ -211,7 +227,7 @@ int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratc
   const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
   for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
     const Rows rows = rows_of(grid, range, window, z);
-    if (z > range.lower.z && first_difference(rows, window, plane_words, 0) == rows.count) {
+    if (z > range.lower.z && all_equal(rows, window, plane_words)) {
       for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
       continue;
     }

@@ -28,7 +28,7 @@ class Stencil {
   }
 
  private:
-  static constexpr std::int32_t kTable = 16;  // larger balls are dear enough for a root a row
+  static constexpr std::int32_t kTable = 16;  // a larger ball costs enough that a root for each row does not matter
 
   std::int32_t compute(std::int32_t gap_z, std::int32_t gap_x) const;
 

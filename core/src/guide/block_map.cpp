@@ -7,13 +7,13 @@
 namespace tern {
 namespace {
 
-/// Blocks are eight voxels wide, and not four, where the radius is that many voxels or more: obstacles are then too
-/// thick to hide in one.
+/// Blocks are eight voxels wide instead of four if the radius is at least four voxels. Obstacles are then too thick to
+/// split a block.
 constexpr int kSmallLog = 2;
 constexpr int kLargeLog = 3;
 constexpr double kLargeRadius = 4.0;
 
-/// One bit for each block of a word of voxels: bit 0 of its bits. The others are ignored.
+/// One bit for each block in a word of voxels: the lowest bit of the block. The others are ignored.
 std::uint64_t squeeze(std::uint64_t bits, int log) {
   if (log == kSmallLog) {
     bits &= 0x1111111111111111u;
@@ -28,7 +28,7 @@ std::uint64_t squeeze(std::uint64_t bits, int log) {
   return (bits | bits >> 28) & 0xFFu;
 }
 
-/// One bit for each block of a word of voxels: any of its bits.
+/// One bit for each block in a word of voxels: whether any bit of the block is set.
 std::uint64_t any_of(std::uint64_t bits, int log) {
   bits |= bits >> 1;
   bits |= bits >> 2;
@@ -51,43 +51,49 @@ struct Rows {
     return {block << log, end < count ? end : count};
   }
 
-  /// Blocks of which a free voxel in the plane `from` across the axis, y or z, meets a free one in the plane `to`.
+  /// Blocks in which a free voxel of plane `from` (at right angles to the axis, y or z) touches a free voxel of plane
+  /// `to`.
   template <int kAxis>
   std::uint64_t meet(std::int32_t word, std::int32_t from, std::int32_t to) const {
     if (to < 0 || to >= axis(grid.spec().dims, kAxis)) return 0;
+    const BitRows rows = GridView::blocked(grid);
     const IndexRange& along = kAxis == 1 ? z : y;
-    const auto row = [this](std::int32_t plane, std::int32_t k) {
-      return kAxis == 1 ? grid.blocked_row(plane, k) : grid.blocked_row(k, plane);
-    };
+    const std::ptrdiff_t step = kAxis == 1 ? rows.index(0, 1) : rows.row_words;
+    const std::ptrdiff_t across = (kAxis == 1 ? rows.row_words : rows.index(0, 1)) * (to - from);
+    const std::uint64_t* row = (kAxis == 1 ? rows.row(from, z.begin) : rows.row(y.begin, from)) + word;
     std::uint64_t closed = ~std::uint64_t{0};
-    for (std::int32_t k = along.begin; k < along.end; ++k) closed &= row(from, k)[word] | row(to, k)[word];
+    for (std::int32_t k = along.begin; k < along.end; ++k, row += step) closed &= row[0] | row[across];
     return any_of(~closed, log);
   }
 };
 
-/// What words of voxels tell about 64 blocks, one bit each: joined at each side, and whether the block is full.
+/// Properties of 64 blocks, one bit each: whether the block is joined at each side, and whether it is full.
 struct BlockBits {
   std::uint64_t of[8];
 };
 
 /// Reads a word of voxels: 16 or 8 of the blocks, from bit `shift` on.
 void read_word(const Rows& rows, std::int32_t word, int shift, BlockBits& bits) {
-  const bool first = word == 0;
-  const bool last = word + 1 == rows.grid.row_words();
+  // The words beside it; past the row's ends its own, whose bits are masked.
+  const std::ptrdiff_t before = word == 0 ? 0 : -1;
+  const std::ptrdiff_t after = word + 1 == rows.grid.row_words() ? 0 : 1;
   std::uint64_t some = 0;
-  std::uint64_t below = ~std::uint64_t{0};
-  std::uint64_t above = ~std::uint64_t{0};
+  std::uint64_t below = ~std::uint64_t{0};  // in bit x: voxels x - 1 and x do not meet
+  std::uint64_t above = ~std::uint64_t{0};  // in bit 0: voxels 63 and 64
   for (std::int32_t z = rows.z.begin; z < rows.z.end; ++z) {
-    for (std::int32_t y = rows.y.begin; y < rows.y.end; ++y) {
-      const std::uint64_t* row = rows.grid.blocked_row(y, z) + word;
+    const std::uint64_t* row = rows.grid.blocked_row(rows.y.begin, z) + word;
+    for (std::int32_t y = rows.y.begin; y < rows.y.end; ++y, row += rows.grid.row_words()) {
       some |= row[0];
-      below &= row[0] | row[0] << 1 | (first ? 1 : row[-1] >> 63);
-      above &= row[0] | row[0] >> 1 | (last ? 1 : row[1]) << 63;
+      below &= row[0] | row[0] << 1 | row[before] >> 63;
+      above &= row[0] >> 63 | row[after];
     }
   }
+  if (before == 0) below |= 1;
+  if (after == 0) above |= 1;
   const int log = rows.log;
-  bits.of[0] |= squeeze(~below, log) << shift;
-  bits.of[1] |= squeeze(~above >> ((1 << log) - 1), log) << shift;
+  const std::uint64_t met = squeeze(~below, log);
+  bits.of[0] |= met << shift;
+  bits.of[1] |= (met >> 1 | (~above & 1) << ((64 >> log) - 1)) << shift;
   bits.of[2] |= rows.meet<1>(word, rows.y.begin, rows.y.begin - 1) << shift;
   bits.of[3] |= rows.meet<1>(word, rows.y.end - 1, rows.y.end) << shift;
   bits.of[4] |= rows.meet<2>(word, rows.z.begin, rows.z.begin - 1) << shift;
@@ -128,7 +134,7 @@ void make_word(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// True where the bit was not set; it is now.
+/// Sets the bit. True if it was not set before.
 bool first_time(std::uint64_t* bits, std::int32_t index) {
   const std::uint64_t bit = std::uint64_t{1} << (index & 63);
   if ((bits[index >> 6] & bit) != 0) return false;
@@ -147,7 +153,8 @@ void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// The moves to a side, and on from there to the sides at right angles at which the block there is joined.
+/// The move across a side, and the moves that go on from there across those sides at right angles at which that block
+/// is joined.
 struct CornerTable {
   CellMask moves[kSides][1 << kSides];
 };

@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The map seen coarsely: cubes of voxels, each joined to the next one where free voxels meet across their common face.
-// Whatever is connected in voxels is connected in blocks; the converse is not true. Made from the rows of the blocked
-// layer when first looked at, 64 blocks along x at a time.
+// A coarse map: blocks of voxels. Two neighbouring blocks are joined if free voxels touch across their common face. If
+// voxels are connected, so are their blocks; the converse is not true. Blocks are made from the rows of the blocked
+// layer when a search first needs them, 64 along x at a time.
 #ifndef TERN_GUIDE_BLOCK_MAP_HPP
 #define TERN_GUIDE_BLOCK_MAP_HPP
 
@@ -15,8 +15,8 @@
 
 namespace tern {
 
-/// Blocks of the largest map, and words of 64 blocks along x. A map that is thin, or none of whose dimensions is a
-/// multiple of four, may have more: it has no block map.
+/// Capacity for blocks, and for words of 64 blocks along x: those of the largest map. A thin map, or one whose
+/// dimensions are no multiples of four, may need more. It then has no block map.
 constexpr std::int32_t kGuideBlocks = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 constexpr std::int32_t kBlockWords = static_cast<std::int32_t>((kMaxCells + 511) / 512);
 
@@ -31,25 +31,25 @@ constexpr GuideCost guide_cost(int move) {
   return axes_of(move) == 1 ? kGuideStraight : (axes_of(move) == 2 ? kGuidePlane : kGuideSpace);
 }
 
-/// Of the cheapest way in an empty map.
+/// Cost of the cheapest path in an empty map.
 constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
   const MoveCounts moves = octile_moves(a, b);
   return static_cast<GuideCost>(moves.space) * kGuideSpace + static_cast<GuideCost>(moves.plane) * kGuidePlane +
          static_cast<GuideCost>(moves.straight) * kGuideStraight;
 }
 
-/// A block, and what a search of blocks knows of it.
+/// A block, and what the search of blocks knows about it.
 struct Block {
   /// In `flags`.
-  static constexpr std::uint8_t kClosed = 1;  ///< the cheapest way is known
-  static constexpr std::uint8_t kParts = 2;   ///< it is known whether the free voxels are in several parts
-  static constexpr std::uint8_t kSplit = 4;   ///< they are
-  /// In `sides`, besides one bit a side at which free voxels meet those of the block beyond.
+  static constexpr std::uint8_t kClosed = 1;  ///< the cheapest path is known
+  static constexpr std::uint8_t kParts = 2;   ///< it is known whether the block is split
+  static constexpr std::uint8_t kSplit = 4;   ///< it is split: its free voxels are not all connected within it
+  /// In `sides`, in addition to one bit for each side at which the block is joined to its neighbour.
   static constexpr std::uint8_t kFull = 1 << kSides;  ///< all voxels are free
 
-  GuideCost distance;  ///< from the search's origin, by the best way found; kFar before one is
+  GuideCost distance;  ///< cost from the search's origin, by the best path so far; kFar if there is none
   std::uint8_t sides;
-  std::uint8_t parent;  ///< the move by which that way arrives
+  std::uint8_t parent;  ///< the move by which that path arrives
   std::uint8_t flags;
 
   bool full() const { return (sides & kFull) != 0; }
@@ -74,23 +74,23 @@ struct BlockMap {
   std::int32_t word(const Voxel& b) const { return (b.x >> 6) + words * (b.y + dims.y * b.z); }
 };
 
-/// Prepares the map of a grid: nothing is made yet. False where the grid has too many blocks.
+/// Prepares the map of a grid, without making any blocks. False if the grid has too many blocks.
 bool block_map_begin(BlockMap& map, const Grid& grid) noexcept;
 
-/// Makes the block, with those beside it in its word.
+/// Makes the block and the others of its word.
 void block_touch(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// Finds out whether the block's free voxels are all connected within it. Blocks of eight voxels count as connected.
+/// Finds out whether the block is split. Blocks of eight voxels count as not split.
 void block_find_parts(BlockMap& map, const Grid& grid, const Voxel& block, Block& at) noexcept;
 
-/// True where they are not. `at` is the block.
+/// True if the block is split. `at` is the block.
 inline bool block_split(BlockMap& map, const Grid& grid, const Voxel& block, Block& at) noexcept {
   if ((at.flags & Block::kParts) == 0) block_find_parts(map, grid, block, at);
   return (at.flags & Block::kSplit) != 0;
 }
 
-/// Moves that lead from a block across some of its sides, along one axis or two: along two, one of the two blocks at
-/// the corner must be joined to both and not be split. Makes the blocks that they lead to.
+/// Moves from a block across the given sides, along one axis or two. For a move along two axes, one of the two blocks
+/// at the corner must be joined to both ends and must not be split. Makes the blocks that the moves lead to.
 CellMask block_moves(BlockMap& map, const Grid& grid, const Voxel& block, SideMask sides) noexcept;
 
 }  // namespace tern

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The connected parts of one block of 4 x 4 x 4 voxels. A wall that is thinner than a block may leave parts of the same
-// block on both of its sides, and no way from one to the other.
+// The connected parts of one block of 4 x 4 x 4 voxels. A wall thinner than a block may divide the block into parts on
+// both sides, with no path between them.
 #ifndef TERN_GUIDE_BLOCK_PARTS_HPP
 #define TERN_GUIDE_BLOCK_PARTS_HPP
 
@@ -35,7 +35,7 @@ constexpr int opposite(int move) {
   return kDirections - 1 - move;
 }
 
-/// Those that a move leads across: one for each of its axes.
+/// The sides that a move crosses: one for each of its axes.
 constexpr SideMask sides_of(int move) {
   const Voxel step = offset(move);
   const auto along = [](std::int32_t s, int axis) { return s == 0 ? 0u : 1u << (2 * axis + (s > 0 ? 1 : 0)); };
@@ -45,15 +45,18 @@ constexpr SideMask sides_of(int move) {
 /// The free voxels of a block. Nothing is free outside the grid.
 VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept;
 
-/// The voxels of `free` that are connected through faces to any of `seeds`.
+/// The voxels of `free` that faces connect to any of `seeds`.
 VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept;
 
 /// True where the free voxels are all connected.
 bool one_part(VoxelMask free) noexcept;
 
-/// The sides that the voxels touch; and the voxels at some sides.
+/// The sides that the voxels touch, and the voxels that touch the sides.
 SideMask sides_touched(VoxelMask voxels) noexcept;
 VoxelMask voxels_at(SideMask sides) noexcept;
+
+/// The voxels of the next block that meet some of these across a side.
+VoxelMask voxels_across(VoxelMask voxels, int side) noexcept;
 
 }  // namespace tern
 

@@ -8,18 +8,18 @@ namespace {
 constexpr int kBucketBits = 8;
 static_assert(kGuideStraight == 1 << kBucketBits, "a bucket a voxel");
 
-/// What a step into a block costs that is not wholly free: a fifth more. Ways through the open are wider and take the
-/// search of voxels fewer expansions.
+/// Cost of a step into a block that is not wholly free: a fifth more. In open space, the search of voxels takes fewer
+/// expansions.
 constexpr GuideCost narrow(GuideCost cost) {
   return cost + cost / 5;
 }
 
-/// The farthest step in blocks of eight voxels, and as much again by which the way that is left may grow.
+/// The costliest step in blocks of eight voxels, plus the same again, by which the heuristic may grow.
 static_assert((8 * (narrow(kGuidePlane) + kGuidePlane) >> kBucketBits) + 1 < kBlockBuckets, "f stays within the ring");
 static_assert(std::uint64_t{kGuideBlocks} * 4 * narrow(kGuidePlane) < kFar - 8 * 2048 * kGuideSpace,
-              "a way visits a block once");
+              "a path visits a block once");
 
-/// Of a step into a block that is wholly free, for blocks four and eight voxels wide.
+/// Costs of a step into a block that is wholly free, for blocks four and eight voxels wide.
 struct BlockCosts {
   GuideCost of[2][kDirections];
 };
@@ -48,8 +48,8 @@ bool open_block(BlockSearch& search, const Voxel& block, GuideCost distance) {
   return queue_put(search.open, (distance + left) >> kBucketBits, pack(block));
 }
 
-/// The sides across which the best way may have come into a block: around a corner, those that a block joins to where
-/// the way came from.
+/// The sides across which the best path may have entered a block. For a move around a corner, these are the sides that
+/// a block at the corner joins to the block before.
 SideMask entrances(BlockSearch& search, const Grid& grid, const Voxel& at, int arrival) {
   if (axes_of(arrival) == 1) return sides_of(opposite(arrival));
   BlockMap& map = search.map;
@@ -66,7 +66,8 @@ SideMask entrances(BlockSearch& search, const Grid& grid, const Voxel& at, int a
   return sides;
 }
 
-/// The sides across which the search may leave a block: of one that is split, those of the part that it arrived in.
+/// The sides across which the search may leave a block. If the block is split, these are the sides of the part that it
+/// arrived in.
 SideMask exits(BlockSearch& search, const Grid& grid, const Voxel& at) {
   BlockMap& map = search.map;
   if (!block_split(map, grid, at, map.at(at))) return kAllSides;
@@ -101,13 +102,15 @@ Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
   if (block.closed()) return Status::kRunning;
   block.flags |= Block::kClosed;
   search.f = search.open.current << kBucketBits;
+  const GuideCost* const costs = kBlockCosts.of[map.log - 2];
+  const GuideCost here = block.distance;
   const CellMask moves = block_moves(map, grid, at, exits(search, grid, at));
   for (CellMask left = moves; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
     Block& next = (&block)[map.offsets[move]];
-    const GuideCost cost = kBlockCosts.of[map.log - 2][move];
-    if (next.distance <= block.distance + cost || next.closed()) continue;
-    const GuideCost distance = block.distance + (next.full() ? cost : narrow(cost));
+    const GuideCost cost = costs[move];
+    if (next.distance <= here + cost || next.closed()) continue;
+    const GuideCost distance = here + (next.full() ? cost : narrow(cost));
     if (next.distance <= distance) continue;
     next.distance = distance;
     next.parent = static_cast<std::uint8_t>(move);

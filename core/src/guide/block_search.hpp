@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The guide: a best-first search of the blocks, backwards from the goal and towards the start. It goes on from where it
-// was as often as the search of voxels comes to a block that it has not closed yet.
+// The guide: A* over blocks, from the goal towards the start. It continues whenever the search of voxels comes to a
+// block that it has not closed yet.
 #ifndef TERN_GUIDE_BLOCK_SEARCH_HPP
 #define TERN_GUIDE_BLOCK_SEARCH_HPP
 
@@ -18,27 +18,30 @@ namespace tern {
 constexpr std::int32_t kBlockBuckets = 64;
 constexpr std::int32_t kBlockOpen = kMaxOpen;
 
-/// Every block is closed once, and then opens the 18 that it may lead to: no more entries are ever taken.
+/// Bound on the units of the guide. Each block is closed once and then opens at most the 18 blocks that it leads to. Of
+/// two neighbours only the one closed first opens the other, so there are at most 9 entries a block, and the first one.
+/// The other half leaves room for the unit that finds the list empty, and for the one in which the guided search finds
+/// its limit reached.
 constexpr std::uint32_t kBlocksTaken = 18u * static_cast<std::uint32_t>(kGuideBlocks) + 1u;
 
 /// Plain data; needs no initialisation before block_search_begin.
 struct BlockSearch {
   Voxel origin;  ///< voxel that the search begins at
   Voxel target;  ///< block that it goes for
-  bool lost;     ///< it left out parts of blocks, because it closes each block once
-  GuideCost f;   ///< of the block closed last, rounded down to a voxel: of those that are not closed none has less
+  bool lost;     ///< it has left out parts of split blocks
+  GuideCost f;   ///< f of the last closed block, rounded down to a voxel; no open block has less
   BlockMap map;
   BucketQueue<kBlockBuckets, kBlockOpen> open;
 };
 
-/// Opens the block of the voxel `from`. Both voxels are free. False where the grid has no block map.
+/// Opens the block of the voxel `from`. Both voxels must be free. False if the grid has no block map.
 bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards) noexcept;
 
-/// Takes one entry off the open list. kRunning; kNoPath where none is left and so no way exists; kNodesFull where that
-/// is not certain; kOpenFull.
+/// Takes one entry off the open list. kRunning; kNoPath if no entry is left and this proves that there is no path;
+/// kNodesFull if no entry is left and it does not; kOpenFull.
 Status block_search_take(BlockSearch& search, const Grid& grid) noexcept;
 
-/// True once the cheapest way to the block is known.
+/// True once the cheapest path to the block is known.
 inline bool block_closed(const BlockSearch& search, std::int32_t index) noexcept {
   return search.map.blocks[index].closed();
 }

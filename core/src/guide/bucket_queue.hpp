@@ -11,10 +11,11 @@
 
 namespace tern {
 
-/// Entries of kEntries at most, in a ring of kBuckets (a multiple of 64). What belongs kBuckets or more beyond the
-/// current bucket goes into the last one of the ring, and so does, in effect, what the current bucket left behind when
-/// it went back: both come out early. Whoever takes an entry compares its bucket with the current one, and puts it in
-/// again where it was early. Plain data; needs no initialisation before queue_reset.
+/// At most kEntries entries, in a ring of kBuckets buckets (a multiple of 64). An entry that belongs kBuckets or more
+/// beyond the current bucket goes into the last bucket of the ring, and comes out too early. The same can happen to
+/// entries in the ring after the current bucket has gone back. The caller therefore compares the bucket of each entry
+/// that it takes with the current one, and puts entries that are early in again. Plain data; needs no initialisation
+/// before queue_reset.
 template <std::int32_t kBuckets, std::int32_t kEntries>
 struct BucketQueue {
   struct Entry {
@@ -24,7 +25,7 @@ struct BucketQueue {
   std::uint32_t current;  ///< bucket that the last entry came from
   std::int32_t count;
   std::int32_t used;    ///< entries that were ever used
-  std::int32_t unused;  ///< first entry to use again, -1 where there is none
+  std::int32_t unused;  ///< first entry to use again, -1 if there is none
   std::uint64_t busy[kBuckets / 64];
   std::int32_t first[kBuckets];  ///< valid where `busy` says so
   Entry entries[kEntries];
@@ -39,7 +40,7 @@ void queue_reset(BucketQueue<kBuckets, kEntries>& queue) noexcept {
   for (std::uint64_t& word : queue.busy) word = 0;
 }
 
-/// False where the queue is full.
+/// False if the queue is full.
 template <std::int32_t kBuckets, std::int32_t kEntries>
 bool queue_put(BucketQueue<kBuckets, kEntries>& queue, std::uint32_t bucket, std::uint32_t item) noexcept {
   if (queue.count == kEntries) return false;
@@ -55,7 +56,8 @@ bool queue_put(BucketQueue<kBuckets, kEntries>& queue, std::uint32_t bucket, std
   return true;
 }
 
-/// Takes the last entry of the first bucket that has one, which becomes the current one. Not where the queue is empty.
+/// Takes the last entry of the first bucket that is not empty. This becomes the current bucket. The queue must not be
+/// empty.
 template <std::int32_t kBuckets, std::int32_t kEntries>
 std::uint32_t queue_take(BucketQueue<kBuckets, kEntries>& queue) noexcept {
   constexpr std::uint32_t kWords = kBuckets / 64;

@@ -1,23 +1,24 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the goal's arrival back to turning points.
+// Follows the moves back from the goal, and writes the turning points.
 #include "base/turn_writer.hpp"
 #include "guide/guided_search.hpp"
 
 namespace tern {
 namespace {
 
-/// Where the search keeps the move of a voxel on the path: by which it is reached, later by which it is left.
+/// The stored move of a voxel on the path: the move that reaches it, or, once the moves are reversed, the one that
+/// leaves it.
 std::uint8_t& move_at(GuidedSearch& search, const Voxel& voxel) {
   return search.store.pages[page_find_or_add(search.store, voxel)].arrival[place_in_block(voxel)];
 }
 
-/// Turns the moves around, so that they lead from the start to the goal.
+/// Reverses the moves, which then lead from the start to the goal.
 void reverse_moves(GuidedSearch& search) {
   Voxel at = search.goal;
   std::uint8_t departure = kHere;
-  // A path holds each expanded voxel once.
+  // A path contains each expanded voxel at most once.
   for (std::uint32_t k = 0; k <= kGuidedExpansions; ++k) {
     std::uint8_t& move = move_at(search, at);
     const std::uint8_t arrival = move;
@@ -35,7 +36,7 @@ Status guided_extract(GuidedSearch& search, const Grid& grid, int reserve, Path&
   reverse_moves(search);
   TurnWriter writer(grid, path, reserve, search.start);
   for (std::uint32_t k = 0; k <= kGuidedExpansions && !same(writer.last, search.goal); ++k) {
-    writer.leg(move_at(search, writer.last), 1);
+    writer.run(move_at(search, writer.last), 1);
   }
   return writer.finish();
 }

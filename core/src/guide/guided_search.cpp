@@ -10,10 +10,11 @@ namespace {
 
 constexpr int kBucketBits = 6;
 
-/// How many blocks ahead the carrot is. It hides the corners of the guide's way, which are not the voxels' way.
+/// Blocks from the current one to the carrot. Aiming ahead smooths the corners of the guide's path, which the path of
+/// voxels need not follow.
 constexpr int kCarrotBlocks = 3;
 
-/// What is left of the way counts one and a half times.
+/// The heuristic counts one and a half times.
 constexpr std::uint64_t weighted(GuideCost left) {
   return std::uint64_t{left} + left / 2;
 }
@@ -22,8 +23,8 @@ constexpr std::uint32_t entry(std::int32_t page, int place) {
   return static_cast<std::uint32_t>(page) << 6 | static_cast<std::uint32_t>(place);
 }
 
-/// The block that the guide's way leads to next. A voxel of a split block may lie in a part that the way does not pass:
-/// then the block beside its part that is nearest to the goal.
+/// The block that the guide's path leads to next. If the voxel lies in a part of a split block that this path does not
+/// pass, the block next to that part that is nearest to the goal.
 Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, const Voxel& voxel) {
   BlockMap& map = search.guide.map;
   const int arrival = map.at(block).parent;
@@ -47,9 +48,9 @@ Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, con
   return best;
 }
 
-/// The middle of the block that the guide's way reaches a few blocks on from that of a voxel, which is closed; the goal
-/// where it ends.
-void head(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
+/// Sets the carrot of a page whose block is closed: the middle of the block a few blocks further along the guide's
+/// path, or the goal where the path ends first.
+void set_carrot(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
   const BlockMap& map = search.guide.map;
   Voxel block = next_block(search, grid, map.block_of(voxel), voxel);
   for (int k = 1; k < kCarrotBlocks; ++k) {
@@ -63,13 +64,13 @@ void head(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page
   if (reached.parent == kHere) page.carrot = search.goal;
 }
 
-/// Where to head for from a new page: a guess where its block is not closed yet. Its distance then cannot be less than
-/// what the blocks closed so far leave for it.
-void look(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
+/// Sets the heuristic of a new page. If its block is not closed yet, this is a lower bound: from the f that the guide
+/// has reached, or from the distance in an empty map.
+void set_heuristic(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
   const BlockMap& map = search.guide.map;
   const Voxel block = map.block_of(voxel);
   block_touch(search.guide.map, grid, block);
-  if (block_closed(search.guide, map.index(block))) return head(search, grid, voxel, page);
+  if (block_closed(search.guide, map.index(block))) return set_carrot(search, grid, voxel, page);
   const GuideCost to_start = guide_octile(block, search.guide.target) << map.log;
   const GuideCost to_goal = guide_octile(block, map.block_of(search.goal)) << map.log;
   page.rest = search.guide.f > to_start + to_goal ? search.guide.f - to_start : to_goal;
@@ -80,15 +81,16 @@ std::uint32_t bucket_of(const Page& page, const Voxel& voxel, GuideCost cost) {
   return static_cast<std::uint32_t>((cost + weighted(left)) >> kBucketBits);
 }
 
-/// The voxel's page; kGuidePages where there is no room for it.
+/// The voxel's page; kGuidePages if there is no room for it.
 std::int32_t page_of(GuidedSearch& search, const Grid& grid, const Voxel& voxel) {
   const std::int32_t before = search.store.count;
   const std::int32_t index = page_find_or_add(search.store, voxel);
-  if (search.store.count > before) look(search, grid, voxel, search.store.pages[index]);
+  if (search.store.count > before) set_heuristic(search, grid, voxel, search.store.pages[index]);
   return index;
 }
 
-/// Records a way of this cost to a voxel, which arrives by `move`, where it is the best one. kRunning, or what is full.
+/// Records a path of this cost that arrives at a voxel by `move`, if it is the best so far. kRunning, or which capacity
+/// is full.
 Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, GuideCost cost, int move) {
   Page& page = search.store.pages[index];
   const int place = place_in_block(voxel);
@@ -101,14 +103,14 @@ Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, Guide
   return room ? Status::kRunning : Status::kOpenFull;
 }
 
-/// A search that can follow its guide expands hardly more voxels than its way has. One that expands several times as
-/// many is led astray.
+/// A search that can follow its guide expands hardly more voxels than its path has. If it expands several times as
+/// many, the guide leads astray.
 constexpr std::uint32_t kLeastExpansions = 256;
 constexpr std::uint32_t kExpansionsPerVoxel = 4;
 
 std::uint32_t most_expansions(const GuidedSearch& search) {
-  const GuideCost way = search.guide.map.at(search.guide.target).distance / kGuideStraight;
-  return least(kGuidedExpansions, kLeastExpansions + kExpansionsPerVoxel * way);
+  const GuideCost length = search.guide.map.at(search.guide.target).distance / kGuideStraight;
+  return least(kGuidedExpansions, kLeastExpansions + kExpansionsPerVoxel * length);
 }
 
 Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const Voxel& at, GuideCost cost) {
@@ -143,9 +145,9 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
       queue_put(search.open, search.open.current, taken);
       return Status::kRunning;
     }
-    head(search, grid, at, page);
+    set_carrot(search, grid, at, page);
   }
-  // The guide has found out more since the entry was made, or the ring had no bucket for it.
+  // The entry is early: the guide has improved the heuristic since, or the ring had no bucket for the entry.
   const std::uint32_t bucket = bucket_of(page, at, page.cost[place]);
   if (bucket > search.open.current) {
     queue_put(search.open, bucket, taken);
@@ -162,21 +164,32 @@ bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, co
   search.goal = goal;
   search.expanded = 0;
   search.most = 0;
-  search.taken = 0;
   if (!block_search_begin(search.guide, grid, goal, start)) return false;
   search.awaited = search.guide.map.index(search.guide.target);
+  guided_reopen(search, grid);
+  search.guide_left = kGuideStallLimit;
+  return true;
+}
+
+void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
+  search.taken = 0;
+  search.guide_left = ~std::uint32_t{0};  // more than it ever takes
   queue_reset(search.open);
   page_store_reset(search.store);
-  const std::int32_t page = page_of(search, grid, start);
-  return reach(search, page, start, 0, kHere) == Status::kRunning;
+  reach(search, page_of(search, grid, search.start), search.start, 0, kHere);  // the lists are empty, so it fits
 }
 
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
     if (!work.take()) return status;
-    const bool known = block_closed(search.guide, search.awaited);
-    status = known ? take_voxel(search, grid) : block_search_take(search.guide, grid);
+    if (block_closed(search.guide, search.awaited)) {
+      status = take_voxel(search, grid);
+      continue;
+    }
+    status = block_search_take(search.guide, grid);
+    --search.guide_left;
+    if (status == Status::kRunning && guide_stalls(search)) return status;
   }
   return status;
 }

@@ -14,7 +14,7 @@ std::int32_t page_find_or_add(PageStore& store, const Voxel& voxel) noexcept {
   const auto key = static_cast<std::uint32_t>(at.x | at.y << 10 | at.z << 20);
   // Multiplicative hashing by the golden ratio, upper bits.
   auto slot = static_cast<std::uint32_t>(std::uint64_t{key * 0x9E3779B1u} * kPageSlots >> 32);
-  // Ends at a free slot at the latest: no more than half of them are used.
+  // Ends at a free slot at the latest, because at most half of the slots are used.
   for (; store.slots[slot] != 0; slot = (slot + 1) % kPageSlots) {
     const std::int32_t held = store.slots[slot] - 1;
     if (same(store.pages[held].at, at)) return held;

@@ -10,20 +10,20 @@
 
 namespace tern {
 
-/// Pages of one search of voxels. 8192 expansions (guided_search.hpp) take some hundreds of them in most maps.
+/// Capacity for pages of one search of voxels. In most maps, 8192 expansions (guided_search.hpp) take some hundreds.
 constexpr std::int32_t kGuidePages = kMaxNodes / 8 < 4096 ? kMaxNodes / 8 : 4096;
 constexpr std::uint32_t kPageSlots = power_of_two(2u * static_cast<std::uint32_t>(kGuidePages));
 
-/// What the search knows of 4 x 4 x 4 voxels, and where it heads from there.
+/// What the search knows about 4 x 4 x 4 voxels, and the carrot for all of them.
 struct Page {
-  std::uint64_t reached;     ///< one bit a voxel, x + 4 y + 16 z: a way is known
-  std::uint64_t closed;      ///< it was expanded
+  std::uint64_t reached;     ///< one bit a voxel, x + 4 y + 16 z: a path is known
+  std::uint64_t closed;      ///< one bit a voxel: it was expanded
   Voxel at;                  ///< the page's coordinates: voxels / 4
   Voxel carrot;              ///< voxel to head for; valid where `heads`
-  GuideCost rest;            ///< estimate from there to the goal; from anywhere in the page where it does not head yet
-  bool heads;                ///< the carrot is known: the guide has closed the page's block
-  std::uint8_t arrival[64];  ///< the move by which the best way reaches a voxel
-  GuideCost cost[64];        ///< of that way
+  GuideCost rest;            ///< heuristic from the carrot to the goal, or from the page if it has no carrot yet
+  bool heads;                ///< the page has a carrot: the guide has closed its block
+  std::uint8_t arrival[64];  ///< the move by which the best path reaches a voxel
+  GuideCost cost[64];        ///< of that path
 };
 
 /// The pages of one search, found by their coordinates: an open-addressing table over a pool.
@@ -37,11 +37,10 @@ static_assert(kGuidePages < 65535, "a slot is a page's number and one");
 /// Empties the store; clears the slots, 16 KB at most.
 void page_store_reset(PageStore& store) noexcept;
 
-/// The page of a voxel, made with no voxel reached where there is none yet; kGuidePages where the store is
-/// full.
+/// The page of a voxel. Makes one, with no voxel reached, if there is none yet; kGuidePages if the store is full.
 std::int32_t page_find_or_add(PageStore& store, const Voxel& voxel) noexcept;
 
-/// The voxel at a place of a page, which is the same as that in a block of four voxels.
+/// The voxel at a place of a page. Places are numbered as in a block of four voxels.
 constexpr Voxel page_voxel(const Page& page, int place) {
   return {page.at.x * 4 + (place & 3), page.at.y * 4 + (place >> 2 & 3), page.at.z * 4 + (place >> 4)};
 }

@@ -15,7 +15,8 @@ void begin_optimal(VoxelSearch& search, const Grid& grid) {
   search_begin(search.optimal, *search.map, grid, search.start, search.goal);
 }
 
-/// After the first expansions, whose least f is a bound for all paths: the heuristic is consistent.
+/// Begins the guided search after the first expansions. Their least f is a lower bound for all paths, because the
+/// heuristic is consistent.
 void begin_guided(VoxelSearch& search, const Grid& grid) {
   const Cost proven = static_cast<Cost>(search.optimal.open.bin) << kBinBits;
   if (search.least < proven) search.least = proven;
@@ -23,7 +24,7 @@ void begin_guided(VoxelSearch& search, const Grid& grid) {
   if (!guided_begin(search.guided, grid, search.start, search.goal)) begin_optimal(search, grid);
 }
 
-/// True where the optimal search has had its turn before a guided one.
+/// True if the first expansions are done and a guided search must follow.
 bool first_over(const VoxelSearch& search) {
   const bool first = search.method == SearchMethod::kFirst;
   return first && search.optimal.jumps && search.optimal.expanded >= kFirstExpansions;
@@ -42,6 +43,50 @@ bool proves(Status status) {
   return status == Status::kOk || status == Status::kNoPath;
 }
 
+void begin_pocket(VoxelSearch& search, const Grid& grid, SearchMethod method) {
+  search.method = method;
+  search.start_flooded |= method == SearchMethod::kStartPocket;
+  pocket_begin(search.guided, grid, method == SearchMethod::kGoalPocket ? search.goal : search.start);
+}
+
+/// kRunning without work left; otherwise as pocket_take.
+Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
+  const Voxel& to = search.method == SearchMethod::kGoalPocket ? search.start : search.goal;
+  Status status = Status::kRunning;
+  while (status == Status::kRunning && work.take()) status = pocket_take(search.guided, grid, to);
+  return status;
+}
+
+/// What follows a guided search that stalls or gives up, or a flood that proves nothing. False at the end.
+bool begin_next(VoxelSearch& search, const Grid& grid) {
+  if (search.method == SearchMethod::kGoalPocket) return false;
+  if (search.method == SearchMethod::kStartPocket && !search.gave_up) {
+    search.method = SearchMethod::kGuided;
+    guided_reopen(search.guided, grid);
+  } else {
+    begin_pocket(search, grid, search.start_flooded ? SearchMethod::kGoalPocket : SearchMethod::kStartPocket);
+  }
+  return true;
+}
+
+/// A guided search, a flood around the start, the guided search again, and a flood around the goal.
+constexpr int kGuidedTurns = 4;
+
+/// The guided search, with floods around the ends: around the start where the guide stalls, and around both where the
+/// search gives up. Ends as they do; kNodesFull and kOpenFull prove nothing.
+Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
+  Status status = Status::kRunning;
+  for (int turn = 0; turn < kGuidedTurns; ++turn) {
+    const bool floods = search.method != SearchMethod::kGuided;
+    status = floods ? advance_pocket(search, grid, work) : guided_advance(search.guided, grid, work);
+    const bool stalls = !floods && status == Status::kRunning && guide_stalls(search.guided);
+    if (proves(status) || (status == Status::kRunning && !stalls)) return status;
+    search.gave_up = search.gave_up || (!floods && !stalls);
+    if (!begin_next(search, grid)) return status;
+  }
+  return status;
+}
+
 }  // namespace
 
 void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
@@ -52,6 +97,8 @@ void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, con
   search.least = octile(start, goal);
   search.nodes_high = 0;
   search.open_high = 0;
+  search.start_flooded = false;
+  search.gave_up = false;
   begin_optimal(search, grid);
   if (mode == SearchMode::kFast) search.method = SearchMethod::kFirst;
 }
@@ -62,11 +109,10 @@ Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) n
     if (proves(status) || (status == Status::kRunning && !first_over(search))) return status;
     begin_guided(search, grid);
   }
-  if (search.method == SearchMethod::kGuided) {
-    const Status status = guided_advance(search.guided, grid, work);
-    if (proves(status) || status == Status::kRunning) return status;
-    begin_optimal(search, grid);
-  }
+  if (search.method == SearchMethod::kOptimal) return advance_optimal(search, grid, work);
+  Status status = advance_guided(search, grid, work);
+  if (proves(status) || status == Status::kRunning) return status;
+  begin_optimal(search, grid);
   return advance_optimal(search, grid, work);
 }
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The search as the path stage knows it: the optimal search alone, or before it a guided one, which mostly spares it.
+// The search that the search stage uses: the optimal search alone, or a guided search first, which usually makes the
+// optimal one unnecessary.
 #ifndef TERN_GUIDE_VOXEL_SEARCH_HPP
 #define TERN_GUIDE_VOXEL_SEARCH_HPP
 
@@ -9,6 +10,7 @@
 
 #include "base/work.hpp"
 #include "guide/guided_search.hpp"
+#include "guide/pocket.hpp"
 #include "search/search.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
@@ -18,27 +20,29 @@
 
 namespace tern {
 
-/// A fast search begins with so many expansions of the optimal one, or more while that goes step by step and is about
-/// to arrive: easy queries end there, optimally.
+/// A fast search begins with this many expansions of the optimal search, or more while that still goes step by step and
+/// is about to arrive. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstExpansions = 96;
 
 /// Units of work of one search. The first expansions are a search's own, and bounded as one.
-constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kExpansionBound;
+constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
-enum class SearchMethod : std::uint8_t { kFirst, kGuided, kOptimal };
+enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
 
 /// Plain data; needs no initialisation before voxel_search_begin.
 struct VoxelSearch {
   Voxel start;
   Voxel goal;
   SearchMethod method;
-  Cost least;               ///< proven: no path costs less
+  bool start_flooded;       ///< around the start there is no pocket, or a large one
+  bool gave_up;             ///< the guided search did
+  Cost least;               ///< proven lower bound of the cost of any path
   std::int32_t nodes_high;  ///< of the optimal search
   std::int32_t open_high;
   ScanMap* map;
   union {
     Search optimal;
-    GuidedSearch guided;  ///< while the method says so
+    GuidedSearch guided;  ///< while the method is not the first or the last
   };
 };
 static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");
@@ -48,21 +52,21 @@ static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes n
 void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept;
 
-/// One unit of work is one entry taken off an open list. kRunning without work left, or the end: kOk, kNoPath,
-/// kNodesFull, kOpenFull.
+/// One unit of work is one entry taken off an open list, or one sorting step. kRunning without work left, or the end:
+/// kOk, kNoPath, kNodesFull, kOpenFull.
 Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// As search_extract. Once, after kOk.
 Status voxel_search_extract(VoxelSearch& search, const Grid& grid, int reserve, Path& path) noexcept;
 
-/// After kOk: begins the optimal search where the path found was not its own, and could not be used. False where it
-/// was.
+/// Call this after kOk if the path cannot be used. Begins the optimal search if another search found the path;
+/// otherwise does nothing and returns false.
 bool voxel_search_again(VoxelSearch& search, const Grid& grid) noexcept;
 
 /// Which search found the path.
 SearchUsed search_used(const VoxelSearch& search) noexcept;
 
-/// At most so many times the least cost does a path of this cost have that the search found, in voxels; 1 at least.
+/// Upper bound of the cost of the path found, in voxels, divided by the least cost of any path; at least 1.
 double search_bound(const VoxelSearch& search, double cost) noexcept;
 
 }  // namespace tern

@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Inflation, 64 voxels a word. A word of the blocked layer depends on obstacles nearby only, so that only words near
-// changed ones are made again; after bind() all have changed. Of these, rows that equal the plane below are copied.
+// Inflation, 64 voxels a word. A word of the blocked layer depends only on obstacles nearby. So only words near changed
+// ones are made again; after bind() all words count as changed. Of the words to make, rows that equal those of the
+// plane below are copied.
 #include "grid/changes.hpp"
 #include "grid/stencil.hpp"
 #include "inflation/patch_maker.hpp"
@@ -12,8 +13,8 @@
 namespace tern {
 namespace {
 
-/// Adds to reached[k] the block's rows that changes of plane z reach in word k. Beyond 64 rows whole blocks count as
-/// reached.
+/// Adds to reached[k] the rows of the block that changes in plane z reach in word k. If the reach is more than 64 rows,
+/// whole blocks count as reached.
 void add_reached(const Changes& changes, std::int32_t z, std::int32_t block, std::int32_t reach,
                  const IndexRange& words, std::uint64_t* reached) {
   if (!changes.plane(z)) return;
@@ -33,11 +34,11 @@ void add_reached(const Changes& changes, std::int32_t z, std::int32_t block, std
   }
 }
 
-/// Rows of a block in the words of a window.
+/// The rows of a block that are marked, for each word of a window.
 struct WindowRows {
   std::uint64_t words[kStepWords];
 
-  /// The OR of all words, and the AND.
+  /// The OR and the AND of all words.
   std::uint64_t any(std::int32_t count) const {
     std::uint64_t any = 0;
     for (std::int32_t k = 0; k < count; ++k) any |= words[k];
@@ -57,8 +58,8 @@ std::int32_t count_runs(std::uint64_t rows) {
   return runs;
 }
 
-/// Takes the first run of rows off word k, and off the words after it as far as they hold all of it. The patch counts
-/// rows and words from the window's first ones.
+/// Removes the first run of rows from word k, and from the following words as long as they contain the whole run. Rows
+/// and words of the patch are counted from the window's first ones.
 Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   const std::int32_t begin = __builtin_ctzll(rows.words[k]);
   const std::uint64_t gaps = ~(rows.words[k] >> begin);
@@ -69,21 +70,22 @@ Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   return patch;
 }
 
-/// The price of a patch that is not narrow, in narrow ones; and how many narrow ones, beyond one a word, are cheaper
-/// than the whole window.
+/// The cost of a patch that is not narrow, in narrow ones; and how many narrow ones, in addition to one a word, are
+/// cheaper than the whole window.
 constexpr std::int32_t kWidePatch = 2;
 constexpr std::int32_t kFewPatches = 2;
 
-/// One inflation of a grid whose blocked layer is given.
+/// One inflation of a grid.
 struct Inflation {
   const Changes& changes;
   const Stencil& stencil;
   const PatchMaker& maker;
   const Regions regions;
-  const std::uint64_t content;    ///< of the obstacle layer
-  std::uint64_t* const contents;  ///< of the blocked layer's regions: that of the obstacles they were last made from
+  const std::uint64_t content;  ///< of the obstacle layer
+  std::uint64_t* const
+      contents;  ///< of the blocked layer's regions: the content of the obstacles when they were last made
 
-  /// The window's rows of plane z that changes reach.
+  /// The rows of the window that changes reach in plane z.
   WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
     WindowRows reached{};
     const std::int32_t count = window.words.end - window.words.begin;
@@ -118,15 +120,15 @@ struct Inflation {
     for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch); });
   }
 
-  /// Makes what may differ from the plane below, of which the patch is a copy.
+  /// Makes what may differ from the plane below. The patch has been copied from it.
   void make_differing(const Patch& patch, const PlaneSteps& steps) const {
     const IndexRange x = steps.voxels(patch.words);
     if (maker.narrow(x)) return maker.make_narrow(patch, x);
     maker.make(patch);
   }
 
-  /// Makes the rows from the plane below and the differences; false, having done nothing, where it is cheaper to make
-  /// them all.
+  /// Makes the rows from the plane below and the differences. If it is cheaper to make all rows from obstacles, does
+  /// nothing and returns false.
   bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps,
                        const WindowRows& reached) const {
     if (!steps.known()) return false;
@@ -147,7 +149,7 @@ struct Inflation {
     return true;
   }
 
-  /// Makes the rows of one window that changes reach, plane after plane.
+  /// Makes the rows of one window that changes reach, plane by plane.
   void make_window(const BlockWindow& window, const IndexRange& planes, PlaneSteps& steps) const {
     const std::int32_t count = window.words.end - window.words.begin;
     bool follows = false;

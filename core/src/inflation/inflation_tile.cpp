@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Blocked rows are gathered from the obstacle rows around them. Rows that are neighbours along y lie one after another
-// in a tile, so that each step of the gathering is one long OR that the compiler vectorises.
+// Blocked rows are the OR of the obstacle rows around them. In a tile, neighbouring rows are neighbours in memory. Each
+// step is therefore one long OR, which the compiler vectorises.
 #include "inflation/inflation_tile.hpp"
 
 #include "grid/lattice.hpp"
@@ -10,9 +10,9 @@
 namespace tern {
 namespace {
 
-/// Words of the obstacle rows gathered for a tile, which are some more than the tile's own.
+/// Words of the obstacle rows for a tile: a few more than those of the tile itself.
 constexpr std::int32_t kColumnWords = kTileWords + 64;
-/// Rows that one pass over the words ORs together.
+/// The most rows that one pass over the words ORs together.
 constexpr int kSources = 5;
 
 /// A part of a round: rows inner < |dy| <= outer of the planes gap_z_begin <= gap_z < gap_z_end.
@@ -29,11 +29,11 @@ struct Column {
   std::int32_t gap_z_end;
   std::int32_t y;
   std::int32_t rows;
-  bool any;  ///< holds an obstacle; without any the words say nothing
+  bool any;  ///< there is an obstacle; if not, the words have no meaning
   std::uint64_t words[kColumnWords];
 };
 
-/// words = the OR of kCount sources, and of what the words hold where kKeep.
+/// words = the OR of kCount sources and, if kKeep, of the words themselves.
 template <int kCount, bool kKeep>
 void or_sources(const std::uint64_t* const* sources, std::int32_t count, std::uint64_t* __restrict words) {
   const std::uint64_t* source[kCount];
@@ -66,8 +66,8 @@ std::int32_t clamp_plane(std::int32_t z, std::int32_t count) {
   return z < 0 ? 0 : (z < count ? z : count - 1);
 }
 
-/// Number `index` of a column's planes: below and above by turns, then the tile's own where the column begins with it.
-/// Planes past the grid are replaced by its last one, which is nearer and so blocks as much anyway.
+/// Plane number `index` of a column: planes below and above alternate; if the column includes the tile's own plane, it
+/// comes last. Planes past the grid are replaced by its outermost plane, which is nearer and blocks at least as much.
 std::int32_t plane_of(const Column& column, std::int32_t index, std::int32_t z, std::int32_t planes) {
   const std::int32_t gap = column.gap_z_begin + index / 2;
   if (gap >= column.gap_z_end) return z;
@@ -78,13 +78,13 @@ std::int32_t count_planes(const Column& column) {
   return 2 * (column.gap_z_end - column.gap_z_begin) + (column.gap_z_begin == 0 ? 1 : 0);
 }
 
-/// Words of the layer that follow one another in a column as well.
+/// Runs of words that are contiguous both in the layer and in a column.
 struct Pieces {
   std::int32_t count;
   std::int32_t words;  ///< of a piece
 };
 
-/// ORs the planes into the column's rows from index `first` on.
+/// ORs the column's planes, from number `first` on, into its rows.
 void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, const Pieces& pieces, Column& column) {
   const std::int32_t planes = count_planes(column);
   for (std::int32_t done = 0; done < planes; done += kSources) {
@@ -106,7 +106,8 @@ void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, 
   }
 }
 
-/// The same for a tile with a shift: of each row 64 voxels of two neighbouring words, with none past the row's ends.
+/// The same for a tile with a shift: 64 voxels of each row, from two neighbouring words. Past the ends of a row there
+/// are no obstacles.
 void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexRange& rows, Column& column) {
   const BitRows obstacles = GridView::obstacles(grid);
   const std::int32_t planes = count_planes(column);
@@ -117,7 +118,7 @@ void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexR
   for (std::int32_t done = 0; done < planes; done += kSources) {
     const std::uint64_t* source[kSources];
     for (std::int32_t s = 0; s < kSources; ++s) {
-      // The last plane again where there are no more: it changes nothing.
+      // If no planes are left, the last one again, which changes nothing.
       const std::int32_t index = done + s < planes ? done + s : planes - 1;
       source[s] = obstacles.row(column.y + rows.begin, plane_of(column, index, tile.z, grid.spec().dims.z));
     }
@@ -149,7 +150,7 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   if (rows.begin >= rows.end) return;
   const std::int32_t width = tile.width;
   const std::int32_t count = rows.end - rows.begin;
-  // Whole rows follow one another in the layer as they do in the column: one long piece.
+  // Whole rows are contiguous both in the layer and in the column: one long run.
   const bool whole = width == grid.row_words();
   if (tile.shift != 0) {
     or_shifted_planes(grid, tile, rows, column);
@@ -161,7 +162,7 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   for (std::int32_t k = rows.end * width; k < column.rows * width; ++k) column.words[k] = 0;
 }
 
-/// Adds to each row of the tile the column's rows that are begin <= dy < end further: none where end <= begin.
+/// ORs into each row of the tile the column's rows at distances begin <= dy < end; none if end <= begin.
 void add_span(const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (end <= begin) return;
   const std::uint64_t* rows = column.words + (tile.y + begin - column.y) * tile.width;
@@ -172,7 +173,7 @@ void add_span(const Column& column, std::int32_t begin, std::int32_t end, Inflat
   }
 }
 
-/// Adds the ring's part within begin <= dy < end, which the column holds.
+/// Adds the part of the ring with begin <= dy < end. The column must hold these rows.
 void add_ring(const Ring& ring, const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (!column.any) return;
   if (ring.inner < 0) return add_span(column, begin, end, tile);
@@ -184,8 +185,8 @@ bool holds(const Column& column, const Ring& ring) {
   return column.gap_z_begin == ring.gap_z_begin && column.gap_z_end == ring.gap_z_end;
 }
 
-/// Adds a ring to the tile: for a span of dy at a time, as long as a column holds. Where a column holds all rows that
-/// its planes ever reach, it stays for the next round.
+/// Adds a ring to the tile, one column's span of dy at a time. A column that holds all rows that its planes can ever
+/// reach is kept for the next round.
 void gather_ring(const Grid& grid, const Stencil& stencil, const Ring& ring, InflationTile& tile, Column& column) {
   const std::int32_t longest = kColumnWords / tile.width - tile.rows + 1;
   const std::int32_t reach = stencil.reach(ring.gap_z_begin, 0);
@@ -205,8 +206,8 @@ void gather_ring(const Grid& grid, const Stencil& stencil, const Ring& ring, Inf
   }
 }
 
-/// The next ring of a round from plane gap gap_z on: planes of equal reach go together. What reaches further along x
-/// came in an earlier round.
+/// The next ring of a round, from plane gap gap_z on. Planes of equal reach form one ring. Rows that reach further
+/// along x were added in an earlier round.
 Ring next_ring(const Stencil& stencil, std::int32_t gap_x, std::int32_t gap_z) {
   const bool first_round = gap_x == stencil.gap_x();
   Ring ring{gap_z, gap_z, first_round ? -1 : stencil.reach(gap_z, gap_x + 1), stencil.reach(gap_z, gap_x)};
@@ -217,7 +218,8 @@ Ring next_ring(const Stencil& stencil, std::int32_t gap_x, std::int32_t gap_z) {
   return ring;
 }
 
-/// The two bits of each row that the rows around it could reach, made again from its own words.
+/// Corrects the first and the last bit of each row, into which neighbouring rows may have spread, from the row's own
+/// words.
 void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64_t* to) {
   constexpr std::uint64_t kLow = 1;
   constexpr std::uint64_t kHigh = std::uint64_t{1} << 63;
@@ -229,7 +231,7 @@ void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64
   }
 }
 
-/// Every bit of a row spreads to its two neighbours along x. All rows are spread as if they were one.
+/// Spreads every bit to its two neighbours along x, as if all rows were one long row.
 void spread(InflationTile& tile) {
   const std::int32_t width = tile.width;
   const std::uint64_t* __restrict from = tile.words[tile.made] + 1;
@@ -241,7 +243,7 @@ void spread(InflationTile& tile) {
   tile.made = 1 - tile.made;
 }
 
-/// Without a radius obstacles block themselves alone.
+/// Without a radius, obstacles block only themselves.
 void copy_rows(const Grid& grid, InflationTile& tile) {
   for (std::int32_t r = 0; r < tile.rows; ++r) {
     const std::uint64_t* own = grid.obstacle_row(tile.y + r, tile.z) + tile.first;
@@ -257,8 +259,8 @@ void clear_rows(InflationTile& tile) {
 
 }  // namespace
 
-/// Rows that reach furthest along x come first. Each round spreads all that came so far by one voxel, so that what came
-/// in the round of gap_x is spread gap_x + 1 times in the end.
+/// Rows that reach furthest along x come first. Each round spreads everything added so far by one voxel. Rows of the
+/// round of gap_x are thus spread gap_x + 1 times in the end.
 void make_inflation_tile(const Grid& grid, const Stencil& stencil, InflationTile& tile) noexcept {
   tile.made = 0;
   if (stencil.gap_x() < 0) return copy_rows(grid, tile);

@@ -26,14 +26,14 @@ PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* 
   for (std::int32_t k = 0; k < rows_.row_words; ++k) outside_x_[k] = ~bits_met(x, k);
 }
 
-/// A row that ends in enough padding, or a window with a halo on both sides, keeps its rows apart.
+/// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.
 bool PatchMaker::rows_apart(std::int32_t first, std::int32_t end) const noexcept {
   if (end < rows_.row_words) return first > 0;
   return kWordBits * rows_.row_words - grid_.spec().dims.x > reach_x_;
 }
 
 void PatchMaker::make(const Patch& patch) const noexcept {
-  // Words so far beside the patch reach into it along x.
+  // Along x, words this far outside the patch can reach into it.
   const std::int32_t halo = words_for(reach_x_);
   const IndexRange words = overlap({0, rows_.row_words}, {patch.words.begin - halo, patch.words.end + halo});
   InflationTile tile;
@@ -61,7 +61,7 @@ void PatchMaker::store(const InflationTile& tile, const IndexRange& words) const
       copy(tile.row(r) + words.begin - tile.first, width, row + r * rows_.row_words + words.begin);
     }
   }
-  // Few words of a row reach outside the boundary.
+  // Only few words of a row reach outside the boundary.
   for (std::int32_t k = words.begin; k < words.end; ++k) {
     for (std::int32_t r = 0; r < tile.rows && outside_x_[k] != 0; ++r) row[r * rows_.row_words + k] |= outside_x_[k];
   }
@@ -80,7 +80,7 @@ void PatchMaker::make_narrow(const Patch& patch, const IndexRange& x) const noex
   for (std::int32_t k = patch.words.begin; k < patch.words.end; ++k) store_narrow(tile, x, k);
 }
 
-/// Writes the tile's voxels that are in the range and in word k.
+/// Writes the voxels of the tile that lie both in the range and in word k.
 void PatchMaker::store_narrow(const InflationTile& tile, const IndexRange& x, std::int32_t k) const noexcept {
   const std::uint64_t kept = ~bits_met(x, k);
   const std::int32_t left = kWordBits * (tile.first - k) + tile.shift;

@@ -24,16 +24,16 @@ class PatchMaker {
  public:
   PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* blocked) noexcept;
 
-  /// Rows and planes that the boundary lets be free.
+  /// Rows and planes that can be free: those inside the boundary.
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch) const noexcept;
-  /// Makes voxels [x.begin, x.end) of the patch's rows, all within its words and few enough for narrow(); the others
-  /// stay as they are.
+  /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. All must lie within the patch's
+  /// words, and be few enough for narrow().
   void make_narrow(const Patch& patch, const IndexRange& x) const noexcept;
-  /// True where so many voxels fit a word with all that reaches them along x.
+  /// True if a word can hold this many voxels together with everything along x that can block them.
   bool narrow(const IndexRange& x) const noexcept { return x.end - x.begin + 2 * reach_x_ <= kWordBits; }
   /// Copies the patch from the plane below.
   void copy_below(const Patch& patch) const noexcept;
@@ -45,7 +45,7 @@ class PatchMaker {
 
   const Grid& grid_;
   const Stencil& stencil_;
-  const BitRows rows_;  ///< where the blocked layer's rows lie, too
+  const BitRows rows_;  ///< also places rows of the blocked layer
   std::uint64_t* blocked_;
   const std::int32_t reach_x_;
   IndexRange rows_inside_;

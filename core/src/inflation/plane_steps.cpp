@@ -7,17 +7,17 @@
 namespace tern {
 namespace {
 
-/// Rows that are compared at once: most are equal.
+/// Rows that are compared at once, since most are equal.
 constexpr std::int32_t kRowsCompared = 8;
 
-/// True where the words differ anywhere.
+/// True if any of the words differ.
 bool differ(const std::uint64_t* a, const std::uint64_t* b, std::int32_t count) {
   std::uint64_t difference = 0;
   for (std::int32_t k = 0; k < count; ++k) difference |= a[k] ^ b[k];
   return difference != 0;
 }
 
-/// Adds rows with these bits, if there are any.
+/// Adds rows with these bits; nothing if there are no bits.
 void add(WordMark& mark, std::uint64_t rows, std::uint64_t bits) {
   if (bits == 0) return;
   mark.rows |= rows;
@@ -60,11 +60,11 @@ void PlaneSteps::advance() {
 void PlaneSteps::judge(bool useful) {
   if (!known_) return;
   useless_ = useful ? 0 : useless_ + 1;
-  // A slab that begins and ends makes so many planes differ.
+  // A slab that begins and ends makes this many planes differ.
   if (useless_ > 2 * reach_z_) rest_ = kRestPlanes;
 }
 
-/// True where the rows of planes step - 1 and step differ in the window or the words beside it.
+/// True if the rows of planes step - 1 and step differ in the window or in a word next to it.
 bool PlaneSteps::rows_differ(const IndexRange& rows, std::int32_t step) const {
   const IndexRange words = overlap({0, obstacles_.row_words}, {window_.words.begin - 1, window_.words.end + 1});
   const std::int32_t width = words.end - words.begin;
@@ -78,8 +78,8 @@ bool PlaneSteps::rows_differ(const IndexRange& rows, std::int32_t step) const {
   return false;
 }
 
-/// Marks what the difference between planes step - 1 and step changes. Planes past the grid count as equal to its last
-/// one, whose obstacles are nearer.
+/// Marks what the difference between planes step - 1 and step may change. Planes past the grid count as copies of the
+/// outermost one, whose obstacles are nearer.
 void PlaneSteps::take(std::int32_t step) {
   if (step < 1 || step >= dims_.z) return;
   const std::int32_t first = window_.block * kBlockRows;
@@ -98,7 +98,7 @@ void PlaneSteps::take(std::int32_t step) {
   mark_planes(step + 1, step + reach_z_ + 1, vanishing);
 }
 
-/// Adds the differences of one row to all rows of the block that they reach.
+/// Adds the differences in one row to all rows of the block that they reach.
 void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& appearing,
                          Differences& vanishing) const {
   const std::uint64_t* below = row - obstacles_.index(0, 1);
@@ -115,7 +115,7 @@ void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& 
   }
 }
 
-/// Marks in planes begin .. end - 1, as far as they are still to come, what the differences reach along x.
+/// In planes begin .. end - 1, as far as they are still to come, marks what the differences reach along x.
 void PlaneSteps::mark_planes(std::int32_t begin, std::int32_t end, const Differences& differences) {
   for (std::int32_t k = 0; k < window_.words.end - window_.words.begin; ++k) {
     const WordMark* words = differences.words + k;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which rows of the blocked layer equal those of the plane below. Obstacles are boxes and walls, so most do.
+// Finds the rows of the blocked layer that equal those of the plane below. Obstacles are mostly boxes and walls, so
+// most rows do.
 #ifndef TERN_INFLATION_PLANE_STEPS_HPP
 #define TERN_INFLATION_PLANE_STEPS_HPP
 
@@ -12,11 +13,12 @@
 
 namespace tern {
 
-/// Planes whose marks are kept at once. A ball that reaches further along z, up and down, is not followed.
+/// Planes whose marks are kept at the same time. If the radius reaches more planes up and down, planes are not
+/// compared.
 constexpr std::int32_t kStepPlanes = 13;
-/// Planes to rest after marks were of no use.
+/// Planes for which comparing is switched off after the marks were of no use.
 constexpr std::int32_t kRestPlanes = 32;
-/// Words of a row that are looked at together.
+/// Words of a row that are compared together.
 constexpr std::int32_t kStepWords = 8;
 
 /// Some words of the rows of one block.
@@ -25,42 +27,43 @@ struct BlockWindow {
   IndexRange words;  ///< at most kStepWords
 };
 
-/// Voxels of one word in the rows of a block: those of the rows and of the bits, and maybe no other.
+/// The voxels that may differ, in one word of the rows of a block: all of them are in `rows` and in `bits`.
 struct WordMark {
   std::uint64_t rows;
   std::uint64_t bits;
 };
 
-/// Follows a window up the planes. At each plane it compares the obstacles as far above as the ball reaches with those
-/// one plane below them, and marks the blocked voxels that the difference may change.
+/// Goes through the planes of a window from the bottom up. For each plane, it compares the topmost obstacles within the
+/// radius with those one plane below them, and marks the blocked voxels that the difference may change.
 ///
-/// Voxels that appear at plane s (marked there, not below) matter to blocked planes below s only, and those that vanish
-/// (marked below, not there) to blocked planes above s only: further away than that, or on the other side, a voxel at
-/// the same x and y that is nearer blocks as much.
+/// Obstacle voxels in plane s but not in plane s - 1 matter only for blocked planes below s. Obstacle voxels in s - 1
+/// but not in s matter only for blocked planes above s. docs/grid.md says why.
 class PlaneSteps {
  public:
   PlaneSteps(const Grid& grid, const Stencil& stencil);
 
-  /// Begins at blocked plane z, of which nothing is known.
+  /// Begins at blocked plane z, for which nothing is known.
   void begin(const BlockWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
-  /// Hears whether the marks were of use for this plane. Where they are not for many planes, it rests for some.
+  /// Notes whether the marks were of use for this plane. If they were of no use for many planes, comparing is switched
+  /// off for some.
   void judge(bool useful);
   /// What may differ between the plane and the one below it, in word k. Bits of rows past the grid have no meaning.
   WordMark mark(std::int32_t k) const {
     return known_ ? marks_[z_ % kStepPlanes][k - window_.words.begin] : WordMark{kAllBits, kAllBits};
   }
-  /// From the first voxel that may differ in any row to the last one, in these words, both of which have some.
+  /// The range from the first to the last voxel that may differ in any row of these words. The first and the last word
+  /// must have such voxels.
   IndexRange voxels(const IndexRange& words) const {
     return {kWordBits * words.begin + __builtin_ctzll(mark(words.begin).bits),
             kWordBits * words.end - __builtin_clzll(mark(words.end - 1).bits)};
   }
-  /// False where nothing is known of the plane below.
+  /// False if nothing is known about the plane below.
   bool known() const { return known_; }
 
  private:
-  /// Differences of two planes, or what they reach: of the words from one before the window to one after it.
+  /// Differences of two planes, or what they reach, from one word before the window to one word after it.
   struct Differences {
     WordMark words[kStepWords + 2];
   };
@@ -79,8 +82,8 @@ class PlaneSteps {
   BlockWindow window_{};
   std::int32_t z_ = 0;
   bool known_ = false;
-  std::int32_t useless_ = 0;  ///< planes in a row
-  std::int32_t rest_ = 0;     ///< planes to go on without comparing
+  std::int32_t useless_ = 0;  ///< planes in a row without use
+  std::int32_t rest_ = 0;     ///< planes left without comparing
   WordMark marks_[kStepPlanes][kStepWords];
 };
 

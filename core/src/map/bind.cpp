@@ -29,7 +29,8 @@ std::size_t layer_words(const Voxel& dims) {
          static_cast<std::size_t>(dims.z);
 }
 
-/// Twice the pixels, and some: an image with all its levels takes 5/3 of its pixels, narrow ones a little more.
+/// An image with all its levels takes 5/3 as many entries as it has pixels, a narrow one a little more. Twice the
+/// pixels and a few suffice.
 std::int64_t image_entries(const MapSpec& spec) {
   return 2 * std::int64_t{spec.pixels} + 64;
 }
@@ -67,7 +68,7 @@ bool prior_fits(const MapSpec& spec) {
   return true;
 }
 
-/// What only a map has; the grids check the rest.
+/// Checks the fields that only a map has. The grids check the others.
 Verdict check(const MapSpec& spec) {
   if (!finite(spec.range) || !(spec.range > 0.0) || spec.range > kMaxCell) return invalid(Field::kRange);
   if (!margins_fit(spec)) return invalid(Field::kMargins);
@@ -86,7 +87,7 @@ GridSpec grid_spec(const MapSpec& spec) {
   return {spec.origin, spec.cell, spec.dims, window_box(spec.origin, spec.cell, spec.dims), spec.radius};
 }
 
-/// Gives the state its share of the words, and clears it.
+/// Divides the words between the layers and images, and clears them.
 void lay_out(MapState& state, std::uint64_t* words) {
   const std::size_t layer = layer_words(state.spec.dims);
   std::uint64_t** const layers[] = {&state.seen, &state.low, &state.high, &state.hit};
@@ -100,7 +101,7 @@ void lay_out(MapState& state, std::uint64_t* words) {
   for (std::size_t k = 0; k < image_words(state.spec); ++k) words[k] = 0;
 }
 
-/// Nothing is seen: all is solid in the safe grid, and the prior in both.
+/// Nothing is seen yet: all of the safe grid is solid, and the prior is solid in both grids.
 void fill(MapState& state) {
   const Voxel dims = state.spec.dims;
   for (std::int32_t z = 0; z < dims.z; ++z) {
@@ -146,7 +147,7 @@ Status RollingMap::bind(const MapSpec& spec, uint64_t* words, size_t word_count,
   if (verdict.status == Status::kOk && (words == nullptr || word_count < needed)) verdict = invalid(Field::kStorage);
   if (field != nullptr) *field = verdict.field;
   if (verdict.status != Status::kOk) return verdict.status;
-  // The grids come last in the words, so that a bind that they refuse has written nothing.
+  // The grids are bound first. They come last in the words, so if they refuse, nothing has been written.
   const std::size_t grid = grid_words(spec.dims);
   Grid route;
   Grid safe;

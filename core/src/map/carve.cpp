@@ -3,16 +3,16 @@
 #include "map/carve.hpp"
 
 #include "base/math.hpp"
-#include "map/look.hpp"
+#include "map/projector.hpp"
 
 namespace tern {
 namespace {
 
-/// How a cube of voxels lies to what a view saw.
+/// What a view sees of a cube of voxels.
 enum class Sight : std::uint8_t {
-  kNone,  ///< no voxel of it was seen whole
-  kPart,  ///< unknown: some may have been
-  kAll,   ///< the whole cube was in front of every pixel that covers it
+  kNone,  ///< no voxel of it is seen whole
+  kPart,  ///< unknown: some voxels may be seen whole
+  kAll,   ///< every pixel that covers the cube measured a depth behind it
 };
 
 /// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
@@ -25,7 +25,7 @@ std::uint64_t bits_of(const Cube& cube) {
   return ((std::uint64_t{1} << kSize) - 1) << cube.x;
 }
 
-/// True where the cube has a wanted voxel that is not found free yet.
+/// True if the cube has a wanted voxel.
 template <std::int32_t kSize>
 bool any(const BlockWords& wanted, const Cube& cube) {
   std::uint64_t sum = 0;
@@ -42,7 +42,7 @@ void add(BlockWords& words, const Cube& cube) {
   }
 }
 
-/// What the view saw of cube k of eight.
+/// What the view sees of cube k of eight.
 template <std::int32_t kSize>
 Sight judge(const DepthPyramid& pyramid, const Footprints& feet, int k) {
   if (feet.beside[k / 4][k % 4] != 0) return Sight::kNone;
@@ -55,14 +55,14 @@ Sight judge(const DepthPyramid& pyramid, const Footprints& feet, int k) {
   return pyramid.most(box, level) < feet.near[k / 4][k % 4] ? Sight::kNone : Sight::kPart;
 }
 
-/// A block, and the view that looks at it.
+/// A block and the view that carves it.
 struct Carving {
   const View& view;
-  const Looker& looker;
+  const Projector& projector;
   const BlockWords& wanted;
   BlockWords& free;
 
-  /// Decides cube k of eight, or divides it in eight.
+  /// Decides cube k of eight, or divides it into eight.
   template <std::int32_t kSize>
   void decide(const Centers& centers, const Footprints& feet, int k, const Cube& cube) const {
     if (!any<kSize>(wanted, cube)) return;
@@ -76,8 +76,8 @@ struct Carving {
   template <std::int32_t kSize>
   void divide(const Point& center, const Cube& cube) const {
     constexpr std::int32_t kHalf = kSize / 2;
-    const Centers centers = looker.parts(center, kHalf);
-    const Footprints feet = looker.look(centers, kHalf);
+    const Centers centers = projector.parts(center, kHalf);
+    const Footprints feet = projector.project(centers, kHalf);
     for (int k = 0; k < 8; ++k) {
       decide<kHalf>(centers, feet, k,
                     {cube.x + (k & 1) * kHalf, cube.y + (k >> 1 & 1) * kHalf, cube.z + (k >> 2) * kHalf});
@@ -87,13 +87,13 @@ struct Carving {
 
 }  // namespace
 
-void carve(const View& view, const Looker& looker, const Voxel& first, const BlockWords& wanted,
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
            BlockWords& free) noexcept {
   const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
   const Centers centers =
-      looker.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
-  const Footprints feet = looker.look(centers, kBlock);
-  const Carving carving{view, looker, wanted, free};
+      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
+  const Footprints feet = projector.project(centers, kBlock);
+  const Carving carving{view, projector, wanted, free};
   for (int k = 0; k < 8; ++k) carving.decide<kBlock>(centers, feet, k, {kBlock * k, 0, 0});
 }
 

@@ -1,17 +1,16 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Which voxels of a block a view saw whole.
+// Finds the voxels of a block that a view sees whole.
 #ifndef TERN_MAP_CARVE_HPP
 #define TERN_MAP_CARVE_HPP
 
 #include <cstdint>
 
-#include "map/look.hpp"
+#include "map/projector.hpp"
 
 namespace tern {
 
-/// Rows and planes of a block, which is one word long along x.
+/// Rows and planes of a block. Along x, a block is one word long.
 constexpr std::int32_t kBlock = 8;
 
 /// A word for each row of a block: [plane][row].
@@ -19,9 +18,9 @@ struct BlockWords {
   std::uint64_t words[kBlock][kBlock];
 };
 
-/// Adds to `free` the wanted voxels that the view saw whole, and maybe others that it saw whole. `first` is the block's
-/// lowest voxel. From cubes of 8 voxels downwards: one that is decided as a whole is not divided.
-void carve(const View& view, const Looker& looker, const Voxel& first, const BlockWords& wanted,
+/// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
+/// the block's lowest voxel. Begins with cubes of 8 voxels and divides only those that cannot be decided as a whole.
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
            BlockWords& free) noexcept;
 
 }  // namespace tern

@@ -12,7 +12,7 @@ Depth greater(Depth a, Depth b) {
   return a < b ? b : a;
 }
 
-/// Levels until one entry is left along the shorter side.
+/// Number of levels until the shorter side has one entry left.
 std::int32_t count_levels(std::int32_t width, std::int32_t height) {
   const std::int32_t side = width < height ? width : height;
   std::int32_t levels = 1;
@@ -20,7 +20,7 @@ std::int32_t count_levels(std::int32_t width, std::int32_t height) {
   return levels;
 }
 
-/// One entry of each pair of columns of two rows; an odd last column stands alone.
+/// Combines each pair of columns of two rows into one entry; an odd last column is combined alone.
 template <typename Pick>
 void halve(const Depth* upper, const Depth* lower, std::int32_t width, Depth* __restrict to, Pick pick) {
   for (std::int32_t u = 0; u < width / 2; ++u) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a map knows of 64 voxels, and how hits and misses change it: one operation on words does all 64.
+// What a map knows about 64 voxels, and how hits and misses change that. Each operation on words handles all 64 at
+// once.
 #ifndef TERN_MAP_EVIDENCE_HPP
 #define TERN_MAP_EVIDENCE_HPP
 
@@ -9,7 +10,8 @@
 
 namespace tern {
 
-/// One bit a voxel. The count has two bits: hits so far of a voxel that is not blocked, misses so far of one that is.
+/// One bit a voxel and word. The count takes two bits: it counts hits while the voxel is clear, and misses while it is
+/// blocked.
 struct Evidence {
   std::uint64_t seen;
   std::uint64_t low;
@@ -17,7 +19,8 @@ struct Evidence {
   std::uint64_t blocked;
 };
 
-/// The count at which one more hit blocks, or one more miss clears: a number 0 .. 3 in all 64 voxels.
+/// The count at which one more hit blocks a voxel, or one more miss clears it: the same number, 0 .. 3, in all 64
+/// voxels.
 struct Threshold {
   std::uint64_t low;
   std::uint64_t high;
@@ -28,9 +31,9 @@ struct Threshold {
   std::uint64_t reached(const Evidence& e) const noexcept { return ~(e.low ^ low) & ~(e.high ^ high); }
 };
 
-/// Enters a frame. A voxel that is hit and missed counts as hit. In a voxel that is not blocked, a hit adds one to the
-/// count and a miss takes one away; in a blocked one, a miss adds one and a hit sets it to 0. Where the count reaches
-/// the threshold, the voxel changes sides and the count starts again. Every miss shows a voxel.
+/// Enters a frame. A voxel that is both hit and missed counts as hit. In a clear voxel, a hit adds one to the count and
+/// a miss subtracts one; in a blocked voxel, a miss adds one and a hit resets the count to 0. When the count reaches
+/// its threshold, the voxel becomes blocked or clear, and the count starts again from 0. A missed voxel counts as seen.
 inline Evidence after(const Evidence& e, std::uint64_t hit, std::uint64_t miss, const Threshold& hits,
                       const Threshold& misses) noexcept {
   miss &= ~hit;

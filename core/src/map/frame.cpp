@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A depth image: what is refused, where its view lies, and how what it saw enters the map.
+// A depth image: checks it, places its view in the window, and enters what it sees into the map.
 #include "base/math.hpp"
 #include "map/evidence.hpp"
 #include "map/grid_words.hpp"
@@ -25,7 +25,7 @@ void axes_of(const double (&q)[4], Vec3 (&axes)[3]) {
   axes[2] = {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
 }
 
-/// Makes the quaternion's norm 1 where it nearly is.
+/// Normalises a quaternion whose norm is nearly 1.
 bool normalise(const double (&given)[4], double (&unit)[4]) {
   const double square = (given[0] * given[0] + given[1] * given[1]) + (given[2] * given[2] + given[3] * given[3]);
   if (!finite(square)) return false;
@@ -40,7 +40,7 @@ bool numbers_are_finite(const DepthView& view) {
          finite(view.min) && finite(view.max);
 }
 
-/// Larger tangent of the rays through an image's two edges on one axis.
+/// Tangent of the ray through an edge of the image, on one axis; the larger of the two edges'.
 double tangent(double focal, double center, std::int32_t count) {
   return larger(absolute(-0.5 - center), absolute(count - 0.5 - center)) / focal;
 }
@@ -61,7 +61,7 @@ Status check_image(const MapState& state, const DepthView& view) {
   return Status::kOk;
 }
 
-/// The camera's view, as the map sees it.
+/// The view of a camera image, in the window's frame.
 View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3], const Vec3& origin) {
   View view{};
   place(view, axes, origin, state.spec.cell);
@@ -72,7 +72,7 @@ View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3
   view.width = image.width;
   view.height = image.height;
   view.growth = state.spec.pose_margin;
-  // A point at depth z in the image is at most this times z away, and turns by the angle around the camera.
+  // A point at depth z is at most this root times z away from the camera, and a wrong angle turns it around the camera.
   const double across = tangent(image.fx, image.cx, image.width);
   const double down = tangent(image.fy, image.cy, image.height);
   view.growth_ahead = state.spec.angle_margin * square_root(1.0 + across * across + down * down);
@@ -162,9 +162,9 @@ void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64
 }
 
 void MapState::prepare_views() noexcept {
-  // Both the camera and the voxels are in the window, or at most a block beside it.
+  // The camera and the voxels are in the window, or at most a block outside it.
   const double extent = 2.0 * spec.cell * (spec.dims.x + spec.dims.y + spec.dims.z + 128);
-  for (int v = 0; v < frame.view_count; ++v) frame.lookers[v] = Looker(frame.views[v], extent);
+  for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
 
 void MapState::enter_block(std::int64_t index) noexcept {
@@ -185,7 +185,7 @@ void MapState::enter_block(std::int64_t index) noexcept {
     }
   }
   for (int v = 0; v < frame.view_count; ++v) {
-    carve(frame.views[v], frame.lookers[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
+    carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
   }
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Stands for a slide in the content number; marks have other numbers.
+/// The number that stands for a slide in the content number; marks have other numbers.
 constexpr std::uint64_t kShifted = ~std::uint64_t{1};
 
 }  // namespace
@@ -40,6 +40,16 @@ void GridWords::inflate_planes(std::int32_t begin, std::int32_t end) const noexc
 void GridWords::finish_inflation() const noexcept {
   Changes(grid_.spec_.dims, grid_.changes_).clear();
   grid_.words_[Grid::kInflated] = grid_.words_[Grid::kRevision];
+}
+
+void GridWords::copy(const Grid& from) const noexcept {
+  const std::size_t layer = GridView::layer_words(from);
+  __builtin_memcpy(grid_.obstacles_, from.obstacles_, sizeof(std::uint64_t) * layer);
+  __builtin_memcpy(grid_.blocked_, from.blocked_, sizeof(std::uint64_t) * layer);
+  for (std::int32_t k = 0; k < Regions(from.spec_.dims).count(); ++k) grid_.contents_[k] = from.contents_[k];
+  ++grid_.words_[Grid::kRevision];
+  grid_.words_[Grid::kContent] = from.words_[Grid::kContent];
+  finish_inflation();
 }
 
 void GridWords::begin_shift() const noexcept {

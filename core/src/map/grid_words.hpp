@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the rolling map does to its grids, and no caller may: it writes whole words of obstacles, inflates by planes,
-// and moves the lattice under the voxels.
+// What only the rolling map may do to its grids: write whole words of obstacles, inflate plane by plane, and move the
+// lattice under the voxels.
 #ifndef TERN_MAP_GRID_WORDS_HPP
 #define TERN_MAP_GRID_WORDS_HPP
 
@@ -27,22 +27,30 @@ class GridWords {
   std::uint64_t* obstacles() const noexcept { return grid_.obstacles_; }
   std::uint64_t* blocked() const noexcept { return grid_.blocked_; }
 
+  /// True where the grid's storage begins there.
+  bool lies_in(const std::uint64_t* words) const noexcept { return grid_.words_ == words; }
+
   /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows where the grid was
   /// inflated and the word changes.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t word) const noexcept;
 
-  /// Makes the blocked layer of planes begin .. end - 1 as inflate() would. After all planes, finish_inflation().
+  /// Makes the blocked layer of planes begin .. end - 1 as inflate() would. Call finish_inflation() after the last
+  /// plane.
   void inflate_planes(std::int32_t begin, std::int32_t end) const noexcept;
   void finish_inflation() const noexcept;
 
+  /// Makes a bound grid equal to an inflated one with the same spec: both layers, and the numbers of the regions.
+  void copy(const Grid& from) const noexcept;
+
   /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().
   void begin_shift() const noexcept;
-  /// Notes that words first .. last of row (y, z) hold other obstacles than the rows around it were made for.
+  /// Notes that words first .. last of obstacle row (y, z) have changed, so the blocked rows around them must be made
+  /// again.
   void note(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) const noexcept;
-  /// Gives the lattice's lower corner, and the boundary with it, another place in the world.
+  /// Moves the lattice's lower corner, and the boundary with it, to another place in the world.
   void move_to(const Vec3& origin) const noexcept;
-  /// The voxels were moved: voxel v holds what v + by held. This view alone is bound again. All regions get new
-  /// numbers, and what was noted waits for inflation.
+  /// Ends the move: voxel v now holds what v + by held before. Only this view is bound again. All regions get new
+  /// numbers, and the noted words wait for inflation.
   void end_shift(const Voxel& by) const noexcept;
 
  private:

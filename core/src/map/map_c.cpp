@@ -23,11 +23,11 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-/// The memory may never have been written: read as volatile, the word has one value.
+/// The memory may be uninitialised. A volatile read gives the word one definite value.
 bool holds_map(const tern_map* map) {
   return map != nullptr && *static_cast<const volatile std::uint64_t*>(map->opaque) == kMapTag;
 }
-/// A map that is not bound where there is none.
+/// The map, or an unbound one if there is none.
 RollingMap object(const tern_map* map) {
   return holds_map(map) ? *std::launder(reinterpret_cast<const RollingMap*>(map->opaque + 1)) : RollingMap{};
 }
@@ -101,6 +101,15 @@ std::uint8_t tern_map_route(const tern_map* map, tern_grid* grid) {
 std::uint8_t tern_map_safe(const tern_map* map, tern_grid* grid) {
   const RollingMap bound = object(map);
   return bound.bound() && grid != nullptr ? put(bound.safe(), grid) : kInvalid;
+}
+
+std::uint8_t tern_map_snapshot(const tern_map* map, tern_grid* grid, std::uint64_t* words, std::size_t word_count) {
+  if (grid == nullptr) return kInvalid;
+  const RollingMap bound = object(map);
+  const bool used = *static_cast<const volatile std::uint64_t*>(grid->opaque) == tern::kGridTag;
+  tern::Grid copy = used ? *std::launder(reinterpret_cast<const tern::Grid*>(grid->opaque + 1)) : tern::Grid{};
+  const Status status = bound.snapshot(copy, words, word_count);
+  return status == Status::kOk ? put(copy, grid) : code(status);
 }
 
 std::uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel) {

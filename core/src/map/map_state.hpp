@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A map's state, in the first of the caller's words; the layers and the image follow it.
+// The state of a map. It takes the first of the caller's words; the layers and the images follow it.
 #ifndef TERN_MAP_MAP_STATE_HPP
 #define TERN_MAP_MAP_STATE_HPP
 
@@ -12,7 +12,7 @@
 #include "grid/lattice.hpp"
 #include "map/carve.hpp"
 #include "map/depth_pyramid.hpp"
-#include "map/look.hpp"
+#include "map/projector.hpp"
 #include "map/view.hpp"
 #include "tern/map.hpp"
 
@@ -20,30 +20,30 @@ namespace tern {
 
 /// Views of a scan: the faces of a cube around its origin.
 constexpr int kFaces = 6;
-/// A face's half width as a tangent. 1 would be enough to cover all directions; the rest is an overlap, so that a cube
-/// near an edge lies wholly in one of two faces.
+/// Half the width of a face, as a tangent. A half width of 1 would cover all directions. The faces overlap so that a
+/// cube near an edge lies wholly in one of two faces.
 constexpr double kFaceTangent = 1.25;
 
-/// What a job does next.
+/// The task that a job does next.
 enum class Task : std::uint8_t {
   kIdle,
   kPixels,        ///< rows of a depth image
   kClearFaces,    ///< before a scan
   kPoints,        ///< of a scan
-  kCloseFaces,    ///< pixels without a point say nothing
+  kCloseFaces,    ///< pixels without a point become "no measurement"
   kPyramids,      ///< coarser levels of the views' images
-  kBlocks,        ///< look-up and evidence
+  kBlocks,        ///< carving and evidence
   kInflateRoute,  ///< planes
   kInflateSafe,
   kSlide,  ///< planes
 };
 
-/// One comparison: what is below the range counts as very large.
+/// One comparison suffices: as unsigned numbers, values below the range are very large.
 inline bool within(const IndexRange& range, std::int32_t index) noexcept {
   return static_cast<std::uint32_t>(index - range.begin) < static_cast<std::uint32_t>(range.end - range.begin);
 }
 
-/// A frame or scan in work.
+/// The frame or scan that is being processed.
 struct Frame {
   DepthView image;     ///< copied; its numbers are the caller's
   const Vec3* points;  ///< the caller's
@@ -51,13 +51,13 @@ struct Frame {
   Vec3 origin;        ///< of the sensor, in the window's local frame
   Vec3 world_origin;  ///< the same in the world
   View views[kFaces];
-  Looker lookers[kFaces];  ///< of the views
+  Projector projectors[kFaces];  ///< of the views
   int view_count;
-  VoxelBox box;             ///< voxels that may change; blocks that it meets are looked up
-  IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; the second one where the first one wraps
+  VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
+  IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
 };
 
-/// A slide in work: voxel v of the new window is voxel v + by of the old one.
+/// The slide that is being made: voxel v of the new window is voxel v + by of the old one.
 struct Slide {
   Voxel by;
 };
@@ -69,21 +69,21 @@ class MapState {
   Grid safe;
   Voxel base;  ///< the window's lower voxel, counted from the spec's origin
 
-  // Layers of evidence, with rows as the grids'; and the images.
+  // Layers of evidence, with the same rows as the grids; and the images.
   std::uint64_t* seen;
   std::uint64_t* low;
   std::uint64_t* high;
-  std::uint64_t* hit;  ///< of the frame in work; else 0
+  std::uint64_t* hit;  ///< voxels hit by the current frame; all 0 between frames
   Depth* image;
   std::int64_t image_entries;
 
   std::int64_t time;    ///< of the last frame
-  bool timed;           ///< there was one
-  std::int64_t ageing;  ///< time passed times layers of blocks, since a layer was last forgotten
+  bool timed;           ///< false before the first frame
+  std::int64_t ageing;  ///< time since a layer was last forgotten, times the number of layers of blocks
   std::int32_t forget;  ///< the next layer to forget
   std::int32_t face;    ///< pixels along an edge of a scan's face
   Task task;
-  std::uint32_t paid;  ///< units given to the next piece
+  std::uint32_t paid;  ///< units saved up for the next piece
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
   Slide slide;
@@ -95,20 +95,20 @@ class MapState {
            static_cast<std::size_t>(row_words());
   }
   std::size_t layer_words() const noexcept { return row(0, spec.dims.z); }
-  /// World position of the window's lower corner, from its index alone.
+  /// World position of the window's lower corner, computed from its index only.
   Vec3 window_origin() const noexcept;
 
-  /// Pieces of the task in work, and units that its next piece takes.
+  /// The number of pieces of the current task, and the units that its next piece takes.
   std::int64_t pieces() const noexcept;
   std::uint32_t price() const noexcept;
   void do_piece() noexcept;
-  /// Begins a task, or the first one after it that has pieces.
+  /// Begins this task, or the first task after it that has any pieces.
   void begin(Task first) noexcept;
-  /// Voxels of a block that the frame may change; an empty range along x where it changes none.
+  /// Voxels of a block that the frame may change; an empty range along x if there are none.
   VoxelBox block_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
-  // The pieces, by index; each file has its own. v is an image row.
+  // The pieces of each task, by index. v is an image row.
   void read_pixels(std::int32_t v) noexcept;
   void clear_face_row(std::int32_t index) noexcept;
   void close_face_row(std::int32_t index) noexcept;
@@ -119,22 +119,23 @@ class MapState {
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
 
-  /// Marks a local point's voxel as hit by the frame in work; a point outside the frame's box marks nothing.
+  /// Marks the voxel of a local point as hit by the current frame, unless the point is outside the frame's box.
   void mark_hit(const Voxel& v) const noexcept {
     const VoxelBox& box = frame.box;
     if (within(box.x, v.x) && within(box.y, v.y) && within(box.z, v.z)) {
       hit[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
     }
   }
-  /// Writes a word of what blocks, and of what is blocked or unseen, into the grids.
+  /// Writes a word into both grids: the blocked voxels into the route grid, the blocked or unseen ones into the safe
+  /// grid.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
-  /// Marks the prior's boxes in plane z of the route grid, but for the voxels that were kept.
+  /// Marks the prior's boxes in plane z of the route grid, except in voxels that stayed in the window.
   void mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
-  /// Readies the frame's views to be looked through.
+  /// Prepares the projectors of the frame's views.
   void prepare_views() noexcept;
   /// Inflates both grids at once.
   void inflate() noexcept;
-  /// Takes the time of a frame, and finds what has aged by then.
+  /// Records the time of a frame, and finds the layers that have aged by then.
   void age_to(std::int64_t t) noexcept;
 };
 
@@ -144,10 +145,10 @@ inline Box window_box(const Vec3& origin, double cell, const Voxel& dims) noexce
   return {origin, origin + size};
 }
 
-/// What refuses a pose, an image or a time; kOk where nothing does.
+/// The reason for refusing a pose, an image or a time; kOk if it is valid.
 Status check_sensor(const MapState& state, const Vec3& position, std::int64_t t) noexcept;
 
-/// Pixels along an edge of a scan's face; 0 where the map takes no scans.
+/// Pixels along an edge of a scan's face; 0 if the map takes no scans.
 std::int32_t face_pixels(const MapSpec& spec) noexcept;
 
 }  // namespace tern

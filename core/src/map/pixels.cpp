@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pixels of a depth image: each gives a depth up to which its cone is free, and a point that is hit. Single precision
+// Pixels of a depth image. Each gives a depth up to which its cone is free, and a voxel that is hit. Single precision
 // is enough: the depth is rounded towards the camera, and a hit is off by less than a thousandth of a voxel.
 #include "base/math.hpp"
 #include "map/map_state.hpp"
@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// Pixels at a time.
+/// Pixels that are processed together.
 constexpr std::int32_t kChunk = 64;
 /// Depths of a chunk, and the voxels that they hit.
 struct Chunk {
@@ -21,11 +21,11 @@ struct ChunkOfVoxels {
   const std::int32_t* axis(int a) const { return reinterpret_cast<const std::int32_t*>(fours[a]); }
 };
 
-/// The number of a pixel that is saturated.
+/// The number of a saturated pixel.
 constexpr float kSaturated = 65535.0f;
 
-/// How the numbers of an image become depths in metres. What says nothing becomes 0: one comparison after the other, so
-/// that the compiler can do several pixels at a time.
+/// Converts the numbers of an image to depths in metres. A pixel without a measurement becomes 0. The comparisons are
+/// separate selections, which the compiler can vectorise.
 struct Scale {
   float unit, min, max;
 
@@ -49,7 +49,7 @@ Scale scale_of(const DepthView& view) {
   return {unit, static_cast<float>(view.min), view.z16 != nullptr && saturated < max ? saturated : max};
 }
 
-/// The depths that are free for certain, in units: one less than rounding could make of them.
+/// Converts a measured depth to the depth that is certainly free, in units. The unit that it subtracts covers rounding.
 struct FreeDepth {
   float margin, margin_square, range, units;
 
@@ -68,7 +68,7 @@ Vec3f to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// The points of a row of pixels, in voxels from the window's corner: origin + z * (ray + u * step).
+/// Computes the points that a row of pixels hits, in voxels from the window's corner: origin + z * (ray + u * step).
 struct RowOfRays {
   Vec3f origin;
   Vec3f ray;
@@ -76,8 +76,8 @@ struct RowOfRays {
   Vec3f most;  ///< the window's size
   float range;
 
-  /// Of four pixels, with depths z and the hits among them: -1 below the window and for a pixel that hits nothing, the
-  /// window's size beyond it.
+  /// Voxel indices on one axis, for four pixels with depths z. -1 if the point is below the window or the pixel hits
+  /// nothing, `size` if the point is beyond the window.
   static FourInts index(float from, Four along, Four z, FourInts hits, float size) {
     const Four least = Four{-1.0f, -1.0f, -1.0f, -1.0f};
     const Four most = Four{size, size, size, size};
@@ -87,7 +87,7 @@ struct RowOfRays {
     const Four kept = hits ? high : least;
     return __builtin_convertvector(kept + 1.0f, FourInts) - 1;
   }
-  /// Fills out[axis] for a chunk of pixels from u on.
+  /// Fills out[axis] for the chunk of pixels that begins at u.
   void points(std::int32_t u, const Chunk& depths, ChunkOfVoxels& out) const {
     Four at = static_cast<float>(u) + Four{0.0f, 1.0f, 2.0f, 3.0f};
     for (std::int32_t k = 0; k < kChunk / 4; ++k) {
@@ -101,14 +101,14 @@ struct RowOfRays {
   }
 };
 
-/// The rays of row v. The view's steps are the camera's axes, a voxel long.
+/// The rays of row v. The view's steps are the camera's axes, with the length of a voxel.
 RowOfRays rays_of(const View& view, const Vec3& origin, const GridSpec& window, float range, std::int32_t v) {
   const double per_cell = 1.0 / window.cell;
   const Vec3 x{view.steps[0].x, view.steps[1].x, view.steps[2].x};
   const Vec3 y{view.steps[0].y, view.steps[1].y, view.steps[2].y};
   const Vec3 ahead{view.steps[0].z, view.steps[1].z, view.steps[2].z};
   const Vec3 ray = (-view.cx / view.fx) * x + ((v - view.cy) / view.fy) * y + ahead;
-  // Steps are in metres a voxel: once to have unit axes, once more for voxels instead of metres.
+  // The steps are in metres per voxel. One factor makes them unit axes, the other converts metres to voxels.
   return {to_float(per_cell * origin),
           to_float((per_cell * per_cell) * ray),
           to_float((per_cell * per_cell / view.fx) * x),
@@ -138,7 +138,7 @@ void MapState::read_pixels(std::int32_t v) noexcept {
     rays.points(u, chunk, voxels);
     for (std::int32_t k = 0; k < count; ++k) {
       const Voxel next{voxels.axis(0)[k], voxels.axis(1)[k], voxels.axis(2)[k]};
-      // Neighbours often hit one voxel.
+      // Neighbouring pixels often hit the same voxel.
       if (next.x == last.x && next.y == last.y && next.z == last.z) continue;
       last = next;
       mark_hit(next);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the map is told and does not see: boxes known beforehand, points, and a ball that is free.
+// What the map is told rather than sees: prior boxes, boxes and points to mark, and a ball that is free.
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
@@ -10,13 +10,13 @@
 namespace tern {
 namespace {
 
-/// The window's voxels whose interior the box meets.
+/// The window's voxels whose interior overlaps the box.
 VoxelBox voxels_met(const GridSpec& window, const Box& box) {
   return {voxels_met(window, box.lower.x, box.upper.x, 0), voxels_met(window, box.lower.y, box.upper.y, 1),
           voxels_met(window, box.lower.z, box.upper.z, 2)};
 }
 
-/// Calls visit(y, z, k, bits) for each word of a box that is not empty along x.
+/// Calls visit(y, z, k, bits) for each word of the box, unless the box is empty along x.
 template <typename Visit>
 void visit_words(const VoxelBox& box, Visit visit) {
   if (box.x.begin >= box.x.end) return;
@@ -31,7 +31,7 @@ VoxelBox whole(const Voxel& dims) {
   return {{0, dims.x}, {0, dims.y}, {0, dims.z}};
 }
 
-/// What is in `hit` blocks, however many hits it takes.
+/// Blocks the voxels in `hit` at once, whatever MapSpec::hits says.
 void enter_marks(MapState& state) {
   visit_words(whole(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
     const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
@@ -44,13 +44,13 @@ void enter_marks(MapState& state) {
   state.inflate();
 }
 
-/// Square of the largest distance from a point to voxel `index` on one axis, in cells.
+/// Square of the distance, on one axis, from a point to the farther face of voxel `index`, in cells.
 double farthest_square(double cells, std::int32_t index) {
   const double far = larger(absolute(cells - index), absolute(cells - (index + 1)));
   return far * far;
 }
 
-/// The voxels of row (y, z) that lie wholly in a ball, of which word k is asked for.
+/// The voxels, 64 from `first` on along x, that lie wholly in a ball.
 std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first, std::int32_t count) {
   const double rest = square - farthest_square(center.y, first.y) - farthest_square(center.z, first.z);
   std::uint64_t bits = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A map's jobs, task by task and piece by piece.
+#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -11,9 +12,9 @@ namespace {
 
 /// Planes that one piece inflates.
 constexpr std::int32_t kInflatedPlanes = 4;
-/// No job has more tasks than this.
+/// The most tasks of a job.
 constexpr int kTasks = 8;
-/// Words that a unit inflates or moves.
+/// Words that one unit inflates or moves.
 constexpr std::size_t kUnitWords = 16;
 /// Rows of an image that one piece makes for the next level.
 std::int64_t pyramid_rows(const Frame& frame) {
@@ -67,7 +68,7 @@ Task task_after(Task task) {
   return Task::kIdle;
 }
 
-/// A plane moved, and the prior gone through.
+/// Units for moving a plane and going through the prior.
 std::uint32_t slide_price(const MapState& state) {
   return plane_units(state, 1) + units(static_cast<std::size_t>(state.spec.prior_count), kUnitWords);
 }
@@ -77,6 +78,12 @@ void inflate_piece(Grid& grid, std::int64_t piece, bool last) {
   const std::int32_t end = begin + kInflatedPlanes;
   GridWords(grid).inflate_planes(begin, end < grid.spec().dims.z ? end : grid.spec().dims.z);
   if (last) GridWords(grid).finish_inflation();
+}
+
+bool same_spec(const GridSpec& a, const GridSpec& b) {
+  return same(a.origin, b.origin) && same(a.cell, b.cell) && same(a.dims, b.dims) &&
+         same(a.boundary.lower, b.boundary.lower) && same(a.boundary.upper, b.boundary.upper) &&
+         same(a.radius, b.radius);
 }
 
 /// Units of all blocks, both inflations and one slide.
@@ -184,7 +191,7 @@ bool RollingMap::busy() const noexcept {
 
 uint32_t RollingMap::frame_work(int32_t width, int32_t height) const noexcept {
   if (state_ == nullptr || width < 1 || height < 1) return 0;
-  // The coarser levels have no more rows, two more each way but for the last.
+  // Together, the coarser levels have at most `height` rows and a few more.
   const std::uint32_t image = units(static_cast<std::size_t>(width), 64) * static_cast<std::uint32_t>(2 * height + 16);
   return image + grids_work(*state_);
 }
@@ -202,6 +209,17 @@ const Grid& RollingMap::route() const noexcept {
 const Grid& RollingMap::safe() const noexcept {
   return state_->safe;
 }
+
+Status RollingMap::snapshot(Grid& grid, uint64_t* words, size_t word_count) const noexcept {
+  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
+  const Grid& route = state_->route;
+  // A grid that lies where the window lay when the words were bound needs no other binding.
+  const bool there = grid.bound() && GridWords(grid).lies_in(words) && same_spec(grid.spec(), route.spec());
+  const Status status = there ? Status::kOk : grid.bind(route.spec(), words, word_count);
+  if (status == Status::kOk) GridWords(grid).copy(route);
+  return status;
+}
+
 uint64_t RollingMap::revision() const noexcept {
   return state_ == nullptr ? 0 : state_->safe.revision();
 }

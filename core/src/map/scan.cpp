@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A scan: its points are sorted into images on the six faces of a cube around the sensor, and these are looked up like
-// the image of a camera.
+// A scan. Its points are sorted into images on the six faces of a cube around the sensor. These images are then used
+// like that of a camera.
 #include "base/math.hpp"
 #include "map/map_state.hpp"
 
@@ -11,10 +11,11 @@ namespace {
 
 /// Points of a piece.
 constexpr std::size_t kPiecePoints = 64;
-/// A pixel that no point has fallen into.
+/// The depth of a pixel into which no point has fallen.
 constexpr Depth kNoPoint = 32767;
 
-/// Face f looks along axis f / 2, up that axis for even f. Its image's axes are the next two axes, as they come.
+/// The view of face f looks along axis f / 2, in its positive direction if f is even. The image's axes are the next two
+/// axes.
 Vec3 unit(int a) {
   return {a == 0 ? 1.0 : 0.0, a == 1 ? 1.0 : 0.0, a == 2 ? 1.0 : 0.0};
 }
@@ -35,7 +36,7 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   return view;
 }
 
-/// Lowers the depth of the pixel that a direction falls into on each face that it meets.
+/// Lowers the depth of the pixel that a ray falls into, on each face that the ray meets.
 void lower(const Frame& frame, const Vec3& ray, double margin) {
   const View& any = frame.views[0];
   for (int a = 0; a < 3; ++a) {
@@ -47,14 +48,14 @@ void lower(const Frame& frame, const Vec3& ray, double margin) {
     const double scale = any.fx / ahead;
     const std::int32_t u = floor_index(across * scale + (any.cx + 0.5), 0, any.width - 1);
     const std::int32_t v = floor_index(down * scale + (any.cx + 0.5), 0, any.width - 1);
-    // An error along the beam moves the point by no more along the axis.
+    // An error along the beam moves the point by at most as much along the axis.
     const Depth depth = static_cast<Depth>(floor_index((ahead - margin) * any.units - 1.0, 0, kDepthUnits));
     Depth& least = frame.views[2 * a + (along > 0.0 ? 0 : 1)].pyramid.row(v)[u];
     if (depth < least) least = depth;
   }
 }
 
-/// The window's voxels within the range, and one more on each side.
+/// The window's voxels within the range, plus one more on each side.
 VoxelBox ball_box(const Vec3& origin, double range, const GridSpec& window) {
   const auto on = [&](int a) {
     const double cells = axis(origin, a) / window.cell;

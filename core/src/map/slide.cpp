@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The window moves: all layers by whole words, rows and planes, in place, plane by plane.
+// A slide of the window. All layers move in place, plane by plane, by whole words, rows and planes.
 #include "base/math.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -9,10 +9,10 @@
 namespace tern {
 namespace {
 
-/// The window's lower voxel is at most so far from the spec's origin.
+/// The largest distance of the window's lower voxel from the spec's origin, in voxels.
 constexpr double kMaxBase = 1 << 28;
 
-/// How far the window must move on one axis; along x by whole words.
+/// Voxels by which the window must move on one axis; along x these are whole words.
 std::int32_t shift_for(double cells, std::int32_t count, std::int32_t slack, bool words) {
   const std::int32_t off = floor_index(cells, -(1 << 29), 1 << 29) - count / 2;
   const std::int32_t size = off < 0 ? -off : off;
@@ -22,7 +22,7 @@ std::int32_t shift_for(double cells, std::int32_t count, std::int32_t slack, boo
   return off < 0 ? -moved : moved;
 }
 
-/// Voxels of one axis of the new window that were in the old one; empty where none were.
+/// Voxels of the new window on one axis that were in the old one too; may be empty.
 IndexRange kept_range(std::int32_t by, std::int32_t count) {
   const std::int32_t begin = by < 0 ? -by : 0;
   const std::int32_t end = by > 0 ? count - by : count;
@@ -35,10 +35,10 @@ VoxelBox kept_box(const Voxel& by, const Voxel& dims) {
   return any ? box : VoxelBox{{0, 0}, {0, 0}, {0, 0}};
 }
 
-/// One layer of the map on its way.
+/// One layer of the map that is being moved.
 struct Layer {
   std::uint64_t* words;
-  std::uint64_t outside;  ///< what enters
+  std::uint64_t outside;  ///< the word that enters the window
   const MapState& state;
   const VoxelBox& kept;
 
@@ -50,13 +50,13 @@ struct Layer {
     for (std::uint64_t* word = first; word < last; ++word) *word = outside;
   }
 
-  /// Moves whole rows, which lie side by side.
+  /// Moves whole rows of a plane, which are adjacent in memory.
   void move_rows(std::int32_t z, const Voxel& by) const {
     const std::size_t bytes = sizeof(std::uint64_t) * (state.row(kept.y.end, 0) - state.row(kept.y.begin, 0));
     __builtin_memmove(row(kept.y.begin, z), row(kept.y.begin + by.y, z + by.z), bytes);
   }
 
-  /// Moves the words of one row; a shift by words keeps the order in which none is overwritten before it is read.
+  /// Moves the words of one row, in the order in which no word is overwritten before it is read.
   void move_words(std::int32_t y, std::int32_t z, const Voxel& by) const {
     const std::int32_t count = state.row_words();
     const std::uint64_t* from = row(y + by.y, z + by.z);
@@ -84,7 +84,8 @@ struct Layer {
   }
 };
 
-/// Rows whose blocked words must be made again: those that entered, and those at the edge that obstacles have left by.
+/// Rows whose blocked words must be made again: those that entered the window, and those along the edge at which
+/// obstacles have left it.
 struct Stale {
   const Voxel& by;
   const VoxelBox& kept;

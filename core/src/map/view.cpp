@@ -27,7 +27,7 @@ void place(View& view, const Vec3 (&axes)[3], const Vec3& local_center, double c
 
 VoxelBox reach(const View& view, double range, const GridSpec& window) noexcept {
   VoxelBox box{{window.dims.x, 0}, {window.dims.y, 0}, {window.dims.z, 0}};
-  // The camera's axes in cells: the steps are orthogonal and one cell long.
+  // The camera's axes in cells. The steps are orthogonal and one cell long.
   const double scale = 1.0 / (window.cell * window.cell);
   for (int corner = 0; corner < 5; ++corner) {
     const double u = ((corner & 1) != 0 ? view.width - 0.5 : -0.5) - view.cx;

@@ -20,20 +20,20 @@ struct View {
   Vec3 corner;    ///< lower corner of the window's voxel (0, 0, 0)
   double fx, fy, cx, cy;
   std::int32_t width, height;
-  double growth;        ///< added to every cube on all sides: the pose's error,
-  double growth_ahead;  ///< and by a metre of depth the angle's
-  double units;         ///< depth units a metre
+  double growth;        ///< added to every cube on all sides for the pose's error,
+  double growth_ahead;  ///< and for each metre of depth, for the error of the angle
+  double units;         ///< depth units per metre
   DepthPyramid pyramid;
 
-  /// A point of the window, in voxels, in the camera's frame.
+  /// Transforms a point of the window, in voxels, into the camera's frame.
   Vec3 at(double x, double y, double z) const noexcept;
 };
 
 /// Sets the view's geometry from camera axes in the world (unit vectors) and the centre in the window's local frame.
 void place(View& view, const Vec3 (&axes)[3], const Vec3& local_center, double cell) noexcept;
 
-/// The window's voxels that a view to depth `range` can reach, camera and one voxel more included; empty ranges where
-/// there is none.
+/// The window's voxels that a view to depth `range` can reach, including the camera's own and one more on each side;
+/// empty ranges if there are none.
 struct VoxelBox {
   IndexRange x, y, z;
 };

@@ -32,14 +32,14 @@ struct Join {
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels: nearest centre first, ties by least z, y, x
-  bool searched[kJoinCells];    ///< around home, x fastest: a search from here found no way
+  bool searched[kJoinCells];    ///< around home, x fastest: a search from here found no path
 };
 
 /// A point in a free voxel is joined at once. If the voxel is not free but the point keeps the radius, the free voxels
 /// around it are the candidates.
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 
-/// Call this if the search from `voxel` found no way: the voxel may lie in a pocket that is cut off. Voxels within
+/// Call this if the search from `voxel` found no path: the voxel may lie in a pocket that is cut off. Voxels within
 /// reach that are connected to it through faces are not tried again. False if no candidate is left. If the point's own
 /// voxel is free, the voxels around it become candidates now. With a radius, these are all free ones, because a line
 /// that keeps the radius cuts no corner. Without a radius, they are only those whose closed cubes also contain the

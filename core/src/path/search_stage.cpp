@@ -25,8 +25,8 @@ Progress take_expansion(SearchStage& stage, Work& work) {
   return Progress::kDone;
 }
 
-/// kDone once the end has joined the grid. If no candidate is left: kNoPath after a search that found no way, otherwise
-/// kStartOccupied or kGoalOccupied.
+/// kDone once the end has joined the grid. If no candidate is left: kNoPath after a search that found no path,
+/// otherwise kStartOccupied or kGoalOccupied.
 Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
@@ -45,7 +45,7 @@ void join_start(SearchStage& stage, const Grid& grid) {
   stage.phase = SearchPhase::kJoinStart;
 }
 
-/// After a search that found no way, chooses where the next one begins and ends. It tries the other candidates of the
+/// After a search that found no path, chooses where the next one begins and ends. It tries the other candidates of the
 /// start first. Then it tries those of the goal, each with all candidates of the start. False if none is left.
 bool join_elsewhere(SearchStage& stage, const Grid& grid) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
@@ -157,7 +157,7 @@ Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& 
     direct_path(stage, out);
     return Progress::kDone;
   }
-  // If there is no way, searches again from other voxels that the ends can join.
+  // If there is no path, searches again from other voxels that the ends can join.
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
     const Progress progress = advance_once(stage, grid, work, out);
     const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;

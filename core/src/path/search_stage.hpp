@@ -19,12 +19,12 @@
 namespace tern {
 
 /// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
-/// corner, and each may lie in a separate pocket. Most pockets are small: no search begins after kExpansionBound
-/// expansions.
+/// corner, and each may lie in a separate pocket. Most pockets are small: no search begins once kExpansionBound
+/// units are spent.
 constexpr std::uint32_t kJoinSearches = 4096;
 
-/// Bound on SearchStage::expansions: the work of all searches, plus the lines checked before each one to join both ends
-/// to the grid.
+/// Bound on SearchStage::expansions: kExpansionBound units until the last search begins, that search, and the lines
+/// that join both ends to the grid before each search.
 constexpr std::uint32_t kSearchBound =
     kExpansionBound + kVoxelSearchBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
@@ -56,7 +56,7 @@ struct SearchStage {
 
   SearchPhase phase;
   SearchQuery query;
-  std::uint32_t failed;  ///< searches that found no way
+  std::uint32_t failed;  ///< searches that found no path
   ScanMap* map;
   Join start;
   Join goal;

@@ -21,7 +21,7 @@ constexpr int kSightWindow = 64;
 constexpr std::uint32_t kChainBound =
     static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kSightWindow);
 
-/// What a leg costs in addition to its length, in voxels. One segment fewer is worth a twentieth of a voxel of length.
+/// What a leg costs in addition to its length, in voxels. One leg fewer is worth a twentieth of a voxel of length.
 constexpr double kLegPrice = 0.05;
 
 /// The best known chain from the first point of the path to one of its points.

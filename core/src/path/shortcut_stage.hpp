@@ -26,7 +26,7 @@ enum class ShortcutPhase : std::uint8_t { kChain, kTighten };
 struct ShortcutStage {
   Status status;               ///< why the stage failed; else kOk
   std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= kShortcutBound and the budget
-  std::int32_t segments_high;  ///< segments of the shortcut path; kMaxSegments if it needs more
+  std::int32_t segments_high;  ///< legs of the shortcut path; kMaxSegments if it needs more
 
   ShortcutPhase phase;
   std::uint32_t max_sight_lines;
@@ -44,10 +44,9 @@ void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_si
 /// lines of sight). kDone: `path` is complete. kFailed: kSegmentsFull or kBudgetShortcut; the raw path stays, and the
 /// rest of `path` is undefined. Pass the same `path` in every call.
 ///
-/// Every segment of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The
-/// first and the last segment may come closer if the exact start or goal does. Such a segment leads straight to the
-/// centre of the point's own voxel or, if that voxel is not free, to a free voxel near it along a line that keeps the
-/// radius.
+/// Every leg of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The first
+/// and the last leg may come closer if the exact start or goal does. Such a leg leads straight to the centre of the
+/// point's own voxel or, if that voxel is not free, to a free voxel near it along a line that keeps the radius.
 Progress shortcut_advance(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) noexcept;
 
 }  // namespace tern

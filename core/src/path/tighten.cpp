@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// The coordinate along one axis at which the way from a over the line through p to b is shortest. If the half-planes
-/// from this line to a and to b are unfolded into one plane, the shortest way is a straight line.
+/// The coordinate along one axis at which the path from a over the line through p to b is shortest. If the half-planes
+/// from this line to a and to b are unfolded into one plane, the shortest path is a straight line.
 double shortest_along(const Vec3& a, const Vec3& p, const Vec3& b, int along) {
   Vec3 to_a = a - p;
   Vec3 to_b = b - p;

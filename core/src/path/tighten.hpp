@@ -73,8 +73,8 @@ void tighten_begin(Tighten& tighten, const Grid& grid, const Path& path) noexcep
 bool tighten_needs_trial(const Tighten& tighten, const Path& path) noexcept;
 
 /// Makes one trial, which tests at most two lines of sight. The path never gets longer and never gains a waypoint.
-/// Every segment that changes passes line_of_sight: with kTightenMargin if a waypoint moved, with kSightMargin if one
-/// was dropped. Keeps path.count up to date, and path.length after each pass.
+/// Every leg that changes passes line_of_sight: with kTightenMargin if a waypoint moved, with kSightMargin if one was
+/// dropped. Keeps path.count up to date, and path.length after each pass.
 void tighten_try(Tighten& tighten, const Grid& grid, Path& path) noexcept;
 
 }  // namespace tern

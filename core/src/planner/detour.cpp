@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// What lines are held against, and how many were.
+/// What lines are checked against, and how many have been checked.
 struct Lines {
   const Grid& grid;
   const Fences* fences;
@@ -22,7 +22,7 @@ bool fences_allow(const Lines& lines, const Vec3& from, const Vec3& to) {
   return lines.fences == nullptr || fences_clear(*lines.fences, from, to, lines.grid.spec().radius);
 }
 
-/// A braking motion needs the radius alone, as a start does that is not in a free voxel.
+/// A braking motion needs only the radius, like a start that is not in a free voxel.
 bool can_brake_along(Lines& lines, const Vec3& from, const Vec3& to) {
   ++lines.count;
   return segment_clear(lines.grid, from, to, lines.grid.spec().radius) && fences_allow(lines, from, to);
@@ -34,8 +34,8 @@ bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
   return line_of_sight(lines.grid, from, to) && fences_allow(lines, from, to);
 }
 
-/// Where the sharpest braking stops that has room straight ahead. That way leads along the velocity, nearly, whatever
-/// the acceleration, and its polyhedron holds gentler ones too as far as it reaches.
+/// The stopping point of the sharpest braking that has room straight ahead. Whatever the acceleration, it leads nearly
+/// along the velocity. As far as it reaches, its polyhedron also has room for gentler braking.
 bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec3& stop) {
   for (int shape = kBrakeShapes - 1; shape >= 0; --shape) {
     stop = stopping_point(make_brake(state, limits, shape));
@@ -44,7 +44,7 @@ bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec
   return false;
 }
 
-/// The furthest waypoint in sight, `last` at most; 0, which saw the point, where no other does.
+/// The furthest waypoint in sight, at most `last`. 0 if there is no other: the point was reached from that one.
 int onward_waypoint(Lines& lines, const Vec3& point, const Path& path, int last) {
   const int furthest = last < kOnwardWaypoints ? last : kOnwardWaypoints;
   for (int k = furthest; k > 0; --k) {
@@ -53,8 +53,9 @@ int onward_waypoint(Lines& lines, const Vec3& point, const Path& path, int last)
   return 0;
 }
 
-/// Removes the waypoints between the first one and `next`, and puts `stop` there; twice the first one where that is
-/// `next`. In place: towards the end where there will be more waypoints, else towards the beginning.
+/// Replaces the waypoints between the first one and `next` by `stop`. If `next` is the first one, the path then visits
+/// it twice. Works in place: the waypoints after `next` move towards the end if the path grows, otherwise towards the
+/// beginning.
 void insert_stop(const Vec3& stop, int next, Path& path) {
   const int shift = 2 - next;
   const int moved = path.count - next;
@@ -74,7 +75,7 @@ void reverse(Path& path) {
   }
 }
 
-/// The detour of the path's first end; waypoints after `last` stay.
+/// The detour at the first end of the path. Waypoints after `last` stay.
 bool lead_through_stop(Lines& lines, const State& start, const MotionLimits& limits, int last, Path& path) {
   Vec3 stop;
   if (at_rest(start) || path.count + 2 > kMaxWaypoints || !find_stop(lines, start, limits, stop)) return false;
@@ -89,7 +90,7 @@ bool take_detour(const Grid& grid, const Fences* fences, const Request& request,
   Lines world{grid, fences, 0};
   const bool start_led = lead_through_stop(world, request.start, limits, path.count - 1, path);
   reverse(path);
-  // The start's own leg stays, whatever the goal's stopping point sees.
+  // The start's own leg stays, whatever the stopping point of the goal can see.
   const int last = path.count - (start_led ? 2 : 1);
   const bool goal_led = lead_through_stop(world, backwards(request.goal), backwards(limits), last, path);
   reverse(path);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A way for flights that begin or end faster than the path's first or last polyhedron has room for: along the motion to
-// where it can stop, and from there to the path.
+// A detour for flights that begin or end too fast for the first or last polyhedron: first along the motion to a point
+// where it can stop, then from there to the path.
 #ifndef TERN_PLANNER_DETOUR_HPP
 #define TERN_PLANNER_DETOUR_HPP
 
@@ -17,20 +17,21 @@
 
 namespace tern {
 
-/// Report::detours of a plan that took one.
+/// Report::detours of a plan with a detour.
 constexpr std::int32_t kDetoured = 1;
 
-/// Waypoints that a stopping point may lead on to, counted from its end of the path.
+/// Waypoints, counted from its end of the path, among which a stopping point chooses where to go on.
 constexpr int kOnwardWaypoints = 4;
 
-/// Lines that the detours of both ends check at most.
+/// The most lines that the detours of both ends check.
 constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeShapes + kOnwardWaypoints);
 
-/// Leads each end of the path that moves through a point where that motion can stop (the goal's: where it can have
-/// begun), if the straight way there keeps the radius: from there on to the furthest waypoint in sight, or back and
-/// along the path. Adds two waypoints an end at most. False with `path` unchanged where neither end has such a point,
-/// or there is no room for it. The request is in the local frame,
-/// `limits` are its own; `fences` null for none. `lines`: how many were checked, <= kDetourLines.
+/// Changes the path at each end that is in motion. It then first goes straight to a point where the motion can stop
+/// (for the goal: where it can have begun), if this line keeps the radius. From there it goes to the furthest waypoint
+/// in sight, or back to its end and along the old path. Adds at most two waypoints per end. False, with `path`
+/// unchanged, if neither end has such a point or the path has no room for it. The request is in the local frame, and
+/// `limits` are its limits; `fences` is null if there are none. `lines` receives the number of lines checked, <=
+/// kDetourLines.
 bool take_detour(const Grid& grid, const Fences* fences, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept;
 

@@ -59,8 +59,8 @@ bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, c
   if (!(speed > 0.0) || !(way > 0.0)) return false;
   Segment segment{};
   segment.duration = kParts[choice] * (way / speed);
-  control_points({{start.position, start.velocity, start.acceleration, kZero}},
-                 {{goal.position, goal.velocity, goal.acceleration, kZero}}, segment.duration, segment.points);
+  control_points({{start.position, start.velocity, start.acceleration, start.jerk}},
+                 {{goal.position, goal.velocity, goal.acceleration, goal.jerk}}, segment.duration, segment.points);
   if (!within_limits(segment, limits, kStopTolerance)) return false;
   Tube tube = tube_of(escape, kEscapeSegments);
   if (enclose(room.grid, room.origin, segment, scratch, tube) != Status::kOk) return false;

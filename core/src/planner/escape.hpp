@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What remains for an end that moves where neither the corridor nor a detour has room for its motion: come to rest
-// first, in any way there is room for (curve/stopping.hpp), and fly from there. A goal's escape is flown backwards
-// in time, to where the motion can have begun.
+// The last resort for an end in motion, if neither the corridor nor a detour has room for the motion: come to rest
+// first, by any manoeuvre that has room (curve/stopping.hpp), and fly from there. The escape of a goal is computed
+// backwards in time, to a place where its motion can have begun.
 #ifndef TERN_PLANNER_ESCAPE_HPP
 #define TERN_PLANNER_ESCAPE_HPP
 
@@ -20,21 +20,22 @@
 
 namespace tern {
 
-/// Report::detours of a plan that took one.
+/// Report::detours of a plan with an escape or an arrival.
 constexpr std::int32_t kEscaped = 2;
 
-/// Segments of one choice at most.
+/// The most segments of one choice.
 constexpr int kEscapeSegments = kMaxSegments < 16 ? kMaxSegments : 16;
 
-/// Half-spaces that one choice makes at most: each segment is the last half of one that had no room.
+/// The most half-spaces that one choice makes. The factor 2 is for segments that had no room and were halved.
 constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::uint32_t>(kMaxPlanes);
 
-/// One end's way to rest, each segment in a polyhedron of its own: a choice, or the rest of the previous plan.
+/// The motion of one end to rest, with a polyhedron for each segment. It is one of the choices, or the rest of the
+/// previous plan.
 struct Escape {
   int next;           ///< choice to be tried next, 0 .. kStoppingChoices
-  int count;          ///< segments; 0 while there is no way
-  Stopping stopping;  ///< the choice at hand
-  Vec3 rest;          ///< where the motion ends (a goal's: begins), relative to the plan's origin
+  int count;          ///< segments; 0 if there is no motion yet
+  Stopping stopping;  ///< the current choice
+  Vec3 rest;          ///< where the motion ends (for a goal: begins), relative to the plan's origin
   Segment segments[kMaxSegments];
   Polyhedron polyhedra[kMaxSegments];
 };
@@ -44,28 +45,29 @@ inline Tube tube_of(Escape& escape, int capacity) noexcept {
   return {escape.segments, escape.polyhedra, capacity, 0, 0.0};
 }
 
-/// Where a stop is flown.
+/// The place where a stop is flown.
 struct EscapeRoom {
   const Grid& grid;
   Vec3 origin;   ///< of the plan's frame, in the grid's local frame
   bool to_goal;  ///< the state is the goal's
 };
 
-/// Tries the next choice for `state` (relative to the plan's origin). True where it has room: fills the escape.
+/// Tries the next choice for `state` (relative to the plan's origin). If it has room, fills the escape and returns
+/// true.
 bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
                 Escape& escape) noexcept;
 
-/// Choices of the duration of an arrival.
+/// Durations that an arrival tries.
 constexpr int kArrivals = 12;
 
-/// Tries to fly from the start straight into the motion of the goal with one curve, `choice` of 0 .. kArrivals - 1:
-/// what is left of a plan that is nearly flown, where there is no room to stop before the goal any more. Fills the
-/// escape.
+/// Tries an arrival: one curve from the start straight into the motion of the goal, with duration number `choice`, 0 ..
+/// kArrivals - 1. This helps near the end of a flight, when there is no room left to stop before the goal. If the curve
+/// has room, fills the escape and returns true.
 bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
                 GrowScratch& scratch, Escape& escape) noexcept;
 
-/// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed,
-/// where there is no capacity for all segments or polyhedra.
+/// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed, if
+/// there is no capacity for all segments or polyhedra.
 bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept;
 
 }  // namespace tern

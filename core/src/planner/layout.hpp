@@ -7,6 +7,7 @@
 #include "corridor/corridor_stage.hpp"
 #include "fence/fence_layer.hpp"
 #include "fence/fences.hpp"
+#include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
 #include "planner/escape.hpp"
@@ -18,8 +19,8 @@
 
 namespace tern {
 
-/// Both ends of the flight at hand, as the trajectory has them: relative to the start that was asked for, bit for bit
-/// the origin of the plan's frame. Beside them the same positions in the grid's local frame, within its boundary.
+/// Both ends of the current flight. The states are relative to the requested start, which is, bit for bit, the origin
+/// of the plan's frame. The other positions are in the grid's local frame, within its boundary.
 struct FlightEnds {
   State start;
   State goal;
@@ -28,7 +29,7 @@ struct FlightEnds {
   Vec3 origin_in_grid;  ///< of the plan's frame
 };
 
-/// The times and the trajectory stage, and what both are given.
+/// The times stage and the trajectory stage, with their input.
 struct TrajectoryMemory {
   Corridor corridor;  ///< relative to the plan's origin
   TimesStage times;
@@ -36,8 +37,8 @@ struct TrajectoryMemory {
   TrajectoryStage stage;
 };
 
-/// What the workspace holds. Each stage's result outlives it, as do the stops of scans; the stages' own states never
-/// live at the same time and share one piece of memory.
+/// The content of the workspace. The results of the stages outlive them, and so do the jump stops in `scans`. The
+/// stages' own states are never needed at the same time, so they share memory.
 struct Layout {
   Plan plan;
   Path path;
@@ -50,9 +51,10 @@ struct Layout {
   AskedFences asked_fences;  ///< the same as the caller gave them, for the check
   Grid fenced;               ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;
-  ScanMap scans;  ///< what a search found out about the map serves the next one
+  ScanMap scans;  ///< jump stops, which are kept for the next search
   union {
     SearchStage search;
+    ReachStage reach;
     ShortcutStage shortcut;
     CorridorStage corridor;
     TrajectoryMemory trajectory;

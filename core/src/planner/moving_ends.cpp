@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a plan goes through besides where an end moves and the corridor has no room for its motion: a detour along the
-// path, then an escape to rest. And how often, which bounds the work.
+// Further attempts for an end in motion, if the corridor has no room for the motion: a detour along the path, then an
+// escape to rest. Also how often each is tried, which bounds the work.
 #include "base/math.hpp"
 #include "base/progress.hpp"
 #include "base/work.hpp"
@@ -17,10 +17,10 @@
 namespace tern {
 namespace {
 
-/// Stops that a plan goes on from at most: from the first few there may be no path.
+/// The most stops from which a plan tries to go on. From the first ones there may be no path.
 constexpr std::uint32_t kEscapeTries = 3;
 
-/// Half-spaces that all choices of a plan make at most: the ways to rest of both ends, and the arrivals.
+/// The most half-spaces that a plan makes for the stops of both ends and the arrivals together.
 constexpr std::uint32_t kEscapeBound = (2u * kStoppingChoices + kArrivals) * kEscapePlanes;
 
 /// A capacity or the request's budget ran out.
@@ -35,33 +35,40 @@ bool Plan::rests() const noexcept {
   return at_rest(asked_.start) && at_rest(asked_.goal);
 }
 
+/// To the goal, and to the reachable point instead.
+std::uint32_t Plan::attempts() const noexcept {
+  return asked_.goal_mode == GoalMode::kNearest ? 2 : 1;
+}
+
 std::uint32_t Plan::searches() const noexcept {
-  return rests() ? 1 : 1 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 1 + kEscapeTries);
 }
 
 std::uint32_t Plan::corridors() const noexcept {
-  return rests() ? 1 : 2 + kEscapeTries;
+  return attempts() * (given_at_rest_ ? 1 : 2 + kEscapeTries);
 }
 
-/// Each corridor's plan may be checked, the optimiser's first, then the fallback's; and the previous plan's rest.
+/// The most checks of a plan: for each corridor the optimiser's plan, then the fallback; and the rest of the previous
+/// plan.
 std::uint32_t Plan::checks() const noexcept {
-  return corridors() + 1 + (asked_.previous != nullptr ? kPreviousTries : 0);
+  return corridors() + attempts() * (asked_.previous != nullptr ? 1 + kPreviousTries : 1);
 }
 
-/// The start (0) or the goal (1) as it was asked for, relative to the plan's origin.
+/// The requested start (0) or goal (1), relative to the plan's origin.
 State Plan::asked_end(int end) const noexcept {
   State state = end == 0 ? asked_.start : asked_.goal;
   state.position = end == 0 ? kZero : asked_.goal.position - asked_.start.position;
   return state;
 }
 
-/// One unit: both ends' detours. Corridor and trajectory begin again with what is left of their budgets.
+/// One unit makes the detours of both ends. Corridor and trajectory then begin again with what is left of their
+/// budgets.
 Progress Plan::run_detour(Work& work) noexcept {
   if (!work.take()) return Progress::kMore;
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
                      take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
-  count(Stage::kDetour, lines, asked_.budget.sight_lines, kDetourLines);
+  count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
     fail(Stage::kTrajectory, Status::kNoTrajectory);
     return Progress::kFailed;
@@ -72,8 +79,8 @@ Progress Plan::run_detour(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// Where coming to rest first may help: an end moves, and what failed depends on its motion or on where the path
-/// begins.
+/// True if coming to rest first may help: an end is in motion, and the failure depends on that motion or on the place
+/// where the path begins.
 bool Plan::escape_may_help(Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
   const FlightEnds& ends = memory_->ends;
@@ -95,9 +102,9 @@ bool Plan::escape_may_help(Status status) const noexcept {
   }
 }
 
-/// Ends the plan, or tries the previous plan's rest, then the next escape. What ends it is what failed first: that is
-/// about the request as it was. But where a way on lacked only room or budget, that is the reason: with more there may
-/// be a plan.
+/// After a failure: tries the rest of the previous plan, then the next escape, then ends the plan. The plan's status is
+/// that of the first failure, which describes the request as it was given. But if a later attempt lacked only capacity
+/// or budget, that is the status: with more of it there may be a plan.
 void Plan::fail(Stage stage, Status status) noexcept {
   if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
@@ -108,11 +115,11 @@ void Plan::fail(Stage stage, Status status) noexcept {
   } else if (escape_may_help(status)) {
     enter(Stage::kEscape);
   } else {
-    end(failed_stage_, failed_status_);
+    give_up();
   }
 }
 
-/// The corridor and the trajectory at hand go to the check as they are.
+/// Passes the current corridor and trajectory to the check as they are.
 void Plan::fly(Quality quality, std::int32_t detours) noexcept {
   report_.quality = quality;
   report_.detours = detours;
@@ -120,15 +127,15 @@ void Plan::fly(Quality quality, std::int32_t detours) noexcept {
   enter(Stage::kCheck);
 }
 
-/// The half-spaces that the escape at hand has made.
+/// Counts the half-spaces that the current escape has made.
 void Plan::count_escape() noexcept {
-  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, kEscapeBound);
+  count(Stage::kEscape, memory_->stage.corridor.grow.planes, asked_.budget.planes, attempts() * kEscapeBound);
 }
 
 void Plan::begin_escape() noexcept {
   Layout& memory = *memory_;
   begin_hulls();
-  // Another try drops one end's way: the start's, where that moves.
+  // A second attempt discards the escape of one end: the start's, if the start is in motion.
   if (escapes_ > 0) {
     memory.escapes[at_rest(asked_.start) ? 1 : 0].count = 0;
     memory.previous.flown = false;
@@ -136,7 +143,7 @@ void Plan::begin_escape() noexcept {
   ++escapes_;
 }
 
-/// One unit is one duration. True where the goal's motion is met: the plan is whole.
+/// One unit tries one duration. True if the curve has room; it is then the whole plan.
 bool Plan::arrives(Work& work) noexcept {
   Layout& memory = *memory_;
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
@@ -155,10 +162,12 @@ bool Plan::arrives(Work& work) noexcept {
   return false;
 }
 
-/// One unit is one choice of one end. With a way to rest for each end that moves the plan begins again between them.
+/// One unit tries one choice of one end. Once each end in motion has an escape, the plan begins again between their
+/// places of rest.
 Progress Plan::run_escape(Work& work) noexcept {
   Layout& memory = *memory_;
   if (arrives(work)) {
+    report_.optimiser = Status::kOk;  // whatever it made of another corridor
     fly(Quality::kStopAndGo, kEscaped);
     return Progress::kDone;
   }
@@ -168,7 +177,7 @@ Progress Plan::run_escape(Work& work) noexcept {
     const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
     while (!at_rest(state) && escape.count == 0) {
       if (escape.next == kStoppingChoices) {
-        end(failed_stage_, failed_status_);
+        give_up();
         return Progress::kFailed;
       }
       if (!work.take()) return Progress::kMore;
@@ -184,7 +193,7 @@ Progress Plan::run_escape(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// The plan's ends become the stops.
+/// Makes the places of rest the ends of the plan.
 void Plan::rest_at_escapes() noexcept {
   Layout& memory = *memory_;
   FlightEnds& ends = memory.ends;

@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// A clock that never moved, or moved backwards, measured nothing: no ticks are better than wrong ones.
+/// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
   std::uint64_t sum = 0;
   for (const StageReport& stage : report.stages) sum |= stage.ticks;
@@ -50,6 +50,14 @@ const Fences* Plan::fences() const noexcept {
   return has_fences_ ? &memory_->fences : nullptr;
 }
 
+/// Refuses the request, or notes that the plan goes to the nearest point that can be reached.
+Status Plan::refuse_goal() noexcept {
+  if (asked_.goal_mode == GoalMode::kExact) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  failed_stage_ = Stage::kRequest;
+  failed_status_ = Status::kGoalFenced;
+  return Status::kRunning;
+}
+
 /// Reads the fences and holds start and goal against them; kRunning where all is well.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
@@ -67,13 +75,20 @@ Status Plan::accept_fences(const Request& request) noexcept {
   report_.fence = fence_broken(memory.fences, start, start, radius);
   if (report_.fence != kNoFence) return refuse(Status::kStartFenced, Field::kStartPosition);
   report_.fence = fence_broken(memory.fences, goal, goal, radius);
-  if (report_.fence != kNoFence) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  if (report_.fence != kNoFence && refuse_goal() != Status::kRunning) return status_;
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
   return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
 }
 
 /// The plan's frame has its origin in the start, in world coordinates as they were given.
-void Plan::set_ends() noexcept {
+void Plan::begin_attempt() noexcept {
+  has_path_ = false;
+  has_corridor_ = false;
+  escapes_ = 0;
+  arrivals_ = 0;
+  stop_and_go_ = false;
+  failed_status_ = Status::kOk;
+  report_.detours = 0;
   const Request local = to_local(*grid_, asked_);
   FlightEnds& ends = memory_->ends;
   ends.start_in_grid = local.start.position;
@@ -92,15 +107,14 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   report_.timing_known = clock_ != nullptr;
   has_path_ = false;
   has_corridor_ = false;
-  escapes_ = 0;
-  arrivals_ = 0;
-  stop_and_go_ = false;
+  searched_again_ = 0;
   grid_ = &grid;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
   asked_ = request;
-  set_ends();
+  given_at_rest_ = rests();
+  begin_attempt();
   const Status fences = accept_fences(request);
   if (fences != Status::kRunning) return fences;
   version_ = grid.version();
@@ -113,8 +127,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
 Status Plan::step(std::uint32_t work) noexcept {
   if (life_ == Life::kIdle) return Status::kInvalidArgument;
   Work slice{work};
-  // Stages follow one another, some again after a detour or an escape; each ends the slice or the plan, or enters the
-  // next one.
+  // Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a detour or an escape.
   while (life_ == Life::kBegun) {
     if (!grid_->version().equals(version_)) return end(stage_, Status::kMapChanged);
     if (advance(slice) == Progress::kMore) return Status::kRunning;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One plan on its way through the stages: which one it is at, what was asked, and what the report says so far. It
-// lies in the workspace, beside the stages' memory.
+// One plan in progress: the current stage, the request, and the report so far. It lies in the workspace, next to the
+// memory of the stages.
 #ifndef TERN_PLANNER_PLAN_HPP
 #define TERN_PLANNER_PLAN_HPP
 
@@ -24,14 +24,14 @@ struct Fences;
 struct Layout;
 struct Work;
 
-/// Where a plan is between the calls.
+/// The state of a plan between calls.
 enum class Life : std::uint8_t {
   kIdle,   ///< no plan
-  kBegun,  ///< at a stage
+  kBegun,  ///< in some stage
   kEnded,  ///< until finish()
 };
 
-/// The calls are those of Planner.
+/// The public calls are those of Planner.
 class Plan {
  public:
   /// `memory` holds this plan and must outlive it.
@@ -48,7 +48,8 @@ class Plan {
   // plan.cpp: the calls.
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
-  void set_ends() noexcept;
+  void begin_attempt() noexcept;
+  Status refuse_goal() noexcept;
   Status accept_fences(const Request& request) noexcept;
   const Grid& world() const noexcept;
 
@@ -57,12 +58,13 @@ class Plan {
   Progress run_stage(Work& work) noexcept;
   Progress advance(Work& work) noexcept;
 
-  // run_stages.cpp: a slice of each stage, and which one follows. kMore where the slice is empty.
+  // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
   Progress run_fences(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
   void begin_shortcut() noexcept;
   Progress run_shortcut(Work& work) noexcept;
+  bool search_again(Status why) noexcept;
   void begin_corridor() noexcept;
   Progress run_corridor(Work& work) noexcept;
   void fail_corridor(Status status) noexcept;
@@ -76,11 +78,12 @@ class Plan {
   void report_trajectory() noexcept;
   void count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept;
   std::uint32_t before(Stage stage) const noexcept { return before_[static_cast<int>(stage)]; }
+  std::uint32_t expansions_left() const noexcept;
   std::uint32_t sight_lines_left() const noexcept;
   std::uint32_t planes_left() const noexcept;
   const Fences* fences() const noexcept;
 
-  // moving_ends.cpp: ways on where an end moves.
+  // moving_ends.cpp: further attempts if an end is in motion.
   void fail(Stage stage, Status status) noexcept;
   Progress run_detour(Work& work) noexcept;
   bool escape_may_help(Status status) const noexcept;
@@ -92,6 +95,7 @@ class Plan {
   void rest_at_escapes() noexcept;
   State asked_end(int end) const noexcept;
   bool rests() const noexcept;
+  std::uint32_t attempts() const noexcept;
   std::uint32_t searches() const noexcept;
   std::uint32_t corridors() const noexcept;
   std::uint32_t checks() const noexcept;
@@ -105,27 +109,36 @@ class Plan {
   Vec3 start_jerk() const noexcept;
   void begin_hulls() noexcept;
 
+  // run_reach.cpp: the point nearest to a goal that cannot be planned to.
+  void give_up() noexcept;
+  void begin_reach() noexcept;
+  Progress run_reach(Work& work) noexcept;
+  Vec3 reachable_point(const Voxel& voxel) const noexcept;
+  void plan_to_reachable() noexcept;
+
   Layout* memory_;
   const Grid* grid_ = nullptr;
   ClockFn clock_ = nullptr;
   void* clock_context_ = nullptr;
-  GridVersion version_{};  // of the map that is planned on
+  GridVersion version_{};  // of the grid when the plan began
   Life life_ = Life::kIdle;
-  Stage stage_ = Stage::kRequest;  // at hand
+  Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
+  bool given_at_rest_ = false;              // both ends of the request as given
   std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
-  bool stop_and_go_ = false;                // the optimiser's plan was refused,
-  Status refused_ = Status::kOk;            // for this
+  std::uint32_t searched_again_ = 0;        // 1: by the optimal search, as the fast path had too many segments
+  bool stop_and_go_ = false;                // the optimiser's plan was refused...
+  Status refused_ = Status::kOk;            // ...with this status
   Stage failed_stage_ = Stage::kRequest;
   Status failed_status_ = Status::kOk;
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
   MotionLimits limits_{};  // the request's
-  Request asked_{};        // as given; its fences and its previous plan are not read again
+  Request asked_{};        // as given, or to the reachable point; its fences and its previous plan are not read again
   Report report_{};
 };
 

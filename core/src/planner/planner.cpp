@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// The first aligned byte of the caller's memory; null where it does not hold a workspace.
+/// The first aligned byte of the caller's memory; null if the memory is too small for a workspace.
 void* align(void* memory, std::size_t bytes) {
   if (memory == nullptr || bytes < kWorkspaceBytes) return nullptr;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
@@ -18,8 +18,7 @@ void* align(void* memory, std::size_t bytes) {
   return static_cast<unsigned char*>(memory) + (aligned - address);
 }
 
-/// One call of plan() steps at most this often; each step may spend 2^32 - 1 units and every stage is bounded far
-/// below.
+/// The most steps of one call of plan(). Each step may spend 2^32 - 1 units, and every stage is bounded far below that.
 constexpr int kMaxSteps = 16;
 
 }  // namespace

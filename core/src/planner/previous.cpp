@@ -29,12 +29,12 @@ JointState end_state(const Segment& segment) {
   return state;
 }
 
-/// The goal's motion as the request has it, where the plan ends.
+/// The state at the end of the plan, with the requested motion of the goal.
 JointState as_asked(const State& goal, const JointState& end) {
-  return {{end.d[0], goal.velocity, goal.acceleration, {0.0, 0.0, 0.0}}};
+  return {{end.d[0], goal.velocity, goal.acceleration, goal.jerk}};
 }
 
-/// The segment that is flown at `time`, which becomes the time since its beginning. All of them have passed: count.
+/// The segment that is flown at `time`; `time` becomes the time since its beginning. plan.count if the plan is over.
 int segment_at(const Trajectory& plan, double& time) {
   double begin = 0.0;
   int index = 0;
@@ -46,11 +46,11 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
-/// What a cut begins with.
+/// The state at a cut.
 struct Cut {
   Sample now;
-  int first;    ///< the segment at hand; the plan's count where nothing is left to fly
-  double time;  ///< into that segment
+  int first;    ///< the segment that is being flown; plan.count if nothing is left to fly
+  double time;  ///< since the beginning of that segment
   Vec3 begin;   ///< the position in the plan's frame
 };
 
@@ -94,8 +94,8 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Trajectory& plan = rest.plan;
   const Cut cut = cut_at(plan, request.previous_time);
   rest.jerk = cut.now.jerk;
-  const Vec3 way = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
-  rest.meets_goal = distance(way, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
+  const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
+  rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
   JointState from{{{0.0, 0.0, 0.0}, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
   for (int i = cut.first; i < plan.count; ++i) {
     JointState to = end_state(plan.segments[i]);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is left of the plan that is being flown, Request::previous: proof that its state can be flown on from, where
-// nothing new is found.
+// The rest of the plan that is being flown, Request::previous. It can still be flown if the planner finds no new plan.
 #ifndef TERN_PLANNER_PREVIOUS_HPP
 #define TERN_PLANNER_PREVIOUS_HPP
 
@@ -14,45 +13,47 @@
 
 namespace tern {
 
-/// Report::detours of a plan that flies on along the previous one.
+/// Report::detours of a plan that follows the previous one.
 constexpr std::int32_t kFollowed = 3;
 
-/// Frames that the rest is tried in. Coordinates that are moved round: first its beginning counts most, relative to the
-/// start that was asked for; then its later segments, as the previous plan has them.
+/// Frames in which the rest is tried, because moving coordinates to another origin rounds them. The first is relative
+/// to the requested start, which is exact for the beginning. The second is that of the previous plan, which is exact
+/// for all segments but the first.
 constexpr int kPreviousTries = 2;
 
-/// Where less than this is left of the segment at hand, in seconds, its cut rounds to other derivatives.
+/// If less than this is left of the segment that is being flown, in seconds, cutting it rounds its derivatives too
+/// much.
 constexpr double kLeastRest = 1e-3;
 
-/// Half-spaces that enclosing it makes at most: each segment is the last half of one that had no room.
+/// The most half-spaces for enclosing the rest. The factor 2 is for segments that had no room and were halved.
 constexpr std::uint32_t kPreviousPlanes =
     static_cast<std::uint32_t>(kPreviousTries) * 2u * static_cast<std::uint32_t>(kMaxSegments) * kMaxPlanes;
 
 /// The rest of a plan. Plain data.
 struct Previous {
-  int count;        ///< segments; 0 where there is no rest to fly
-  int next;         ///< the first that has no polyhedron yet
-  int enclosed;     ///< parts that have one
+  int count;        ///< segments; 0 if nothing is left to fly
+  int next;         ///< the first segment that has no polyhedron yet
+  int enclosed;     ///< parts of segments that have a polyhedron
   int tries;        ///< 0 .. kPreviousTries
-  bool flown;       ///< the plan at hand begins with it
-  bool meets_goal;  ///< it ends where the plan at hand is to end
+  bool flown;       ///< the current plan begins with it
+  bool meets_goal;  ///< it ends at the goal of the current plan
   Vec3 jerk;        ///< at its beginning, m/s^3
-  Vec3 origin;      ///< world frame: of the segments
+  Vec3 origin;      ///< of the segments, in the world frame
   Segment segments[kMaxSegments];
-  Trajectory plan;  ///< the whole of it, for another try
+  Trajectory plan;  ///< the whole previous plan, for the second frame
 };
 
-/// True where request.previous is a trajectory that has request.start at request.previous_time, bit for bit.
+/// True if request.previous is a valid trajectory whose state at request.previous_time is request.start, bit for bit.
 bool previous_fits(const Request& request) noexcept;
 
-/// Cuts request.previous, where there is one, at request.previous_time. It has to fit. The segments are made anew from
-/// the states at their joints, so that they round as any other plan from here does. Nothing is tried yet.
+/// Cuts request.previous, if there is one, at request.previous_time. previous_fits() must be true. Makes the segments
+/// anew from the states at their joints, so they are rounded like any other plan from this start. Tries nothing yet.
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
-/// The same in the previous plan's frame: all segments but the first are its own, bit for bit.
+/// The same in the frame of the previous plan. All segments but the first are copied bit for bit.
 void cut_in_place(double time, Previous& rest) noexcept;
 
-/// Where the rest ends, relative to the start; it must not be empty.
+/// The end of the rest, relative to `origin`. The rest must not be empty.
 inline const Vec3& end_of(const Previous& rest) noexcept {
   return rest.segments[rest.count - 1].points[kDegree];
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where nothing new is found: the rest of the previous plan, proven anew on the map as it is.
+// The rest of the previous plan, for the case that no new plan is found. It is proven again on the current map.
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "check/tolerance.hpp"
@@ -13,13 +13,13 @@
 namespace tern {
 namespace {
 
-/// A plan may touch a half-space that touches an obstacle: its hulls may be nearer than either, by what the check
-/// grants each. Less than 1 leaves room for rounding.
+/// A checked plan may violate a half-space by the check's tolerance, and the half-space may be too near to an obstacle
+/// by another. So its hulls may be too near by both. A factor below 1 leaves room for rounding.
 constexpr double kPreviousSlack = 0.9;
 
 }  // namespace
 
-/// For polyhedra around hulls.
+/// Prepares the memory for polyhedra around hulls.
 void Plan::begin_hulls() noexcept {
   Layout& memory = *memory_;
   GrowScratch& scratch = memory.stage.corridor.grow;
@@ -28,7 +28,7 @@ void Plan::begin_hulls() noexcept {
   if (has_fences_) scratch.fences = &memory.fences;
 }
 
-/// A goal that is occupied stays so, whatever comes before it.
+/// The rest of the plan cannot help if the goal is occupied.
 bool Plan::previous_may_help(Status status) const noexcept {
   const Previous& rest = memory_->previous;
   if (rest.tries == kPreviousTries || rest.count == 0) return false;
@@ -43,8 +43,8 @@ void Plan::begin_previous() noexcept {
   begin_hulls();
 }
 
-/// One unit is one segment of the rest. All of it is the whole plan where it meets the goal, else the start's way to
-/// rest.
+/// One unit encloses one segment of the rest. If the rest meets the goal, it is the whole plan. Otherwise it takes the
+/// place of the start's escape.
 Progress Plan::run_previous(Work& work) noexcept {
   Layout& memory = *memory_;
   Previous& rest = memory.previous;
@@ -59,7 +59,7 @@ Progress Plan::run_previous(Work& work) noexcept {
     if (!work.take()) return Progress::kMore;
     const Status status = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
     rest.enclosed = tube.count;
-    count(Stage::kPrevious, scratch.planes, asked_.budget.planes, kPreviousPlanes);
+    count(Stage::kPrevious, scratch.planes, asked_.budget.planes, attempts() * kPreviousPlanes);
     if (status != Status::kOk) return drop_previous(status);
   }
   rest.flown = true;
@@ -73,7 +73,7 @@ Progress Plan::run_previous(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// What the plan failed of stays the reason, unless the rest lacked only segments.
+/// The reason for the plan's failure stays the same, unless the rest lacked only segments.
 Progress Plan::drop_previous(Status why) noexcept {
   const Status first = failed_status_;
   if (why == Status::kSegmentsFull) {
@@ -84,7 +84,7 @@ Progress Plan::drop_previous(Status why) noexcept {
   return Progress::kFailed;
 }
 
-/// The rest is the plan.
+/// Makes the rest the whole plan.
 void Plan::follow_previous() noexcept {
   Layout& memory = *memory_;
   memory.corridor.count = memory.trajectory.count = memory.previous.enclosed;
@@ -95,7 +95,7 @@ void Plan::follow_previous() noexcept {
 
 Vec3 Plan::start_jerk() const noexcept {
   const Previous& rest = memory_->previous;
-  return rest.flown ? rest.jerk : Vec3{0.0, 0.0, 0.0};
+  return rest.flown ? rest.jerk : asked_.start.jerk;
 }
 
 }  // namespace tern

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The stages that every plan goes through: each runs a slice, copies what the stage counted into the report, and enters
-// the stage that follows.
+// The stages that every plan goes through. Each function runs a slice, copies the stage's counts into the report, and
+// enters the next stage.
 #include "base/math.hpp"
 #include "base/progress.hpp"
 #include "base/work.hpp"
@@ -16,7 +16,7 @@
 namespace tern {
 namespace {
 
-/// Of a stage that the caller cannot limit.
+/// The budget of a stage that the caller cannot limit.
 constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 
 }  // namespace
@@ -27,7 +27,12 @@ void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uin
   entry.bound = least(budget, bound);
 }
 
-/// What the stages before the one at hand have left of Budget::sight_lines.
+/// What the stages before the one at hand have left of Budget::expansions.
+std::uint32_t Plan::expansions_left() const noexcept {
+  return asked_.budget.expansions - before(Stage::kSearch) - before(Stage::kReach);
+}
+
+/// The same of Budget::sight_lines.
 std::uint32_t Plan::sight_lines_left() const noexcept {
   return asked_.budget.sight_lines - before(Stage::kShortcut) - before(Stage::kDetour);
 }
@@ -37,7 +42,7 @@ std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
 
-/// Takes the fences' voxels from the free ones: one unit for all keep-ins, one a keep-out.
+/// Blocks the voxels that fences forbid: one unit for all keep-ins together, and one for each keep-out.
 Progress Plan::run_fences(Work& work) noexcept {
   Layout& memory = *memory_;
   const Fences& fences = memory.fences;
@@ -50,22 +55,26 @@ Progress Plan::run_fences(Work& work) noexcept {
     }
     count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
   }
-  enter(Stage::kSearch);
+  enter(failed_status_ == Status::kGoalFenced ? Stage::kReach : Stage::kSearch);
   return Progress::kDone;
 }
 
 void Plan::begin_search() noexcept {
   const FlightEnds& ends = memory_->ends;
-  const SearchQuery query{ends.start_in_grid, ends.goal_in_grid,    asked_.budget.expansions - before(Stage::kSearch),
-                          fences(),           !at_rest(ends.start), !at_rest(ends.goal),
-                          asked_.search};
+  const SearchQuery query{ends.start_in_grid,
+                          ends.goal_in_grid,
+                          expansions_left(),
+                          fences(),
+                          !at_rest(ends.start),
+                          !at_rest(ends.goal),
+                          searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
 }
 
 Progress Plan::run_search(Work& work) noexcept {
   SearchStage& stage = memory_->stage.search;
   const Progress progress = search_advance(stage, world(), work, memory_->path);
-  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, searches() * kSearchBound);
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, (searches() + searched_again_) * kSearchBound);
   raise(report_.high_water.nodes, stage.nodes_high);
   raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
@@ -90,16 +99,27 @@ void Plan::begin_shortcut() noexcept {
 Progress Plan::run_shortcut(Work& work) noexcept {
   ShortcutStage& stage = memory_->stage.shortcut;
   const Progress progress = shortcut_advance(stage, world(), work, memory_->path);
-  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, searches() * kShortcutBound);
+  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
+        (searches() + searched_again_) * kShortcutBound);
   raise(report_.high_water.segments, stage.segments_high);
   if (progress == Progress::kMore) return progress;
   if (progress == Progress::kFailed) {
+    if (search_again(stage.status)) return Progress::kDone;
     fail(Stage::kShortcut, stage.status);
     return progress;
   }
   has_path_ = true;
   enter(Stage::kCorridor);
   return progress;
+}
+
+/// A fast path may need more segments than there are; a cheapest one often needs fewer. Once.
+bool Plan::search_again(Status why) noexcept {
+  if (why != Status::kSegmentsFull || report_.search_used != SearchUsed::kGuided) return false;
+  searched_again_ = 1;
+  has_path_ = false;
+  enter(Stage::kSearch);
+  return true;
 }
 
 void Plan::begin_corridor() noexcept {
@@ -110,11 +130,12 @@ Progress Plan::run_corridor(Work& work) noexcept {
   Layout& memory = *memory_;
   CorridorStage& stage = memory.stage.corridor;
   const Progress progress = corridor_advance(stage, world(), memory.path, work, memory.corridor);
-  count(Stage::kCorridor, stage.planes, asked_.budget.planes, corridors() * kCorridorBound);
+  count(Stage::kCorridor, stage.planes, asked_.budget.planes, (corridors() + searched_again_) * kCorridorBound);
   raise(report_.high_water.planes, stage.planes_high);
   raise(report_.high_water.local_boxes, stage.boxes_high);
   if (progress == Progress::kMore) return progress;
   if (progress == Progress::kFailed) {
+    if (report_.detours == 0 && search_again(stage.status)) return Progress::kDone;
     fail_corridor(stage.status);
     return progress;
   }
@@ -131,12 +152,12 @@ Progress Plan::run_corridor(Work& work) noexcept {
 
 void Plan::fail_corridor(Status status) noexcept {
   if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
-  // That the detour has no corridor does not make the path's own one unflyable for any other reason.
+  // If the detour has no corridor, the reason is still that the path's own corridor has no trajectory.
   if (report_.detours == kDetoured) return fail(Stage::kTrajectory, Status::kNoTrajectory);
   fail(Stage::kCorridor, status);
 }
 
-/// The corridor in the plan's frame, cut into the chain.
+/// Moves the corridor into the plan's frame and cuts it into the chain.
 void Plan::begin_times() noexcept {
   Layout& memory = *memory_;
   const FlightEnds& ends = memory.ends;
@@ -148,7 +169,8 @@ void Plan::begin_times() noexcept {
 Progress Plan::run_times(Work& work) noexcept {
   TrajectoryMemory& stages = memory_->stage.trajectory;
   const Progress progress = times_advance(stages.times, stages.corridor, work, stages.chain);
-  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget, (corridors() + 1) * kTimesBound);
+  count(Stage::kTimes, static_cast<std::uint32_t>(stages.times.timed), kNoBudget,
+        (corridors() + attempts()) * kTimesBound);
   if (progress == Progress::kDone) enter(Stage::kTrajectory);
   return progress;
 }
@@ -181,7 +203,7 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   return progress;
 }
 
-/// With the ways to rest at its ends the trajectory goes to the check.
+/// Adds the escapes at both ends to the trajectory, and passes it to the check.
 void Plan::end_trajectory() noexcept {
   Layout& memory = *memory_;
   memory.trajectory.origin = asked_.start.position;
@@ -206,8 +228,8 @@ void Plan::report_trajectory() noexcept {
   report_.kkt_residual = stage.kkt_residual;
 }
 
-/// Flies the same corridor from stop to stop: what the optimiser made of it is refused. `why`: kCheckFailed, or
-/// kSegmentsFull where an escape leaves no room for so many segments.
+/// Replaces the refused plan of the optimiser by stop-and-go along the same corridor. `why`: kCheckFailed, or
+/// kSegmentsFull if the escapes leave too little room for its segments.
 void Plan::fall_back(Status why) noexcept {
   stop_and_go_ = true;
   refused_ = why;
@@ -217,8 +239,8 @@ void Plan::fall_back(Status why) noexcept {
 Progress Plan::run_check(Work& work) noexcept {
   Layout& memory = *memory_;
   CheckStage& stage = memory.stage.check;
-  const CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr,
-                         start_jerk()};
+  CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
+  query.start.jerk = start_jerk();
   const Progress progress = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);

@@ -28,6 +28,8 @@ void Plan::enter(Stage stage) noexcept {
       return begin_previous();
     case Stage::kEscape:
       return begin_escape();
+    case Stage::kReach:
+      return begin_reach();
     case Stage::kCheck:
       return check_begin(memory_->stage.check);
     case Stage::kRequest:
@@ -57,6 +59,8 @@ Progress Plan::run_stage(Work& work) noexcept {
       return run_previous(work);
     case Stage::kEscape:
       return run_escape(work);
+    case Stage::kReach:
+      return run_reach(work);
     case Stage::kCheck:
       return run_check(work);
     case Stage::kRequest:
@@ -65,13 +69,13 @@ Progress Plan::run_stage(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// A slice of the stage at hand, timed for the report.
+/// Runs a slice of the current stage, and times it for the report.
 Progress Plan::advance(Work& work) noexcept {
   StageReport& entry = report_.stages[static_cast<int>(stage_)];
   const std::uint64_t before = clock_ != nullptr ? clock_(clock_context_) : 0;
   const Progress progress = run_stage(work);
   const std::uint64_t after = clock_ != nullptr ? clock_(clock_context_) : 0;
-  // A clock that runs backwards says nothing; the plan does not depend on it.
+  // A clock that runs backwards has measured nothing. The plan does not depend on it.
   if (after < before) report_.timing_known = false;
   entry.ticks += after - before;
   return progress;

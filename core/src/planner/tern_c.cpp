@@ -34,14 +34,14 @@ constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgu
 std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
-/// What stands in for a grid that was never bound.
+/// Stands in for a grid that was never bound.
 constexpr Grid kNoGrid{};
 
-/// Whether there is a grid. The memory may never have been written: read as volatile, the word has one value.
+/// True if there is a grid. The memory may be uninitialised. A volatile read gives the word one definite value.
 bool holds_grid(const tern_grid* grid) {
   return *static_cast<const volatile std::uint64_t*>(grid->opaque) == kGridTag;
 }
-/// Null where there is none.
+/// Null if there is none.
 Grid* object(tern_grid* grid) {
   if (grid == nullptr || !holds_grid(grid)) return nullptr;
   return std::launder(reinterpret_cast<Grid*>(grid->opaque + 1));
@@ -149,7 +149,7 @@ std::uint8_t tern_grid_inflate(tern_grid* grid) {
 std::uint8_t tern_planner_init_for(tern_planner* planner, void* memory, std::size_t bytes,
                                    std::uint64_t configuration) {
   if (planner == nullptr) return kInvalid;
-  // Refused or not, there is a planner: who overlooks this answer gets it again from every plan.
+  // There is a planner even if it was refused: a caller who ignores this answer gets it again from every plan.
   new (planner->opaque) Planner(memory, bytes, configuration);
   const bool usable = memory != nullptr && bytes >= tern::kWorkspaceBytes && configuration == tern::kConfigurationHash;
   return usable ? code(Status::kOk) : kInvalid;

@@ -45,7 +45,7 @@ Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowS
   Pending pending;
   pending.count = 0;
   pending.push(whole, 0);
-  // Each turn appends a segment or halves one; segments that do not fit end it.
+  // Each iteration appends a segment or halves one. A segment that does not fit ends the loop.
   while (pending.count > 0) {
     if (tube.count + pending.count > tube.capacity) return Status::kSegmentsFull;
     const Segment segment = pending.segment[--pending.count];

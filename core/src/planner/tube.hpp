@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A corridor made for curves that are given: each segment in a polyhedron of its own around the hull of its control
-// points.
+// A corridor around given curves. Each segment gets its own polyhedron, around the hull of its control points.
 #ifndef TERN_PLANNER_TUBE_HPP
 #define TERN_PLANNER_TUBE_HPP
 
@@ -14,7 +13,8 @@
 
 namespace tern {
 
-/// A segment whose hull has no room is halved, and each half again: a hull's excess over its curve shrinks fourfold.
+/// The most times that a segment is halved whose hull has no room. Each halving makes the excess of the hull over the
+/// curve four times smaller.
 constexpr int kTubeHalvings = 6;
 
 /// Segments and their polyhedra, index by index; the arrays are the caller's.
@@ -26,9 +26,9 @@ struct Tube {
   double slack;  ///< see enclose_hull
 };
 
-/// Appends the segment (relative to `origin`, a point of the grid's local frame): as a whole where its hull keeps clear
-/// of everything, else in halves, and so on. kCorridorBlocked where no such parts are found, kSegmentsFull where the
-/// tube has no room for them; it then holds what fitted.
+/// Appends the segment, which is relative to `origin`, a point of the grid's local frame. Appends the whole segment if
+/// its hull keeps clear of everything; otherwise its halves, and so on. kCorridorBlocked if even the smallest parts do
+/// not keep clear; kSegmentsFull if the tube has too little room for the parts. It then contains the parts that fitted.
 Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
 
 }  // namespace tern

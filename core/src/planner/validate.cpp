@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Relative excess of a boundary state over a limit that still counts as the limit: what the check grants a plan
-/// (kCheckRelative), of which this may be a state, and the rounding of its evaluation.
+/// Relative excess over a limit that a start or goal may have. It may be a state of a plan, so this is the tolerance of
+/// the check (kCheckRelative) plus the rounding of its evaluation.
 constexpr double kLimitSlack = 4e-8;
 
 Verdict check_finite(const Request& request) {
@@ -21,19 +21,23 @@ Verdict check_finite(const Request& request) {
       {request.start.position, Field::kStartPosition},
       {request.start.velocity, Field::kStartVelocity},
       {request.start.acceleration, Field::kStartAcceleration},
+      {request.start.jerk, Field::kStartJerk},
       {request.goal.position, Field::kGoalPosition},
       {request.goal.velocity, Field::kGoalVelocity},
       {request.goal.acceleration, Field::kGoalAcceleration},
+      {request.goal.jerk, Field::kGoalJerk},
       {request.limits.v_max, Field::kVMax},
       {request.limits.a_max, Field::kAMax},
       {request.limits.v_min, Field::kVMin},
       {request.limits.a_min, Field::kAMin},
+      {request.limits.j_max, Field::kJMax},
   };
   for (const auto& entry : fields) {
     if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
   }
   if (!finite(request.limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
   if (!finite(request.limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
+  if (!finite(request.limits.j_horizontal)) return {Status::kNonFiniteInput, Field::kJHorizontal};
   if (!finite(request.time_weight)) return {Status::kNonFiniteInput, Field::kTimeWeight};
   if (request.previous != nullptr && !finite(request.previous_time)) return {Status::kNonFiniteInput, Field::kPrevious};
   return kAccepted;
@@ -43,7 +47,7 @@ bool in_range(double limit) {
   return limit >= kMinLimit && limit <= kMaxLimit;
 }
 
-/// Zero, in any axis or the number, is the limit that was not given.
+/// A zero, in an axis or in the number, means that the limit was not given.
 bool is_given(double limit) {
   return limit < 0.0 || limit > 0.0;
 }
@@ -59,6 +63,10 @@ bool valid_lower(const Vec3& limit) {
   return true;
 }
 
+bool valid_jerk(double limit) {
+  return !is_given(limit) || (limit >= kMinLimit && limit <= kMaxJerk);
+}
+
 bool valid_horizontal(double limit) {
   return !is_given(limit) || in_range(limit);
 }
@@ -70,6 +78,9 @@ Verdict check_limits(const Limits& limits) {
   if (!valid_lower(limits.a_min)) return {Status::kLimitsInvalid, Field::kAMin};
   if (!valid_horizontal(limits.v_horizontal)) return {Status::kLimitsInvalid, Field::kVHorizontal};
   if (!valid_horizontal(limits.a_horizontal)) return {Status::kLimitsInvalid, Field::kAHorizontal};
+  const Vec3& jerk = limits.j_max;
+  if (!valid_jerk(jerk.x) || !valid_jerk(jerk.y) || !valid_jerk(jerk.z)) return {Status::kLimitsInvalid, Field::kJMax};
+  if (!valid_jerk(limits.j_horizontal)) return {Status::kLimitsInvalid, Field::kJHorizontal};
   return kAccepted;
 }
 
@@ -77,30 +88,50 @@ bool within_limit(const Vec3& value, const Bounds& bounds) {
   return gauge(bounds, value) <= 1.0 + kLimitSlack;
 }
 
-Verdict check_states(const Request& request, const MotionLimits& limits) {
-  const Bounds& velocity = limits.velocity;
-  const Bounds& acceleration = limits.acceleration;
-  if (!within_limit(request.start.velocity, velocity)) return {Status::kStartExceedsLimits, Field::kStartVelocity};
-  if (!within_limit(request.start.acceleration, acceleration)) {
-    return {Status::kStartExceedsLimits, Field::kStartAcceleration};
+bool within_jerk(const Vec3& jerk, const Bounds& bounds) {
+  for (int a = 0; a < 3; ++a) {
+    if (absolute(axis(jerk, a)) > kMaxJerk) return false;
   }
-  if (!within_limit(request.goal.velocity, velocity)) return {Status::kGoalExceedsLimits, Field::kGoalVelocity};
-  if (!within_limit(request.goal.acceleration, acceleration)) {
-    return {Status::kGoalExceedsLimits, Field::kGoalAcceleration};
-  }
-  return kAccepted;
+  return within_limit(jerk, bounds);
 }
 
-/// From C any byte may come.
+/// Fields of one end.
+struct EndFields {
+  Status status;
+  Field velocity;
+  Field acceleration;
+  Field jerk;
+};
+
+Verdict check_state(const State& state, const MotionLimits& limits, const EndFields& fields) {
+  if (!within_limit(state.velocity, limits.velocity)) return {fields.status, fields.velocity};
+  if (!within_limit(state.acceleration, limits.acceleration)) return {fields.status, fields.acceleration};
+  return within_jerk(state.jerk, limits.jerk) ? kAccepted : Verdict{fields.status, fields.jerk};
+}
+
+Verdict check_states(const Request& request, const MotionLimits& limits) {
+  constexpr EndFields kStart{Status::kStartExceedsLimits, Field::kStartVelocity, Field::kStartAcceleration,
+                             Field::kStartJerk};
+  constexpr EndFields kGoal{Status::kGoalExceedsLimits, Field::kGoalVelocity, Field::kGoalAcceleration,
+                            Field::kGoalJerk};
+  const Verdict start = check_state(request.start, limits, kStart);
+  return start.status != Status::kOk ? start : check_state(request.goal, limits, kGoal);
+}
+
+/// A caller in C can pass any byte.
 bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
+}
+
+bool known(GoalMode mode) {
+  return mode == GoalMode::kExact || mode == GoalMode::kNearest;
 }
 
 bool known(SearchMode mode) {
   return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
 }
 
-/// In the local frame, on the boundary's face where only rounding put it beyond.
+/// Moves a point into the local frame, and onto the boundary's face if it is outside only by rounding.
 Vec3 position_to_local(const Grid& grid, const Vec3& world) {
   Vec3 local = grid.to_local(world);
   for (int a = 0; a < 3; ++a) axis(local, a) = onto_boundary(grid, axis(local, a), a);
@@ -129,6 +160,7 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
   }
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
   if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
+  if (!known(request.goal_mode)) return {Status::kInvalidArgument, Field::kGoalMode};
   if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};
   if (!in_map(grid, request.start.position)) return {Status::kOutOfMap, Field::kStartPosition};
   if (!in_map(grid, request.goal.position)) return {Status::kOutOfMap, Field::kGoalPosition};

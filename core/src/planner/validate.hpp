@@ -10,11 +10,11 @@
 
 namespace tern {
 
-/// Looks at every field of a request before any stage runs, finite numbers first. World frame. `limits` gets the
-/// request's, as the stages take them, where it is accepted.
+/// Validates every field of a request before any stage runs; first, all numbers must be finite. World frame. If the
+/// request is accepted, `limits` receives its limits in the form that the stages use.
 Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept;
 
-/// The request in the grid's local frame; positions that rounding left outside the boundary are put on it.
+/// The request in the grid's local frame. Positions that are outside the boundary only by rounding are moved onto it.
 Request to_local(const Grid& grid, const Request& request) noexcept;
 
 }  // namespace tern

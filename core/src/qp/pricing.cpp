@@ -4,7 +4,7 @@
 
 #include "base/math.hpp"
 #include "qp/hessian.hpp"
-#include "qp/point_tile.hpp"
+#include "qp/point_batch.hpp"
 
 namespace tern::qp {
 namespace {
@@ -12,14 +12,14 @@ namespace {
 /// Above every possible violation. It marks a point that is NaN or infinite.
 constexpr double kNoNumber = 1e300;
 
-/// A tile is skipped while the worst violation found in it is below this share of the one that entered last...
+/// A batch is skipped while the worst violation found in it is below this share of the one that entered last...
 constexpr double kWorthwhile = 0.3;
-/// ...but it is looked at in every kPatience-th scan at least, so that newly violated rows do not wait until all others
-/// are satisfied.
-constexpr int kPatience = 6;
-/// After a scan, only the worst point of each promising tile is looked at again. If one of them is still violated by
-/// more than this share of the row that entered last, its row enters without a scan.
-constexpr double kFavourite = 0.5;
+/// ...but never for kScanPeriod scans in a row. Rows that are newly violated thus need not wait for all others to be
+/// satisfied.
+constexpr int kScanPeriod = 6;
+/// After a scan, only the worst point of each promising batch is priced again. If the worst of them is still violated
+/// by more than this share of the row that entered last, its row enters without a scan.
+constexpr double kEntersUnscanned = 0.5;
 
 /// A scan in progress: the best row so far, and how far the scan has come.
 struct Scan {
@@ -29,8 +29,8 @@ struct Scan {
   double violation = 0.0;
   double distance = 0.0;
   bool constant = false;
-  int tiles = 0;      ///< counted over all groups
-  bool rest = false;  ///< true: look at the tiles that were skipped; false: at the promising ones
+  int batches = 0;    ///< counted over all groups
+  bool rest = false;  ///< true: price the batches that were skipped; false: the promising ones
   bool skipped = false;
 };
 
@@ -57,32 +57,33 @@ double consider(const QpProblem& problem, QpSolver& solver, int group, int point
   return distance;
 }
 
-bool promising(const QpSolver& solver, const QpLook& last) {
+bool promising(const QpSolver& solver, const QpPrice& last) {
   return last.distance > kWorthwhile * solver.entered;
 }
 
-/// True if this pass skips the tile.
+/// True if this pass skips the batch.
 bool passes_over(const QpSolver& solver, int index, const Scan& scan) {
-  if (solver.scans == 0 || index >= kQpMaxTiles) return scan.rest && solver.scans > 0;
-  const QpLook& last = solver.looks[index];
+  if (solver.scans == 0 || index >= kQpMaxBatches) return scan.rest && solver.scans > 0;
+  const QpPrice& last = solver.prices[index];
   if (scan.rest) return last.scan == solver.scans;
-  return solver.scans - last.scan < kPatience && !promising(solver, last);
+  return solver.scans - last.scan < kScanPeriod && !promising(solver, last);
 }
 
-/// Looks at points [begin, end) of a group, kQpTile at most. Fills `result` in place, because copying it would have to
+/// Prices points [begin, end) of a group, kQpBatch at most. Fills `result` in place, because copying it would have to
 /// wait for its parts.
-void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int end, Scan& scan, QpLook& result) {
+void price_batch(const QpProblem& problem, QpSolver& solver, int group, int begin, int end, Scan& scan,
+                 QpPrice& result) {
   result.distance = 0.0;
   result.point = begin;
   result.group = group;
   result.scan = solver.scans;
   if (begin >= end) return;
-  PointTile tile;
-  scan.numbers += fill(problem.points + begin, end - begin, solver, tile);
+  PointBatch batch;
+  scan.numbers += fill(problem.points + begin, end - begin, solver, batch);
   const int plane_end = problem.groups[group].plane_end;
-  if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, tile)) return;
+  if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, batch)) return;
   for (int point = begin; point < end; ++point) {
-    const double violation = tile.worst[point - begin];
+    const double violation = batch.worst[point - begin];
     if (!(violation > 0.0)) continue;
     const double distance = consider(problem, solver, group, point, violation, scan);
     if (!(distance > result.distance)) continue;
@@ -91,37 +92,36 @@ void look(const QpProblem& problem, QpSolver& solver, int group, int begin, int 
   }
 }
 
-/// Looks at the tiles of a group. The first scan looks at all points, later scans only at those that depend on
-/// unknowns.
+/// Prices the batches of a group. The first scan prices all points, later scans only those that depend on unknowns.
 void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& scan) {
   const QpGroup& g = problem.groups[group];
   const QpScreen& screen = solver.screens[group];
   const int first = solver.scans == 0 ? g.point_begin : screen.moving_begin;
   const int last = solver.scans == 0 ? g.point_end : screen.moving_end;
-  QpLook unkept;
-  for (int at = g.point_begin; at < g.point_end; at += kQpTile) {
-    const int tile = scan.tiles++;
-    if (passes_over(solver, tile, scan)) {
+  QpPrice unkept;
+  for (int at = g.point_begin; at < g.point_end; at += kQpBatch) {
+    const int batch = scan.batches++;
+    if (passes_over(solver, batch, scan)) {
       scan.skipped = true;
       continue;
     }
     const int begin = at < first ? first : at;
-    const int end = at + kQpTile < last ? at + kQpTile : last;
-    look(problem, solver, group, begin, end, scan, tile < kQpMaxTiles ? solver.looks[tile] : unkept);
+    const int end = at + kQpBatch < last ? at + kQpBatch : last;
+    price_batch(problem, solver, group, begin, end, scan, batch < kQpMaxBatches ? solver.prices[batch] : unkept);
   }
 }
 
-/// Looks again at the worst point of each promising tile, and at nothing else.
-void scan_favourites(const QpProblem& problem, QpSolver& solver, Scan& scan) {
-  QpLook unkept;
-  for (int t = 0; t < solver.tiles; ++t) {
-    const QpLook& last = solver.looks[t];
-    if (promising(solver, last)) look(problem, solver, last.group, last.point, last.point + 1, scan, unkept);
+/// Prices the worst point of each promising batch again, and nothing else.
+void scan_promising(const QpProblem& problem, QpSolver& solver, Scan& scan) {
+  QpPrice unkept;
+  for (int t = 0; t < solver.batches; ++t) {
+    const QpPrice& last = solver.prices[t];
+    if (promising(solver, last)) price_batch(problem, solver, last.group, last.point, last.point + 1, scan, unkept);
   }
 }
 
 void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
-  scan.tiles = 0;
+  scan.batches = 0;
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
 }
 
@@ -162,10 +162,10 @@ void forget_scans(QpSolver& solver) {
 
 Candidate price(const QpProblem& problem, QpSolver& solver) {
   if (solver.scans > 0 && solver.scanned && !solver.cautious) {
-    Scan favourites;
-    scan_favourites(problem, solver, favourites);
-    solver.scanned = !(favourites.distance > kFavourite * solver.entered);
-    if (!solver.scanned) return candidate_of(problem, solver, favourites);
+    Scan best;
+    scan_promising(problem, solver, best);
+    solver.scanned = !(best.distance > kEntersUnscanned * solver.entered);
+    if (!solver.scanned) return candidate_of(problem, solver, best);
   }
   Scan scan;
   solver.worst = solver.scans == 0 ? 0.0 : solver.constant_worst;
@@ -177,7 +177,7 @@ Candidate price(const QpProblem& problem, QpSolver& solver) {
   if (!finite(sum(scan.numbers))) solver.worst = kNoNumber;
   ++solver.scans;
   solver.scanned = true;
-  solver.tiles = scan.tiles < kQpMaxTiles ? scan.tiles : kQpMaxTiles;
+  solver.batches = scan.batches < kQpMaxBatches ? scan.batches : kQpMaxBatches;
   return candidate_of(problem, solver, scan);
 }
 

@@ -24,8 +24,8 @@ void forget_lengths(const QpProblem& problem, QpSolver& solver);
 /// Forgets which rows were violated. Call it if the point has jumped or the right-hand sides changed.
 void forget_scans(QpSolver& solver);
 
-/// The row to enter at solver.x: the best of those looked at that are violated by more than kQpEntering. Ties go to the
-/// lowest group, then point, then plane. If none is found, every row was looked at, and solver.worst is the largest
+/// The row to enter at solver.x: the best of those priced that are violated by more than kQpEntering. Ties go to the
+/// lowest group, then point, then plane. If none is found, every row was priced, and solver.worst is the largest
 /// violation.
 Candidate price(const QpProblem& problem, QpSolver& solver);
 

@@ -26,10 +26,11 @@ constexpr int kQpAxes = 3;
 constexpr int kQpBand = 7;                                  ///< half bandwidth of H: 4x4 blocks, block-tridiagonal
 constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1) + 2;  ///< per axis; 2 for jerks left free at both ends
 constexpr int kQpPointTerms = 8;                            ///< unknowns that one point may depend on
-constexpr int kQpPointsPerSegment = 8 + 13 + 21;  ///< positions, velocities on halves, accelerations on quarters
+/// Positions, velocities on halves, accelerations on quarters, jerks on halves.
+constexpr int kQpPointsPerSegment = 8 + 13 + 21 + 9;
 constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment;
-constexpr int kQpMaxGroups = 3 * kMaxSegments;
-constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 2 * 22;  ///< polyhedra, velocity and acceleration limits
+constexpr int kQpMaxGroups = 4 * kMaxSegments;
+constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 3 * 22;  ///< polyhedra; velocity, acceleration and jerk limits
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
 /// terms = 0 makes a constant point, whose rows can only be checked.

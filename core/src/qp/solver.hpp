@@ -12,9 +12,9 @@ namespace tern {
 constexpr int kQpMaxDimension = qp::padded(kQpAxes * kQpMaxUnknowns);
 /// Rows that can be active at once: limited by the capacity, and by linear independence.
 constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : kQpAxes * kQpMaxUnknowns;
-/// Points are scanned in tiles of this many. A group's last tile may be partly empty.
-constexpr int kQpTile = 8;
-constexpr int kQpMaxTiles = kQpMaxPoints / kQpTile + kQpMaxGroups;
+/// Points are scanned in batches of this many. A group's last batch may be partly empty.
+constexpr int kQpBatch = 8;
+constexpr int kQpMaxBatches = kQpMaxPoints / kQpBatch + kQpMaxGroups;
 
 /// Where column j of a packed upper triangle begins. Each column has an even length, so that pairs are aligned.
 constexpr int packed_column(int j) {
@@ -46,14 +46,13 @@ struct QpScreen {
   alignas(16) double low[kQpAxes][2];
   alignas(16) double high[kQpAxes][2];
   std::int32_t oblique;  ///< the first plane after those
-  // The group's points, without those at its ends that depend on no unknown: one look at those lasts for the whole
-  // solve.
+  // The group's points, without those at its ends that depend on no unknown: those are priced once a solve.
   std::int32_t moving_begin;
   std::int32_t moving_end;
 };
 
-/// What the last look at a tile found.
-struct QpLook {
+/// What pricing found in a batch when it last scanned it.
+struct QpPrice {
   double distance;     ///< of its most violated row, in z; 0 if none was violated
   std::int32_t point;  ///< where that was
   std::int32_t group;
@@ -77,7 +76,7 @@ struct QpSolver {
   QpUnitPlanes planes;
   QpScreen screens[kQpMaxGroups];
   double inverse_norm[kQpMaxPoints];  ///< 1 / |L^-1 beta| of a point; negative: not yet known; 0: a constant point
-  QpLook looks[kQpMaxTiles];
+  QpPrice prices[kQpMaxBatches];
 
   // The active rows.
   alignas(16) double basis[kQpMaxRank * kQpMaxDimension];  ///< column j begins at j * stride
@@ -113,7 +112,7 @@ struct QpSolver {
   int warm_next;
   int iterations;
   int scans;
-  int tiles;    ///< counted by the last scan
+  int batches;  ///< counted by the last scan
   int stalled;  ///< full steps in a row that raised the dual objective by no more than rounding
   int refinements;
   bool inverse_known;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Dominance: one voxel of every block of 4 x 4 x 4 that the search has reached, and its cost. A voxel of the same block
-// is dominated where the straight way from there is cheaper. Sweeps drop such voxels and cover no space twice.
+// is dominated where the straight path from there is cheaper. Sweeps drop such voxels and cover no space twice.
 #ifndef TERN_SEARCH_DOMINANCE_HPP
 #define TERN_SEARCH_DOMINANCE_HPP
 
@@ -31,8 +31,8 @@ void dominance_reset(DominanceMap& map, const Grid& grid) noexcept;
 /// True where all voxels of the box between two corners of one block are free.
 bool block_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept;
 
-/// True where a cheaper way than `g` to `voxel` is known: from the block's recorded voxel, with the box between the two
-/// free. Otherwise records the voxel, just reached at cost `g`, if it is no dearer than the recorded one.
+/// True where a cheaper path than `g` to `voxel` is known: from the block's recorded voxel, with the box between the
+/// two free. Otherwise records the voxel, just reached at cost `g`, if it costs no more than the recorded one.
 inline bool dominated_else_record(DominanceMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept {
   constexpr Cost kPlaceMask = 63;
   const std::int32_t block = (voxel.x >> 2) + map.width * (voxel.y >> 2) + map.slice * (voxel.z >> 2);

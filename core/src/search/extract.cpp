@@ -22,9 +22,9 @@ void write_jump(TurnWriter& writer, const Voxel& to) {
     return direction(magnitude(d.x) > beyond ? sign(d.x) : 0, magnitude(d.y) > beyond ? sign(d.y) : 0,
                      magnitude(d.z) > beyond ? sign(d.z) : 0);
   };
-  writer.leg(part(0), counts.space);
-  writer.leg(part(counts.space), counts.plane);
-  writer.leg(part(middle), counts.straight);
+  writer.run(part(0), counts.space);
+  writer.run(part(counts.space), counts.plane);
+  writer.run(part(middle), counts.straight);
 }
 
 /// Turns the parents from goal to start around, so that they lead from start to goal. Returns the start's node.

@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Records a way of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
-/// known, an equally good one adds its arrival, a worse one is forgotten.
+/// Records a path of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
+/// known, an equally good one adds its arrival, a worse one changes nothing.
 void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
   const std::uint32_t index = store_find_or_add(search.store, voxel);

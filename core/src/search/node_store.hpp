@@ -11,12 +11,12 @@ namespace tern {
 
 /// A voxel that the search generated. 32 bytes, and 8 of the table below.
 struct SearchNode {
-  Cost g;                ///< cost of the best way found from the start
+  Cost g;                ///< cost of the best path found from the start
   std::int16_t x, y, z;  ///< the voxel
   std::uint16_t open;    ///< 1 while the open list holds it, 0 otherwise
   std::uint32_t voxel;   ///< x + dims.x (y + dims.y z)
-  std::uint32_t parent;  ///< node that the best way comes from by one jump; itself for the start
-  CellMask arrivals;     ///< moves by which a way of cost g arrives here
+  std::uint32_t parent;  ///< node that the best path comes from by one jump; itself for the start
+  CellMask arrivals;     ///< moves by which a path of cost g arrives here
   CellMask followed;     ///< moves that were followed from here at cost g
 
   Voxel at() const { return {x, y, z}; }

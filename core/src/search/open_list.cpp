@@ -135,7 +135,7 @@ void next_bin(OpenList& open) {
   mark_empty(open, next);
 }
 
-/// Moves a link from the heap's bin to the heap, or drops it where its node has gone on with a better way.
+/// Moves a link from the heap's bin to the heap, or drops it where its node has gone on with a better path.
 void move_link(OpenList& open, const NodeStore& store, const Voxel& goal) {
   const std::int32_t link = open.moving;
   const std::uint32_t index = open.links[link].node;

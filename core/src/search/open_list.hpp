@@ -9,7 +9,7 @@
 
 namespace tern {
 
-/// Order of expansion, total: least f = g + h first; among equals least h (the way that is further along); then least
+/// Order of expansion, total: least f = g + h first; among equals least h (the path that is further along); then least
 /// voxel index. `tie` holds h, in units of 2^-20 voxel, above the voxel index.
 struct OpenKey {
   Cost f;
@@ -51,7 +51,7 @@ struct OpenEntry {
 };
 
 /// The open list: what has the least f, to a sixteenth of a voxel, is in a 4-ary heap, which so is small and fits the
-/// cache; everything beyond waits in bins. A better way to a node that is open enters it anew, and the entry that it
+/// cache; everything beyond waits in bins. A better path to a node that is open enters it anew, and the entry that it
 /// had is passed over when its turn comes.
 struct OpenList {
   std::int32_t count;  ///< entries, in bins and heap together; kMaxOpen at most

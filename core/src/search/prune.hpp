@@ -4,8 +4,8 @@
 // Which moves a search must follow from a voxel that it reached by a given move: natural and forced neighbours of jump
 // point search in three dimensions, without corner cutting.
 //
-// With p the voxel before n and m the one after, m is pruned where the 3x3x3 cells around n hold a way from p to m that
-// avoids n and is shorter, or as long with a first move along more axes (space diagonals before plane diagonals
+// With p the voxel before n and m the one after, m is pruned where the 3x3x3 cells around n hold a path from p to m
+// that avoids n and is shorter, or as long with a first move along more axes (space diagonals before plane diagonals
 // before straight moves). Of all cheapest paths the one that turns to fewer axes last survives this in every step.
 #ifndef TERN_SEARCH_PRUNE_HPP
 #define TERN_SEARCH_PRUNE_HPP

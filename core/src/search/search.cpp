@@ -12,14 +12,14 @@ namespace {
 /// While the search makes progress it goes on step by step, for so many times the least number of steps at most.
 constexpr std::uint32_t kMostSteps = 4;
 
-/// A search begins step by step, as A* does but with the moves that jump point search prunes left out: where the way is
-/// easy it is there before scans and sweeps have begun to pay. False where it has made the least number of steps and is
-/// not likely to end within the most, going by the part of the way made so far.
+/// A search begins step by step, as A* does, but without the moves that jump point search prunes. An easy query ends
+/// this way before scans and sweeps would pay. False once the search has made its least number of steps, if its
+/// progress so far does not suggest that it will end within the largest number.
 bool steps_pay(const Search& search) {
   if (search.expanded <= search.steps) return true;
-  const Cost way = octile(search.start, search.goal) / kStraightCost;
-  const Cost made = way - search.least_h / kStraightCost;
-  return search.expanded * way <= kMostSteps * search.steps * made;
+  const Cost whole = octile(search.start, search.goal) / kStraightCost;
+  const Cost made = whole - search.least_h / kStraightCost;
+  return search.expanded * whole <= kMostSteps * search.steps * made;
 }
 
 /// Clears what jumps look up, and lets them know of the voxels that steps have reached.
@@ -70,6 +70,7 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
   search.nodes_full = false;
   search.open_full = false;
   search.expanded = 0;
+  search.units = 0;
   store_reset(search.store, grid.spec().dims);
   search.jumps = false;
   search.steps = steps;
@@ -81,6 +82,8 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
 }
 
 Status search_expand(Search& search, const Grid& grid) noexcept {
+  if (search.units == kExpansionBound) return Status::kNodesFull;
+  ++search.units;
   if (!open_ready(search.open, search.store, search.goal)) return end_or_running(search);
   Cost f = 0;
   const std::uint32_t index = open_take(search.open, search.store, f);

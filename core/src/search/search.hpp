@@ -19,8 +19,10 @@
 
 namespace tern {
 
-/// Bound on expansions: the heuristic is consistent, so a node's cost is final when it is first taken off the open
-/// list, and each further time needs a move by which a way of that cost had not arrived yet.
+/// Bound on the units of one search. Expansions alone stay below it: the heuristic is consistent, so the cost of a node
+/// is final when the node is first expanded, and it is expanded again only after an arrival by another of the 26 moves.
+/// Outdated entries of the open list and the sorting of bins take units too, and have no such bound: a node may be
+/// improved many times before it is expanded. So search_expand counts its units, and gives up at the bound.
 constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 
@@ -37,6 +39,7 @@ struct Search {
   bool jumps;              ///< false while the search goes step by step
   std::uint32_t steps;     ///< expansions that go step by step at least
   std::uint32_t expanded;  ///< nodes so far
+  std::uint32_t units;     ///< of work so far, <= kExpansionBound
   Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;
   OpenList open;
@@ -51,8 +54,9 @@ struct Search {
 void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
-/// Does one unit of the search: expands a node, passes over an outdated entry of the open list, or sorts a part of it.
-/// kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull. Must not be called after the end.
+/// Does one unit of the search: expands a node, skips an outdated entry of the open list, or sorts a part of the list.
+/// kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull. Also kNodesFull after kExpansionBound units: a larger
+/// store has a larger bound. Must not be called after the end.
 Status search_expand(Search& search, const Grid& grid) noexcept;
 
 /// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets

@@ -3,6 +3,7 @@
 #include "times/times_stage.hpp"
 
 #include "base/bounds.hpp"
+#include "times/time_unit.hpp"
 #include "times/trapezoid.hpp"
 
 namespace tern {
@@ -19,37 +20,39 @@ constexpr double kLongestPart = 0.5;
 constexpr double kLongestRun = 2.5;
 
 bool moves(const JointState& state) {
-  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
+  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
 
 double way(const Polyhedron& polyhedron) {
   return distance(polyhedron.from, polyhedron.to);
 }
 
-/// Metres that it takes to reach the limit speed and stop again.
-double comfortable_length(const Polyhedron& polyhedron, const MotionLimits& limits) {
-  const LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
-  return line.speed * line.speed / line.acceleration;
+/// Metres that it takes to reach the speed limit, or what the flight has room for, and to stop again.
+double comfortable_length(const TimesStage& stage, const Polyhedron& polyhedron) {
+  const LineLimits line = limits_along(polyhedron.to - polyhedron.from, stage.limits);
+  const double speed = smaller(line.speed, stage.speed);
+  return speed * speed / line.acceleration;
 }
 
-int split_of(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, int index, double whole) {
+int split_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int index, double whole) {
   const Polyhedron& polyhedron = corridor.polyhedra[index];
   const double length = way(polyhedron);
   const bool at_moving_end = (index == 0 && moves(chain.start)) || (index + 1 == corridor.count && moves(chain.goal));
   if (at_moving_end) return kMaxSplit;
   if (!(length > 0.0)) return 1;
-  const double piece = smaller(kLongestPart * whole, kLongestRun * comfortable_length(polyhedron, limits));
+  if (corridor.count == 1) return kMaxSplit;
+  const double piece = smaller(kLongestPart * whole, kLongestRun * comfortable_length(stage, polyhedron));
   // A little less than the quotient, so that halves stay halves.
   const double pieces = length / piece - 1e-6;
   return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
 }
 
 /// The most that each polyhedron may be split for the sum to fit.
-int fitting_split(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, double whole) {
+int fitting_split(const TimesStage& stage, const Chain& chain, const Corridor& corridor, double whole) {
   for (int most = kMaxSplit; most > 1; --most) {
     int sum = 0;
     for (int i = 0; i < corridor.count; ++i) {
-      const int split = split_of(chain, corridor, limits, i, whole);
+      const int split = split_of(stage, chain, corridor, i, whole);
       sum += split < most ? split : most;
     }
     if (sum <= kMaxSegments) return most;
@@ -74,11 +77,13 @@ double least_end_time(const Chain& chain, const Bounds& acceleration, int i) {
 }
 
 /// Cruising along the segment's way, with the trapezoid's ramps at the chain's ends only.
-double time_of(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, int i) {
+double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
+  const MotionLimits& limits = stage.limits;
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
   double time = 0.0;
   if (chain.length[i] > 0.0) {
-    const LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
+    LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
+    line.speed = smaller(line.speed, stage.speed);
     time = chain.length[i] / line.speed;
     if (i == 0) time += ramp_time(chain.start, line);
     if (i + 1 == chain.count) time += ramp_time(chain.goal, line);
@@ -92,25 +97,26 @@ double time_of(const Chain& chain, const Corridor& corridor, const MotionLimits&
 
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept {
   chain.count = 0;
-  chain.start = JointState{{query.start.position, query.start.velocity, query.start.acceleration, kZero}};
-  chain.goal = JointState{{query.goal.position, query.goal.velocity, query.goal.acceleration, kZero}};
+  chain.start = JointState{{query.start.position, query.start.velocity, query.start.acceleration, query.start.jerk}};
+  chain.goal = JointState{{query.goal.position, query.goal.velocity, query.goal.acceleration, query.goal.jerk}};
   chain.center = 0.5 * (query.start.position + query.goal.position);
+  stage.limits = query.limits;
+  stage.speed = reachable(chain, corridor, query.limits).speed;
   double length = 0.0;
   for (int i = 0; i < corridor.count; ++i) length += way(corridor.polyhedra[i]);
-  const int most = fitting_split(chain, corridor, query.limits, length);
+  const int most = fitting_split(stage, chain, corridor, length);
   for (int i = 0; i < corridor.count; ++i) {
-    const int wanted = split_of(chain, corridor, query.limits, i, length);
+    const int wanted = split_of(stage, chain, corridor, i, length);
     const int pieces = wanted < most ? wanted : most;
     append_pieces(way(corridor.polyhedra[i]) / pieces, i, pieces, chain);
   }
-  stage.limits = query.limits;
   stage.timed = 0;
 }
 
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
     if (!work.take()) return Progress::kMore;
-    chain.duration[stage.timed] = time_of(chain, corridor, stage.limits, stage.timed);
+    chain.duration[stage.timed] = time_of(stage, chain, corridor, stage.timed);
   }
   return Progress::kDone;
 }

@@ -31,6 +31,7 @@ struct TimesQuery {
 /// Plain data; needs no initialisation before times_begin.
 struct TimesStage {
   MotionLimits limits;
+  double speed;        ///< m/s that the flight has room to reach
   std::int32_t timed;  ///< segments that have a duration: the work done
 };
 

@@ -48,18 +48,18 @@ bool keeps_everything(const Candidate& candidate, double factor, const Corridor&
   return true;
 }
 
-void keep(const Candidate& candidate, double factor, BestPlan& best) noexcept {
+void keep(const Candidate& candidate, BestPlan& best) noexcept {
   best.found = true;
   for (int i = 0; i < candidate.chain.count; ++i) {
-    best.duration[i] = factor * candidate.chain.duration[i];
+    best.duration[i] = candidate.chain.duration[i];
     for (int k = 0; k < kControlPoints; ++k) best.points[i][k] = candidate.points[i][k];
   }
 }
 
-void give_out(const BestPlan& best, const Chain& chain, Trajectory& out) noexcept {
+void give_out(const BestPlan& best, double factor, const Chain& chain, Trajectory& out) noexcept {
   out.count = chain.count;
   for (int i = 0; i < chain.count; ++i) {
-    out.segments[i].duration = best.duration[i];
+    out.segments[i].duration = factor * best.duration[i];
     out.segments[i].polyhedron = chain.polyhedron[i];
     for (int k = 0; k < kControlPoints; ++k) out.segments[i].points[k] = best.points[i][k];
   }

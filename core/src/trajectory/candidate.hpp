@@ -32,18 +32,17 @@ bool keeps_everything(const Candidate& candidate, double factor, const Corridor&
 /// The best plan so far: its control points and durations; the chain has its polyhedra.
 struct BestPlan {
   bool found;
-  double cost;  ///< snap + rate * duration
-  double duration[kMaxSegments];
+  double duration[kMaxSegments];  ///< before the refinement's stretch
   Vec3 points[kMaxSegments][kControlPoints];
   int active;
   double kkt_residual;
 };
 
-/// Copies the candidate, stretched by the factor, into the best plan.
-void keep(const Candidate& candidate, double factor, BestPlan& best) noexcept;
+/// Copies the candidate into the best plan.
+void keep(const Candidate& candidate, BestPlan& best) noexcept;
 
-/// Writes count and segments of `out`. `chain` as kept.
-void give_out(const BestPlan& best, const Chain& chain, Trajectory& out) noexcept;
+/// Writes count and segments of `out`: the best plan, stretched by the factor. `chain` as kept.
+void give_out(const BestPlan& best, double factor, const Chain& chain, Trajectory& out) noexcept;
 
 }  // namespace tern
 

@@ -14,18 +14,20 @@ constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
 
 bool moves(const JointState& state) {
-  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0;
+  return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
 
 /// True where the rows that depend on the first four control points only keep the limit.
-bool fixed_rows_hold(const double (*rows)[kControlPoints], int count, const Vec3* points, double scale,
-                     const Bounds& bounds) {
-  for (int r = 0; r < count; ++r) {
+bool fixed_rows_hold(int order, const Vec3* points, double duration, const Bounds& bounds) {
+  const OrderRows rows = rows_of(order);
+  const double scale = 1.0 / power_of(duration, order);
+  for (int r = 0; r < rows.count; ++r) {
+    const double* const weights = rows.weights[r];
     Vec3 value = kZero;
     bool fixed = true;
     for (int k = 0; k < kControlPoints; ++k) {
-      if (k < kJointOrder) value = value + (scale * rows[r][k]) * (points[k] - points[0]);
-      if (k >= kJointOrder && (rows[r][k] < 0.0 || rows[r][k] > 0.0)) fixed = false;
+      if (k < kJointOrder) value = value + (scale * weights[k]) * (points[k] - points[0]);
+      if (k >= kJointOrder && (weights[k] < 0.0 || weights[k] > 0.0)) fixed = false;
     }
     if (fixed && gauge(bounds, value) > 1.0 + kLimitTolerance) return false;
   }
@@ -36,11 +38,9 @@ bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Motion
   Segment segment{};
   control_points(end, end, duration, segment.points);
   for (int k = kJointOrder; k <= kDegree; ++k) segment.points[k] = end.d[0];
-  const double rate = 1.0 / duration;
-  return inside(segment, polyhedron) &&
-         fixed_rows_hold(kHodographRows.velocity, kVelocityRows, segment.points, rate, limits.velocity) &&
-         fixed_rows_hold(kHodographRows.acceleration, kAccelerationRows, segment.points, rate * rate,
-                         limits.acceleration);
+  return inside(segment, polyhedron) && fixed_rows_hold(1, segment.points, duration, limits.velocity) &&
+         fixed_rows_hold(2, segment.points, duration, limits.acceleration) &&
+         fixed_rows_hold(3, segment.points, duration, limits.jerk);
 }
 
 double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const MotionLimits& limits,

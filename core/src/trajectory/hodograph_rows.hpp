@@ -10,17 +10,21 @@
 
 namespace tern {
 
-/// Equal pieces that the hodographs are cut into: 1, 2 or 4. An acceleration varies more within a segment.
+/// Equal pieces that the hodographs are cut into: 1, 2 or 4. An acceleration varies more within a segment. A jerk does
+/// so too, but its hull is that of degree 4, and closer.
 constexpr int kVelocityPieces = 2;
 constexpr int kAccelerationPieces = 4;
+constexpr int kJerkPieces = 2;
 /// Control points of all pieces, shared ends counted once.
 constexpr int kVelocityRows = 6 * kVelocityPieces + 1;
 constexpr int kAccelerationRows = 5 * kAccelerationPieces + 1;
+constexpr int kJerkRows = 4 * kJerkPieces + 1;
 
-/// Row r is the weights of c[0 .. 7]; times 1 / duration (velocity) or 1 / duration^2 (acceleration). Dyadic: exact.
+/// Row r is the weights of c[0 .. 7]; times 1 / duration^order. Dyadic: exact.
 struct HodographRows {
   double velocity[kVelocityRows][kControlPoints];
   double acceleration[kAccelerationRows][kControlPoints];
+  double jerk[kJerkRows][kControlPoints];
 };
 
 /// Weights of the control points of one curve over the eight of the position.
@@ -72,10 +76,30 @@ constexpr HodographRows make_hodograph_rows() {
   HodographRows rows{};
   piece_weights(1, kVelocityPieces, rows.velocity);
   piece_weights(2, kAccelerationPieces, rows.acceleration);
+  piece_weights(3, kJerkPieces, rows.jerk);
   return rows;
 }
 
 constexpr HodographRows kHodographRows = make_hodograph_rows();
+
+/// The rows of a derivative, order 1 to 3.
+struct OrderRows {
+  const double (*weights)[kControlPoints];
+  int count;
+};
+
+constexpr OrderRows rows_of(int order) {
+  if (order == 1) return {kHodographRows.velocity, kVelocityRows};
+  if (order == 2) return {kHodographRows.acceleration, kAccelerationRows};
+  return {kHodographRows.jerk, kJerkRows};
+}
+
+/// duration^order.
+constexpr double power_of(double duration, int order) {
+  double power = duration;
+  for (int k = 1; k < order; ++k) power *= duration;
+  return power;
+}
 
 }  // namespace tern
 

@@ -19,27 +19,30 @@ double least_limit(const Bounds& bounds) {
   return least;
 }
 
+/// `offset`: less the margin.
 void add(LimitPlanes& limit, const Vec3& normal, double offset) {
-  limit.planes[limit.count] = Halfspace{normal, offset / limit.unit * (1.0 - kRowMargin)};
+  limit.planes[limit.count] = Halfspace{normal, offset};
   ++limit.count;
 }
 
-void add_axis(LimitPlanes& limit, const Bounds& bounds, int a) {
+void add_axis(LimitPlanes& limit, const Bounds& bounds, int a, double margin) {
   const double most[2] = {axis(bounds.upper, a), -axis(bounds.lower, a)};
   for (int side = 0; side < 2; ++side) {
     if (a < 2 && bounds.horizontal > 0.0 && most[side] >= bounds.horizontal) continue;
+    if (!(most[side] < kUnlimited)) continue;
     Vec3 normal{0.0, 0.0, 0.0};
     axis(normal, a) = side == 0 ? 1.0 : -1.0;
-    add(limit, normal, most[side]);
+    add(limit, normal, most[side] / limit.unit * (1.0 - margin));
   }
 }
 
-void add_polygon(LimitPlanes& limit, double radius, const Vec3& along) {
+void add_polygon(LimitPlanes& limit, double radius, const Vec3& along, double margin) {
   const double norm = horizontal_length(along);
   Vec3 turn = norm > 0.0 ? Vec3{along.x / norm, along.y / norm, 0.0} : Vec3{1.0, 0.0, 0.0};
   for (int quarter = 0; quarter < 4; ++quarter) {
     for (const double(&n)[2] : kQuarter) {
-      add(limit, {turn.x * n[0] - turn.y * n[1], turn.x * n[1] + turn.y * n[0], 0.0}, radius * kCos1);
+      add(limit, {turn.x * n[0] - turn.y * n[1], turn.x * n[1] + turn.y * n[0], 0.0},
+          radius * kCos1 / limit.unit * (1.0 - margin));
     }
     turn = Vec3{-turn.y, turn.x, 0.0};
   }
@@ -51,11 +54,11 @@ double horizontal_length(const Vec3& value) noexcept {
   return square_root(value.x * value.x + value.y * value.y);
 }
 
-LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along) noexcept {
+LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin) noexcept {
   LimitPlanes limit{};
   limit.unit = least_limit(bounds);
-  for (int a = 0; a < 3; ++a) add_axis(limit, bounds, a);
-  if (bounds.horizontal > 0.0) add_polygon(limit, bounds.horizontal, along);
+  for (int a = 0; a < 3; ++a) add_axis(limit, bounds, a, margin);
+  if (bounds.horizontal > 0.0) add_polygon(limit, bounds.horizontal, along, margin);
   return limit;
 }
 

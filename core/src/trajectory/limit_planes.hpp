@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Limits on velocity or acceleration as half-spaces that a quadratic programme takes.
+// Limits on velocity, acceleration or jerk as half-spaces that a quadratic programme takes.
 #ifndef TERN_TRAJECTORY_LIMIT_PLANES_HPP
 #define TERN_TRAJECTORY_LIMIT_PLANES_HPP
 
@@ -27,9 +27,10 @@ struct LimitPlanes {
 
 double horizontal_length(const Vec3& value) noexcept;
 
-/// Both sides of every axis that the cylinder does not imply, then the polygon, with a corner in the horizontal
-/// direction of `along` (any length; none: along x). The same bounds give the same number of planes.
-LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along) noexcept;
+/// Both sides of every axis that has a limit and that the cylinder does not imply, then the polygon, with a corner in
+/// the horizontal direction of `along` (any length; none: along x). The same bounds give the same number of planes.
+/// Something must be limited. `margin`: the part of the limit left free.
+LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin = kRowMargin) noexcept;
 
 }  // namespace tern
 

@@ -3,6 +3,7 @@
 #include "trajectory/programme.hpp"
 
 #include "base/math.hpp"
+#include "curve/motion_limits.hpp"
 #include "trajectory/hodograph_rows.hpp"
 #include "trajectory/limit_planes.hpp"
 
@@ -13,7 +14,8 @@ namespace {
 constexpr double kCostScale = 1e-5;
 constexpr int kEnds = 2 * kJointOrder;
 
-static_assert(kControlPoints + kVelocityRows + kAccelerationRows <= kQpPointsPerSegment, "room for a segment's points");
+static_assert(kControlPoints + kVelocityRows + kAccelerationRows + kJerkRows <= kQpPointsPerSegment,
+              "room for a segment's points");
 
 /// One segment as the programme sees it.
 struct Piece {
@@ -183,19 +185,19 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
 }
 
 /// One kind of limit for every segment. The first row of a segment is the last one of the segment before.
-void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const double (*rows)[kControlPoints], int count,
-                    const LimitPlanes& limit, int order, QpProblem& problem) {
+void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
+                    QpProblem& problem) {
+  const OrderRows rows = rows_of(order);
   const int plane_begin = problem.plane_count;
   scale.unit[order] = limit.unit;
   for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
   problem.plane_count += limit.count;
   for (int i = 0; i < chain.count; ++i) {
     const Piece piece = piece_of(chain, scale, i);
-    const double duration = chain.duration[i];
-    const double multiplier = 1.0 / ((order == 1 ? duration : duration * duration) * limit.unit);
+    const double multiplier = 1.0 / (power_of(chain.duration[i], order) * limit.unit);
     const int point_begin = problem.point_count;
-    for (int r = i == 0 ? 0 : 1; r < count; ++r) {
-      add_point(piece, rows[r], multiplier, origin_of(i, order, r), scale, problem);
+    for (int r = i == 0 ? 0 : 1; r < rows.count; ++r) {
+      add_point(piece, rows.weights[r], multiplier, origin_of(i, order, r), scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
@@ -244,8 +246,10 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   add_corridor(chain, corridor, scale, problem);
   const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
   const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));
-  add_limit_rows(chain, scale, kHodographRows.velocity, kVelocityRows, velocity, 1, problem);
-  add_limit_rows(chain, scale, kHodographRows.acceleration, kAccelerationRows, acceleration, 2, problem);
+  add_limit_rows(chain, scale, velocity, 1, problem);
+  add_limit_rows(chain, scale, acceleration, 2, problem);
+  if (!limits_anything(limits.jerk)) return;
+  add_limit_rows(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
 }
 
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

@@ -18,7 +18,7 @@
 
 namespace tern {
 
-/// What a point of a programme is: a control point (order 0) or one of a hodograph's pieces (order 1 and 2, the row of
+/// What a point of a programme is: a control point (order 0) or one of a hodograph's pieces (order 1 to 3, the row of
 /// kHodographRows).
 struct PointOrigin {
   std::int16_t segment;
@@ -30,7 +30,7 @@ struct PointOrigin {
 struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
-  double unit[3];                           ///< of the rows of each order: metres, m/s, m/s^2
+  double unit[4];                           ///< of the rows of each order: metres, m/s, m/s^2, m/s^3
   double snap_per_cost;                     ///< integral of squared snap over the programme's objective
   PointOrigin origin[kQpMaxPoints];
 };

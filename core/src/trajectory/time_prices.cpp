@@ -32,12 +32,11 @@ double snap_price(const Vec3* points, const Vec3* drift, double duration) {
 /// T d/dT of a programme's point: sum_k w_k c_k / (T^order unit).
 Vec3 point_drift(const PointOrigin& origin, const Vec3* points, const Vec3* drift, double duration, double unit) {
   if (origin.order == 0) return drift[origin.row];
-  const double* const weights =
-      origin.order == 1 ? kHodographRows.velocity[origin.row] : kHodographRows.acceleration[origin.row];
+  const double* const weights = rows_of(origin.order).weights[origin.row];
   Vec3 sum = kZero;
   for (int k = 0; k < kControlPoints; ++k)
     sum = sum + weights[k] * (drift[k] - static_cast<double>(origin.order) * points[k]);
-  return (1.0 / ((origin.order == 1 ? duration : duration * duration) * unit)) * sum;
+  return (1.0 / (power_of(duration, origin.order) * unit)) * sum;
 }
 
 }  // namespace

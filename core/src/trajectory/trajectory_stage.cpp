@@ -4,8 +4,8 @@
 
 #include "base/math.hpp"
 #include "curve/rest.hpp"
+#include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
-#include "trajectory/plan_cost.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 
@@ -57,7 +57,7 @@ double fixed_snap(TrajectoryStage& stage) {
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
-  if (stage.refinement.course == Course::kDone || stage.solves == kMaxQpSolves) {
+  if (stage.refinement.phase == RefinementPhase::kDone || stage.solves == kMaxQpSolves) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
@@ -72,17 +72,14 @@ void propose(TrajectoryStage& stage, const Corridor& corridor) {
   stage.phase = TrajectoryPhase::kSolve;
 }
 
-/// True where no solution of the programme can be worth more than the best plan: the cost that its lower bound on snap
-/// allows, stretched as suits it best.
+/// True where no solution of the programme can improve on the best plan: not even with the snap of its lower bound.
 bool hopeless(const TrajectoryStage& stage) {
   if (!stage.best.found) return false;
   const double bound = qp_lower_bound(stage.solver);
   if (!(bound > -kQpNoBound)) return false;
   const double snap = larger(0.0, stage.scale.snap_per_cost * bound + stage.fixed_snap);
-  const double rate = stage.refinement.rate;
-  const double duration = chain_duration(stage.chain);
-  const double factor = rests(stage.query) ? cheapest_stretch(snap, rate, duration) : 1.0;
-  return plan_cost(snap, rate, duration, factor) >= stage.best.cost;
+  Offer offer{snap, chain_duration(stage.chain), 0.0, 1.0, 0.0};
+  return !improves(stage.refinement, offer);
 }
 
 void note_iterations(TrajectoryStage& stage, std::uint32_t used) {
@@ -121,20 +118,12 @@ bool solve(TrajectoryStage& stage, Work& work) {
   return true;
 }
 
-/// Between states at rest: the factor for the whole plan with which its peaks meet the limits exactly, or a longer one
-/// where that costs less.
-double best_stretch(const TrajectoryStage& stage, double snap) {
-  const double factor = stretch_to_limits(candidate_of(stage), stage.query.limits);
-  return larger(factor, cheapest_stretch(snap, stage.refinement.rate, chain_duration(stage.chain)));
-}
-
 double relative_residual(const QpSolution& solution) {
   return larger(larger(solution.stationarity, solution.complementarity), larger(solution.violation, 0.0));
 }
 
 void keep_best(TrajectoryStage& stage) {
-  keep(candidate_of(stage), stage.round.factor, stage.best);
-  stage.best.cost = stage.round.cost;
+  keep(candidate_of(stage), stage.best);
   stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
 }
@@ -144,13 +133,15 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
-  const double snap = snap_of(candidate_of(stage));
+  const Candidate candidate = candidate_of(stage);
+  const double least = stage.refinement.elastic ? stretch_to_limits(candidate, stage.query.limits) : 1.0;
   Round& round = stage.round;
-  round.factor = rests(stage.query) ? best_stretch(stage, snap) : 1.0;
-  round.cost = plan_cost(snap, stage.refinement.rate, chain_duration(stage.chain), round.factor);
-  round.accepted = keeps_everything(candidate_of(stage), round.factor, corridor, stage.query.limits);
-  if (!round.accepted) stage.solve_status = Status::kNumerical;
-  if (!round.accepted || (stage.best.found && !(round.cost < stage.best.cost))) return;
+  round.offer = Offer{snap_of(candidate), chain_duration(stage.chain), least, 1.0, 0.0};
+  const bool better = improves(stage.refinement, round.offer);
+  const bool holds = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
+  if (!holds) stage.solve_status = Status::kNumerical;
+  round.better = better && holds;
+  if (!round.better) return;
   keep_best(stage);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
@@ -163,15 +154,15 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor) {
   stage.has_fallback = true;
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
-  refinement_begin(stage.refinement, stage.chain, stage.refinement.rate);
+  refinement_begin(stage.refinement, stage.chain, stage.refinement.unit, query.time_weight, rests(query));
 }
 
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
-  stage.round.accepted = false;
+  stage.round.better = false;
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   refinement_next(stage.refinement, stage.round, stage.chain);
-  if (stage.refinement.course == Course::kDone) follow_fallback(stage, corridor);
+  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
@@ -193,7 +184,7 @@ Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& ou
   stage.quality = Quality::kOptimised;
   stage.active = stage.best.active;
   stage.kkt_residual = stage.best.kkt_residual;
-  give_out(stage.best, stage.chain, out);
+  give_out(stage.best, stage.refinement.best.stretch, stage.chain, out);
   return Progress::kDone;
 }
 
@@ -227,7 +218,8 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
     return;
   }
   stage.chain = chain;
-  refinement_begin(stage.refinement, stage.chain, snap_rate(query.limits, query.time_weight));
+  refinement_begin(stage.refinement, stage.chain, time_unit(chain, corridor, query.limits), query.time_weight,
+                   rests(query));
   stage.phase = TrajectoryPhase::kPropose;
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Each test below is written so that one flag alone changes its outcome. A constant that is not exact in single
-// precision is written as its bits, which no flag touches.
+// The outcome of each test depends on one compiler flag only. A constant that is not exact in single precision is
+// written as its bits, which no flag can change.
 #include "tern/self_test.hpp"
 
 #include <cstdint>
@@ -31,7 +31,8 @@ constexpr std::uint64_t kHalfUlpOfOneBits = 0x3CA0000000000000u;  // 2^-53
 constexpr std::uint64_t kSquareRootOfTwoBits = 0x3FF6A09E667F3BCDu;
 constexpr std::uint64_t kTenthBits = 0x3FB999999999999Au;
 
-/// A value that the compiler cannot see through: each test runs on the machine, in the thread's own mode.
+/// Hides a value from the compiler, so that each test is computed at run time, in the floating-point mode of the
+/// thread.
 double opaque(double x) {
   volatile double hidden = x;
   return hidden;
@@ -54,7 +55,7 @@ bool rounds_to_nearest_even() {
   return positive && negative;
 }
 
-/// (1 + e)^2 - (1 + 2e): 0 where the product is rounded first, e^2 where it is fused into the sum.
+/// (1 + e)^2 - (1 + 2e): 0 if the product is rounded first, e^2 if it is fused into the sum.
 bool contracts() {
   const double e = 1.0 / 134217728.0;  // 2^-27
   const double a = opaque(1.0 + e);
@@ -76,7 +77,8 @@ bool multiplies_by_reciprocals() {
   return to_bits(opaque(49.0) / 49.0) != kOneBits;
 }
 
-/// -0 + 0 and 0 - 0 are +0. Where zeros may lose their sign they become the first operand and the second's opposite.
+/// -0 + 0 and 0 - 0 are +0. If the compiler may ignore the sign of zeros, they become the first operand and the
+/// negative of the second.
 bool loses_signs_of_zeros() {
   return to_bits(opaque(-0.0) + 0.0) != 0 || to_bits(0.0 - opaque(0.0)) != 0;
 }
@@ -92,7 +94,7 @@ bool shortens_constants() {
   return to_bits(0.1) != kTenthBits;
 }
 
-/// What a caller's configuration hash says. A caller's flag that shortens constants has a hash of its own.
+/// Tests the caller's configuration hash. A flag of the caller that shortens constants changes the hash.
 std::uint32_t faults_of_hash(std::uint64_t hash) {
   if (hash == configuration_hash()) return 0;
   const double tolerance = static_cast<double>(static_cast<float>(kLatticeTolerance));

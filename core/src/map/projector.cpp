@@ -1,15 +1,15 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map/look.hpp"
+#include "map/projector.hpp"
 
 #include "base/math.hpp"
 
 namespace tern {
 namespace {
 
-/// Parts of a coordinate by which a few roundings in single precision may be off, 2^-20; each is 2^-24 at most.
+/// Relative error of a few roundings in single precision, 2^-20. Each is at most 2^-24.
 constexpr double kRounding = 1.0 / 1048576.0;
-/// Nearest depth that is projected, metres.
+/// The least depth that is projected, metres.
 constexpr float kNearest = 1e-3f;
 
 Point to_point(const Vec3& v) {
@@ -28,7 +28,7 @@ FourInts whole(Four x) {
 
 }  // namespace
 
-Looker::Looker(const View& view, double extent) noexcept {
+Projector::Projector(const View& view, double extent) noexcept {
   Vec3 half = kZero;
   for (int a = 0; a < 3; ++a) {
     const Vec3& s = view.steps[a];
@@ -48,7 +48,7 @@ Looker::Looker(const View& view, double extent) noexcept {
   v_ = axis(view.fy, view.cy, view.height);
 }
 
-Centers Looker::parts(const Point& center, float size) const noexcept {
+Centers Projector::parts(const Point& center, float size) const noexcept {
   const float h = 0.5f * size;
   const Four along_x = Four{-h, h, -h, h};
   const Four along_y = Four{-h, -h, h, h};
@@ -64,7 +64,7 @@ Centers Looker::parts(const Point& center, float size) const noexcept {
   return centers;
 }
 
-Centers Looker::row(const Point& center, float size) const noexcept {
+Centers Projector::row(const Point& center, float size) const noexcept {
   const Four places[2] = {size * Four{-3.5f, -2.5f, -1.5f, -0.5f}, size * Four{0.5f, 1.5f, 2.5f, 3.5f}};
   Centers centers;
   for (int n = 0; n < 2; ++n) {
@@ -75,7 +75,7 @@ Centers Looker::row(const Point& center, float size) const noexcept {
   return centers;
 }
 
-Looker::Image Looker::project(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept {
+Projector::Image Projector::project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept {
   const Four lower = center - half;
   const Four upper = center + half;
   const Four from = axis.focal * (lower * (lower < 0.0f ? by_near : by_far)) + axis.from;
@@ -84,7 +84,7 @@ Looker::Image Looker::project(const Axis& axis, Four center, Four half, Four by_
           (from >= 0.0f) & (to < axis.count)};
 }
 
-Footprints Looker::look(const Centers& centers, float size) const noexcept {
+Footprints Projector::project(const Centers& centers, float size) const noexcept {
   Footprints out;
   for (int n = 0; n < 2; ++n) {
     const Four deepest = centers.z[n] + size * half_.z;
@@ -94,8 +94,8 @@ Footprints Looker::look(const Centers& centers, float size) const noexcept {
     const FourInts ahead = near > kNearest;
     const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
     const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
-    const Image u = project(u_, centers.x[n], size * half_.x + grown, by_near, by_far);
-    const Image v = project(v_, centers.y[n], size * half_.y + grown, by_near, by_far);
+    const Image u = project_axis(u_, centers.x[n], size * half_.x + grown, by_near, by_far);
+    const Image v = project_axis(v_, centers.y[n], size * half_.y + grown, by_near, by_far);
     const Four most = all(static_cast<float>(kDepthUnits + 1));
     out.u0[n] = u.first;
     out.u1[n] = u.last;

@@ -1,0 +1,45 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fills the free voxels that are connected to given ones, a row of the blocked layer at a time. The moves of a search
+// cut no corner, so it reaches exactly the voxels that are connected through faces.
+#ifndef TERN_PATH_FLOOD_HPP
+#define TERN_PATH_FLOOD_HPP
+
+#include <cstdint>
+
+#include "tern/config.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Rows that a flood takes at most: each time it fills at least one run of free voxels.
+constexpr std::uint32_t kFloodBound = static_cast<std::uint32_t>(kMaxCells);
+
+/// Plain data; needs no initialisation before flood_begin. Rows have numbers y + dims.y z.
+struct Flood {
+  std::uint64_t dry[kMaxFenceWords];               ///< rows as the grid's: 0 where a voxel was reached
+  std::uint64_t waiting[kMaxFenceWords / 64 + 1];  ///< one bit a row: it is in the queue
+  std::uint32_t queue[kMaxFenceWords];             ///< rows that were reached anew, first come, first served
+  std::uint32_t rows;                              ///< of the grid
+  std::uint32_t first;                             ///< of the queue, which wraps
+  std::uint32_t count;
+};
+
+/// Nothing is reached. The grid must be inflated and must not change until the flood ends. False if its layers have
+/// more than kMaxFenceWords words.
+bool flood_begin(Flood& flood, const Grid& grid) noexcept;
+
+/// Reaches a free voxel.
+void flood_from(Flood& flood, const Grid& grid, const Voxel& voxel) noexcept;
+
+/// Takes a row off the queue, which must not be empty, fills its runs of free voxels, and goes on to the rows beside
+/// it.
+void flood_row(Flood& flood, const Grid& grid) noexcept;
+
+/// The grid as the flood sees it: only what it reached is free. It lies in the flood's memory.
+Grid flooded(Flood& flood, const Grid& grid) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,58 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The reach stage finds the point nearest to a goal that cannot be planned to: of all free voxels that the search could
+// reach from the start, the one whose centre is nearest to the goal.
+#ifndef TERN_PATH_REACH_STAGE_HPP
+#define TERN_PATH_REACH_STAGE_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "path/flood.hpp"
+#include "path/join.hpp"
+#include "tern/grid.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Bound on ReachStage::units: the rows of the flood, and for each voxel that the start can join a line, a beginning
+/// and an end.
+constexpr std::uint32_t kReachBound = kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
+
+/// What to find. Local frame.
+struct ReachQuery {
+  Vec3 start;                      ///< inside the grid's boundary
+  Vec3 goal;                       ///< anywhere
+  std::uint32_t max_units;         ///< what is left of Budget::expansions
+  const Fences* fences = nullptr;  ///< as SearchQuery::fences
+  bool start_moves = false;        ///< as SearchQuery::start_moves
+};
+
+enum class ReachPhase : std::uint8_t { kBegin, kJoin, kFlood, kEnd };
+
+/// Plain data; needs no initialisation before reach_begin.
+struct ReachStage {
+  Status status;        ///< why the stage failed; else kOk
+  std::uint32_t units;  ///< rows, and lines that join the start to the grid; <= kReachBound and the budget
+  Voxel nearest;        ///< the result
+  bool joined;          ///< the start has joined a voxel at least
+  Voxel best;           ///< of all free voxels the nearest: once it is reached nothing is left to find
+  ReachPhase phase;
+  ReachQuery query;
+  Join start;
+  Flood flood;
+};
+
+/// The grid must be inflated and must not change until the stage ends.
+void reach_begin(ReachStage& stage, const ReachQuery& query) noexcept;
+
+/// One unit is one row of the flood, or one line that joins the start to the grid; the first one looks for the free
+/// voxel that is nearest to the goal. kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed:
+/// kStartOccupied (the start joins no voxel), kBudgetSearch, or kFenceLayerFull (the grid is too large).
+Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept;
+
+}  // namespace tern
+
+#endif

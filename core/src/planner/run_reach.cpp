@@ -1,0 +1,80 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where no plan leads to the goal: the nearest point that one can lead to, for the report, or as the goal instead.
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "curve/rest.hpp"
+#include "planner/layout.hpp"
+#include "planner/plan.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// The search had no room for a proof that there is a path, or none.
+bool lacks_nodes(Status status) {
+  return status == Status::kNodesFull || status == Status::kOpenFull;
+}
+
+/// The goal cannot be planned to, whatever the limits and the budget.
+bool misses_goal(Status status) {
+  return status == Status::kGoalOccupied || status == Status::kGoalFenced || status == Status::kNoPath ||
+         lacks_nodes(status);
+}
+
+}  // namespace
+
+/// Nothing else is left to try. Ends the plan with what it failed of, once it is known how near to the goal it could
+/// have come.
+void Plan::give_up() noexcept {
+  if (!report_.has_reachable && misses_goal(failed_status_)) return enter(Stage::kReach);
+  end(failed_stage_, failed_status_);
+}
+
+void Plan::begin_reach() noexcept {
+  const Request local = to_local(*grid_, asked_);
+  reach_begin(memory_->stage.reach,
+              {local.start.position, local.goal.position, expansions_left(), fences(), !at_rest(asked_.start)});
+}
+
+Progress Plan::run_reach(Work& work) noexcept {
+  ReachStage& stage = memory_->stage.reach;
+  const bool go_there = asked_.goal_mode == GoalMode::kNearest;
+  const Progress progress = reach_advance(stage, world(), work);
+  count(Stage::kReach, stage.units, asked_.budget.expansions, kReachBound);
+  if (progress == Progress::kMore) return progress;
+  if (progress == Progress::kFailed) {
+    const bool lacks_room = go_there && stage.status != Status::kStartOccupied;
+    end(lacks_room ? Stage::kReach : failed_stage_, lacks_room ? stage.status : failed_status_);
+    return progress;
+  }
+  report_.has_reachable = true;
+  report_.reachable = reachable_point(stage.nearest);
+  const bool at_goal = same(world().voxel_of(memory_->ends.goal_in_grid), stage.nearest);
+  if (go_there && !(at_goal && lacks_nodes(failed_status_))) {
+    plan_to_reachable();
+  } else {
+    end(failed_stage_, failed_status_);
+  }
+  return progress;
+}
+
+/// The voxel's centre in the world; the start, where it rests in that voxel already.
+Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
+  const Grid& grid = world();
+  const Vec3 start = to_local(*grid_, asked_).start.position;
+  const bool stays = at_rest(asked_.start) && same(grid.voxel_of(start), voxel);
+  return stays ? asked_.start.position : grid.center(voxel) + grid.spec().origin;
+}
+
+/// The plan begins again, with another goal.
+void Plan::plan_to_reachable() noexcept {
+  report_.goal_missed = failed_status_;
+  asked_.goal = {report_.reachable, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  if (asked_.previous != nullptr) asked_.previous = &memory_->previous.plan;
+  begin_attempt();
+  enter(Stage::kSearch);
+}
+
+}  // namespace tern

@@ -1,0 +1,62 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "times/time_unit.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+/// Part of the triangular profile's peak along the whole way. At usual weights the smoothest flight with no speed limit
+/// peaks above it. So where the unit still falls with a rising speed limit, that limit binds, and the flight gains.
+constexpr double kWholeWay = 0.5;
+/// The way of a flight that has none, metres.
+constexpr double kLeastWay = 1e-3;
+
+/// Sums over the legs of a way.
+struct Way {
+  double length;   ///< metres
+  double squares;  ///< of the legs' lengths
+  double cruise;   ///< seconds at the speed limit
+  double push;     ///< length over the acceleration limit
+};
+
+void add(const Vec3& delta, const MotionLimits& limits, Way& way) {
+  const double metres = length(delta);
+  if (!(metres > 0.0)) return;
+  const LineLimits line = limits_along(delta, limits);
+  way.length += metres;
+  way.squares += metres * metres;
+  way.cruise += metres / line.speed;
+  way.push += metres / line.acceleration;
+}
+
+/// The way from a velocity to rest.
+void add_stop(const Vec3& velocity, const MotionLimits& limits, Way& way) {
+  const double speed = length(velocity);
+  if (!(speed > 0.0)) return;
+  add((0.5 * speed / limits_along(velocity, limits).acceleration) * velocity, limits, way);
+}
+
+}  // namespace
+
+LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
+  Way way{};
+  for (int i = 0; i < corridor.count; ++i) add(corridor.polyhedra[i].to - corridor.polyhedra[i].from, limits, way);
+  add_stop(chain.start.d[1], limits, way);
+  add_stop(chain.goal.d[1], limits, way);
+  if (!(way.length > 0.0)) add({kLeastWay, 0.0, 0.0}, limits, way);
+  const double a = way.length / way.push;
+  const double leg = way.squares / way.length;  // the mean over the way, not over the legs
+  const double room = smaller(kWholeWay * square_root(a * way.length), square_root(a * leg));
+  return LineLimits{smaller(way.length / way.cruise, larger(room, kMinDuration * a)), a};
+}
+
+double time_unit(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
+  const LineLimits line = reachable(chain, corridor, limits);
+  const double jerk = line.acceleration / line.speed * line.acceleration;
+  const double snap = jerk / line.speed * line.acceleration;
+  return snap * snap;
+}
+
+}  // namespace tern

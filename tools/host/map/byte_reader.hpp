@@ -1,0 +1,41 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_HOST_MAP_BYTE_READER_HPP
+#define TERN_HOST_MAP_BYTE_READER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "host/text_records.hpp"
+
+namespace tern_host {
+
+enum class ByteOrder : std::uint8_t { kLittle, kBig };
+
+/// Reads a file's content from its beginning to its end, lines and numbers mixed. What lies beyond the end is a
+/// RecordError: the file is cut off. Content and place must outlive it.
+class ByteReader {
+ public:
+  ByteReader(const std::string& bytes, const Place& place) : bytes_(bytes), place_(place) {}
+
+  bool at_end() const { return at_ == bytes_.size(); }
+  std::size_t left() const { return bytes_.size() - at_; }
+  /// Up to the next line feed, which is taken too; without a carriage return before it.
+  std::string line();
+  std::uint8_t byte();
+  void skip(std::size_t count);
+  /// One number: 'F' floating point of 4 or 8 bytes; 'I' with or 'U' without a sign, of 1, 2, 4 or 8 bytes.
+  double number(char type, std::size_t size, ByteOrder order);
+
+ private:
+  void need(std::size_t count) const;
+
+  const std::string& bytes_;
+  const Place& place_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace tern_host
+
+#endif
