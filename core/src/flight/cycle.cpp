@@ -37,7 +37,7 @@ Progress FlightState::prove(Work& work) noexcept {
 
 /// Nothing to plan for, or nothing to plan on.
 void FlightState::begin_cycle() noexcept {
-  if (!has_goal || parked || has_next || stopping || watching || map.busy()) return;
+  if (!has_goal || parked || has_next || stopping || watching || !map.safe().bound()) return;
   takeover = time + lead_ticks(spec) * spec.tick;
   deadline = takeover - spec.tick;
   if (reaches_goal() && rests_at_takeover()) return;

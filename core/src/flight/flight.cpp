@@ -167,12 +167,12 @@ bool FlightState::reads_map() const noexcept {
   }
 }
 
-/// At most half of what is left.
+/// Half of the work, or most of it where nothing else is in work.
 void FlightState::step_map(Work& work) noexcept {
   if (reads_map()) return;
   if (!map.busy()) follow_window();
   if (!map.busy()) return;
-  const std::uint32_t share = work.left / 2;
+  const std::uint32_t share = job == Job::kIdle ? work.left / 4 * 3 : work.left / 2;
   work.left -= share;
   // Before the next frame comes: there may always be one waiting.
   if (map.step(share) == Status::kOk) follow_window();
