@@ -26,10 +26,12 @@ struct FlightSettings {
   tern::Voxel window{256, 150, 20};
   tern::Vec3 start{0.0, 0.0, 1.5};
   double assumed = 1.2;
+  double jerk = 0.0;  ///< 0: no limit
   std::uint32_t work_per_tick = 4000;
   double noise = 0.0;     ///< of a depth, part of it
   double outliers = 0.0;  ///< part of the pixels that show a random depth
   int hits = 1;
+  bool centers = false;  ///< a pixel has the depth of its centre, not its least one
 };
 
 class Flown {
@@ -46,6 +48,7 @@ class Flown {
     limits.v_horizontal = s.v;
     limits.a_horizontal = s.a;
     spec = tern::flight_spec(limits);
+    spec.jerk = {s.jerk, s.jerk, s.jerk};
     spec.work_per_tick = s.work_per_tick;
     spec.plan_work = 4 * s.work_per_tick;
     words.assign(tern::flight_words(s.window), 0xA5A5A5A5A5A5A5A5u);
@@ -125,6 +128,7 @@ class Flown {
     }
     // The image that is entered must stay: the next one is rendered once that is done.
     if (ticks % 3 == 0 && frames && !waiting && !owned.map.busy() && !random.chance(drop)) {
+      shown.centers = settings.centers;
       shown.render(scene, truth(), yaw);
       disturb(shown.image);
       waiting = true;
@@ -169,6 +173,9 @@ class Flown {
     EXPECT_LE(std::abs(now.velocity.z), wider * spec.limits.v_max.z);
     EXPECT_LE(std::hypot(now.acceleration.x, now.acceleration.y), wider * spec.limits.a_horizontal);
     EXPECT_LE(std::abs(now.acceleration.z), wider * spec.limits.a_max.z);
+    if (settings.jerk > 0.0) {
+      EXPECT_LE(std::max({std::abs(now.jerk.x), std::abs(now.jerk.y), std::abs(now.jerk.z)}), wider * settings.jerk);
+    }
     const tern::Vec3 p = truth();
     least_clearance = std::min(least_clearance, scene.clearance(p));
     ASSERT_GE(scene.clearance(p), settings.body) << "contact at t = " << 1e-9 * static_cast<double>(time);

@@ -82,7 +82,8 @@ struct Scene {
 };
 
 /// A level depth camera of 90 by 74 degrees. A pixel has the least depth of its corners, so that it is free to that
-/// depth all over, as the map demands of a sensor: no tree is narrower than a pixel.
+/// depth all over, as the map demands of a sensor: no tree is narrower than a pixel. With `centers`, it has the depth
+/// of its centre alone, and may show as free what is not.
 class LevelCamera {
  public:
   LevelCamera() : image(160, 120, 80.0), corners(161 * 121) {}
@@ -91,10 +92,11 @@ class LevelCamera {
     const double c = std::cos(yaw);
     const double s = std::sin(yaw);
     const int width = image.view.width;
+    const double corner = centers ? 0.0 : 0.5;
     for (int v = 0; v <= image.view.height; ++v) {
       for (int u = 0; u <= width; ++u) {
-        const double right = (u - 0.5 - image.view.cx) / image.view.fx;
-        const double down = (v - 0.5 - image.view.cy) / image.view.fy;
+        const double right = (u - corner - image.view.cx) / image.view.fx;
+        const double down = (v - corner - image.view.cy) / image.view.fy;
         const tern::Vec3 along{c + right * s, s - right * c, -down};
         corners[static_cast<std::size_t>(v * (width + 1) + u)] = static_cast<float>(scene.hit(eye, along, 30.0));
       }
@@ -102,7 +104,8 @@ class LevelCamera {
     for (int v = 0; v < image.view.height; ++v) {
       for (int u = 0; u < width; ++u) {
         const float* const top = &corners[static_cast<std::size_t>(v * (width + 1) + u)];
-        image.at(u, v) = std::min(std::min(top[0], top[1]), std::min(top[width + 1], top[width + 2]));
+        image.at(u, v) =
+            centers ? top[0] : std::min(std::min(top[0], top[1]), std::min(top[width + 1], top[width + 2]));
       }
     }
     const double w = std::cos(0.5 * yaw);
@@ -112,6 +115,7 @@ class LevelCamera {
   }
 
   Image image;
+  bool centers = false;
   std::vector<float> corners;
   tern::Pose pose{};
 };

@@ -4,6 +4,7 @@
 // What committed plans are made of: first parts, segments that take the jerk to zero, and brakes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/math.hpp"
@@ -15,6 +16,8 @@ namespace {
 using namespace tern;
 
 const MotionLimits kLimits{Limits{{5.0, 5.0, 5.0}, {8.0, 8.0, 8.0}}};
+
+const Vec3 kNoLimit{0.0, 0.0, 0.0};
 
 /// Two segments between states in motion.
 Trajectory moving_plan() {
@@ -80,10 +83,10 @@ TEST(FlightBranch, JerkFallsFasterNearALimit) {
 
 TEST(FlightBranch, StopsJoinToJerkAndEndAtRest) {
   const Trajectory plan = moving_plan();
-  for (int shape = 0; shape < kBrakeShapes; ++shape) {
+  for (int shape = 0; shape < kStops; ++shape) {
     Trajectory part{};
     take_first_part(plan, 0.9, part);
-    ASSERT_TRUE(append_stop(joint_at(plan, 0.9, plan.origin), kLimits, shape, part));
+    ASSERT_TRUE(append_stop(joint_at(plan, 0.9, plan.origin), kLimits, kNoLimit, shape, part));
     expect_near(evaluate(part, 0.9), evaluate(plan, 0.9));
     expect_near(evaluate(part, 0.9 - 1e-9).jerk, evaluate(part, 0.9).jerk, 1e-5);
     double begin = 0.0;
@@ -101,18 +104,32 @@ TEST(FlightBranch, StopsJoinToJerkAndEndAtRest) {
   }
 }
 
+/// The gentlest way always keeps the limit: its ramps are long enough for the largest change there is.
+TEST(FlightBranch, StopsKeepALimitOfJerk) {
+  const Vec3 limit{30.0, 30.0, 30.0};
+  const Trajectory plan = moving_plan();
+  Trajectory part{};
+  take_first_part(plan, 0.9, part);
+  ASSERT_TRUE(append_stop(joint_at(plan, 0.9, plan.origin), kLimits, limit, kStops - 1, part));
+  for (double t = 0.9; t < duration(part); t += 0.01) {
+    const Vec3 jerk = evaluate(part, t).jerk;
+    EXPECT_LE(std::max({std::abs(jerk.x), std::abs(jerk.y), std::abs(jerk.z)}), 30.0) << t;
+  }
+  expect_near(evaluate(part, duration(part) - 1e-10).velocity, kZero, 1e-8);
+}
+
 /// A plan that is full has no room for the segment that settles the jerk, or for the brake behind it.
 TEST(FlightBranch, FullPlansAreNotContinued) {
   const JointState moving{{kZero, {1.0, 0.0, 0.0}, kZero, {1.0, 0.0, 0.0}}};
   Trajectory plan{};
   plan.count = kMaxSegments;
   EXPECT_FALSE(append_between(moving, moving, 1.0, plan));
-  EXPECT_FALSE(append_stop(moving, kLimits, 0, plan));
+  EXPECT_FALSE(append_stop(moving, kLimits, kNoLimit, 0, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
   plan.count = kMaxSegments - kBrakeSegments;
-  EXPECT_FALSE(append_stop(moving, kLimits, 0, plan));
+  EXPECT_FALSE(append_stop(moving, kLimits, kNoLimit, 0, plan));
   plan.count = kMaxSegments - kBrakeSegments - 1;
-  EXPECT_TRUE(append_stop(moving, kLimits, 0, plan));
+  EXPECT_TRUE(append_stop(moving, kLimits, kNoLimit, 0, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
 }
 

@@ -133,6 +133,19 @@ TEST(Proof, LimitsEndItWhereTheyAreReached) {
   EXPECT_DOUBLE_EQ(clear_until(room.grid, jerked, 0.0), kDuration);
 }
 
+TEST(Proof, JerkEndsItWhereItsLimitIsReached) {
+  Room room;
+  // x = 1.5 u^4 over u = t / 8: jerk 36 t / 8^4 = 0.03515625 at t = 4.
+  Trajectory plan = line(room.at(1.0, 5.0, 2.0), {});
+  for (int i = 4; i < kControlPoints; ++i) plan.segments[0].points[i].x = 1.5 * i * (i - 1) * (i - 2) * (i - 3) / 840.0;
+  Proof proof;
+  const Vec3 limit{0.03515625, 1.0, 1.0};
+  ASSERT_EQ(proof.begin(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &limit), Status::kRunning);
+  EXPECT_EQ(proof.step(100000), Status::kOk);
+  EXPECT_EQ(proof.report().end, ProofEnd::kJerk);
+  EXPECT_NEAR(proof.report().until, 4.0, kLate + 1e-5);
+}
+
 TEST(Proof, NothingBeforeItsBeginningCounts) {
   Room room;
   room.mark({0.0, 0.0, 0.0}, {1.5, 10.0, 4.0});

@@ -16,6 +16,7 @@ constexpr int kExitNoPlan = 3;    ///< the planner answered, and the answer is n
 
 void add_plan_command(CLI::App& app, int& exit_status);
 void add_table_command(CLI::App& app, int& exit_status);
+void add_fly_command(CLI::App& app, int& exit_status);
 void add_solve_command(CLI::App& app, int& exit_status);
 void add_map_command(CLI::App& app, int& exit_status);
 

@@ -71,6 +71,7 @@ int run(int argc, char** argv) {
   int exit_status = tern_cli::kExitOk;
   tern_cli::add_plan_command(app, exit_status);
   tern_cli::add_table_command(app, exit_status);
+  tern_cli::add_fly_command(app, exit_status);
   tern_cli::add_solve_command(app, exit_status);
   tern_cli::add_map_command(app, exit_status);
   check_command(app, argc, argv);

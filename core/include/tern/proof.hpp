@@ -29,6 +29,7 @@ enum class ProofEnd : uint8_t {
   kOutside,       ///< beyond the boundary, or too near to it with Beyond::kSolid
   kVelocity,      ///< beyond a limit of velocity
   kAcceleration,  ///< beyond a limit of acceleration
+  kJerk,          ///< beyond a limit of jerk
   kMalformed,     ///< the trajectory has numbers that are not finite, no duration, or a gap between two segments
   kPieces,        ///< a segment needs more pieces than kProofPieces
 };
@@ -47,7 +48,7 @@ struct ProofReport {
 
 /// A segment is halved at most this many times over. What cannot be proven then is not proven.
 constexpr int kProofDepth = 18;
-/// Pieces of one segment that are looked at for each of position, velocity and acceleration.
+/// Pieces of one segment that are looked at for position, and for each derivative.
 constexpr int kProofPieces = 2048;
 /// Voxels along each axis that a piece may extend over. A larger one is halved before obstacles are looked at, which
 /// bounds the work for a piece.
@@ -70,11 +71,11 @@ class Proof {
   /// Begins. The grid and the trajectory must stay until the proof is done. The grid need not be inflated. Obstacles
   /// that are marked while the proof is at work may be missed: begin again. `from` is in seconds since the trajectory's
   /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
-  /// be null: then only clearance is proven.
+  /// be null: then only clearance is proven. `jerk` limits the jerk along each axis, m/s^3; null for no such limit.
   ///
   /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty.
-  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
-               Beyond beyond) noexcept;
+  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+               const Vec3* jerk = nullptr) noexcept;
   /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
   /// proof was begun.
   ///
@@ -90,9 +91,10 @@ class Proof {
     double begin;  // of the segment's parameter, 0 .. 1
     int depth;
   };
-  enum Part : int { kPosition, kVelocity, kAcceleration, kParts };
+  enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
 
   bool sound(const Segment& segment) const noexcept;
+  int part_after(int part) const noexcept;
   void enter_segment() noexcept;
   void enter_part(int part) noexcept;
   bool holds(const Piece& piece, int count, ProofEnd& end) noexcept;
@@ -106,7 +108,9 @@ class Proof {
   const Trajectory* trajectory_ = nullptr;
   bool running_ = false;
   bool has_limits_ = false;
+  bool has_jerk_ = false;
   Limits limits_{};
+  Vec3 jerk_{};
   Beyond beyond_ = Beyond::kEmpty;
   int segment_ = 0;
   double begin_ = 0.0;  // of the segment

@@ -26,7 +26,7 @@ extern "C" {
 typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; } tern_proof_report;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {
-  tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
+  tern_limits limits; tern_vec3 jerk; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
   double horizon, near, yaw_rate;
 } tern_flight_spec;
 /* What one tick did: tern::FlightReport. */
@@ -49,8 +49,9 @@ enum {
   TERN_PROOF_OUTSIDE = 2,      /* the boundary */
   TERN_PROOF_VELOCITY = 3,     /* a limit of velocity */
   TERN_PROOF_ACCELERATION = 4, /* a limit of acceleration */
-  TERN_PROOF_MALFORMED = 5,    /* no trajectory at all */
-  TERN_PROOF_PIECES = 6        /* a segment that needs too many pieces */
+  TERN_PROOF_JERK = 5,         /* a limit of jerk */
+  TERN_PROOF_MALFORMED = 6,    /* no trajectory at all */
+  TERN_PROOF_PIECES = 7        /* a segment that needs too many pieces */
 };
 /* What the vehicle is doing. */
 enum {

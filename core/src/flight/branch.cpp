@@ -21,6 +21,28 @@ void shorten(double u, Segment& segment) {
   segment.duration *= u;
 }
 
+/// A ramp's jerk is at most this many times its change of acceleration over its duration.
+constexpr double kRampJerk = 1.5;
+/// Ramps with a limit of jerk, in parts of what the largest change of acceleration takes: changes are mostly smaller.
+constexpr double kLeastRamp = 0.5;
+constexpr double kRampStep = 0.1;
+
+/// How long a ramp from this acceleration to the largest deceleration takes.
+double ramp_for(const State& state, const MotionLimits& limits, const Vec3& jerk) {
+  double time = kMinDuration;
+  for (int a = 0; a < 3; ++a) {
+    const double most = larger(axis(limits.acceleration.upper, a), -axis(limits.acceleration.lower, a));
+    time = larger(time, kRampJerk * (most + absolute(axis(state.acceleration, a))) / axis(jerk, a));
+  }
+  return time;
+}
+
+void make_gentle_stop(const State& state, const MotionLimits& limits, double ramp, Stopping& stop) {
+  const Brake brake = make_brake(state, limits, kBrakeShapes - 1, ramp);
+  stop.count = kBrakeSegments;
+  for (int i = 0; i < kBrakeSegments; ++i) stop.segments[i] = brake_segment(brake, i, 0);
+}
+
 }  // namespace
 
 JointState settled(const JointState& from, double time) noexcept {
@@ -70,7 +92,8 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
   }
 }
 
-bool append_stop(const JointState& from, const MotionLimits& limits, int shape, Trajectory& out) noexcept {
+bool append_stop(const JointState& from, const MotionLimits& limits, const Vec3& jerk, int way,
+                 Trajectory& out) noexcept {
   JointState now = from;
   if (length(from.d[3]) > kNoJerk) {
     const double time = settle_time(from, limits);
@@ -78,7 +101,12 @@ bool append_stop(const JointState& from, const MotionLimits& limits, int shape, 
     if (!append_between(from, now, time, out)) return false;
   }
   Stopping stop;
-  if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, shape, stop)) return false;
+  const State state{now.d[0], now.d[1], now.d[2]};
+  if (same(jerk, kZero)) {
+    if (!make_stopping(state, limits, kBrakeShapes - 1 - way, stop)) return false;
+  } else {
+    make_gentle_stop(state, limits, (kLeastRamp + kRampStep * way) * ramp_for(state, limits, jerk), stop);
+  }
   if (stop.count > kMaxSegments - out.count) return false;
   for (int i = 0; i < stop.count; ++i) out.segments[out.count++] = stop.segments[i];
   return true;

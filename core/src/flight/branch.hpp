@@ -7,6 +7,7 @@
 #define TERN_FLIGHT_BRANCH_HPP
 
 #include "base/bounds.hpp"
+#include "curve/brake.hpp"
 #include "curve/hermite.hpp"
 #include "tern/trajectory.hpp"
 
@@ -30,9 +31,12 @@ bool append_between(const JointState& from, const JointState& to, double time, T
 /// `out` becomes the part of the plan before `t`, bit for bit but for its last segment. `t` > 0.
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept;
 
-/// Takes the jerk to zero, then brakes straight ahead in one of kBrakeShapes ways. False where there is no room, or
-/// where the limits do not hold.
-bool append_stop(const JointState& from, const MotionLimits& limits, int shape, Trajectory& out) noexcept;
+/// Takes the jerk to zero, then brakes straight ahead in way 0 .. kStops - 1, sharp ones first. False where there is no
+/// room, or where the limits do not hold. A jerk of 0 is no limit; with one, ramps are about as long as it asks for,
+/// and whether the limits hold is still to be proven.
+constexpr int kStops = kBrakeShapes;
+bool append_stop(const JointState& from, const MotionLimits& limits, const Vec3& jerk, int way,
+                 Trajectory& out) noexcept;
 
 }  // namespace tern
 

@@ -124,6 +124,7 @@ void FlightState::ask_planner() noexcept {
   request.goal.position = aim;
   request.limits = spec.limits;
   request.time_weight = spec.time_weight;
+  for (int k = 0; k < ease; ++k) request.time_weight = larger(kMinTimeWeight, request.time_weight / kEase);
   planner->begin(route.grid(), request);
   job = Job::kPlan;
 }

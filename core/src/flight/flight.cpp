@@ -40,6 +40,11 @@ bool limit_fits(const Vec3& most, const Vec3& least) {
   return true;
 }
 
+bool jerk_fits(const Vec3& jerk) {
+  if (same(jerk, kZero)) return true;
+  return finite(jerk) && jerk.x > 0.0 && jerk.y > 0.0 && jerk.z > 0.0;
+}
+
 bool norm_fits(double limit) {
   return same(limit, 0.0) || (limit >= kMinLimit && limit <= kMaxLimit);
 }
@@ -48,7 +53,7 @@ bool limits_fit(const FlightSpec& spec) {
   const Limits& limits = spec.limits;
   return limit_fits(limits.v_max, limits.v_min) && limit_fits(limits.a_max, limits.a_min) &&
          norm_fits(limits.v_horizontal) && norm_fits(limits.a_horizontal) && spec.time_weight >= kMinTimeWeight &&
-         spec.time_weight <= kMaxTimeWeight;
+         spec.time_weight <= kMaxTimeWeight && jerk_fits(spec.jerk);
 }
 
 /// One segment that stays at a point.
@@ -64,7 +69,7 @@ void hover(const Vec3& position, std::int64_t t, Course& course) {
 }  // namespace
 
 FlightSpec flight_spec(const Limits& limits) noexcept {
-  return {limits, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
+  return {limits, {0.0, 0.0, 0.0}, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
 }
 
 size_t flight_words(const Voxel& dims) noexcept {
@@ -165,8 +170,9 @@ void FlightState::step_map(Work& work) noexcept {
   if (!map.busy()) follow_window();
   if (!map.busy()) return;
   const std::uint32_t share = work.left / 2;
-  map.step(share);
   work.left -= share;
+  // Before the next frame comes: there may always be one waiting.
+  if (map.step(share) == Status::kOk) follow_window();
 }
 
 void FlightState::finish_report(std::uint32_t spent) noexcept {

@@ -29,6 +29,11 @@ constexpr int kDirections = 8;
 /// Voxels that an aim keeps from the window's faces, besides the radius; and by which one must be nearer to the goal to
 /// count as nearer.
 constexpr double kAimVoxels = 2.0;
+/// A weight on time that makes plans jerk too much is divided by this, at most so many times; and plans without too
+/// much jerk after which a larger weight is tried again.
+constexpr double kEase = 4.0;
+constexpr int kMostEase = 5;
+constexpr int kSmoothPlans = 8;
 /// New plans that may be committed without coming nearer to the goal than before.
 constexpr int kFruitless = 300;
 
@@ -108,6 +113,8 @@ class FlightState {
   double contact_speed;  ///< m/s, along what was flown when the threat was found
 
   // At rest.
+  int ease;          ///< times that the weight on time is divided by kEase
+  int smooth_plans;  ///< since it changed
   int idle_cycles;
   int fruitless;   ///< new plans since the vehicle was nearest to the goal
   double nearest;  ///< metres to the goal; negative: not known yet
@@ -158,6 +165,8 @@ class FlightState {
 
   // prove_draft.cpp: what of it is flown
   double start_of_proof() const noexcept;
+  const Vec3* jerk_limit() const noexcept { return spec.jerk.x > 0.0 ? &spec.jerk : nullptr; }
+  void note_jerk() noexcept;
   Progress run_wait() noexcept;
   Progress run_reach(Work& work) noexcept;
   double earliest_branch() const noexcept;

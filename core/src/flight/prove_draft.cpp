@@ -10,14 +10,15 @@ namespace tern {
 namespace {
 
 /// Brakes tried from each branch: sharp ones need the least room.
-constexpr int kShapes[kBranchShapes] = {7, 5, 3};
+constexpr int kWays[kBranchShapes] = {0, 2, 4};
 
 }  // namespace
 
 /// From here on the map stands still.
 Progress FlightState::run_wait() noexcept {
   if (map.busy()) return Progress::kMore;
-  const Status begun = proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid);
+  const Status begun =
+      proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid, jerk_limit());
   job = Job::kReach;
   if (begun != Status::kRunning) give_up();
   return Progress::kDone;
@@ -30,6 +31,7 @@ double FlightState::start_of_proof() const noexcept {
 Progress FlightState::run_reach(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   reached = proof.report().until;
+  note_jerk();
   look_at = evaluate(draft.wished, reached).position;
   if (proof.report().end == ProofEnd::kProven) {
     draft.flown = draft.wished;
@@ -45,6 +47,17 @@ Progress FlightState::run_reach(Work& work) noexcept {
   job = Job::kBranch;
   next_branch();
   return Progress::kDone;
+}
+
+/// Where plans jerk too much, the next ones are asked for with smaller weights on time, which are smoother.
+void FlightState::note_jerk() noexcept {
+  if (proof.report().end == ProofEnd::kJerk && ease < kMostEase) {
+    ++ease;
+    smooth_plans = 0;
+  } else if (++smooth_plans >= kSmoothPlans && ease > 0) {
+    --ease;
+    smooth_plans = 0;
+  }
 }
 
 /// A branch that is no later than the one that is flown already would change nothing; from rest it must lead somewhere.
@@ -68,9 +81,9 @@ bool FlightState::make_branch() noexcept {
   draft.branch = at;
   take_first_part(draft.wished, at, draft.flown);
   const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
-  if (!append_stop(joint, limits, kShapes[branch % kBranchShapes], draft.flown)) return false;
+  if (!append_stop(joint, limits, spec.jerk, kWays[branch % kBranchShapes], draft.flown)) return false;
   if (!leads_on()) return false;
-  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
+  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid, jerk_limit()) == Status::kRunning;
 }
 
 void FlightState::next_branch() noexcept {
@@ -87,7 +100,7 @@ Progress FlightState::run_branch(Work& work) noexcept {
     return Progress::kDone;
   }
   job = Job::kConfirm;
-  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
+  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid, jerk_limit());
   return Progress::kDone;
 }
 

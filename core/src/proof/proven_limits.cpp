@@ -39,6 +39,10 @@ Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept {
   return widened(limits.a_min, limits.a_max, limits.a_horizontal, rounding);
 }
 
+Allowed allowed_jerk(const Vec3& most, double rounding) noexcept {
+  return widened(kZero, most, 0.0, rounding);
+}
+
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept {
   for (int i = 0; i < count; ++i) {
     if (!is_allowed(allowed, points[i])) return false;

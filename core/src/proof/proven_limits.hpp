@@ -18,6 +18,7 @@ struct Allowed {
 /// With kProofExcess, and `rounding` on top.
 Allowed allowed_velocity(const Limits& limits, double rounding) noexcept;
 Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept;
+Allowed allowed_jerk(const Vec3& most, double rounding) noexcept;
 
 /// True where all points are allowed, and so their hull.
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept;

@@ -1,0 +1,73 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A world to be discovered in flight, and how it is flown: a scenario file whose blocks and cylinders are the truth.
+#ifndef TERN_HOST_FLIGHT_FLIGHT_WORLD_HPP
+#define TERN_HOST_FLIGHT_FLIGHT_WORLD_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tern/vec3.hpp"
+
+namespace tern_host {
+
+/// An upright cylinder between two heights.
+struct Cylinder {
+  double x, y, bottom, top, radius;
+};
+
+/// One record each in a world's file, and a key of `--set`. SI units; angles in degrees.
+struct FlightSettings {
+  double body_radius = 0.25;
+  double tracking_margin = 0.10;  ///< largest error of the vehicle, which is flown
+  double pose_margin = 0.0;
+  double depth_margin = 0.02;
+  double cell = 0.2;
+  tern::Vec3 window{51.2, 30.0, 8.0};  ///< its height is the boundary's where that is less
+  double sensor_range = 10.0;
+  double fov_horizontal = 90.0;
+  double fov_vertical = 74.0;
+  int width = 160;
+  int height = 120;
+  double sensor_hz = 30.0;
+  double sensor_latency = 0.033;
+  double depth_noise = 0.0;  ///< largest error, metres a metre of depth
+  double dropout = 0.0;      ///< part of the frames that are lost
+  double outliers = 0.0;     ///< part of the pixels with a random depth
+  int hits = 1;              ///< as MapSpec::hits
+  double v_max = 3.0;
+  double a_max = 6.0;
+  double j_max = 0.0;  ///< 0: no limit
+  double yaw_rate = 2.5;
+  double tick_hz = 100.0;
+  int work_per_tick = 4000;
+  double time_limit = 120.0;
+  double goal_tolerance = 0.01;
+  std::string tracking = "bounded";  ///< or "perfect"
+  std::uint64_t seed = 1;
+};
+
+struct FlightWorld {
+  std::string name;  ///< the file's
+  std::vector<tern::Box> blocks;
+  std::vector<Cylinder> cylinders;
+  tern::Box boundary{};  ///< its faces are walls
+  tern::Vec3 start{};
+  tern::Vec3 goal{};
+  FlightSettings settings;
+};
+
+/// Reads a world. `overrides` are `key=value` with commas between numbers, and win. Throws RecordError.
+FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Distance of a point from the nearest block, cylinder or wall, metres; negative outside the boundary.
+double clearance(const FlightWorld& world, const tern::Vec3& point);
+
+/// The least t in (0, most) at which from + t * along meets a block, a cylinder or a wall; `most` where there is none.
+double first_hit(const FlightWorld& world, const tern::Vec3& from, const tern::Vec3& along, double most);
+
+}  // namespace tern_host
+
+#endif
