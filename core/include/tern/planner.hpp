@@ -66,8 +66,8 @@ class Planner {
   ///
   /// One unit is one of these: a node expanded, a line that joins an end to the grid, a line of sight, a trial of
   /// tightening, a polyhedron, the duration of a segment, the assembly of a quadratic programme, one of its iterations
-  /// or its judgement, a polyhedron or a segment checked, a fence, a detour, a way to come to rest, or a segment of the
-  /// previous plan.
+  /// or its judgement, a polyhedron or a segment checked, a fence, a detour, a way to come to rest, a segment of the
+  /// previous plan, or a row of voxels that is flooded.
   Status step(uint32_t work) noexcept;
   /// Ends the plan and fills in `report`. With kOk, it copies the plan to `trajectory`; with any other answer,
   /// `trajectory` is unchanged. If you call it before step() is done, it abandons the plan and answers

@@ -26,7 +26,8 @@ struct StageReport {
   /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
   /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
   /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor
-  /// - kReach: a row of voxels flooded, or a line that joins the start to the grid; Budget::expansions counts it with
+  /// - kReach: a row of voxels flooded, 1024 words cleared, or a line that joins the start to the grid;
+  /// Budget::expansions counts it with
   ///   those of kSearch
   uint32_t work;
   /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).

@@ -46,21 +46,29 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
-/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid
-/// world equal the one below, so that this is what the extraction spends its time on; most windows are one or two
-/// words.
-bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back) {
-  const std::int32_t end = window.words - 1;
-  const std::uint64_t* row = rows.words;
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
-  std::uint64_t middle = 0;
+/// ORs of the bits in which the rows differ from those `back` words before them, word by word of the window.
+template <std::int32_t kWords>
+void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, std::uint64_t* differences) {
+  const std::uint64_t* row = rows.words + first;
+  std::uint64_t any[kWords] = {};
   for (std::int32_t y = 0; y < rows.count; ++y, row += rows.stride) {
-    first |= row[0] ^ row[-back];
-    last |= row[end] ^ row[end - back];
-    for (std::int32_t k = 1; k < end; ++k) middle |= row[k] ^ row[k - back];
+    for (std::int32_t k = 0; k < kWords; ++k) any[k] |= row[k] ^ row[k - back];
   }
-  return ((first & window.first_mask) | middle | (last & window.last_mask)) == 0;
+  for (std::int32_t k = 0; k < kWords; ++k) differences[first + k] = any[k];
+}
+
+/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid
+/// world equal the one below, so that this is what the extraction spends its time on. `differences` has a word for each
+/// of the window's.
+bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back, std::uint64_t* differences) {
+  std::int32_t k = 0;
+  for (; k + 1 < window.words; k += 2) add_differences<2>(rows, back, k, differences);
+  if (k < window.words) add_differences<1>(rows, back, k, differences);
+  differences[0] &= window.first_mask;
+  differences[window.words - 1] &= window.last_mask;
+  std::uint64_t any = 0;
+  for (k = 0; k < window.words; ++k) any |= differences[k];
+  return any == 0;
 }
 
 /// The first row at or after `y` whose bits in the window differ from those of the row before, or rows.count.
@@ -227,7 +235,7 @@ int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratc
   const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
   for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
     const Rows rows = rows_of(grid, range, window, z);
-    if (z > range.lower.z && all_equal(rows, window, plane_words)) {
+    if (z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) {
       for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
       continue;
     }

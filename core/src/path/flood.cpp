@@ -74,13 +74,22 @@ void spread(Flood& flood, const BitRows& blocked, const std::uint64_t* from, std
 }  // namespace
 
 bool flood_begin(Flood& flood, const Grid& grid) noexcept {
-  const std::size_t words = GridView::layer_words(grid);
-  if (words > static_cast<std::size_t>(kMaxFenceWords)) return false;
+  flood.words = GridView::layer_words(grid);
+  if (flood.words > static_cast<std::size_t>(kMaxFenceWords)) return false;
+  flood.cleared = 0;
   flood.rows = static_cast<std::uint32_t>(grid.spec().dims.y * grid.spec().dims.z);
   flood.first = flood.count = 0;
-  for (std::size_t k = 0; k < words; ++k) flood.dry[k] = kAllBits;
-  for (std::uint32_t k = 0; k <= flood.rows >> 6; ++k) flood.waiting[k] = 0;
   return true;
+}
+
+bool flood_clear(Flood& flood) noexcept {
+  const std::size_t left = flood.words - flood.cleared;
+  const std::size_t end = flood.cleared + (left < kClearedWords ? left : kClearedWords);
+  // A row has a word at least, so that there are no more rows than words.
+  for (std::size_t k = flood.cleared / 64; k <= end / 64; ++k) flood.waiting[k] = 0;
+  for (std::size_t k = flood.cleared; k < end; ++k) flood.dry[k] = kAllBits;
+  flood.cleared = end;
+  return end == flood.words;
 }
 
 void flood_from(Flood& flood, const Grid& grid, const Voxel& voxel) noexcept {

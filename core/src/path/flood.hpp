@@ -6,6 +6,7 @@
 #ifndef TERN_PATH_FLOOD_HPP
 #define TERN_PATH_FLOOD_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "tern/config.hpp"
@@ -16,19 +17,28 @@ namespace tern {
 /// Rows that a flood takes at most: each time it fills at least one run of free voxels.
 constexpr std::uint32_t kFloodBound = static_cast<std::uint32_t>(kMaxCells);
 
+/// Words that one call of flood_clear clears, and its calls at most.
+constexpr std::size_t kClearedWords = 1024;
+constexpr std::uint32_t kClearBound = static_cast<std::uint32_t>(kMaxFenceWords / kClearedWords) + 1u;
+
 /// Plain data; needs no initialisation before flood_begin. Rows have numbers y + dims.y z.
 struct Flood {
   std::uint64_t dry[kMaxFenceWords];               ///< rows as the grid's: 0 where a voxel was reached
   std::uint64_t waiting[kMaxFenceWords / 64 + 1];  ///< one bit a row: it is in the queue
   std::uint32_t queue[kMaxFenceWords];             ///< rows that were reached anew, first come, first served
+  std::size_t words;                               ///< of the grid's layer
+  std::size_t cleared;                             ///< of them
   std::uint32_t rows;                              ///< of the grid
   std::uint32_t first;                             ///< of the queue, which wraps
   std::uint32_t count;
 };
 
-/// Nothing is reached. The grid must be inflated and must not change until the flood ends. False if its layers have
-/// more than kMaxFenceWords words.
+/// The grid must be inflated and must not change until the flood ends. False if its layers have more than
+/// kMaxFenceWords words.
 bool flood_begin(Flood& flood, const Grid& grid) noexcept;
+
+/// Clears a part of the flood's layers. True once all is clear: nothing is reached.
+bool flood_clear(Flood& flood) noexcept;
 
 /// Reaches a free voxel.
 void flood_from(Flood& flood, const Grid& grid, const Voxel& voxel) noexcept;

@@ -7,10 +7,9 @@
 namespace tern {
 namespace {
 
-void begin(ReachStage& stage, const Grid& grid) {
-  const bool fits = flood_begin(stage.flood, grid);
-  const bool any_free = fits && nearest_free_voxel(grid, stage.query.goal, stage.best);
-  if (!fits) stage.status = Status::kFenceLayerFull;
+void clear(ReachStage& stage, const Grid& grid) {
+  if (!flood_clear(stage.flood)) return;
+  const bool any_free = nearest_free_voxel(grid, stage.query.goal, stage.best);
   join_begin(stage.start, grid, stage.query.start);
   stage.phase = any_free ? ReachPhase::kJoin : ReachPhase::kEnd;
 }
@@ -39,8 +38,8 @@ void flood(ReachStage& stage, const Grid& grid) {
 
 void advance_once(ReachStage& stage, const Grid& grid) {
   switch (stage.phase) {
-    case ReachPhase::kBegin:
-      return begin(stage, grid);
+    case ReachPhase::kClear:
+      return clear(stage, grid);
     case ReachPhase::kJoin:
       return join(stage, grid);
     case ReachPhase::kFlood:
@@ -52,11 +51,12 @@ void advance_once(ReachStage& stage, const Grid& grid) {
 
 }  // namespace
 
-void reach_begin(ReachStage& stage, const ReachQuery& query) noexcept {
-  stage.status = Status::kOk;
+void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept {
+  const bool fits = flood_begin(stage.flood, grid);
+  stage.status = fits ? Status::kOk : Status::kFenceLayerFull;
   stage.units = 0;
   stage.joined = false;
-  stage.phase = ReachPhase::kBegin;
+  stage.phase = fits ? ReachPhase::kClear : ReachPhase::kEnd;
   stage.query = query;
 }
 

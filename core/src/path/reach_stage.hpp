@@ -17,9 +17,9 @@
 
 namespace tern {
 
-/// Bound on ReachStage::units: the rows of the flood, and for each voxel that the start can join a line, a beginning
-/// and an end.
-constexpr std::uint32_t kReachBound = kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
+/// Bound on ReachStage::units: clearing, the rows of the flood, and for each voxel that the start can join a line, a
+/// beginning and an end.
+constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
 
 /// What to find. Local frame.
 struct ReachQuery {
@@ -30,7 +30,7 @@ struct ReachQuery {
   bool start_moves = false;        ///< as SearchQuery::start_moves
 };
 
-enum class ReachPhase : std::uint8_t { kBegin, kJoin, kFlood, kEnd };
+enum class ReachPhase : std::uint8_t { kClear, kJoin, kFlood, kEnd };
 
 /// Plain data; needs no initialisation before reach_begin.
 struct ReachStage {
@@ -46,11 +46,11 @@ struct ReachStage {
 };
 
 /// The grid must be inflated and must not change until the stage ends.
-void reach_begin(ReachStage& stage, const ReachQuery& query) noexcept;
+void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept;
 
-/// One unit is one row of the flood, or one line that joins the start to the grid; the first one looks for the free
-/// voxel that is nearest to the goal. kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed:
-/// kStartOccupied (the start joins no voxel), kBudgetSearch, or kFenceLayerFull (the grid is too large).
+/// One unit is one row of the flood, one line that joins the start to the grid, or 1024 words cleared before that.
+/// kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no
+/// voxel), kBudgetSearch, or kFenceLayerFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept;
 
 }  // namespace tern

@@ -34,7 +34,7 @@ void Plan::give_up() noexcept {
 
 void Plan::begin_reach() noexcept {
   const Request local = to_local(*grid_, asked_);
-  reach_begin(memory_->stage.reach,
+  reach_begin(memory_->stage.reach, world(),
               {local.start.position, local.goal.position, expansions_left(), fences(), !at_rest(asked_.start)});
 }
 
