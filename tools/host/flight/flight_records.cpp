@@ -146,6 +146,16 @@ Words words_of(const std::string& override_text, const Place& place) {
   return words;
 }
 
+/// A storey has doors, which coarse voxels close.
+constexpr double kStorey = 3.5;
+
+void choose_voxels(FlightWorld& world) {
+  FlightSettings& s = world.settings;
+  const bool indoors = world.boundary.upper.z - world.boundary.lower.z <= kStorey;
+  if (!(s.cell > 0.0)) s.cell = indoors ? 0.1 : 0.2;
+  if (!(s.window.x > 0.0)) s.window = indoors ? tern::Vec3{25.6, 20.0, 8.0} : tern::Vec3{51.2, 30.0, 8.0};
+}
+
 }  // namespace
 
 FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides) {
@@ -163,6 +173,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
     throw RecordError(end, "there is no boundary");
   }
+  choose_voxels(world);
   return world;
 }
 

@@ -24,8 +24,8 @@ struct FlightSettings {
   double tracking_margin = 0.10;  ///< largest error of the vehicle, which is flown
   double pose_margin = 0.0;
   double depth_margin = 0.02;
-  double cell = 0.2;
-  tern::Vec3 window{51.2, 30.0, 8.0};  ///< its height is the boundary's where that is less
+  double cell = 0.0;    ///< 0 in a file that does not say: by the boundary's height
+  tern::Vec3 window{};  ///< likewise; its height is the boundary's where that is less
   double sensor_range = 10.0;
   double fov_horizontal = 90.0;
   double fov_vertical = 74.0;
