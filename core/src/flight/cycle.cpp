@@ -11,6 +11,8 @@ namespace {
 
 /// Units of the planner that are paid for together.
 constexpr std::uint32_t kPlanSlice = 32;
+/// The part of a plan's work that the optimiser may spend: with less it answers with the best plan so far.
+constexpr std::uint32_t kIterationShare = 4;
 /// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
 /// Where plans from rest fail, they are tried in turn with the unseen nearby solid; the same but for voxels next to the
@@ -35,7 +37,7 @@ Progress FlightState::prove(Work& work) noexcept {
 
 /// Nothing to plan for, or nothing to plan on.
 void FlightState::begin_cycle() noexcept {
-  if (!has_goal || parked || has_next || stopping || watching || map.busy()) return;
+  if (!has_goal || parked || has_next || stopping || watching || !map.safe().bound()) return;
   takeover = time + lead_ticks(spec) * spec.tick;
   deadline = takeover - spec.tick;
   if (reaches_goal() && rests_at_takeover()) return;
@@ -123,6 +125,8 @@ void FlightState::ask_planner() noexcept {
   request.start = {from.d[0], from.d[1], from.d[2]};
   request.goal.position = aim;
   request.limits = spec.limits;
+  request.limits.j_max = spec.jerk;
+  request.budget.iterations = spec.plan_work / kIterationShare;
   request.time_weight = spec.time_weight;
   for (int k = 0; k < ease; ++k) request.time_weight = larger(kMinTimeWeight, request.time_weight / kEase);
   planner->begin(route.grid(), request);

@@ -42,7 +42,10 @@ bool limit_fits(const Vec3& most, const Vec3& least) {
 
 bool jerk_fits(const Vec3& jerk) {
   if (same(jerk, kZero)) return true;
-  return finite(jerk) && jerk.x > 0.0 && jerk.y > 0.0 && jerk.z > 0.0;
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(jerk, a) >= kMinLimit && axis(jerk, a) <= kMaxJerk)) return false;
+  }
+  return true;
 }
 
 bool norm_fits(double limit) {
@@ -69,7 +72,7 @@ void hover(const Vec3& position, std::int64_t t, Course& course) {
 }  // namespace
 
 FlightSpec flight_spec(const Limits& limits) noexcept {
-  return {limits, {0.0, 0.0, 0.0}, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
+  return {limits, limits.j_max, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
 }
 
 size_t flight_words(const Voxel& dims) noexcept {
@@ -164,12 +167,12 @@ bool FlightState::reads_map() const noexcept {
   }
 }
 
-/// At most half of what is left.
+/// Half of the work, or most of it where nothing else is in work.
 void FlightState::step_map(Work& work) noexcept {
   if (reads_map()) return;
   if (!map.busy()) follow_window();
   if (!map.busy()) return;
-  const std::uint32_t share = work.left / 2;
+  const std::uint32_t share = job == Job::kIdle ? work.left / 4 * 3 : work.left / 2;
   work.left -= share;
   // Before the next frame comes: there may always be one waiting.
   if (map.step(share) == Status::kOk) follow_window();

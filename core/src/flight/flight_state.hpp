@@ -55,7 +55,7 @@ enum class Job : std::uint8_t {
   kCopy,     ///< the route grid
   kKeep,     ///< is the rest of the plan that is flown still free on the route?
   kPlan,     ///< the planner
-  kWait,     ///< for the map to be done with its job
+  kWait,     ///< for the window to be done with its slide
   kReach,    ///< until when is the best plan proven?
   kBranch,   ///< a brake from there or before
   kConfirm,  ///< the whole of what would be flown
@@ -128,8 +128,8 @@ class FlightState {
   const Course& course_at(std::int64_t t) const noexcept;
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
-  /// Where nothing new takes over before.
-  bool rests_at_takeover() const noexcept { return takeover >= rest_begins(); }
+  /// Where nothing new takes over before; two ticks more or less do not matter.
+  bool rests_at_takeover() const noexcept { return takeover + 2 * spec.tick >= rest_begins(); }
   void take_over() noexcept;
   FlightMode mode() const noexcept;
   bool reads_map() const noexcept;

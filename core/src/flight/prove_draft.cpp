@@ -14,9 +14,10 @@ constexpr int kWays[kBranchShapes] = {0, 2, 4};
 
 }  // namespace
 
-/// From here on the map stands still.
+/// From here on the map stands still. In the middle of a frame its words are true; in the middle of a slide they are
+/// not.
 Progress FlightState::run_wait() noexcept {
-  if (map.busy()) return Progress::kMore;
+  if (!map.safe().bound()) return Progress::kMore;
   const Status begun =
       proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid, jerk_limit());
   job = Job::kReach;
@@ -124,7 +125,7 @@ void FlightState::commit() noexcept {
   idle_cycles = 0;
   is_looking = false;
   watching = threat = false;
-  watched = map.revision();
+  watched = map.busy() ? 0 : map.revision();  // what the frame in work still changes was not proven
   if (extends) {
     now = draft;
   } else {
