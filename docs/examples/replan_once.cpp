@@ -13,7 +13,7 @@ static std::uint64_t words[10409];
 static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request& request, double t,
                    tern::Trajectory& plan) {
   const tern::Sample now = tern::evaluate(plan, t);
-  request.start = {now.position, now.velocity, now.acceleration};
+  request.start = {now.position, now.velocity, now.acceleration, now.jerk};
   request.previous = &plan;
   request.previous_time = t;
   tern::Report report;

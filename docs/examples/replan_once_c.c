@@ -31,7 +31,7 @@ static int replan(tern_planner* planner, const tern_grid* grid, tern_request* re
   tern_report report;
   tern_sample now;
   tern_evaluate(plan, t, &now);
-  request->start = (tern_state){now.position, now.velocity, now.acceleration};
+  request->start = (tern_state){now.position, now.velocity, now.acceleration, now.jerk};
   request->previous = plan;
   request->previous_time = t;
   return tern_plan(planner, grid, request, plan, &report) == 0;

@@ -107,6 +107,49 @@ void check_layers(const World& world, const Map& map, Findings& findings) {
 
 namespace {
 
+double square_distance(const tern::Vec3& a, const tern::Vec3& b) {
+  const tern::Vec3 d{a.x - b.x, a.y - b.y, a.z - b.z};
+  return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+/// No voxel that is connected to the start's is nearer to the goal than the point that is given out.
+void check_reachable(const World& world, const Map& map, const Ask& ask, const tern::Report& answer,
+                     Findings& findings) {
+  const tern::Grid& grid = world.grid;
+  const tern::Vec3 goal = grid.to_local(ask.request.goal.position);
+  const tern::Vec3 point = grid.to_local(answer.reachable);
+  const tern::Voxel home = grid.voxel_of(grid.to_local(ask.request.start.position));
+  const tern::Voxel there = grid.voxel_of(point);
+  if (!grid.free(there)) return report(findings, "near", "its voxel is not free");
+  if (!ask.fences.empty() || !grid.free(home)) return;
+  const int own = map.component[static_cast<std::size_t>(world.index(home.x, home.y, home.z))];
+  const double found = square_distance(grid.center(there), goal);
+  for (const int i : map.free) {
+    if (own < 0 || map.component[static_cast<std::size_t>(i)] != own) continue;
+    if (square_distance(grid.center(world.voxel(i)), goal) >= found * (1.0 - 1e-9)) continue;
+    return report(findings, "near", "voxel %d is nearer", i);
+  }
+}
+
+/// A goal that cannot be planned to, as near as possible: there is a plan to the nearest point, if the start rests.
+void go_near(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& ask) {
+  ask.request.goal_mode = tern::GoalMode::kNearest;
+  tern::Report answer;
+  tern::Trajectory& out = context.bench.trajectory;
+  spoil(out);
+  const Status status = planner.plan(world.grid, ask.request, out, answer);
+  if (answer.has_reachable) check_reachable(world, map, ask, answer, context.findings);
+  tern::Request near = ask.request;
+  if (answer.goal_missed != Status::kOk) near.goal = {answer.reachable, {}, {}, {}};
+  if (status == Status::kOk) return check_plan(context.rng, world, near, out, context.findings);
+  const bool lost = status == Status::kNoPath || status == Status::kCorridorBlocked || status == Status::kCheckFailed ||
+                    status == Status::kNoTrajectory;
+  const tern::Voxel home = world.grid.voxel_of(world.grid.to_local(ask.request.start.position));
+  if (ask.rest_to_rest() && ask.unlimited_search() && lost && world.grid.free(home)) {
+    report(context.findings, "near", "%s at %s", tern::status_name(status), tern::stage_name(answer.stage));
+  }
+}
+
 void run_plans(Context& context) {
   World world;
   make_world(context.rng, context.family, world);
@@ -124,6 +167,8 @@ void run_plans(Context& context) {
   if (slices) compare_slices(context, world, ask, status);
   if (kept) compare_kept(context, planner, world, map, ask, status);
   if (again && status == Status::kOk) replan(context, planner, world, map, ask);
+  const bool missed = status == Status::kNoPath || status == Status::kGoalOccupied || status == Status::kGoalFenced;
+  if (missed) go_near(context, planner, world, map, ask);
 }
 
 }  // namespace

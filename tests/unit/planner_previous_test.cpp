@@ -30,7 +30,7 @@ class PreviousPlan : public testing::Test {
   /// The state of the first plan, with that plan behind it.
   void ask_from(double time) {
     const Sample now = evaluate(first_, time);
-    world_.request.start = {now.position, now.velocity, now.acceleration};
+    world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     world_.request.previous = &first_;
     world_.request.previous_time = time;
     world_.request.budget.expansions = 0;
@@ -101,7 +101,7 @@ TEST_F(PreviousPlan, IsFollowedAgainAndAgain) {
     time += step;
     const tern::Trajectory last = world_.trajectory;
     const Sample now = evaluate(last, step);
-    world_.request.start = {now.position, now.velocity, now.acceleration};
+    world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     world_.request.previous = &world_.trajectory;
     world_.request.previous_time = step;
   }

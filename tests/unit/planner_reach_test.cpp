@@ -129,7 +129,7 @@ TEST_F(ReachPlan, FollowsThePreviousPlanThereWhereThatIsAllThereIs) {
   const tern::Trajectory previous = world_.trajectory;
   const double half = 0.5 * tern::duration(previous);
   const tern::Sample now = tern::evaluate(previous, half);
-  world_.request.start = {now.position, now.velocity, now.acceleration};
+  world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
   world_.request.previous = &previous;
   world_.request.previous_time = half;
   expect_missed(Status::kNoPath, {3.65, 2.05, 1.05});

@@ -23,7 +23,7 @@ constexpr std::size_t kOwn =
 static_assert(kOwn <= 16 * kKilobyte, "durations, control points, the best plan, the fallback");
 
 TEST(TrajectoryMemory, ASegmentAddsLittleToTheSolvers) {
-  EXPECT_LE(sizeof(tern::QpProblem), 6 * kKilobyte * tern::kMaxSegments);
+  EXPECT_LE(sizeof(tern::QpProblem), 7 * kKilobyte * tern::kMaxSegments);
   EXPECT_LE(kOwn, kKilobyte * tern::kMaxSegments);
 }
 

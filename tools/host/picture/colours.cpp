@@ -40,7 +40,6 @@ std::string style_sheet() {
 .inflated { fill: #e9ebef }
 .block { fill: #8d97a6; stroke: #6c7685; stroke-width: 0.8 }
 .merged-block { fill: #8d97a6 }
-.unknown { fill: #b9a7d3 }
 .merged-keepout { fill: #d99a8f }
 .keepin { fill: none; stroke: #2f8f5b; stroke-width: 1.6; stroke-dasharray: 7 4 }
 .keepout { fill: #d99a8f; stroke: #b8604f; stroke-width: 0.8 }

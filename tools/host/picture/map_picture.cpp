@@ -25,7 +25,7 @@ constexpr double kGap = 28.0;
 constexpr int kSlices = 4;
 constexpr int kColumns = 2;       // of slices
 constexpr int kGroundTiles = 64;  // along the longer side
-constexpr const char* kUnknownStyle = "class=\"unknown\"";
+constexpr const char* kUnknownStyle = "class=\"unknown\" fill=\"#b9a7d3\"";
 
 /// How much of the columns of voxels over a tile of the ground is unknown.
 double unknown_part(const GridMap& map, const Voxel& from, const Voxel& to) {
