@@ -126,7 +126,8 @@ TEST(FlightC, BadStartsAreRefused) {
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.yaw_rate = 0.0; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.v_max.x = 0.0; }), Status::kLimitsInvalid);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_min.z = 1.0; }), Status::kLimitsInvalid);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_horizontal = NAN; }), Status::kLimitsInvalid);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_horizontal = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.j_max.x = -1.0; }), Status::kLimitsInvalid);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.time_weight = 0.0; }), Status::kLimitsInvalid);
 }
 

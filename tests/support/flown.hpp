@@ -48,7 +48,7 @@ class Flown {
     limits.v_horizontal = s.v;
     limits.a_horizontal = s.a;
     spec = tern::flight_spec(limits);
-    spec.jerk = {s.jerk, s.jerk, s.jerk};
+    spec.limits.j_max = {s.jerk, s.jerk, s.jerk};
     spec.work_per_tick = s.work_per_tick;
     spec.plan_work = 4 * s.work_per_tick;
     words.assign(tern::flight_words(s.window), 0xA5A5A5A5A5A5A5A5u);

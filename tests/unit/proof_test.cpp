@@ -138,12 +138,15 @@ TEST(Proof, JerkEndsItWhereItsLimitIsReached) {
   // x = 1.5 u^4 over u = t / 8: jerk 36 t / 8^4 = 0.03515625 at t = 4.
   Trajectory plan = line(room.at(1.0, 5.0, 2.0), {});
   for (int i = 4; i < kControlPoints; ++i) plan.segments[0].points[i].x = 1.5 * i * (i - 1) * (i - 2) * (i - 3) / 840.0;
-  Proof proof;
-  const Vec3 limit{0.03515625, 1.0, 1.0};
-  ASSERT_EQ(proof.begin(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &limit), Status::kRunning);
-  EXPECT_EQ(proof.step(100000), Status::kOk);
-  EXPECT_EQ(proof.report().end, ProofEnd::kJerk);
-  EXPECT_NEAR(proof.report().until, 4.0, kLate + 1e-5);
+  Limits limits{{5.0, 5.0, 5.0}, {5.0, 5.0, 5.0}};
+  limits.j_max.x = 0.03515625;
+  ProofReport report;
+  EXPECT_NEAR(clear_until(room.grid, plan, 0.0, &limits, Beyond::kEmpty, &report), 4.0, kLate + 1e-5);
+  EXPECT_EQ(report.end, ProofEnd::kJerk);
+  limits.j_max.x = 0.0;
+  EXPECT_DOUBLE_EQ(clear_until(room.grid, plan, 0.0, &limits), kDuration);
+  limits.j_horizontal = 0.5 * 0.03515625;
+  EXPECT_NEAR(clear_until(room.grid, plan, 0.0, &limits), 2.0, kLate + 1e-5);
 }
 
 TEST(Proof, NothingBeforeItsBeginningCounts) {

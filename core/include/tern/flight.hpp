@@ -21,10 +21,8 @@ namespace tern {
 
 /// How to fly. The distance kept from obstacles is the map's radius: body, tracking error and pose error together.
 struct FlightSpec {
-  /// Limits of every plan, as Request::limits.
+  /// Limits of every plan and every brake, as Request::limits.
   Limits limits;
-  /// Limits of the jerk along each axis, in both directions, m/s^3. All 0: none. They take the place of Limits::j_max.
-  Vec3 jerk;
   /// As Request::time_weight.
   double time_weight;
   /// Nanoseconds from one tick to the next, > 0.
@@ -41,8 +39,8 @@ struct FlightSpec {
   double yaw_rate;
 };
 
-/// A spec with common values: the jerk of Limits::j_max, time weight 1000, 100 ticks a second, 4000 units a tick and
-/// 16000 a plan, horizon 8 m, near 2.5 m, yaw rate 2.5 rad/s.
+/// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
+/// near 2.5 m, yaw rate 2.5 rad/s.
 FlightSpec flight_spec(const Limits& limits) noexcept;
 
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.

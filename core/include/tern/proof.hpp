@@ -71,11 +71,11 @@ class Proof {
   /// Begins. The grid and the trajectory must stay until the proof is done. The grid need not be inflated. Obstacles
   /// that are marked while the proof is at work may be missed: begin again. `from` is in seconds since the trajectory's
   /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
-  /// be null: then only clearance is proven. `jerk` limits the jerk along each axis, m/s^3; null for no such limit.
+  /// be null: then only clearance is proven.
   ///
   /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty.
-  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
-               const Vec3* jerk = nullptr) noexcept;
+  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+               Beyond beyond) noexcept;
   /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
   /// proof was begun.
   ///
@@ -108,9 +108,7 @@ class Proof {
   const Trajectory* trajectory_ = nullptr;
   bool running_ = false;
   bool has_limits_ = false;
-  bool has_jerk_ = false;
   Limits limits_{};
-  Vec3 jerk_{};
   Beyond beyond_ = Beyond::kEmpty;
   int segment_ = 0;
   double begin_ = 0.0;  // of the segment

@@ -26,7 +26,7 @@ extern "C" {
 typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; } tern_proof_report;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {
-  tern_limits limits; tern_vec3 jerk; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
+  tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
   double horizon, near, yaw_rate;
 } tern_flight_spec;
 /* What one tick did: tern::FlightReport. */

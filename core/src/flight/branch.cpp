@@ -3,13 +3,9 @@
 #include "flight/branch.hpp"
 
 #include "base/math.hpp"
-#include "curve/stopping.hpp"
 
 namespace tern {
 namespace {
-
-/// A stop need not settle a jerk that is only rounding, m/s^3.
-constexpr double kNoJerk = 1e-6;
 
 /// The first part of a segment, up to u in (0, 1): the left edge of de Casteljau's triangle.
 void shorten(double u, Segment& segment) {
@@ -21,49 +17,7 @@ void shorten(double u, Segment& segment) {
   segment.duration *= u;
 }
 
-/// A ramp's jerk is at most this many times its change of acceleration over its duration.
-constexpr double kRampJerk = 1.5;
-/// Ramps with a limit of jerk, in parts of what the largest change of acceleration takes: changes are mostly smaller.
-constexpr double kLeastRamp = 0.5;
-constexpr double kRampStep = 0.1;
-
-/// How long a ramp from this acceleration to the largest deceleration takes.
-double ramp_for(const State& state, const MotionLimits& limits, const Vec3& jerk) {
-  double time = kMinDuration;
-  for (int a = 0; a < 3; ++a) {
-    const double most = larger(axis(limits.acceleration.upper, a), -axis(limits.acceleration.lower, a));
-    time = larger(time, kRampJerk * (most + absolute(axis(state.acceleration, a))) / axis(jerk, a));
-  }
-  return time;
-}
-
-void make_gentle_stop(const State& state, const MotionLimits& limits, double ramp, Stopping& stop) {
-  const Brake brake = make_brake(state, limits, kBrakeShapes - 1, ramp);
-  stop.count = kBrakeSegments;
-  for (int i = 0; i < kBrakeSegments; ++i) stop.segments[i] = brake_segment(brake, i, 0);
-}
-
 }  // namespace
-
-JointState settled(const JointState& from, double time) noexcept {
-  const Vec3& p = from.d[0];
-  const Vec3& v = from.d[1];
-  const Vec3& a = from.d[2];
-  const Vec3& j = from.d[3];
-  const double square = time * time;
-  return JointState{{p + time * v + (0.5 * square) * a + (0.125 * square * time) * j, v + time * a + (square / 3.0) * j,
-                     a + (0.5 * time) * j, kZero}};
-}
-
-double settle_time(const JointState& from, const MotionLimits& limits) noexcept {
-  double time = kSettleTime;
-  for (int i = 0; i < kSettleHalvings; ++i) {
-    const JointState to = settled(from, time);
-    if (gauge(limits.velocity, to.d[1]) <= 1.0 && gauge(limits.acceleration, to.d[2]) <= 1.0) break;
-    time *= 0.5;
-  }
-  return time;
-}
 
 JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept {
   const Sample sample = evaluate(plan, t);
@@ -92,23 +46,11 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
   }
 }
 
-bool append_stop(const JointState& from, const MotionLimits& limits, const Vec3& jerk, int way,
+bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
                  Trajectory& out) noexcept {
-  JointState now = from;
-  if (length(from.d[3]) > kNoJerk) {
-    const double time = settle_time(from, limits);
-    now = settled(from, time);
-    if (!append_between(from, now, time, out)) return false;
-  }
-  Stopping stop;
-  const State state{now.d[0], now.d[1], now.d[2]};
-  if (same(jerk, kZero)) {
-    if (!make_stopping(state, limits, kBrakeShapes - 1 - way, stop)) return false;
-  } else {
-    make_gentle_stop(state, limits, (kLeastRamp + kRampStep * way) * ramp_for(state, limits, jerk), stop);
-  }
-  if (stop.count > kMaxSegments - out.count) return false;
-  for (int i = 0; i < stop.count; ++i) out.segments[out.count++] = stop.segments[i];
+  if (!make_stopping({from.d[0], from.d[1], from.d[2], from.d[3]}, limits, kStops - 1 - way, scratch)) return false;
+  if (scratch.count > kMaxSegments - out.count) return false;
+  for (int i = 0; i < scratch.count; ++i) out.segments[out.count++] = scratch.segments[i];
   return true;
 }
 

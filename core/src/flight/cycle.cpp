@@ -105,10 +105,9 @@ Progress FlightState::run_keep(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// From where the vehicle will be, once its jerk has gone to zero.
+/// From where the vehicle will be at the takeover.
 void FlightState::begin_plan() noexcept {
   start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
-  settle = settle_time(start, limits);
   if (keeps && keeps_aim(start.d[0])) {
     aim = now.aim;
     aims_at_goal = now.to_goal;
@@ -120,15 +119,12 @@ void FlightState::begin_plan() noexcept {
 }
 
 void FlightState::ask_planner() noexcept {
-  const JointState from = settled(start, settle);
   Request request{};
-  request.start = {from.d[0], from.d[1], from.d[2]};
+  request.start = {start.d[0], start.d[1], start.d[2], start.d[3]};
   request.goal.position = aim;
   request.limits = spec.limits;
-  request.limits.j_max = spec.jerk;
   request.budget.iterations = spec.plan_work / kIterationShare;
   request.time_weight = spec.time_weight;
-  for (int k = 0; k < ease; ++k) request.time_weight = larger(kMinTimeWeight, request.time_weight / kEase);
   planner->begin(route.grid(), request);
   job = Job::kPlan;
 }
@@ -163,36 +159,26 @@ Progress FlightState::run_plan(Work& work) noexcept {
 /// The rest of the plan that is flown wins unless the new one leads elsewhere or arrives earlier.
 void FlightState::choose_draft(bool planned) noexcept {
   extends = false;
-  const bool composed = planned && compose();
+  if (planned) compose();
   if (keeps) {
     const double rest = duration(now.wished) - seconds_between(now.begin, takeover);
-    const bool better = composed && (!same(aim, now.aim) || duration(draft.wished) < rest - kEarlier);
+    const bool better = planned && (!same(aim, now.aim) || duration(draft.wished) < rest - kEarlier);
     extends = !better;
   }
   if (extends) draft = now;
-  if (!extends && !composed) return fail();
+  if (!extends && !planned) return fail();
   job = Job::kWait;
 }
 
-/// The planner's trajectory behind the segment that takes the jerk to zero. False where there is no room for that.
-bool FlightState::compose() noexcept {
-  if (plan.count == kMaxSegments) return false;
-  Trajectory& wished = draft.wished;
-  wished.origin = plan.origin;
-  wished.count = 0;
-  JointState from = start;
-  from.d[0] = start.d[0] - plan.origin;
-  JointState to = settled(start, settle);
-  to.d[0] = kZero;
-  append_between(from, to, settle, wished);
-  for (int i = 0; i < plan.count; ++i) wished.segments[wished.count++] = plan.segments[i];
+/// The planner's trajectory, as a draft.
+void FlightState::compose() noexcept {
+  draft.wished = plan;
   draft.begin = takeover;
   draft.branch = 0.0;
   draft.aim = aim;
   draft.to_goal = aims_at_goal;
   draft.beside_goal = beside_goal;
   draft.goal = goal_number;
-  return true;
 }
 
 }  // namespace tern

@@ -33,7 +33,7 @@ bool FlightState::make_evasion() noexcept {
   draft.flown.count = 0;
   draft.flown.origin = evaluate(course.flown, seconds_between(course.begin, takeover)).position;
   const JointState at = joint_at(course.flown, seconds_between(course.begin, takeover), draft.flown.origin);
-  if (!append_stop(at, limits, spec.jerk, branch, draft.flown)) return false;
+  if (!append_stop(at, limits, branch, stop, draft.flown)) return false;
   draft.wished = draft.flown;
   draft.aim = draft.flown.origin + draft.flown.segments[draft.flown.count - 1].points[kDegree];
   return true;
@@ -43,8 +43,7 @@ bool FlightState::make_evasion() noexcept {
 void FlightState::next_evasion() noexcept {
   while (++branch < kStops) {
     if (!make_evasion()) continue;
-    if (proof.begin(map.safe(), draft.flown, 0.0, &spec.limits, Beyond::kSolid, jerk_limit()) == Status::kRunning)
-      return;
+    if (proof.begin(map.safe(), draft.flown, 0.0, &spec.limits, Beyond::kSolid) == Status::kRunning) return;
   }
   end_evade();
 }

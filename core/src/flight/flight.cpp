@@ -9,6 +9,7 @@
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
@@ -31,34 +32,6 @@ bool spec_fits(const FlightSpec& spec) {
          spec.yaw_rate >= 1e-3;
 }
 
-bool limit_fits(const Vec3& most, const Vec3& least) {
-  for (int a = 0; a < 3; ++a) {
-    if (!(axis(most, a) >= kMinLimit && axis(most, a) <= kMaxLimit)) return false;
-    if (!(axis(least, a) <= 0.0 && axis(least, a) >= -kMaxLimit)) return false;
-    if (axis(least, a) < 0.0 && axis(least, a) > -kMinLimit) return false;
-  }
-  return true;
-}
-
-bool jerk_fits(const Vec3& jerk) {
-  if (same(jerk, kZero)) return true;
-  for (int a = 0; a < 3; ++a) {
-    if (!(axis(jerk, a) >= kMinLimit && axis(jerk, a) <= kMaxJerk)) return false;
-  }
-  return true;
-}
-
-bool norm_fits(double limit) {
-  return same(limit, 0.0) || (limit >= kMinLimit && limit <= kMaxLimit);
-}
-
-bool limits_fit(const FlightSpec& spec) {
-  const Limits& limits = spec.limits;
-  return limit_fits(limits.v_max, limits.v_min) && limit_fits(limits.a_max, limits.a_min) &&
-         norm_fits(limits.v_horizontal) && norm_fits(limits.a_horizontal) && spec.time_weight >= kMinTimeWeight &&
-         spec.time_weight <= kMaxTimeWeight && jerk_fits(spec.jerk);
-}
-
 /// One segment that stays at a point.
 void hover(const Vec3& position, std::int64_t t, Course& course) {
   course.begin = t;
@@ -72,7 +45,7 @@ void hover(const Vec3& position, std::int64_t t, Course& course) {
 }  // namespace
 
 FlightSpec flight_spec(const Limits& limits) noexcept {
-  return {limits, limits.j_max, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
+  return {limits, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
 }
 
 size_t flight_words(const Voxel& dims) noexcept {
@@ -85,7 +58,9 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   state_ = nullptr;
   if (!finite(position)) return Status::kNonFiniteInput;
   if (!spec_fits(spec) || !map.bound() || map.busy() || words == nullptr) return Status::kInvalidArgument;
-  if (!limits_fit(spec)) return Status::kLimitsInvalid;
+  const Verdict limits = validate_limits(spec.limits);
+  if (limits.status != Status::kOk) return limits.status;
+  if (!valid_time_weight(spec.time_weight)) return Status::kLimitsInvalid;
   const GridSpec& window = map.safe().spec();
   if (!(window.radius > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
   FlightState* const state = new (words) FlightState{};

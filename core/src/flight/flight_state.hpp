@@ -12,6 +12,7 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "curve/hermite.hpp"
+#include "curve/stopping.hpp"
 #include "flight/route_copy.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
@@ -29,11 +30,6 @@ constexpr int kDirections = 8;
 /// Voxels that an aim keeps from the window's faces, besides the radius; and by which one must be nearer to the goal to
 /// count as nearer.
 constexpr double kAimVoxels = 2.0;
-/// A weight on time that makes plans jerk too much is divided by this, at most so many times; and plans without too
-/// much jerk after which a larger weight is tried again.
-constexpr double kEase = 4.0;
-constexpr int kMostEase = 5;
-constexpr int kSmoothPlans = 8;
 /// New plans that may be committed without coming nearer to the goal than before.
 constexpr int kFruitless = 300;
 
@@ -89,8 +85,8 @@ class FlightState {
   Proof proof;
   Course draft;      ///< the plan at hand
   Trajectory plan;   ///< of the planner
+  Stopping stop;     ///< the brake that was tried last
   JointState start;  ///< at the takeover, world frame
-  double settle;     ///< seconds until the start's jerk is zero; there the planner begins
   Vec3 aim;
   bool aims_at_goal;
   bool moved_aim;     ///< the nearest free point took the aim's place,
@@ -113,8 +109,6 @@ class FlightState {
   double contact_speed;  ///< m/s, along what was flown when the threat was found
 
   // At rest.
-  int ease;          ///< times that the weight on time is divided by kEase
-  int smooth_plans;  ///< since it changed
   int idle_cycles;
   int fruitless;   ///< new plans since the vehicle was nearest to the goal
   double nearest;  ///< metres to the goal; negative: not known yet
@@ -160,13 +154,11 @@ class FlightState {
   bool move_aim(const Report& found) noexcept;
   Progress run_plan(Work& work) noexcept;
   void choose_draft(bool planned) noexcept;
-  bool compose() noexcept;
+  void compose() noexcept;
   Progress prove(Work& work) noexcept;
 
   // prove_draft.cpp: what of it is flown
   double start_of_proof() const noexcept;
-  const Vec3* jerk_limit() const noexcept { return spec.jerk.x > 0.0 ? &spec.jerk : nullptr; }
-  void note_jerk() noexcept;
   Progress run_wait() noexcept;
   Progress run_reach(Work& work) noexcept;
   double earliest_branch() const noexcept;

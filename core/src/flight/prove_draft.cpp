@@ -18,8 +18,7 @@ constexpr int kWays[kBranchShapes] = {0, 2, 4};
 /// not.
 Progress FlightState::run_wait() noexcept {
   if (!map.safe().bound()) return Progress::kMore;
-  const Status begun =
-      proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid, jerk_limit());
+  const Status begun = proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid);
   job = Job::kReach;
   if (begun != Status::kRunning) give_up();
   return Progress::kDone;
@@ -32,7 +31,6 @@ double FlightState::start_of_proof() const noexcept {
 Progress FlightState::run_reach(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   reached = proof.report().until;
-  note_jerk();
   look_at = evaluate(draft.wished, reached).position;
   if (proof.report().end == ProofEnd::kProven) {
     draft.flown = draft.wished;
@@ -48,17 +46,6 @@ Progress FlightState::run_reach(Work& work) noexcept {
   job = Job::kBranch;
   next_branch();
   return Progress::kDone;
-}
-
-/// Where plans jerk too much, the next ones are asked for with smaller weights on time, which are smoother.
-void FlightState::note_jerk() noexcept {
-  if (proof.report().end == ProofEnd::kJerk && ease < kMostEase) {
-    ++ease;
-    smooth_plans = 0;
-  } else if (++smooth_plans >= kSmoothPlans && ease > 0) {
-    --ease;
-    smooth_plans = 0;
-  }
 }
 
 /// A branch that is no later than the one that is flown already would change nothing; from rest it must lead somewhere.
@@ -82,9 +69,9 @@ bool FlightState::make_branch() noexcept {
   draft.branch = at;
   take_first_part(draft.wished, at, draft.flown);
   const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
-  if (!append_stop(joint, limits, spec.jerk, kWays[branch % kBranchShapes], draft.flown)) return false;
+  if (!append_stop(joint, limits, kWays[branch % kBranchShapes], stop, draft.flown)) return false;
   if (!leads_on()) return false;
-  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid, jerk_limit()) == Status::kRunning;
+  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
 }
 
 void FlightState::next_branch() noexcept {
@@ -101,7 +88,7 @@ Progress FlightState::run_branch(Work& work) noexcept {
     return Progress::kDone;
   }
   job = Job::kConfirm;
-  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid, jerk_limit());
+  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
   return Progress::kDone;
 }
 

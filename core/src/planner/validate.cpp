@@ -13,31 +13,39 @@ namespace {
 /// the check (kCheckRelative) plus the rounding of its evaluation.
 constexpr double kLimitSlack = 4e-8;
 
+Verdict check_finite(const Limits& limits) {
+  const struct {
+    const Vec3& value;
+    Field field;
+  } fields[] = {{limits.v_max, Field::kVMax},
+                {limits.a_max, Field::kAMax},
+                {limits.v_min, Field::kVMin},
+                {limits.a_min, Field::kAMin},
+                {limits.j_max, Field::kJMax}};
+  for (const auto& entry : fields) {
+    if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
+  }
+  if (!finite(limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
+  if (!finite(limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
+  if (!finite(limits.j_horizontal)) return {Status::kNonFiniteInput, Field::kJHorizontal};
+  return kAccepted;
+}
+
 Verdict check_finite(const Request& request) {
   const struct {
     const Vec3& value;
     Field field;
   } fields[] = {
-      {request.start.position, Field::kStartPosition},
-      {request.start.velocity, Field::kStartVelocity},
-      {request.start.acceleration, Field::kStartAcceleration},
-      {request.start.jerk, Field::kStartJerk},
-      {request.goal.position, Field::kGoalPosition},
-      {request.goal.velocity, Field::kGoalVelocity},
-      {request.goal.acceleration, Field::kGoalAcceleration},
-      {request.goal.jerk, Field::kGoalJerk},
-      {request.limits.v_max, Field::kVMax},
-      {request.limits.a_max, Field::kAMax},
-      {request.limits.v_min, Field::kVMin},
-      {request.limits.a_min, Field::kAMin},
-      {request.limits.j_max, Field::kJMax},
+      {request.start.position, Field::kStartPosition},         {request.start.velocity, Field::kStartVelocity},
+      {request.start.acceleration, Field::kStartAcceleration}, {request.start.jerk, Field::kStartJerk},
+      {request.goal.position, Field::kGoalPosition},           {request.goal.velocity, Field::kGoalVelocity},
+      {request.goal.acceleration, Field::kGoalAcceleration},   {request.goal.jerk, Field::kGoalJerk},
   };
   for (const auto& entry : fields) {
     if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
   }
-  if (!finite(request.limits.v_horizontal)) return {Status::kNonFiniteInput, Field::kVHorizontal};
-  if (!finite(request.limits.a_horizontal)) return {Status::kNonFiniteInput, Field::kAHorizontal};
-  if (!finite(request.limits.j_horizontal)) return {Status::kNonFiniteInput, Field::kJHorizontal};
+  const Verdict limits = check_finite(request.limits);
+  if (limits.status != Status::kOk) return limits;
   if (!finite(request.time_weight)) return {Status::kNonFiniteInput, Field::kTimeWeight};
   if (request.previous != nullptr && !finite(request.previous_time)) return {Status::kNonFiniteInput, Field::kPrevious};
   return kAccepted;
@@ -149,15 +157,22 @@ bool in_map(const Grid& grid, const Vec3& world) {
 
 }  // namespace
 
+bool valid_time_weight(double weight) noexcept {
+  return weight >= kMinTimeWeight && weight <= kMaxTimeWeight;
+}
+
+Verdict validate_limits(const Limits& limits) noexcept {
+  const Verdict numbers = check_finite(limits);
+  return numbers.status != Status::kOk ? numbers : check_limits(limits);
+}
+
 Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept {
   const Verdict numbers = check_finite(request);
   if (numbers.status != Status::kOk) return numbers;
   const Verdict ranges = check_limits(request.limits);
   if (ranges.status != Status::kOk) return ranges;
   limits = MotionLimits(request.limits);
-  if (request.time_weight < kMinTimeWeight || request.time_weight > kMaxTimeWeight) {
-    return {Status::kLimitsInvalid, Field::kTimeWeight};
-  }
+  if (!valid_time_weight(request.time_weight)) return {Status::kLimitsInvalid, Field::kTimeWeight};
   if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
   if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
   if (!known(request.goal_mode)) return {Status::kInvalidArgument, Field::kGoalMode};

@@ -14,6 +14,10 @@ namespace tern {
 /// request is accepted, `limits` receives its limits in the form that the stages use.
 Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept;
 
+/// The part of it that is about limits.
+Verdict validate_limits(const Limits& limits) noexcept;
+bool valid_time_weight(double weight) noexcept;
+
 /// The request in the grid's local frame. Positions that are outside the boundary only by rounding are moved onto it.
 Request to_local(const Grid& grid, const Request& request) noexcept;
 

@@ -77,8 +77,8 @@ constexpr Voxel kNoVoxel{-1, -1, -1};
 
 }  // namespace
 
-Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
-                    const Vec3* jerk) noexcept {
+Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                    Beyond beyond) noexcept {
   running_ = false;
   report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0};
   if (!grid.bound() || !(grid.spec().radius > 0.0)) return Status::kInvalidArgument;
@@ -88,8 +88,6 @@ Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from,
   beyond_ = beyond;
   has_limits_ = limits != nullptr;
   if (has_limits_) limits_ = *limits;
-  has_jerk_ = jerk != nullptr;
-  if (has_jerk_) jerk_ = *jerk;
   segment_ = 0;
   begin_ = 0.0;
   while (segment_ + 1 < trajectory.count && report_.until >= begin_ + trajectory.segments[segment_].duration) {
@@ -155,7 +153,7 @@ bool Proof::keeps_clear(const Piece& piece, ProofEnd& end) noexcept {
 
 bool Proof::keeps_limit(const Piece& piece, int count) const noexcept {
   const double rounding = derivative_rounding(trajectory_->segments[segment_], part_);
-  if (part_ == kJerk) return hull_allowed(allowed_jerk(jerk_, rounding), piece.c, count);
+  if (part_ == kJerk) return hull_allowed(allowed_jerk(limits_, rounding), piece.c, count);
   const Allowed allowed =
       part_ == kVelocity ? allowed_velocity(limits_, rounding) : allowed_acceleration(limits_, rounding);
   return hull_allowed(allowed, piece.c, count);
@@ -203,7 +201,7 @@ void Proof::look_at_piece() noexcept {
 int Proof::part_after(int part) const noexcept {
   if (part == kPosition && has_limits_) return kVelocity;
   if (part == kVelocity) return kAcceleration;
-  return part != kJerk && has_jerk_ ? kJerk : kPosition;
+  return part == kAcceleration && limits_jerk(limits_) ? kJerk : kPosition;
 }
 
 /// Goes on with the next part, then with the next segment, unless the segment was lost somewhere.
@@ -242,8 +240,8 @@ double clear_until(const Grid& grid, const Trajectory& trajectory, double from, 
                    ProofReport* report) noexcept {
   Proof proof;
   const bool begun = proof.begin(grid, trajectory, from, limits, beyond) == Status::kRunning;
-  // Without a limit of jerk, a segment takes 3 * (kProofPieces + 1) pieces at most.
-  for (int i = 0; begun && i <= kMaxSegments && proof.step(4u * kProofPieces) == Status::kRunning; ++i) {
+  // A segment takes 4 * (kProofPieces + 1) pieces at most.
+  for (int i = 0; begun && i <= kMaxSegments && proof.step(5u * kProofPieces) == Status::kRunning; ++i) {
   }
   if (report != nullptr) *report = proof.report();
   return proof.report().until;

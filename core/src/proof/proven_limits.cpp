@@ -39,8 +39,18 @@ Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept {
   return widened(limits.a_min, limits.a_max, limits.a_horizontal, rounding);
 }
 
-Allowed allowed_jerk(const Vec3& most, double rounding) noexcept {
-  return widened(kZero, most, 0.0, rounding);
+Allowed allowed_jerk(const Limits& limits, double rounding) noexcept {
+  constexpr double kAny = 1e300;
+  Vec3 most = limits.j_max;
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(most, a) > 0.0)) axis(most, a) = kAny;
+  }
+  return widened(kZero, most, limits.j_horizontal, rounding);
+}
+
+bool limits_jerk(const Limits& limits) noexcept {
+  const Vec3& most = limits.j_max;
+  return most.x > 0.0 || most.y > 0.0 || most.z > 0.0 || limits.j_horizontal > 0.0;
 }
 
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept {

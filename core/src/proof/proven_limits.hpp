@@ -8,7 +8,7 @@
 
 namespace tern {
 
-/// What a velocity or an acceleration may be: a convex set.
+/// What a velocity, an acceleration or a jerk may be: a convex set.
 struct Allowed {
   Vec3 least;
   Vec3 most;
@@ -18,7 +18,10 @@ struct Allowed {
 /// With kProofExcess, and `rounding` on top.
 Allowed allowed_velocity(const Limits& limits, double rounding) noexcept;
 Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept;
-Allowed allowed_jerk(const Vec3& most, double rounding) noexcept;
+Allowed allowed_jerk(const Limits& limits, double rounding) noexcept;
+
+/// True where some jerk is not allowed.
+bool limits_jerk(const Limits& limits) noexcept;
 
 /// True where all points are allowed, and so their hull.
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept;

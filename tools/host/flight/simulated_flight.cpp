@@ -56,7 +56,7 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   limits.v_horizontal = s.v_max;
   limits.a_horizontal = s.a_max;
   tern::FlightSpec spec = tern::flight_spec(limits);
-  spec.jerk = {s.j_max, s.j_max, s.j_max};
+  spec.limits.j_max = {s.j_max, s.j_max, s.j_max};
   spec.tick = std::llround(1e9 / s.tick_hz);
   spec.work_per_tick = static_cast<std::uint32_t>(s.work_per_tick);
   spec.plan_work = 4 * spec.work_per_tick;
