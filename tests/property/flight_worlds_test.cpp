@@ -160,7 +160,7 @@ TEST(FlightWorlds, ThingsThatComeIntoTheWayAreBrakedFor) {
   flown.flight.set_goal({40.0, 0.0, 1.5});
   flown.fly(2.5);
   const Vec3 p = flown.position();
-  flown.scene.cylinders.push_back({p.x + 3.5, 0.0, 0.3, 5.0});
+  flown.scene.cylinders.push_back({p.x + 3.8, 0.0, 0.3, 5.0});
   bool threatened = false;
   for (int k = 0; k < 1500 && !testing::Test::HasFatalFailure(); ++k) {
     flown.tick();

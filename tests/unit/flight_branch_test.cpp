@@ -56,6 +56,29 @@ TEST(FlightBranch, FirstPartIsTheSameCurve) {
   EXPECT_EQ(duration(whole), duration(plan));
 }
 
+/// v = 1 + 2 t - t^2 along x with jerk -2: after 0.5 s the jerk has gone from -2 to 0 at a constant rate.
+TEST(FlightBranch, JerkFallsToZero) {
+  const JointState from{{kZero, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}};
+  const JointState to = settled(from, 0.5);
+  EXPECT_DOUBLE_EQ(to.d[2].x, 2.0 - 0.5);
+  EXPECT_DOUBLE_EQ(to.d[1].x, 1.0 + 1.0 - 2.0 * 0.25 / 3.0);
+  EXPECT_DOUBLE_EQ(to.d[0].x, 0.5 + 0.25 - 2.0 * 0.125 / 8.0);
+  EXPECT_DOUBLE_EQ(to.d[3].x, 0.0);
+  Trajectory plan{};
+  ASSERT_TRUE(append_between(from, to, 0.5, plan));
+  EXPECT_NEAR(evaluate(plan, 0.25).jerk.x, -1.0, 1e-11);
+  EXPECT_NEAR(evaluate(plan, 0.25).snap.x, 4.0, 1e-9);
+}
+
+TEST(FlightBranch, JerkFallsFasterNearALimit) {
+  JointState from{{kZero, kZero, {7.9, 0.0, 0.0}, {2.0, 0.0, 0.0}}};
+  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), kSettleTime);
+  from.d[3].x = 7.0;  // 0.05 s would take the acceleration to 8.075, 0.025 s to 7.9875
+  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), 0.5 * kSettleTime);
+  from.d[2].x = 8.5;
+  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), kSettleTime / 32.0);
+}
+
 TEST(FlightBranch, StopsJoinToJerkAndEndAtRest) {
   Stopping scratch;
   const Trajectory plan = moving_plan();
@@ -96,7 +119,7 @@ TEST(FlightBranch, StopsKeepALimitOfJerk) {
   expect_near(evaluate(part, duration(part) - 1e-10).velocity, kZero, 1e-8);
 }
 
-/// A plan that is full has no room for the brake.
+/// A plan that is full has no room for the segment that settles the jerk, or for the brake behind it.
 TEST(FlightBranch, FullPlansAreNotContinued) {
   Stopping scratch;
   const JointState moving{{kZero, {1.0, 0.0, 0.0}, kZero, {1.0, 0.0, 0.0}}};
@@ -105,9 +128,9 @@ TEST(FlightBranch, FullPlansAreNotContinued) {
   EXPECT_FALSE(append_between(moving, moving, 1.0, plan));
   EXPECT_FALSE(append_stop(moving, kLimits, 0, scratch, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
-  plan.count = kMaxSegments - kBrakeSegments + 1;
-  EXPECT_FALSE(append_stop(moving, kLimits, 0, scratch, plan));
   plan.count = kMaxSegments - kBrakeSegments;
+  EXPECT_FALSE(append_stop(moving, kLimits, 0, scratch, plan));
+  plan.count = kMaxSegments - kBrakeSegments - 1;
   EXPECT_TRUE(append_stop(moving, kLimits, 0, scratch, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
 }

@@ -7,6 +7,9 @@
 namespace tern {
 namespace {
 
+/// A stop need not settle a jerk that is only rounding, m/s^3.
+constexpr double kNoJerk = 1e-6;
+
 /// The first part of a segment, up to u in (0, 1): the left edge of de Casteljau's triangle.
 void shorten(double u, Segment& segment) {
   for (int level = 1; level <= kDegree; ++level) {
@@ -18,6 +21,26 @@ void shorten(double u, Segment& segment) {
 }
 
 }  // namespace
+
+JointState settled(const JointState& from, double time) noexcept {
+  const Vec3& p = from.d[0];
+  const Vec3& v = from.d[1];
+  const Vec3& a = from.d[2];
+  const Vec3& j = from.d[3];
+  const double square = time * time;
+  return JointState{{p + time * v + (0.5 * square) * a + (0.125 * square * time) * j, v + time * a + (square / 3.0) * j,
+                     a + (0.5 * time) * j, kZero}};
+}
+
+double settle_time(const JointState& from, const MotionLimits& limits) noexcept {
+  double time = kSettleTime;
+  for (int i = 0; i < kSettleHalvings; ++i) {
+    const JointState to = settled(from, time);
+    if (gauge(limits.velocity, to.d[1]) <= 1.0 && gauge(limits.acceleration, to.d[2]) <= 1.0) break;
+    time *= 0.5;
+  }
+  return time;
+}
 
 JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept {
   const Sample sample = evaluate(plan, t);
@@ -48,7 +71,13 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
 
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
                  Trajectory& out) noexcept {
-  if (!make_stopping({from.d[0], from.d[1], from.d[2], from.d[3]}, limits, kStops - 1 - way, scratch)) return false;
+  JointState now = from;
+  if (length(from.d[3]) > kNoJerk) {
+    const double time = settle_time(from, limits);
+    now = settled(from, time);
+    if (!append_between(from, now, time, out)) return false;
+  }
+  if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, kStops - 1 - way, scratch)) return false;
   if (scratch.count > kMaxSegments - out.count) return false;
   for (int i = 0; i < scratch.count; ++i) out.segments[out.count++] = scratch.segments[i];
   return true;

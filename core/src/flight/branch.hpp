@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pieces that committed plans are made of: the first part of a trajectory, and a brake in closed form. Every function
-// appends to a trajectory; positions are relative to its origin.
+// Pieces that committed plans are made of: the first part of a trajectory, a segment that takes the jerk to zero, and
+// a brake in closed form. Every function appends to a trajectory; positions are relative to its origin.
 #ifndef TERN_FLIGHT_BRANCH_HPP
 #define TERN_FLIGHT_BRANCH_HPP
 
@@ -14,6 +14,15 @@
 
 namespace tern {
 
+/// The longest time in which the jerk goes to zero, seconds, and how often it may be halved so that the limits hold.
+constexpr double kSettleTime = 0.05;
+constexpr int kSettleHalvings = 5;
+
+/// How long it takes from this state.
+double settle_time(const JointState& from, const MotionLimits& limits) noexcept;
+/// The state then: the jerk falls to zero at a constant rate.
+JointState settled(const JointState& from, double time) noexcept;
+
 /// Position to jerk of a trajectory, the position relative to `origin`.
 JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept;
 
@@ -23,8 +32,9 @@ bool append_between(const JointState& from, const JointState& to, double time, T
 /// `out` becomes the part of the plan before `t`, bit for bit but for its last segment. `t` > 0.
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept;
 
-/// Brakes straight ahead in way 0 .. kStops - 1, sharp ones first, going on with the state's jerk. False where there is
-/// no room, or where the limits do not hold. `scratch` would be large for the stack.
+/// Takes the jerk to zero, which is sharper than a brake that goes on with it, and brakes straight ahead in way 0 ..
+/// kStops - 1, sharp ones first. False where there is no room, or where the limits do not hold. `scratch` would be
+/// large for the stack.
 constexpr int kStops = kBrakeShapes;
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
                  Trajectory& out) noexcept;

@@ -13,15 +13,17 @@
 #include "base/work.hpp"
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
+#include "flight/branch.hpp"
 #include "flight/route_copy.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 
 namespace tern {
 
-/// Instants of a plan from which a brake is tried, and brakes from each, sharp ones first.
+/// Instants of a plan from which a brake is tried, and brakes from each, sharp ones first: those need the least room,
+/// and with limits on jerk the sharpest may be too sharp.
 constexpr int kBranches = 16;
-constexpr int kBranchShapes = 3;
+constexpr int kBranchShapes = kStops;
 /// Ticks that getting out of the way may take before it begins.
 constexpr int kEvadeTicks = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
@@ -95,6 +97,7 @@ class FlightState {
   bool extends;       ///< `draft` goes on along the plan that is flown
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
+  bool tries_branch;  ///< it is being proven
   double best_until;  ///< of the brakes tried
   int best_shape;
 
@@ -164,7 +167,7 @@ class FlightState {
   double earliest_branch() const noexcept;
   bool leads_on() const noexcept;
   bool make_branch() noexcept;
-  void next_branch() noexcept;
+  Progress next_branch(Work& work) noexcept;
   Progress run_branch(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
   void commit() noexcept;

@@ -7,12 +7,6 @@
 #include "flight/flight_state.hpp"
 
 namespace tern {
-namespace {
-
-/// Brakes tried from each branch: sharp ones need the least room.
-constexpr int kWays[kBranchShapes] = {0, 2, 4};
-
-}  // namespace
 
 /// From here on the map stands still. In the middle of a frame its words are true; in the middle of a slide they are
 /// not.
@@ -43,8 +37,8 @@ Progress FlightState::run_reach(Work& work) noexcept {
     return Progress::kDone;
   }
   branch = -1;
+  tries_branch = false;
   job = Job::kBranch;
-  next_branch();
   return Progress::kDone;
 }
 
@@ -69,24 +63,28 @@ bool FlightState::make_branch() noexcept {
   draft.branch = at;
   take_first_part(draft.wished, at, draft.flown);
   const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
-  if (!append_stop(joint, limits, kWays[branch % kBranchShapes], stop, draft.flown)) return false;
+  if (!append_stop(joint, limits, branch % kBranchShapes, stop, draft.flown)) return false;
   if (!leads_on()) return false;
   return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
 }
 
-void FlightState::next_branch() noexcept {
-  while (++branch < kBranches * kBranchShapes) {
-    if (make_branch()) return;
+/// The candidate after `branch`. A unit of work is one of them.
+Progress FlightState::next_branch(Work& work) noexcept {
+  if (branch + 1 == kBranches * kBranchShapes) {
+    fail();
+    return Progress::kDone;
   }
-  fail();
+  if (!work.take()) return Progress::kMore;
+  ++branch;
+  tries_branch = make_branch();
+  return Progress::kDone;
 }
 
 Progress FlightState::run_branch(Work& work) noexcept {
+  if (!tries_branch) return next_branch(work);
   if (prove(work) == Progress::kMore) return Progress::kMore;
-  if (proof.report().end != ProofEnd::kProven) {
-    next_branch();
-    return Progress::kDone;
-  }
+  tries_branch = false;
+  if (proof.report().end != ProofEnd::kProven) return Progress::kDone;
   job = Job::kConfirm;
   proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
   return Progress::kDone;
@@ -98,7 +96,6 @@ Progress FlightState::run_confirm(Work& work) noexcept {
     commit();
   } else {
     job = Job::kBranch;
-    next_branch();
   }
   return Progress::kDone;
 }
