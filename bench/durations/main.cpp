@@ -241,7 +241,7 @@ int main(int argc, char** argv) {
   bool replans_only = false;
   app.add_option("FILE", files, "Scenarios")->required()->check(CLI::ExistingFile);
   app.add_option("--csv", csv_path, "Write a row for each plan");
-  app.add_flag("--weights-only", weights_only, "Leave out the ladders of limits");
+  app.add_flag("--weights-only", weights_only, "Leave out replans and the ladders of limits");
   app.add_flag("--replans-only", replans_only, "Leave out the ladders");
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
@@ -251,12 +251,14 @@ int main(int argc, char** argv) {
   Bench bench(csv);
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& file : files) groups[group_of(file)].push_back(file);
+  if (!replans_only) {
+    for (const auto& [group, members] : groups) over_weights(bench, group, members);
+  }
+  if (weights_only) return 0;
   for (const auto& [group, members] : groups) {
     for (const double weight : {40.0, 1000.0}) over_replans(bench, group, members, weight);
   }
   if (replans_only) return 0;
-  for (const auto& [group, members] : groups) over_weights(bench, group, members);
-  if (weights_only) return 0;
   for (const double weight : {10.0, 40.0, 200.0, 1000.0}) over_limits_in_empty_space(bench, weight);
   for (const double weight : {40.0, 1000.0}) over_limits(bench, files, weight);
   return 0;

@@ -5,10 +5,11 @@
 marked. The table is that of tools/bench durations on bench/maps, its first ladder."""
 import csv
 import math
+import pathlib
 import sys
 
-WIDTH, HEIGHT = 760, 420
-LEFT, RIGHT, TOP, BOTTOM = 60, 90, 30, 50
+WIDTH, HEIGHT = 720, 560
+LEFT, RIGHT, TOP, BOTTOM = 60, 40, 30, 50
 COLOURS = ["#0b6e99", "#c4501b", "#3a7d34", "#7b4fa3", "#a3323a", "#5b5b5b"]
 
 
@@ -16,7 +17,7 @@ def plans_of(path):
     """{map: [(weight, snap, seconds)]} of the first ladder of weights, at the scenarios' own limits."""
     maps = {}
     for row in csv.DictReader(open(path)):
-        name, weight = row["case"], float(row["time_weight"])
+        name, weight = pathlib.Path(row["case"]).stem, float(row["time_weight"])
         plans = maps.setdefault(name, [])
         if any(known == weight for known, _, _ in plans):
             continue
@@ -67,13 +68,15 @@ class Page:
             title = f"{name}, weight {weight:g}: {seconds:.2f} s"
             self.lines.append(f'<circle cx="{self.x(snap):.1f}" cy="{self.y(seconds):.1f}" r="{radius}" '
                               f'fill="{colour}"><title>{title}</title></circle>')
-        _, snap, seconds = plans[-1]
-        self.text(self.x(snap) + 8, self.y(seconds) + 4, name, "start", colour)
+        _, snap, seconds = plans[0]
+        self.text(self.x(snap) - 8, self.y(seconds) + 4, name, "end", colour)
 
     def mark_weights(self, plans):
         for weight, snap, seconds in plans:
-            if weight in (10, 40, 200, 1000):
+            if weight in (10, 40, 200):
                 self.text(self.x(snap), self.y(seconds) - 9, f"{weight:g}")
+            elif weight == 1000:
+                self.text(self.x(snap) + 8, self.y(seconds) + 4, f"{weight:g}", "start")
 
     def write(self, path):
         head = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
