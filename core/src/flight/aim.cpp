@@ -19,7 +19,7 @@ constexpr double kHalfRoot = 0.70710678118654752;    // sqrt(1 / 2)
 
 /// How far a window's middle may be off the vehicle after it moved: a voxel, and along x half a word and the slack.
 Vec3 offset_after_move(const RollingMap& map) {
-  return map.safe().spec().cell * Vec3{kWordBits / 2 + map.slack() + 1.0, 1.0, 1.0};
+  return map.safe().spec().cell * Vec3{0.5 * kWordBits + map.slack() + 1.0, 1.0, 1.0};
 }
 
 /// How far a plan leads away from a point from `t` on, along an axis.
