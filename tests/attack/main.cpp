@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "attack/runner.hpp"
@@ -69,6 +70,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   options.cases = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(static_cast<double>(options.cases) * share));
+  std::error_code why;
+  if (!options.folder.empty() && !std::filesystem::is_directory(options.folder) &&
+      !std::filesystem::create_directories(options.folder, why)) {
+    std::fprintf(stderr, "tern_attack: %s cannot be made a folder for the state: %s\n", options.folder.c_str(),
+                 why.message().c_str());
+    return 2;
+  }
   // State is kept by whole blocks.
   constexpr std::uint64_t kBlock = tern_attack::kBlock;
   if (!options.folder.empty()) options.cases = (options.cases + kBlock - 1) / kBlock * kBlock;
