@@ -30,6 +30,11 @@ bool clear_of_pillar(const tern::Trajectory& plan) {
   return true;
 }
 
+/// Stands for the vehicle's own emergency stop.
+void brake(const tern::Sample& at) {
+  std::printf("braking at %.1f %.1f %.1f\n", at.position.x, at.position.y, at.position.z);
+}
+
 /// Flies `plan`, and what replaces it, to its end.
 void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::Trajectory& plan) {
   tern::Trajectory next;
@@ -41,7 +46,11 @@ void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::
     request.start = {at.position, at.velocity, at.acceleration, at.jerk};  // the new plan begins where this cycle ends
     request.previous = &plan;                                              // the fallback: the rest of this plan
     request.previous_time = t;
-    if (planner.plan(grid, request, next, report) != tern::Status::kOk) continue;
+    request.goal_mode = tern::GoalMode::kNearest;  // if the goal is cut off, fly as near to it as possible
+    if (planner.plan(grid, request, next, report) != tern::Status::kOk) {
+      if (tern::clear_until(grid, plan, t) < tern::duration(plan)) return brake(at);  // yours: something is in the way
+      continue;                                                                       // fly on along this plan
+    }
     plan = next;
     t = 0.0;
   }

@@ -9,7 +9,7 @@
 static tern::Workspace workspace;
 static std::uint64_t words[10409];
 
-/// Replaces `plan` by a new one that begins at time t of the old one. False: `plan` is as it was; go on flying it.
+/// Replaces `plan` by a new one that begins at time t of the old one. False: `plan` is as it was; see below.
 static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request& request, double t,
                    tern::Trajectory& plan) {
   const tern::Sample now = tern::evaluate(plan, t);

@@ -25,7 +25,7 @@ static int plan_once(tern_planner* planner, const tern_grid* grid, tern_request*
   return tern_plan(planner, grid, request, plan, &report) == 0;
 }
 
-/* Replaces `plan` by a new one that begins at time t of the old one. 0: `plan` is as it was; go on flying it. */
+/* Replaces `plan` by a new one that begins at time t of the old one. 0: `plan` is as it was; see below. */
 static int replan(tern_planner* planner, const tern_grid* grid, tern_request* request, double t,
                   tern_trajectory* plan) {
   tern_report report;

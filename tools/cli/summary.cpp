@@ -83,11 +83,14 @@ std::string peaks_line(const char* name, const tern_host::PeakRange& peaks, cons
 std::string trajectory_lines(const PlanResult& result) {
   const tern::Limits& limits = result.scenario.limits;
   const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
+  const tern_host::LimitRange jerk = tern_host::jerk_range(limits);
+  const std::string jerk_line =
+      tern_host::limits_jerk(limits) ? peaks_line("jerk", figures.j_range, jerk, "m/s^3", figures.j_use) : "";
   return "  trajectory  " + fixed(figures.length, 3) + " m in " + fixed(figures.duration, 3) + " s, " +
          std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
          peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
          peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
-         clearance_line(figures.clearance, result.scenario.fences.size());
+         jerk_line + clearance_line(figures.clearance, result.scenario.fences.size());
 }
 
 struct Column {

@@ -70,6 +70,7 @@ Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
   const int samples = static_cast<int>(std::max(1.0, std::min(wanted, kMaxSamples)));
   const LimitRange velocity = velocity_range(scenario.limits);
   const LimitRange acceleration = acceleration_range(scenario.limits);
+  const LimitRange jerk = jerk_range(scenario.limits);
   Vec3 last = tern::evaluate(trajectory, 0.0).position;
   // A distance shrinks by no more than the way flown: until then no sample is closer than the closest so far.
   double look_again = 0.0;
@@ -81,10 +82,12 @@ Figures measure(const tern::Trajectory& trajectory, const Scenario& scenario) {
     raise(figures.a_peak, sample.acceleration);
     widen(figures.v_range, sample.velocity);
     widen(figures.a_range, sample.acceleration);
+    widen(figures.j_range, sample.jerk);
     figures.speed = std::max(figures.speed, norm(sample.velocity));
     figures.acceleration = std::max(figures.acceleration, norm(sample.acceleration));
     figures.v_use = std::max(figures.v_use, use(sample.velocity, velocity));
     figures.a_use = std::max(figures.a_use, use(sample.acceleration, acceleration));
+    figures.j_use = std::max(figures.j_use, use(sample.jerk, jerk));
     if (figures.length < look_again) continue;
     const double distance = distance_to_blocks(sample.position, scenario);
     figures.clearance = std::min(figures.clearance, distance);

@@ -27,8 +27,10 @@ struct Figures {
   tern::Vec3 a_peak{};        ///< highest |a| an axis, m/s^2
   PeakRange v_range;          ///< m/s
   PeakRange a_range;          ///< m/s^2
+  PeakRange j_range;          ///< m/s^3
   double v_use = 0.0;         ///< highest part of a velocity limit that is used, 1 where it is reached
   double a_use = 0.0;         ///< likewise of an acceleration limit
+  double j_use = 0.0;         ///< and of a jerk limit
   double clearance = 0.0;     ///< smallest distance to a block as written in the scenario, m; infinite with none
 };
 

@@ -3,6 +3,7 @@
 #include "host/peaks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/number.hpp"
 
@@ -10,12 +11,12 @@ namespace tern_host {
 namespace {
 
 std::string beside(double peak, double limit, int decimals) {
-  return fixed(peak, decimals) + " of " + fixed(limit, decimals);
+  return fixed(peak, decimals) + (std::isfinite(limit) ? " of " + fixed(limit, decimals) : " (no limit)");
 }
 
 /// One figure where both directions share a limit, else one for each.
 std::string axis_text(double least, double most, double lower, double upper, int decimals) {
-  const bool symmetric = fixed(-lower, decimals) == fixed(upper, decimals);
+  const bool symmetric = !std::isfinite(upper) || fixed(-lower, decimals) == fixed(upper, decimals);
   if (symmetric) return beside(std::max(most, -least), upper, decimals);
   return beside(most, upper, decimals) + ", " + beside(least, lower, decimals);
 }

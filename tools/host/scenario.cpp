@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario.hpp"
 
+#include <limits>
+
 #include "host/map/map_files.hpp"
 #include "host/scenario_records.hpp"
 
@@ -28,6 +30,15 @@ LimitRange velocity_range(const tern::Limits& limits) {
 
 LimitRange acceleration_range(const tern::Limits& limits) {
   return range(limits.a_max, limits.a_min, limits.a_horizontal);
+}
+
+LimitRange jerk_range(const tern::Limits& limits) {
+  const auto given = [](double most) { return most > 0.0 ? most : std::numeric_limits<double>::infinity(); };
+  return range({given(limits.j_max.x), given(limits.j_max.y), given(limits.j_max.z)}, {}, limits.j_horizontal);
+}
+
+bool limits_jerk(const tern::Limits& limits) {
+  return limits.j_max.x > 0.0 || limits.j_max.y > 0.0 || limits.j_max.z > 0.0 || limits.j_horizontal > 0.0;
 }
 
 Scenario parse_scenario(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {

@@ -78,6 +78,9 @@ struct LimitRange {
 };
 LimitRange velocity_range(const tern::Limits& limits);
 LimitRange acceleration_range(const tern::Limits& limits);
+/// Infinite where an axis has no limit.
+LimitRange jerk_range(const tern::Limits& limits);
+bool limits_jerk(const tern::Limits& limits);
 
 /// Parses a whole scenario. `overrides` are "key=value" with the value's numbers separated by commas or blanks; they
 /// replace records of the text, or stand for missing ones. Map files are not read. Throws ScenarioError.

@@ -57,7 +57,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kRunning: return "the plan has work left: call step() again";
     case Status::kNonFiniteInput: return "a field is NaN or infinite";
     case Status::kInvalidArgument: return "a null, zero or oversized argument, or a call out of order";
-    case Status::kLimitsInvalid: return "a limit has the wrong sign or a size outside 0.001 to 1000, or the time weight is outside 0.001 to 1e6";
+    case Status::kLimitsInvalid: return "a limit has the wrong sign or a size outside 0.001 to 1000 (jerk: to 1e6), or the time weight is outside 0.001 to 1e6";
     case Status::kOutOfMap: return "start or goal lies outside the boundary";
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
     case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
