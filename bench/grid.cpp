@@ -57,7 +57,7 @@ class World {
 };
 
 GridSpec box_spec(tern::Voxel dims, double cell, double radius) {
-  return {{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {dims.x * cell, dims.y * cell, dims.z * cell}}, radius};
+  return {{0.0, 0.0, 0.0}, cell, dims, {{0.0, 0.0, 0.0}, {dims.x * cell, dims.y * cell, dims.z * cell}}, radius, 0.0};
 }
 
 /// Cuboids of 1 to 2 m from the floor up until they fill that part of the ground.

@@ -6,6 +6,7 @@
 // runs it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +26,9 @@ const double kLengths[] = {0.1, 0.3, 1, 3, 10, 30, 100};
 const double kSpeeds[] = {0.5, 1, 2, 3, 5, 7, 10, 14, 20};
 const double kAccelerations[] = {0.5, 1, 2, 4, 8, 16};
 const double kFactors[] = {1, 1.25, 1.5, 2, 3, 5};
+const double kLegs[] = {0.1, 0.3, 1, 2, 4, 6, 7.5, 8, 9, 10, 12, 14, 16, 18, 20, 25, 30, 40, 60, 100};
+const double kLegSpeeds[] = {1, 2, 3, 5, 10, 20};
+const double kLegAccelerations[] = {1, 2, 4, 10};
 
 /// A flight that is longer by more than this part is a slower one.
 constexpr double kSlower = 1e-3;
@@ -137,6 +141,29 @@ void set_limits(tern_host::Scenario& scenario, double v, double a) {
   scenario.limits = {{v, v, v}, {a, a, a}};
 }
 
+/// A trapezoidal profile's seconds: the least that a vehicle without a limit on jerk takes.
+double least_seconds(double length, double v, double a) {
+  return length * a < v * v ? 2.0 * std::sqrt(length / a) : length / v + v / a;
+}
+
+void over_least_time(Bench& bench, double weight) {
+  std::printf("empty space, weight %g: duration over the trapezoid's\n", weight);
+  for (const double length : kLegs) {
+    tern_host::Scenario scenario = empty_space(length);
+    scenario.time_weight = weight;
+    Tally tally;
+    std::vector<double> ratio;
+    for (const double a : kLegAccelerations) {
+      for (const double v : kLegSpeeds) {
+        set_limits(scenario, v, a);
+        ratio.push_back(bench.fly(scenario, &tally) / least_seconds(length, v, a));
+      }
+    }
+    std::printf("  %5g m: %.3f median, %.3f worst; iterations %.0f median, %.0f worst\n", length, quantile(ratio, 0.5),
+                quantile(ratio, 1.0), quantile(tally.iterations, 0.5), quantile(tally.iterations, 1.0));
+  }
+}
+
 void over_limits_in_empty_space(Bench& bench, double weight) {
   Ladder speeds, accelerations;
   for (const double length : kLengths) {
@@ -239,10 +266,12 @@ int main(int argc, char** argv) {
   std::string csv_path;
   bool weights_only = false;
   bool replans_only = false;
+  bool legs_only = false;
   app.add_option("FILE", files, "Scenarios")->required()->check(CLI::ExistingFile);
   app.add_option("--csv", csv_path, "Write a row for each plan");
   app.add_flag("--weights-only", weights_only, "Leave out replans and the ladders of limits");
   app.add_flag("--replans-only", replans_only, "Leave out the ladders");
+  app.add_flag("--legs-only", legs_only, "Straight legs in empty space over their least time, and nothing else");
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
   if (!csv_path.empty()) csv.open(csv_path);
@@ -251,14 +280,18 @@ int main(int argc, char** argv) {
   Bench bench(csv);
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& file : files) groups[group_of(file)].push_back(file);
-  if (!replans_only) {
+  if (!replans_only && !legs_only) {
     for (const auto& [group, members] : groups) over_weights(bench, group, members);
   }
   if (weights_only) return 0;
-  for (const auto& [group, members] : groups) {
-    for (const double weight : {40.0, 1000.0}) over_replans(bench, group, members, weight);
+  if (!legs_only) {
+    for (const auto& [group, members] : groups) {
+      for (const double weight : {40.0, 1000.0}) over_replans(bench, group, members, weight);
+    }
   }
   if (replans_only) return 0;
+  for (const double weight : {40.0, 1000.0}) over_least_time(bench, weight);
+  if (legs_only) return 0;
   for (const double weight : {10.0, 40.0, 200.0, 1000.0}) over_limits_in_empty_space(bench, weight);
   for (const double weight : {40.0, 1000.0}) over_limits(bench, files, weight);
   return 0;

@@ -14,6 +14,7 @@
 #include "host/atomic_file.hpp"
 #include "host/scenario.hpp"
 #include "search/contest.hpp"
+#include "search/families.hpp"
 #include "search/report.hpp"
 
 namespace {
@@ -101,6 +102,23 @@ void run_monte_carlo(Run& run) {
   }
 }
 
+/// Settings are chosen on seeds 1 to 12 and judged on others: 101 to 112.
+void run_families(Run& run) {
+  const std::uint64_t worlds = run.options().quick ? 3 : 12;
+  for (int family = 0; family < tern_bench::kFamilies; ++family) {
+    for (int radius = 0; radius <= 5; ++radius) {
+      const auto of = static_cast<tern_bench::Family>(family);
+      run.set(std::string("family ") + family_name(of) + " " + std::to_string(radius), 3, [&](Contest& contest) {
+        for (std::uint64_t seed = 101; seed < 101 + worlds; ++seed) {
+          World world;
+          const Query query = tern_bench::build(of, radius, seed, world);
+          contest.add(world, {query});
+        }
+      });
+    }
+  }
+}
+
 /// Scenario files of a folder whose names begin with a prefix, in order.
 std::vector<std::string> files_of(const std::string& folder, const std::string& prefix) {
   std::vector<std::string> files;
@@ -151,6 +169,7 @@ int run_all(const Options& options) {
   run_maps(run);
   run_monte_carlo(run);
   run_forests(run);
+  run_families(run);
   run_voxel_benchmark(run);
   if (!options.csv.empty()) tern_host::write_file(options.csv, run.csv());
   if (run.wrong() > 0) std::fprintf(stderr, "%d queries with another cost than A*\n", run.wrong());

@@ -22,7 +22,7 @@ def search(stage, arguments):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--rounds", type=int, default=300)
+    parser.add_argument("--rounds", type=int, default=1000)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("image")
     parser.add_argument("emulator", nargs="+")

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The timing gate's image: plans every case of the corpus in one call, then again one unit of work at a time, and
-// prints as CSV what each stage and the longest unit counted. Lines that begin with # are notes. What the figures mean
-// and leave out is in docs/timing.md.
+// prints as CSV what each stage and the longest unit counted; then yaw plans, the jobs of rolling maps, and the
+// longest ticks of flights. Lines that begin with # are notes. What the figures mean and leave out is in
+// docs/timing.md.
 #include <cstdint>
 
 #include "baremetal-aarch64/counters.hpp"
 #include "baremetal/board.hpp"
+#include "golden/flight_run.hpp"
+#include "golden/flight_ticks.hpp"
 #include "tern_port/port.hpp"
 #include "timing/case_grid.hpp"
+#include "timing/map_rows.hpp"
+#include "timing/yaw_rows.hpp"
 
 namespace {
 
@@ -19,7 +24,9 @@ using tern_timing::Case;
 /// Grids up to 16 M voxels.
 constexpr std::size_t kGridWords = 2 * 16 * 1024 * 1024 / 64;
 
-TERN_BOARD_LARGE tern::Workspace workspace;
+/// The flights use its workspace for the cases, too.
+TERN_BOARD_LARGE tern_golden::FlightMemory<120000, 48000> flight_memory;
+tern::Workspace& workspace = flight_memory.workspace;
 TERN_BOARD_LARGE std::uint64_t words[kGridWords];
 tern::Trajectory trajectory;
 
@@ -98,6 +105,26 @@ void report_case(const Case& input, tern::Status status, const tern::Report& rep
   row(input, "trajectory unit", cost.trajectory_unit, 1, 1);
 }
 
+/// Flies once, and prints the longest tick of each kind. Where no tick was of a kind, there is no row.
+bool fly(const char* name, const tern_golden::FlightSetting& setting) {
+  static tern_golden::PillarCamera camera;
+  camera = tern_golden::PillarCamera{};
+  tern_golden::TickCosts costs;
+  const auto see = [&costs](const tern::FlightReport& before, const tern::FlightReport& report, std::uint64_t count) {
+    costs.add(before, report, count);
+  };
+  const tern_golden::FlightTotals totals =
+      tern_golden::fly(setting, flight_memory, camera, camera.world, tern_board::counter, see);
+  print("# ", name, ": ", tern::status_name(totals.started), ", ", totals.committed, " commits, at the goal in tick ",
+        totals.arrived, "\n");
+  for (int k = 0; k < tern_golden::kTickKinds; ++k) {
+    const tern_golden::TickCosts::Cost& cost = costs.most[k];
+    if (cost.count == 0) continue;
+    print(name, ",", tern_golden::kTickNames[k], ",", cost.count, ",", cost.work, ",", setting.work_per_tick, "\n");
+  }
+  return totals.arrived > 0;
+}
+
 /// Under -icount shift=0 a cycle is an instruction, and the cycle counter has 64 bits: where the two part, the
 /// instruction counter's overflow was missed and the figures are wrong.
 bool counters_agree() {
@@ -115,6 +142,7 @@ int main() {
   tern::Planner planner(&workspace, sizeof workspace);
   planner.set_clock(tern_port::ticks, nullptr);
   print("scenario,stage,count,work,bound\n");
+  static tern_timing::YawRows yaw_rows;
   bool all_planned = true;
   for (int i = 0; i < tern_timing::kCaseCount; ++i) {
     const Case& input = tern_timing::kCases[i];
@@ -122,7 +150,10 @@ int main() {
     Cost cost;
     const tern::Status status = run(input, planner, report, cost);
     report_case(input, status, report, cost);
-    all_planned = all_planned && status == tern::Status::kOk;
+    all_planned = all_planned && status == tern::Status::kOk && yaw_rows.add(trajectory);
   }
-  return all_planned && counters_agree() ? 0 : 1;
+  yaw_rows.print();
+  const bool all_mapped = tern_timing::print_map_rows();
+  const bool flown = fly("flight_mcu", tern_golden::kSmallFlight) && fly("flight", tern_golden::kFullFlight);
+  return all_planned && all_mapped && flown && counters_agree() ? 0 : 1;
 }

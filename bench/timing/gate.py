@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""gate.py --budgets TABLE [--update] [--results CSV] --caps IMAGE IMAGE EMULATOR...: runs the corpus' image and the
+"""gate.py --budgets TABLE [--update] [--results CSV] [--caps IMAGE] IMAGE EMULATOR...: runs the corpus' image and the
 caps' image twice each, wants both runs equal to the last digit, and compares every count with its budget. Fails above a
 budget, where a row has none, and where a cap row did not reach its capacity; warns below 70 % of a budget, so that
 budgets ratchet down. --update writes new budgets instead, 10 % above the counts."""
@@ -19,7 +19,9 @@ SLACK = 0.70
 SMALL = 10000
 STAGES = ["mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "detour",
           "previous", "escape", "plan"]
+TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
 UNITS = ["path unit", "corridor unit", "trajectory unit"]
+MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
 
 
 class Cap(typing.NamedTuple):
@@ -75,7 +77,7 @@ def read_budgets(path):
 
 def write_budgets(path, notes, counts):
     with path.open("w", newline="") as file:
-        file.write("# Instructions retired that each stage of each scenario may take; written by gate.py --update.\n")
+        file.write("# Counts (instructions retired, or cycles of SysTick) that each row may have; written by gate.py --update.\n")
         file.write(f"# {compiler_of(notes)}\n")
         file.write("scenario,stage,budget\n")
         for (scenario, stage), count in counts.items():
@@ -91,7 +93,9 @@ def print_table(rows, budgets, stages):
     """Thousands of instructions, a line a scenario; then per stage the worst, its part of its budget, its work and the
     bound on that. Stages that no scenario has are left out."""
     stages = [stage for stage in stages if any(stage == of for _, of in rows)]
-    names = list(dict.fromkeys(scenario for scenario, _ in rows))
+    names = list(dict.fromkeys(scenario for scenario, of in rows if of in stages))
+    if not names:
+        return
     width = max(len(name) for name in names + ["worst / budget"])
     column = max(12, 2 + max(len(stage) for stage in stages))
     show = lambda cells: "".join(f"{cell:>{column}}" for cell in cells)
@@ -168,6 +172,12 @@ def show(notes, rows, caps, budgets):
     print_table(rows, budgets, STAGES)
     print("and the longest single unit of work, which is the least that a slice can be")
     print_table(rows, budgets, UNITS)
+    print("jobs of rolling maps, and the longest unit")
+    print_table(rows, budgets, MAP_JOBS)
+    print("and the longest ticks of flights")
+    print_table(rows, budgets, TICKS)
+    if not caps:
+        return
     print("each loop at its configured bound")
     print_caps(caps)
     print("thousands of instructions at the bound, in the worst scenario, and their ratio")
@@ -179,15 +189,17 @@ def main():
     parser.add_argument("--budgets", type=pathlib.Path, required=True)
     parser.add_argument("--update", action="store_true")
     parser.add_argument("--results", type=pathlib.Path, help="where to keep the counts as CSV")
-    parser.add_argument("--caps", required=True, help="the image of the caps")
+    parser.add_argument("--caps", help="the image of the caps")
     parser.add_argument("image")
     parser.add_argument("emulator", nargs="+")
     arguments = parser.parse_args()
     began = time.monotonic()
-    outputs = [run_image(arguments.emulator + [image]) for image in (arguments.image, arguments.caps)]
+    images = [image for image in (arguments.image, arguments.caps) if image]
+    outputs = [run_image(arguments.emulator + [image]) for image in images]
     if None in outputs:
         return 1
-    (notes, rows), (_, cap_rows) = (parse(output) for output in outputs)
+    notes, rows = parse(outputs[0])
+    cap_rows = parse(outputs[1])[1] if arguments.caps else {}
     caps = {key: Cap(*row) for key, row in cap_rows.items()}
     counts = {key: row[0] for key, row in (rows | cap_rows).items()}
     if arguments.results:

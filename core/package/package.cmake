@@ -1,8 +1,8 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What `cmake --install` leaves: the archive, its headers and licence, and what find_package(tern) and pkg-config find it
-# by. Both give a user the definitions that the archive was compiled with.
+# What `cmake --install` leaves: the archive, the shared library where there is one, headers and licence, and what
+# find_package(tern) and pkg-config find them by. Both give a user the definitions that the archive was compiled with.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tern)
@@ -18,12 +18,19 @@ get_target_property(definitions tern INTERFACE_COMPILE_DEFINITIONS)
 list(TRANSFORM definitions PREPEND -D)
 list(JOIN definitions " " TERN_PC_DEFINITIONS)
 string(REPLACE "\"" "\\\"" TERN_PC_DEFINITIONS "${TERN_PC_DEFINITIONS}")
-configure_file(${CMAKE_CURRENT_LIST_DIR}/tern.pc.in ${CMAKE_CURRENT_BINARY_DIR}/tern.pc @ONLY)
+set(libraries tern)
+if(TARGET tern_shared)
+  list(APPEND libraries tern_shared)
+endif()
+foreach(TERN_PC_LIBRARY ${libraries})
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/tern.pc.in ${CMAKE_CURRENT_BINARY_DIR}/${TERN_PC_LIBRARY}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${TERN_PC_LIBRARY}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
 
-install(TARGETS tern EXPORT tern_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${libraries} EXPORT tern_targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/tern DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(EXPORT tern_targets FILE tern-targets.cmake NAMESPACE tern:: DESTINATION ${package_folder})
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/tern-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/tern-config-version.cmake
   DESTINATION ${package_folder})
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tern.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -22,7 +22,7 @@ static tern::Status plan_until(std::uint64_t deadline, tern::Planner& planner, c
 
 int main() {
   tern::Grid grid;
-  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25}, words, 10409);
+  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0}, words, 10409);
   grid.inflate();
   tern::Request request;
   request.start.position = {1, 1, 1};

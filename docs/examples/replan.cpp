@@ -60,7 +60,7 @@ void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::
 
 int main() {
   tern::Grid grid;
-  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3}, words, 9849);
+  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3, 0}, words, 9849);
   grid.inflate();
   tern::Request request;
   request.start.position = {1, 1, 1};

@@ -9,7 +9,7 @@
 static uint64_t words[10409]; /* tern_grid_words((tern_voxel){100, 64, 40}) */
 
 static int make_map(tern_grid* grid) {
-  const tern_grid_spec spec = {{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25};
+  const tern_grid_spec spec = {{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0};
   const tern_box wall = {{4, 0, 0}, {4.5, 4, 4}};
   return tern_grid_bind(grid, &spec, words, sizeof words / sizeof *words) == 0 &&
          tern_grid_mark_box(grid, &wall) == 0 && tern_grid_inflate(grid) == 0;

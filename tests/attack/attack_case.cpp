@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "attack/attack_case.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -60,6 +61,11 @@ void print_ask(const World& world, const Ask& ask) {
   std::printf("  v_horizontal %.17g a_horizontal %.17g j_horizontal %.17g weight %.17g budget %u %u %u %u\n",
               r.limits.v_horizontal, r.limits.a_horizontal, r.limits.j_horizontal, r.time_weight, r.budget.expansions,
               r.budget.sight_lines, r.budget.planes, r.budget.iterations);
+  for (const tern::Via& via : ask.vias) {
+    line("via", via.position);
+    std::printf("    tolerance %.17g%s\n", via.tolerance, via.stop ? " stop" : "");
+    if (via.has_velocity) line("  velocity", via.velocity);
+  }
   for (const tern::Fence& fence : ask.fences) {
     std::printf("  %s\n", fence.kind == tern::FenceKind::kKeepIn ? "keep-in" : "keep-out");
     for (int k = 0; k < fence.count; ++k) {
@@ -84,6 +90,7 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
   }
   if (status == Status::kOk) {
     check_plan(context.rng, world, ask.request, out, context.findings);
+    check_vias(world, ask.request, out, answer, context.findings);
   } else if (!spoiled(out)) {
     report(context.findings, "touched", "%s: the output changed with %s", what, tern::status_name(status));
   }
@@ -107,27 +114,30 @@ void check_layers(const World& world, const Map& map, Findings& findings) {
 
 namespace {
 
-double square_distance(const tern::Vec3& a, const tern::Vec3& b) {
-  const tern::Vec3 d{a.x - b.x, a.y - b.y, a.z - b.z};
-  return d.x * d.x + d.y * d.y + d.z * d.z;
+double distance(const tern::Vec3& a, const tern::Vec3& b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
 }
 
-/// No voxel that is connected to the start's is nearer to the goal than the point that is given out.
+/// No voxel that is connected to the start's is nearer to the goal than the point that is given out. Voxels at the same
+/// distance but for the rounding of world coordinates are a tie.
 void check_reachable(const World& world, const Map& map, const Ask& ask, const tern::Report& answer,
                      Findings& findings) {
   const tern::Grid& grid = world.grid;
   const tern::Vec3 goal = grid.to_local(ask.request.goal.position);
-  const tern::Vec3 point = grid.to_local(answer.reachable);
   const tern::Voxel home = grid.voxel_of(grid.to_local(ask.request.start.position));
-  const tern::Voxel there = grid.voxel_of(point);
+  const tern::Voxel there = grid.voxel_of(grid.to_local(answer.reachable));
   if (!grid.free(there)) return report(findings, "near", "its voxel is not free");
   if (!ask.fences.empty() || !grid.free(home)) return;
   const int own = map.component[static_cast<std::size_t>(world.index(home.x, home.y, home.z))];
-  const double found = square_distance(grid.center(there), goal);
+  const Real places = 4 * kUlp * (largest(point(world.spec.origin)) + largest(point(ask.request.goal.position)));
+  const double tie = 1e-9 * world.spec.cell + static_cast<double>(places);
+  const double found = distance(grid.center(there), goal);
   for (const int i : map.free) {
     if (own < 0 || map.component[static_cast<std::size_t>(i)] != own) continue;
-    if (square_distance(grid.center(world.voxel(i)), goal) >= found * (1.0 - 1e-9)) continue;
-    return report(findings, "near", "voxel %d is nearer", i);
+    if (distance(grid.center(world.voxel(i)), goal) >= found - tie) continue;
+    const tern::Voxel v = world.voxel(i);
+    return report(findings, "near", "(%d, %d, %d) is nearer than (%d, %d, %d)", v.x, v.y, v.z, there.x, there.y,
+                  there.z);
   }
 }
 
@@ -150,6 +160,18 @@ void go_near(Context& context, tern::Planner& planner, const World& world, const
   }
 }
 
+/// Part of the cases whose request is asked again with vias.
+constexpr double kMissions = 0.3;
+
+/// The same request through vias. `own`: what is left of the case draws nothing from it.
+void run_mission(Context& context, Rng& own, tern::Planner& planner, const World& world, const Map& map,
+                 const Ask& ask) {
+  Ask mission;
+  make_mission(own, world, map, ask, mission);
+  const Status status = ask_once(context, planner, world, map, mission, "mission");
+  if (own.chance(0.1)) compare_slices(context, world, mission, status);
+}
+
 void run_plans(Context& context) {
   World world;
   make_world(context.rng, context.family, world);
@@ -167,6 +189,8 @@ void run_plans(Context& context) {
   if (slices) compare_slices(context, world, ask, status);
   if (kept) compare_kept(context, planner, world, map, ask, status);
   if (again && status == Status::kOk) replan(context, planner, world, map, ask);
+  Rng own = side_stream(context.rng);
+  if (own.chance(kMissions)) run_mission(context, own, planner, world, map, ask);
   const bool missed = status == Status::kNoPath || status == Status::kGoalOccupied || status == Status::kGoalFenced;
   if (missed) go_near(context, planner, world, map, ask);
 }

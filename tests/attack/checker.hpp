@@ -47,6 +47,10 @@ void check_limits(const tern::Request& request, const tern::Trajectory& trajecto
 void check_joints(const tern::Trajectory& trajectory, Findings& findings);
 void check_ends(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
                 Findings& findings);
+/// The plan passes the vias when the report says, in order, as near as asked, and at rest or with the velocity asked
+/// for.
+void check_vias(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
+                const tern::Report& answer, Findings& findings);
 /// evaluate() and duration() against the control points, at `samples` times from `rng`.
 void check_evaluate(Rng& rng, const World& world, const tern::Trajectory& trajectory, int samples, Findings& findings);
 

@@ -81,11 +81,12 @@ Map map_of(const World& world) {
   return map;
 }
 
-bool must_connect(const World& world, const Map& map, const Ask& ask) {
-  const tern::Request& r = ask.request;
-  if (!in_boundary(world, r.start.position) || !in_boundary(world, r.goal.position)) return false;
-  const Point start = world.local(r.start.position);
-  const Point goal = world.local(r.goal.position);
+namespace {
+
+bool connects(const World& world, const Map& map, const Ask& ask, const tern::Vec3& from, const tern::Vec3& to) {
+  if (!in_boundary(world, from) || !in_boundary(world, to)) return false;
+  const Point start = world.local(from);
+  const Point goal = world.local(to);
   if (ask.fences.empty()) {
     return share_one(reachable(world, map.component, start), reachable(world, map.component, goal));
   }
@@ -94,12 +95,24 @@ bool must_connect(const World& world, const Map& map, const Ask& ask) {
   return number >= 0 && number == own_component(world, component, goal);
 }
 
+}  // namespace
+
+bool must_connect(const World& world, const Map& map, const Ask& ask) {
+  const tern::Vec3* from = &ask.request.start.position;
+  for (const tern::Via& via : ask.vias) {
+    if (!connects(world, map, ask, *from, via.position)) return false;
+    from = &via.position;
+  }
+  return connects(world, map, ask, *from, ask.request.goal.position);
+}
+
 bool has_room_to_stop(const World& world, const Ask& ask) {
   const tern::State& start = ask.request.start;
   const tern::Limits& l = ask.request.limits;
   const Point v = point(start.velocity);
   const Real speed = length(v);
-  if (!world.empty() || !ask.fences.empty() || largest(point(start.acceleration)) > 0) return false;
+  if (!world.empty() || !ask.fences.empty() || !ask.vias.empty() || largest(point(start.acceleration)) > 0)
+    return false;
   if (largest(point(l.j_max)) > 0 || l.j_horizontal > 0.0 || largest(point(start.jerk)) > 0) return false;
   if (largest(point(ask.request.goal.velocity)) > 0 || largest(point(ask.request.goal.acceleration)) > 0) return false;
   if (speed <= 0) return true;

@@ -37,6 +37,8 @@ bool never(Status status) {
     case Status::kOutOfMap:
     case Status::kStartExceedsLimits:
     case Status::kGoalExceedsLimits:
+    case Status::kViaExceedsLimits:
+    case Status::kViasFull:
     case Status::kMapChanged:
     case Status::kWorkingSetFull:
     case Status::kIterationLimit:
@@ -57,7 +59,7 @@ bool fits_budget(const Ask& ask, Status status) {
     case Status::kBudgetCorridor:
       return b.planes != kNone;
     case Status::kBudgetOptimise:
-      return b.iterations != kNone && !ask.rest_to_rest();
+      return b.iterations != kNone && (!ask.rest_to_rest() || ask.hurries());
     default:
       return true;
   }
@@ -67,8 +69,10 @@ bool fits_budget(const Ask& ask, Status status) {
 bool fence_claim_is_wrong(const World& world, const Ask& ask, const tern::Report& report, Status status) {
   if (report.fence < 0 || report.fence >= ask.request.fence_count) return true;
   const tern::Fence& fence = ask.request.fences[report.fence];
+  const bool at_via = status == Status::kViaFenced;
+  if (at_via && (report.via < 0 || report.via >= ask.request.via_count)) return true;
   const tern::State& state = status == Status::kStartFenced ? ask.request.start : ask.request.goal;
-  const Point p = world.local(state.position);
+  const Point p = world.local(at_via ? ask.vias[static_cast<std::size_t>(report.via)].position : state.position);
   Real outmost = -1e30L;
   for (const Plane& plane : planes_of(world, fence)) outmost = std::max(outmost, dot(plane.normal, p) - plane.offset);
   constexpr Real kDoubt = 1e-8L;
@@ -87,13 +91,17 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
     report(f, "report", "%s: %s spent %u of %u", what, tern::stage_name(static_cast<tern::Stage>(k)), r.stages[k].work,
            r.stages[k].bound);
   }
-  const bool occupied = status == Status::kStartOccupied || status == Status::kGoalOccupied;
+  const bool occupied =
+      status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
   if (r.has_nearest_free && !occupied)
     report(f, "report", "%s: a nearest free voxel for %s", what, tern::status_name(status));
   if (r.has_nearest_free && !world.grid.free(world.grid.voxel_of(world.grid.to_local(r.nearest_free)))) {
     report(f, "report", "%s: the nearest free voxel is not free", what);
   }
-  const bool fenced = status == Status::kStartFenced || status == Status::kGoalFenced;
+  const bool fenced = status == Status::kStartFenced || status == Status::kGoalFenced || status == Status::kViaFenced;
+  if (r.via != tern::kNoVia && (ok || r.via < 0 || r.via >= ask.request.via_count)) {
+    report(f, "report", "%s: via %d for %s", what, r.via, tern::status_name(status));
+  }
   if (fenced && fence_claim_is_wrong(world, ask, r, status)) {
     report(f, "fenced", "%s: %s by fence %d, which is kept", what, tern::status_name(status), r.fence);
   }
@@ -101,7 +109,8 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
 
 bool is_map_answer(Status status) {
   return status == Status::kNoPath || status == Status::kStartOccupied || status == Status::kGoalOccupied ||
-         status == Status::kCorridorBlocked || status == Status::kStartFenced || status == Status::kGoalFenced;
+         status == Status::kViaOccupied || status == Status::kViaFenced || status == Status::kCorridorBlocked ||
+         status == Status::kStartFenced || status == Status::kGoalFenced;
 }
 
 }  // namespace
@@ -123,7 +132,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
   const std::string kind = std::string("status_") + name;
   if (never(status) || !fits_budget(ask, status)) return report(f, kind.c_str(), "%s: never an answer", what);
   if (is_capacity(status) || is_budget(status)) return;
-  const bool rest = ask.rest_to_rest();
+  const bool rest = ask.rest_to_rest() && !ask.hurries();
   if (rest && (status == Status::kCorridorBlocked || status == Status::kNoTrajectory)) {
     return report(f, kind.c_str(), "%s: from rest to rest", what);
   }

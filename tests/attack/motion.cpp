@@ -143,6 +143,50 @@ void check_ends(const World& world, const tern::Request& request, const tern::Tr
 
 namespace {
 
+/// The segment that begins at that time, or the number of segments at the plan's end; -1 where none does.
+int joint_at(const tern::Trajectory& trajectory, double time) {
+  double begin = 0.0;
+  for (int s = 0; s < trajectory.count; ++s) {
+    if (begin == time) return s;
+    begin += trajectory.segments[s].duration;
+  }
+  return begin == time ? trajectory.count : -1;
+}
+
+/// Why a plan does not pass a via there; null where it does.
+const char* miss(const World& world, const tern::Via& via, const tern::Segment& segment, Real u, const Point& origin) {
+  const Jet state = jet(segment, u);
+  const Point gap = state.d[0] - (point(via.position) - origin);
+  const Real own = 4 * kUlp * (largest(point(via.position)) + largest(point(world.spec.origin)));
+  if (length(gap) > via.tolerance + contact_slack(world) + own) return "too far away";
+  if (!via.stop && !via.has_velocity) return nullptr;
+  const Point velocity = via.has_velocity ? point(via.velocity) : Point{{0, 0, 0}};
+  for (int k = 1; k <= (via.stop ? 3 : 1); ++k) {
+    const Point wanted = k == 1 ? velocity : Point{{0, 0, 0}};
+    if (largest(state.d[k] - wanted) > slack_of(segment, k)) return kOrders[k];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void check_vias(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
+                const tern::Report& answer, Findings& findings) {
+  double last = 0.0;
+  for (int v = 0; v < request.via_count; ++v) {
+    const tern::ViaPassage& passage = answer.vias[v];
+    const int joint = joint_at(trajectory, passage.time);
+    if (joint < 0 || passage.time < last) return report(findings, "via", "via %d at %.17g s", v, passage.time);
+    const bool at_end = joint == trajectory.count;
+    const tern::Segment& segment = trajectory.segments[at_end ? joint - 1 : joint];
+    const char* const why = miss(world, request.vias[v], segment, at_end ? 1 : 0, point(trajectory.origin));
+    if (why != nullptr) return report(findings, "via", "via %d: %s, %.17g m", v, why, passage.distance);
+    last = passage.time;
+  }
+}
+
+namespace {
+
 /// The sample at a time within the trajectory against de Casteljau in long double.
 void check_sample(const World& world, const tern::Trajectory& trajectory, double t, Findings& findings) {
   double begin = 0.0;

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "attack/asking.hpp"
 #include "attack/clearance.hpp"
 
@@ -116,6 +118,10 @@ bool Ask::rest_to_rest() const {
   return rests(request.start) && rests(request.goal);
 }
 
+bool Ask::hurries() const {
+  return std::any_of(vias.begin(), vias.end(), [](const tern::Via& via) { return via.has_velocity; });
+}
+
 bool Ask::unlimited_search() const {
   const tern::Budget& b = request.budget;
   return b.expansions == kUnlimited && b.sight_lines == kUnlimited && b.planes == kUnlimited;
@@ -187,6 +193,28 @@ void make_request(Rng& rng, Family family, const World& world, const Map& map, A
   if (family == Family::kFences) make_fences(rng, world, ask);
   Rng own = side_stream(rng);
   if (own.chance(0.2)) limit_jerk(own, r);
+}
+
+void make_mission(Rng& rng, const World& world, const Map& map, const Ask& ask, Ask& mission) {
+  const tern::Limits& limits = ask.request.limits;
+  mission.request = ask.request;
+  mission.fences = ask.fences;
+  mission.request.fences = mission.fences.empty() ? nullptr : mission.fences.data();
+  for (int count = rng.integer(1, 5); count > 0; --count) {
+    tern::Via via;
+    const bool again = !mission.vias.empty() && rng.chance(0.08);
+    via.position = again ? mission.vias.back().position : make_point(rng, world, map);
+    if (rng.chance(0.08)) via.position = goal_nearby(rng, world, ask.request.start.position);
+    if (rng.chance(0.5)) via.tolerance = world.spec.cell * rng.spread(1e-6, 20.0);
+    via.stop = rng.chance(0.15);
+    if (!via.stop && rng.chance(0.1)) {
+      via.has_velocity = true;
+      via.velocity = within(rng, limits.v_max, limits.v_min, limits.v_horizontal);
+    }
+    mission.vias.push_back(via);
+  }
+  mission.request.vias = mission.vias.data();
+  mission.request.via_count = static_cast<std::int32_t>(mission.vias.size());
 }
 
 }  // namespace tern_attack

@@ -6,9 +6,16 @@
 #ifndef TERN_TESTS_CONSUME_LAYOUT_H
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
+#include "tern/tern_corridor.h"
+#include "tern/tern_export.h"
 #include "tern/tern_flight.h"
+#include "tern/tern_yaw.h"
 
-#define TERN_LAYOUT(FIELD) TERN_LAYOUT_IN(FIELD) TERN_LAYOUT_OUT(FIELD) TERN_LAYOUT_MAP(FIELD) TERN_LAYOUT_FLIGHT(FIELD)
+#define TERN_LAYOUT(FIELD) \
+  TERN_LAYOUT_IN(FIELD)    \
+  TERN_LAYOUT_OUT(FIELD)   \
+  TERN_LAYOUT_MAP(FIELD)   \
+  TERN_LAYOUT_FLIGHT(FIELD) TERN_LAYOUT_YAW(FIELD) TERN_LAYOUT_EXPORT(FIELD) TERN_LAYOUT_CORRIDOR(FIELD)
 
 /* clang-format off */
 #define TERN_LAYOUT_IN(FIELD)                                                                                        \
@@ -25,6 +32,8 @@
   FIELD(tern_budget, iterations)                                                                                     \
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
+  FIELD(tern_via, position) FIELD(tern_via, tolerance) FIELD(tern_via, stop) FIELD(tern_via, has_velocity)           \
+  FIELD(tern_via, velocity) FIELD(tern_request, vias) FIELD(tern_request, via_count)                                 \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
   FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, goal_mode)                           \
   FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
@@ -40,6 +49,8 @@
   FIELD(tern_flat_state, body_rates) FIELD(tern_flat_state, singularity)                                             \
   FIELD(tern_stage_report, work) FIELD(tern_stage_report, bound) FIELD(tern_stage_report, ticks)                     \
   FIELD(tern_check_report, finding) FIELD(tern_check_report, segment) FIELD(tern_check_report, polyhedron)           \
+  FIELD(tern_via_passage, time) FIELD(tern_via_passage, distance) FIELD(tern_report, via) FIELD(tern_report, vias)    \
+  FIELD(tern_check_report, via)                                                                                      \
   FIELD(tern_check_report, plane) FIELD(tern_check_report, fence) FIELD(tern_check_report, derivative)               \
   FIELD(tern_check_report, axis) FIELD(tern_check_report, voxel) FIELD(tern_check_report, excess)                    \
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
@@ -61,24 +72,59 @@
   FIELD(tern_flight_spec, limits) FIELD(tern_flight_spec, time_weight)                                               \
   FIELD(tern_flight_spec, tick)                                                                                      \
   FIELD(tern_flight_spec, work_per_tick) FIELD(tern_flight_spec, plan_work) FIELD(tern_flight_spec, horizon)         \
-  FIELD(tern_flight_spec, near) FIELD(tern_flight_spec, yaw_rate)                                                    \
+  FIELD(tern_flight_spec, near) FIELD(tern_flight_spec, yaw_rate)                                                      \
+  FIELD(tern_flight_spec, fences) FIELD(tern_flight_spec, fence_count)                                                 \
   FIELD(tern_flight_report, mode) FIELD(tern_flight_report, reason) FIELD(tern_flight_report, plan)                  \
   FIELD(tern_flight_report, asked) FIELD(tern_flight_report, committed) FIELD(tern_flight_report, dropped)           \
   FIELD(tern_flight_report, failed) FIELD(tern_flight_report, work) FIELD(tern_flight_report, contact_time)          \
-  FIELD(tern_flight_report, contact_speed)                                                                           \
+  FIELD(tern_flight_report, contact_speed) FIELD(tern_flight_report, leg) FIELD(tern_flight_report, passed)          \
+  FIELD(tern_flight_report, skipped) FIELD(tern_flight_report, waits_for_view)                                       \
+  FIELD(tern_flight_yaw, mode) FIELD(tern_flight_yaw, acceleration_max) FIELD(tern_flight_yaw, view)                 \
+  FIELD(tern_flight_yaw, start) FIELD(tern_flight_yaw, heading) FIELD(tern_flight_yaw, point)                        \
+  FIELD(tern_flight_yaw, headings) FIELD(tern_flight_yaw, heading_count)                                             \
   FIELD(tern_command, sample) FIELD(tern_command, look_at)
+
+#define TERN_LAYOUT_YAW(FIELD)                                                                                       \
+  FIELD(tern_heading, cosine) FIELD(tern_heading, sine) FIELD(tern_timed_heading, time)                              \
+  FIELD(tern_timed_heading, heading) FIELD(tern_yaw_request, mode) FIELD(tern_yaw_request, rate_max)                 \
+  FIELD(tern_yaw_request, acceleration_max) FIELD(tern_yaw_request, start) FIELD(tern_yaw_request, start_rate)       \
+  FIELD(tern_yaw_request, start_acceleration) FIELD(tern_yaw_request, heading) FIELD(tern_yaw_request, point)        \
+  FIELD(tern_yaw_request, timed) FIELD(tern_yaw_request, timed_count) FIELD(tern_yaw_request, least_speed)           \
+  FIELD(tern_yaw_request, least_distance) FIELD(tern_yaw_sample, yaw) FIELD(tern_yaw_sample, acceleration)           \
+  FIELD(tern_yaw_sample, angle) FIELD(tern_yaw_plan, count) FIELD(tern_yaw_plan, lead)                               \
+  FIELD(tern_yaw_plan, polynomial) FIELD(tern_yaw_plan, step) FIELD(tern_yaw_plan, points)
+
+#define TERN_LAYOUT_EXPORT(FIELD)                                                                                    \
+  FIELD(tern_setpoint, position) FIELD(tern_setpoint, velocity) FIELD(tern_setpoint, acceleration)                   \
+  FIELD(tern_setpoint, jerk) FIELD(tern_setpoint, yaw) FIELD(tern_setpoint, yaw_rate)                                \
+  FIELD(tern_mavlink_header, system) FIELD(tern_mavlink_header, component)                                           \
+  FIELD(tern_mavlink_header, target_system) FIELD(tern_mavlink_header, target_component)                             \
+  FIELD(tern_mavlink_header, sequence) FIELD(tern_mavlink_header, time_boot_ms)                                      \
+  FIELD(tern_crazyflie_piece, p) FIELD(tern_crazyflie_piece, duration)                                               \
+  FIELD(tern_px4_parameters, mpc_xy_vel_max) FIELD(tern_px4_parameters, mpc_z_vel_max_up)                            \
+  FIELD(tern_px4_parameters, mpc_z_vel_max_dn) FIELD(tern_px4_parameters, mpc_acc_hor)                               \
+  FIELD(tern_px4_parameters, mpc_acc_up_max) FIELD(tern_px4_parameters, mpc_acc_down_max)                            \
+  FIELD(tern_px4_parameters, mpc_jerk_auto) FIELD(tern_ardupilot_parameters, wpnav_speed)                            \
+  FIELD(tern_ardupilot_parameters, wpnav_speed_up) FIELD(tern_ardupilot_parameters, wpnav_speed_dn)                  \
+  FIELD(tern_ardupilot_parameters, wpnav_accel) FIELD(tern_ardupilot_parameters, wpnav_accel_z)                      \
+  FIELD(tern_ardupilot_parameters, psc_jerk_xy) FIELD(tern_ardupilot_parameters, psc_jerk_z)
 
 #define TERN_LAYOUT_MAP(FIELD)                                                                                       \
   FIELD(tern_map_spec, origin) FIELD(tern_map_spec, cell) FIELD(tern_map_spec, dims) FIELD(tern_map_spec, radius)    \
   FIELD(tern_map_spec, range) FIELD(tern_map_spec, depth_margin) FIELD(tern_map_spec, depth_margin_square)           \
   FIELD(tern_map_spec, pose_margin) FIELD(tern_map_spec, angle_margin) FIELD(tern_map_spec, scan_pixel)              \
-  FIELD(tern_map_spec, hits) FIELD(tern_map_spec, misses) FIELD(tern_map_spec, age) FIELD(tern_map_spec, slack)      \
+  FIELD(tern_map_spec, hits) FIELD(tern_map_spec, misses) FIELD(tern_map_spec, support) FIELD(tern_map_spec, age) FIELD(tern_map_spec, slack)      \
   FIELD(tern_map_spec, pixels) FIELD(tern_map_spec, prior) FIELD(tern_map_spec, prior_count)                         \
   FIELD(tern_pose, position) FIELD(tern_pose, quaternion)                                                            \
   FIELD(tern_depth_view, z16) FIELD(tern_depth_view, z32) FIELD(tern_depth_view, width)                              \
   FIELD(tern_depth_view, height) FIELD(tern_depth_view, stride) FIELD(tern_depth_view, fx)                           \
   FIELD(tern_depth_view, fy) FIELD(tern_depth_view, cx) FIELD(tern_depth_view, cy) FIELD(tern_depth_view, scale)     \
   FIELD(tern_depth_view, min) FIELD(tern_depth_view, max)
+
+#define TERN_LAYOUT_CORRIDOR(FIELD)                                                                                  \
+  FIELD(tern_ellipsoid, axes) FIELD(tern_ellipsoid, center) FIELD(tern_polyhedron, count)                            \
+  FIELD(tern_polyhedron, redundant) FIELD(tern_polyhedron, planes) FIELD(tern_polyhedron, ellipsoid)                 \
+  FIELD(tern_polyhedron, from) FIELD(tern_polyhedron, to)
 
 /* A field's place and size, and the size of the type that it is in. */
 typedef struct { const char* type; const char* field; size_t offset, size, whole; } layout_entry;

@@ -47,7 +47,7 @@ static int check_planner(tern_planner* planner, const tern_grid* grid) {
 }
 
 int main(void) {
-  const tern_grid_spec spec = {{0.0, 0.0, 0.0}, 0.1, {20, 10, 10}, {{0.0, 0.0, 0.0}, {2.0, 1.0, 1.0}}, 0.1};
+  const tern_grid_spec spec = {{0.0, 0.0, 0.0}, 0.1, {20, 10, 10}, {{0.0, 0.0, 0.0}, {2.0, 1.0, 1.0}}, 0.1, 0.0};
   const size_t bytes = tern_size_of(TERN_SIZE_WORKSPACE);
   const size_t words = tern_grid_words(spec.dims);
   uint64_t* storage = malloc(words * sizeof *storage);

@@ -33,7 +33,8 @@ static int check_layout(void) {
   return 0;
 }
 
-static const tern_grid_spec spec = {{-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15};
+static const tern_grid_spec spec = {
+    {-1.0, 0.0, 0.0}, 0.1, {30, 30, 20}, {{-1.0, 0.0, 0.0}, {2.0, 3.0, 2.0}}, 0.15, 0.0};
 
 static int make_grid(tern_grid* grid, uint64_t** words) {
   const tern_box wall = {{0.4, 0.0, 0.0}, {0.6, 2.0, 2.0}};
@@ -97,7 +98,7 @@ static int check_unbound(tern_planner* planner, const tern_request* request, ter
 /* A bind that is refused leaves the grid that was there; one that is not ends the plan that is under way. */
 static int check_bound_again(tern_planner* planner, tern_grid* grid, const tern_request* request,
                              tern_trajectory* trajectory, tern_report* report) {
-  const tern_grid_spec small = {{-1.0, 0.0, 0.0}, 0.1, {5, 5, 5}, {{-1.0, 0.0, 0.0}, {-0.5, 0.5, 0.5}}, 0.0};
+  const tern_grid_spec small = {{-1.0, 0.0, 0.0}, 0.1, {5, 5, 5}, {{-1.0, 0.0, 0.0}, {-0.5, 0.5, 0.5}}, 0.0, 0.0};
   const tern_box wall = {{0.4, 0.0, 0.0}, {0.6, 2.0, 2.0}};
   const size_t count = tern_grid_words(small.dims);
   uint64_t* words = malloc(count * sizeof *words);

@@ -17,7 +17,8 @@ void print(const char* what, std::size_t bytes) {
 
 int main() {
   using tern::Layout;
-  print("`path`, `corridor`, `trajectory`", sizeof Layout::path + sizeof Layout::corridor + sizeof Layout::trajectory);
+  print("`path`, `mission`, `corridor`, `trajectory`",
+        sizeof Layout::path + sizeof Layout::mission + sizeof Layout::corridor + sizeof Layout::trajectory);
   print("`plan`, `ends`, `escapes`, `previous`",
         sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
   print("`fences`, `asked_fences`, `fenced`, `fence_layer`",

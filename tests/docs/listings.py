@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""listings.py ROOT: every C and C++ listing of README.md, docs/ and port/ must stand in a file of docs/examples, which
-tests compile and run. Line breaks and indentation may differ. A listing without a language must not look like code."""
+"""listings.py ROOT: every C, C++ and Python listing of README.md, docs/ and port/ must stand in a file of docs/examples
+or in an example of port/, which tests compile and run. Line breaks and indentation may differ. A listing without a
+language must not look like code."""
 import pathlib
 import re
 import sys
 
 FENCE = re.compile(r"^[ \t]*```[ \t]*(\S*)[ \t]*\n(.*?)^[ \t]*```[ \t]*$", re.MULTILINE | re.DOTALL)
-CODE = {"c", "cpp", "c++", "cc", "cxx", "h", "hpp"}
+CODE = {"c", "cpp", "c++", "cc", "cxx", "h", "hpp", "python"}
 OTHER = {"sh", "cmake", "json", "text", "make", "yaml"}
 
 
@@ -36,7 +37,8 @@ def faults_of(page, examples):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    files = [file for pattern in ("*.cpp", "*.c") for file in sorted((root / "docs/examples").glob(pattern))]
+    files = [file for folder in ("docs/examples", "port") for file in sorted((root / folder).rglob("*"))
+             if file.suffix in {".cpp", ".hpp", ".c", ".py"}]
     examples = [words(file.read_text()) for file in files]
     faults = [fault for page in pages(root) for fault in faults_of(page, examples)]
     count = sum(language.lower() in CODE for page in pages(root) for language, _ in FENCE.findall(page.read_text()))

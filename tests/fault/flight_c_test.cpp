@@ -31,6 +31,24 @@ struct MapInC {
   tern_map map{};
 };
 
+/// A C map with a planner and a flight's words, not started.
+struct FlightInC : MapInC {
+  FlightInC() : memory(std::make_unique<tern::Workspace>()), flight_words(tern_flight_words(MapInC::spec.dims)) {
+    EXPECT_EQ(tern_planner_init(&planner, memory.get(), sizeof *memory), kOk);
+    const tern_limits limits{{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}};
+    tern_flight_spec_init(&flight_spec, &limits);
+  }
+  std::uint8_t begin() {
+    return tern_flight_start(&flight, &flight_spec, &map, &planner, flight_words.data(), flight_words.size(), &start,
+                             0);
+  }
+  std::unique_ptr<tern::Workspace> memory;
+  std::vector<std::uint64_t> flight_words;
+  tern_planner planner{};
+  tern_flight_spec flight_spec{};
+  tern_flight flight{};
+};
+
 TEST(FlightC, EqualsTheFlightInCpp) {
   Flown flown(Scene{}, FlightSettings{});
   ASSERT_EQ(flown.started, tern::Status::kOk);
@@ -60,6 +78,46 @@ TEST(FlightC, EqualsTheFlightInCpp) {
   }
   EXPECT_GT(flown.report.committed, 0u);
   EXPECT_EQ(tern_flight_stop(&flight), kOk);
+}
+
+TEST(FlightC, MissionsAreSetAndRefused) {
+  FlightInC c;
+  const tern_via points[2] = {{{0.4, 0.0, 1.5}, 0.1}, {{0.0, 0.4, 1.5}}};
+  EXPECT_EQ(tern_flight_set_mission(&c.flight, points, 2, TERN_VIA_SKIP), kInvalid);
+  EXPECT_EQ(tern_flight_set_mission(nullptr, points, 2, TERN_VIA_SKIP), kInvalid);
+  ASSERT_EQ(c.begin(), kOk);
+  EXPECT_EQ(tern_flight_set_mission(&c.flight, nullptr, 2, TERN_VIA_SKIP), kInvalid);
+  EXPECT_EQ(tern_flight_set_mission(&c.flight, points, 2, 7), kInvalid);
+  ASSERT_EQ(tern_flight_set_mission(&c.flight, points, 2, TERN_VIA_END), kOk);
+  tern_flight_report report{};
+  for (int k = 0; k < 600 && report.reason != tern::FlightReason::kArrived; ++k) {
+    ASSERT_EQ(tern_flight_tick(&c.flight, k * c.flight_spec.tick, &report), kOk);
+  }
+  EXPECT_EQ(report.passed, 2);
+  EXPECT_EQ(report.leg, 1);
+  EXPECT_EQ(tern_flight_point_state(&c.flight, 0), TERN_POINT_PASSED);
+  EXPECT_EQ(tern_flight_point_state(&c.flight, 2), TERN_POINT_AHEAD);
+  EXPECT_EQ(tern_flight_point_state(nullptr, 0), TERN_POINT_AHEAD);
+}
+
+TEST(FlightC, YawIsPlannedAndRefused) {
+  FlightInC c;
+  tern_flight_yaw yaw{};
+  yaw.mode = tern::FlightYawMode::kFixed;
+  yaw.acceleration_max = 4.0;
+  yaw.start = {1.0, 0.0};
+  yaw.heading = {0.0, 1.0};
+  EXPECT_EQ(tern_flight_set_yaw(&c.flight, &yaw), kInvalid);
+  ASSERT_EQ(c.begin(), kOk);
+  EXPECT_EQ(tern_flight_set_yaw(&c.flight, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_set_yaw(nullptr, &yaw), kInvalid);
+  ASSERT_EQ(tern_flight_set_yaw(&c.flight, &yaw), kOk);
+  for (int k = 0; k < 300; ++k) ASSERT_EQ(tern_flight_tick(&c.flight, k * c.flight_spec.tick, nullptr), kOk);
+  tern_yaw_sample at{};
+  tern_flight_yaw_at(&c.flight, 300 * c.flight_spec.tick, &at);
+  EXPECT_NEAR(at.yaw.sine, 1.0, 1e-3);
+  EXPECT_NEAR(at.yaw.rate, 0.0, 1e-2);
+  tern_flight_yaw_at(&c.flight, 0, nullptr);
 }
 
 TEST(FlightC, ProofEqualsTheProofInCpp) {
@@ -119,7 +177,7 @@ TEST(FlightC, BadStartsAreRefused) {
   EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1e6; }), Status::kStartOccupied);
   EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t& n) { --n; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = 0; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.work_per_tick = 127; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.work_per_tick = 255; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.plan_work = 0; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.horizon = NAN; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.near = -1.0; }), Status::kInvalidArgument);

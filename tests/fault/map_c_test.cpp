@@ -40,9 +40,11 @@ TEST(MapC, EqualsTheMapInCpp) {
   const tern_pose pose{{1.0, 1.0, 1.0}, {0.5, -0.5, 0.5, -0.5}};
   const tern_vec3 point{1.5, 1.2, 0.7};
   const tern_box box{point, {1.7, 1.9, 0.9}};
+  const tern_cylinder trunk{{1.9, 0.6, 0.0}, 0.15, 1.0};
 
   ASSERT_EQ(tern_map_assume_free(&map, &pose.position, 0.5), kOk);
   ASSERT_EQ(tern_map_mark_box(&map, &box), kOk);
+  ASSERT_EQ(tern_map_mark_cylinder(&map, &trunk), kOk);
   ASSERT_EQ(tern_map_mark_points(&map, &point, 1), kOk);
   ASSERT_EQ(tern_map_begin_frame(&map, &image.view, &pose, 5), kRunning);
   finish(map);
@@ -53,6 +55,7 @@ TEST(MapC, EqualsTheMapInCpp) {
 
   ASSERT_EQ(owned.map.assume_free(pose.position, 0.5), tern::Status::kOk);
   ASSERT_EQ(owned.map.mark_box(box), tern::Status::kOk);
+  ASSERT_EQ(owned.map.mark_cylinder(trunk), tern::Status::kOk);
   ASSERT_EQ(owned.map.mark_points(&point, 1), tern::Status::kOk);
   ASSERT_EQ(owned.map.begin_frame(image.view, pose, 5), tern::Status::kRunning);
   tern_test::finish(owned.map);
@@ -80,6 +83,10 @@ TEST(MapC, EqualsTheMapInCpp) {
     ASSERT_EQ(tern_map_snapshot(&map, &snapshot, copy.data(), copy.size()), kOk);
     EXPECT_EQ(tern_grid_inflate(&snapshot), kOk);
   }
+  ASSERT_EQ(tern_map_begin_snapshot(&map, &snapshot, copy.data(), copy.size()), kRunning);
+  EXPECT_EQ(tern_map_begin_snapshot(&map, &snapshot, copy.data(), copy.size()), kInvalid);
+  EXPECT_EQ(tern_map_step(&map, 1u << 20), kOk);
+  EXPECT_EQ(tern_grid_inflate(&snapshot), kOk);
 }
 
 TEST(MapC, AnswersWithoutAMap) {
@@ -89,6 +96,7 @@ TEST(MapC, AnswersWithoutAMap) {
   const tern_box box{};
   const tern_pose pose{};
   const tern_depth_view view{};
+  const tern_cylinder trunk{};
   const tern_map_spec spec = small_spec();
   for (tern_map* none : {&map, static_cast<tern_map*>(nullptr)}) {
     EXPECT_EQ(tern_map_begin_frame(none, &view, &pose, 0), kInvalid);
@@ -97,10 +105,12 @@ TEST(MapC, AnswersWithoutAMap) {
     EXPECT_EQ(tern_map_step(none, 1), kInvalid);
     EXPECT_EQ(tern_map_assume_free(none, &point, 1.0), kInvalid);
     EXPECT_EQ(tern_map_mark_box(none, &box), kInvalid);
+    EXPECT_EQ(tern_map_mark_cylinder(none, &trunk), kInvalid);
     EXPECT_EQ(tern_map_mark_points(none, &point, 1), kInvalid);
     EXPECT_EQ(tern_map_route(none, &grid), kInvalid);
     EXPECT_EQ(tern_map_safe(none, &grid), kInvalid);
     EXPECT_EQ(tern_map_snapshot(none, &grid, nullptr, 0), kInvalid);
+    EXPECT_EQ(tern_map_begin_snapshot(none, &grid, nullptr, 0), kInvalid);
     EXPECT_EQ(tern_map_seen(none, {0, 0, 0}), 0);
     EXPECT_EQ(tern_map_revision(none), 0u);
   }

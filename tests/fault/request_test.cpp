@@ -14,13 +14,8 @@ namespace {
 using tern::Field;
 using tern::Status;
 using tern::Vec3;
+using tern_test::open_world;
 using tern_test::World;
-
-World open_world() {
-  World world({40, 40, 20}, 0.1, 0.2);
-  world.from({0.55, 0.55, 1.05}).to({3.45, 3.45, 1.05});
-  return world;
-}
 
 TEST(RequestFault, OpenWorldIsPlanned) {
   World world = open_world();

@@ -39,6 +39,10 @@ TEST(TinyFences, ANarrowGridNeedsMoreWordsThanVoxels) {
   EXPECT_EQ(plan(world, {}), Status::kOk);
   EXPECT_EQ(plan(world, {{&far, 1, FenceKind::kKeepIn}}), Status::kFenceLayerFull);
   EXPECT_EQ(world.report.field, tern::Field::kFences);
+  const Halfspace short_of_goal{{0.0, 1.0, 0.0}, 0.5};
+  EXPECT_EQ(plan(world, {{&short_of_goal, 1, FenceKind::kKeepIn}}), Status::kGoalFenced);
+  EXPECT_EQ(world.report.field, tern::Field::kGoalPosition);
+  EXPECT_FALSE(world.report.has_reachable);
 }
 
 TEST(TinyFences, AGoalAsNearAsPossibleNeedsALayerToo) {

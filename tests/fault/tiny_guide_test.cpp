@@ -39,7 +39,7 @@ TEST(TinyGuide, EveryCapacityRunsOut) {
   int pages = 0;
   int open = 0;
   int blocks = 0;
-  for (int k = 0; k < 600; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const VoxelWorld world = strewn_world(random);
     Voxel start{};
     Voxel goal{};

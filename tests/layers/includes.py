@@ -7,11 +7,11 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "grid", "inflation", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor", "curve",
-         "times", "qp", "trajectory", "check", "proof", "planner", "flight"]
+ORDER = ["base", "grid", "inflation", "view", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor",
+         "curve", "yaw", "export", "times", "qp", "trajectory", "check", "proof", "planner", "record", "flight"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"},
-          "proof": {"base", "grid", "proof"}}
+          "proof": {"base", "grid", "proof"}, "record": {"base", "grid", "record"}}
 # From the standard library the core takes types and placement, nothing that runs.
 SYSTEM = {"cstddef", "cstdint", "new", "stddef.h", "stdint.h", "stdbool.h", "Eigen/Core"}
 # The users of a public header may have no C++ library at all, as modules of NuttX.

@@ -128,7 +128,7 @@ Vec3 to_world(const Case& c, const Vec3& local) {
 }
 
 GridSpec spec_of(const Case& c) {
-  return {c.origin, c.cell, c.dims, {to_world(c, c.boundary.lower), to_world(c, c.boundary.upper)}, c.radius};
+  return {c.origin, c.cell, c.dims, {to_world(c, c.boundary.lower), to_world(c, c.boundary.upper)}, c.radius, 0.0};
 }
 
 void expect_inflation(Random& random, const Case& c, int most_obstacles) {

@@ -116,6 +116,7 @@ MapSpec random_spec(Random& random, const Box* prior, int count) {
   spec.range = 3.0;
   spec.hits = random.integer(1, 4);
   spec.misses = random.integer(1, 4);
+  spec.support = random.chance(0.5) ? 0 : random.integer(1, 8);
   spec.slack = random.integer(0, 3);
   spec.pixels = 8000;
   spec.scan_pixel = 0.07;

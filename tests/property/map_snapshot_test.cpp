@@ -127,6 +127,51 @@ TEST(MapSnapshot, PlansOnItWhileFramesAndSlidesGoOn) {
   EXPECT_GT(plans, tern_test::scaled(60) / 2);
 }
 
+TEST(MapSnapshot, TheSameBitsInSlicesOfAnySize) {
+  Random random(44);
+  Flight flight(random);
+  tern::RollingMap& map = flight.map();
+  Grid whole, sliced;
+  std::vector<std::uint64_t> whole_words(tern::grid_words({128, 40, 20}));
+  std::vector<std::uint64_t> sliced_words(whole_words.size());
+  const std::vector<std::uint32_t> slices{1, 2, 7, 64, 1000};
+  for (int k = 0; k < tern_test::scaled(30); ++k) {
+    if (k % 4 == 3) flight.slide();
+    flight.begin_frame();
+    finish(map);
+    const std::uint64_t revision = sliced.revision();
+    ASSERT_EQ(map.begin_snapshot(sliced, sliced_words.data(), sliced_words.size()), Status::kRunning);
+    EXPECT_TRUE(map.busy());
+    EXPECT_FALSE(sliced.bound());
+    EXPECT_EQ(map.follow({100.0, 0.0, 0.0}), Status::kInvalidArgument);
+    std::uint32_t units = 1;
+    while (map.step(slices[static_cast<std::size_t>(k) % slices.size()]) == Status::kRunning) ++units;
+    EXPECT_LE(units, map.scan_work(0));
+    ASSERT_TRUE(sliced.inflated());
+    EXPECT_GT(sliced.revision(), revision);
+    ASSERT_EQ(map.snapshot(whole, whole_words.data(), whole_words.size()), Status::kOk);
+    expect_same_voxels(whole, sliced);
+    expect_same_voxels(map.route(), sliced);
+    EXPECT_TRUE(tern::same(map.route().spec().origin, sliced.spec().origin));
+  }
+}
+
+TEST(MapSnapshot, BeginningAnotherOneEndsAPlan) {
+  Random random(45);
+  Flight flight(random);
+  Grid snapshot;
+  std::vector<std::uint64_t> words(tern::grid_words({128, 40, 20}));
+  ASSERT_EQ(flight.map().snapshot(snapshot, words.data(), words.size()), Status::kOk);
+  Planning planning;
+  tern::Request request{};
+  request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  request.start.position = flight.eye();
+  request.goal.position = {flight.eye().x + 3.0, flight.eye().y, flight.eye().z};
+  ASSERT_EQ(planning.planner.begin(snapshot, request), Status::kRunning);
+  ASSERT_EQ(flight.map().begin_snapshot(snapshot, words.data(), words.size()), Status::kRunning);
+  EXPECT_EQ(planning.planner.step(1), Status::kMapChanged);
+}
+
 TEST(MapSnapshot, TakingAnotherOneEndsAPlan) {
   Random random(42);
   Flight flight(random);
@@ -148,10 +193,12 @@ TEST(MapSnapshot, IsRefusedWithoutAMapOrWords) {
   Grid snapshot;
   std::vector<std::uint64_t> words(tern::grid_words({128, 40, 20}));
   EXPECT_EQ(none.snapshot(snapshot, words.data(), words.size()), Status::kInvalidArgument);
+  EXPECT_EQ(none.begin_snapshot(snapshot, words.data(), words.size()), Status::kInvalidArgument);
   Random random(43);
   Flight flight(random);
   EXPECT_EQ(flight.map().snapshot(snapshot, words.data(), words.size() - 1), Status::kInvalidArgument);
   EXPECT_EQ(flight.map().snapshot(snapshot, nullptr, words.size()), Status::kInvalidArgument);
+  EXPECT_FALSE(flight.map().busy());
   EXPECT_FALSE(snapshot.bound());
 }
 

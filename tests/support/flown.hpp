@@ -22,6 +22,7 @@ struct FlightSettings {
   double body = 0.25;
   double cell = 0.2;
   double radius = 0.35;
+  double margin = 0.0;    ///< part of the radius that is MapSpec::tracking_margin
   double tracking = 0.0;  ///< largest tracking error, metres
   tern::Voxel window{256, 150, 20};
   tern::Vec3 start{0.0, 0.0, 1.5};
@@ -31,6 +32,9 @@ struct FlightSettings {
   double noise = 0.0;     ///< of a depth, part of it
   double outliers = 0.0;  ///< part of the pixels that show a random depth
   int hits = 1;
+  int support = 0;
+  double pose_margin = 0.0;
+  std::vector<tern::Fence> fences{};
   bool centers = false;  ///< a pixel has the depth of its centre, not its least one
 };
 
@@ -50,6 +54,8 @@ class Flown {
     spec = tern::flight_spec(limits);
     spec.limits.j_max = {s.jerk, s.jerk, s.jerk};
     spec.work_per_tick = s.work_per_tick;
+    spec.fences = settings.fences.data();
+    spec.fence_count = static_cast<std::int32_t>(settings.fences.size());
     spec.plan_work = 4 * s.work_per_tick;
     words.assign(tern::flight_words(s.window), 0xA5A5A5A5A5A5A5A5u);
     started = flight.start(spec, owned.map, planner, words.data(), words.size(), s.start, 0);
@@ -57,12 +63,15 @@ class Flown {
 
   static tern::MapSpec spec_of(const FlightSettings& s) {
     const tern::Vec3 half{0.5 * s.window.x * s.cell, 0.5 * s.window.y * s.cell, 0.0};
-    tern::MapSpec map = tern::map_spec({s.start.x - half.x, s.start.y - half.y, -0.4}, s.cell, s.window, s.radius);
+    tern::MapSpec map =
+        tern::map_spec({s.start.x - half.x, s.start.y - half.y, -0.4}, s.cell, s.window, s.radius - s.margin);
+    map.tracking_margin = s.margin;
     map.pixels = 160 * 120;
-    map.pose_margin = 0.0;
+    map.pose_margin = s.pose_margin;
     map.depth_margin = 0.02;
     map.slack = 8;
     map.hits = s.hits;
+    map.support = s.support;
     map.depth_margin += 10.0 * s.noise;
     return map;
   }
@@ -79,6 +88,15 @@ class Flown {
     hash_command();
     time += spec.tick;
     ++ticks;
+  }
+
+  /// Ticks that are never done. The vehicle flies on.
+  void skip(int count) {
+    for (int k = 0; k < count && !testing::Test::HasFatalFailure(); ++k) {
+      time += spec.tick;
+      ++ticks;
+      check_now();
+    }
   }
 
   /// Until the vehicle rests for a reason, or time is up.
@@ -106,32 +124,75 @@ class Flown {
   std::int64_t time = 0;
   int ticks = 0;
   bool frames = true;
+  bool follows_yaw = false;  ///< the camera looks where the nose points, not at Command::look_at
   double drop = 0.0;
+  int late = 0;                  ///< ticks that a frame takes to arrive, besides one
+  tern::Vec3 pose_error{};       ///< of the position that the vehicle believes to be at
+  std::vector<Cylinder> ghosts;  ///< that the camera shows, and that are not there
+  bool may_touch = false;        ///< an obstacle appeared: contacts are the test's affair
   double yaw = 0.0;
   double least_clearance = 1e9;
   std::uint64_t hash = 0xCBF29CE484222325u;
   Random random{7};
 
- private:
-  /// Where the vehicle truly is: off the command by a smooth error.
+  /// Where the vehicle truly is: off the command by a smooth error, and by the pose's.
   tern::Vec3 truth() const {
     const double t = 1e-9 * static_cast<double>(time);
     const tern::Vec3 p = position();
     const double e = settings.tracking / std::sqrt(3.0);
-    return {p.x + e * std::sin(1.3 * t), p.y + e * std::sin(1.7 * t + 1.0), p.z + e * std::sin(2.1 * t + 2.0)};
+    return {p.x + e * std::sin(1.3 * t) - pose_error.x, p.y + e * std::sin(1.7 * t + 1.0) - pose_error.y,
+            p.z + e * std::sin(2.1 * t + 2.0) - pose_error.z};
   }
 
+  /// From the nearest voxel that is not known to be free, or from the window's faces.
+  double solid_distance(const tern::Vec3& p) const {
+    const tern::Grid& safe = owned.map.safe();
+    const tern::GridSpec& grid = safe.spec();
+    const double q[3] = {p.x - grid.origin.x, p.y - grid.origin.y, p.z - grid.origin.z};
+    const int dims[3] = {grid.dims.x, grid.dims.y, grid.dims.z};
+    const int reach = static_cast<int>(settings.radius / grid.cell) + 2;
+    double best = 1e9;
+    int at[3];
+    for (int a = 0; a < 3; ++a) {
+      at[a] = static_cast<int>(std::floor(q[a] / grid.cell));
+      best = std::min({best, q[a], dims[a] * grid.cell - q[a]});
+    }
+    for (int z = at[2] - reach; z <= at[2] + reach; ++z) {
+      for (int y = at[1] - reach; y <= at[1] + reach; ++y) {
+        for (int x = at[0] - reach; x <= at[0] + reach; ++x) {
+          if (!safe.obstacle({x, y, z})) continue;
+          const double lower[3] = {x * grid.cell, y * grid.cell, z * grid.cell};
+          double square = 0.0;
+          for (int a = 0; a < 3; ++a) {
+            const double gap = std::max({lower[a] - q[a], q[a] - lower[a] - grid.cell, 0.0});
+            square += gap * gap;
+          }
+          best = std::min(best, std::sqrt(square));
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
   void take_frame() {
-    if (waiting && !owned.map.busy()) {
+    if (!frames) waiting = false;
+    if (waiting && !owned.map.busy() && ticks >= arrives) {
       EXPECT_EQ(owned.map.begin_frame(shown.image.view, shown.pose, time), tern::Status::kRunning);
       waiting = false;
     }
     // The image that is entered must stay: the next one is rendered once that is done.
     if (ticks % 3 == 0 && frames && !waiting && !owned.map.busy() && !random.chance(drop)) {
       shown.centers = settings.centers;
-      shown.render(scene, truth(), yaw);
+      haunted = haunted || !ghosts.empty();
+      Scene imagined = scene;
+      imagined.cylinders.insert(imagined.cylinders.end(), ghosts.begin(), ghosts.end());
+      shown.render(imagined, truth(), yaw);
+      shown.pose.position = {shown.pose.position.x + pose_error.x, shown.pose.position.y + pose_error.y,
+                             shown.pose.position.z + pose_error.z};
       disturb(shown.image);
       waiting = true;
+      arrives = ticks + late;
     }
   }
 
@@ -145,6 +206,10 @@ class Flown {
   }
 
   void turn() {
+    if (follows_yaw) {
+      yaw = flight.yaw(time + spec.tick).angle;
+      return;
+    }
     const tern::Command command = flight.command(time);
     const double x = command.look_at.x - command.sample.position.x;
     const double y = command.look_at.y - command.sample.position.y;
@@ -178,12 +243,14 @@ class Flown {
     }
     const tern::Vec3 p = truth();
     least_clearance = std::min(least_clearance, scene.clearance(p));
+    if (may_touch) return;
     ASSERT_GE(scene.clearance(p), settings.body) << "contact at t = " << 1e-9 * static_cast<double>(time);
   }
 
   /// All that is committed from now on: clear on the safe grid, inside the window, and at rest in the end.
   void check_ahead() {
-    if (!owned.map.safe().bound()) return;
+    // With wrong pixels, the vehicle may be leaving a place that one of them blocked.
+    if (!owned.map.safe().bound() || settings.outliers > 0.0 || haunted || may_touch) return;
     const tern::Vec3 end = flight.rest_position();
     std::int64_t t = time;
     for (int k = 0; k < 1000; ++k, t += 20000000) {
@@ -196,36 +263,6 @@ class Flown {
     FAIL() << "the committed plan does not end at rest";
   }
 
-  /// From the nearest voxel that is not known to be free, or from the window's faces.
-  double solid_distance(const tern::Vec3& p) const {
-    const tern::Grid& safe = owned.map.safe();
-    const tern::GridSpec& grid = safe.spec();
-    const double q[3] = {p.x - grid.origin.x, p.y - grid.origin.y, p.z - grid.origin.z};
-    const int dims[3] = {grid.dims.x, grid.dims.y, grid.dims.z};
-    const int reach = static_cast<int>(settings.radius / grid.cell) + 2;
-    double best = 1e9;
-    int at[3];
-    for (int a = 0; a < 3; ++a) {
-      at[a] = static_cast<int>(std::floor(q[a] / grid.cell));
-      best = std::min({best, q[a], dims[a] * grid.cell - q[a]});
-    }
-    for (int z = at[2] - reach; z <= at[2] + reach; ++z) {
-      for (int y = at[1] - reach; y <= at[1] + reach; ++y) {
-        for (int x = at[0] - reach; x <= at[0] + reach; ++x) {
-          if (!safe.obstacle({x, y, z})) continue;
-          const double lower[3] = {x * grid.cell, y * grid.cell, z * grid.cell};
-          double square = 0.0;
-          for (int a = 0; a < 3; ++a) {
-            const double gap = std::max({lower[a] - q[a], q[a] - lower[a] - grid.cell, 0.0});
-            square += gap * gap;
-          }
-          best = std::min(best, std::sqrt(square));
-        }
-      }
-    }
-    return best;
-  }
-
   void hash_command() {
     const tern::Sample sample = flight.command(time).sample;
     unsigned char bytes[sizeof sample];
@@ -235,6 +272,8 @@ class Flown {
 
   LevelCamera shown;
   bool waiting = false;
+  bool haunted = false;
+  int arrives = 0;
 };
 
 }  // namespace tern_test

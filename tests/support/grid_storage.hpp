@@ -27,11 +27,8 @@ inline std::vector<std::uint64_t> words_of(const OwnedGrid& owned) {
 
 /// A spec whose boundary is the whole grid.
 inline tern::GridSpec whole_grid(tern::Voxel dims, double cell, double radius, tern::Vec3 origin = {0.0, 0.0, 0.0}) {
-  return {origin,
-          cell,
-          dims,
-          {origin, {origin.x + dims.x * cell, origin.y + dims.y * cell, origin.z + dims.z * cell}},
-          radius};
+  return {origin, cell, dims, {origin, {origin.x + dims.x * cell, origin.y + dims.y * cell, origin.z + dims.z * cell}},
+          radius, 0.0};
 }
 
 /// Gives a grid of the same size the obstacles of another, and inflates it.

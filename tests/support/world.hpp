@@ -76,6 +76,13 @@ class World {
   tern::Status bind_status = tern::Status::kOk;
 };
 
+/// 4 x 4 x 2 m with nothing in it, and a request through its middle.
+inline World open_world() {
+  World world({40, 40, 20}, 0.1, 0.2);
+  world.from({0.55, 0.55, 1.05}).to({3.45, 3.45, 1.05});
+  return world;
+}
+
 }  // namespace tern_test
 
 #endif

@@ -92,6 +92,42 @@ TEST(CorridorSeparation, APointOnACornerHasAPlane) {
   EXPECT_NEAR(signed_excess(plane, segment.from), 0.0, 1e-12);
 }
 
+TEST(CorridorSeparation, APointBesideAnEdgeByATinyRadiusHasAPlane) {
+  // 30 nm from the edge x = 0, y = 0, at 45 degrees to both faces: no face leaves the whole radius.
+  const double radius = 3e-8;
+  const double away = -radius * std::sqrt(0.5);
+  const SegmentMargin segment{{away, away, 0.5}, {-0.5, -0.6, 0.5}, 0.01};
+  Halfspace plane;
+  ASSERT_EQ(separate(segment, kUnit, radius, kNoTangent, plane), Status::kOk);
+  EXPECT_NEAR(plane.normal.x, std::sqrt(0.5), 1e-7);
+  EXPECT_NEAR(plane.normal.y, std::sqrt(0.5), 1e-7);
+  const SegmentMargin nearer{{0.9 * away, 0.9 * away, 0.5}, {-0.5, -0.6, 0.5}, 0.01};
+  EXPECT_EQ(separate(nearer, kUnit, radius, kNoTangent, plane), Status::kCorridorBlocked);
+}
+
+TEST(CorridorSeparation, ALongSegmentPastACornerByATinyRadiusHasAPlane) {
+  // The corner (1, 1, 1) lies beside the segment's middle. Rounding turns the direction of so close a pair by more
+  // than the tolerance over the length of the segment.
+  Random random(22);
+  for (int i = 0; i < scaled(2000); ++i) {
+    Vec3 outward{random.real(0.1, 1.0), random.real(0.1, 1.0), random.real(0.1, 1.0)};
+    const double size = norm3(outward);
+    outward = {outward.x / size, outward.y / size, outward.z / size};
+    const Vec3 other{random.real(-1.0, 1.0), random.real(-1.0, 1.0), random.real(-1.0, 1.0)};
+    const Vec3 along{outward.y * other.z - outward.z * other.y, outward.z * other.x - outward.x * other.z,
+                     outward.x * other.y - outward.y * other.x};
+    const double radius = std::pow(10.0, random.real(-8.5, -3.0));
+    const double back = random.real(20.0, 90.0);
+    const double on = random.real(20.0, 90.0);
+    const Vec3 beside{1.0 + radius * outward.x, 1.0 + radius * outward.y, 1.0 + radius * outward.z};
+    const SegmentMargin segment{{beside.x - back * along.x, beside.y - back * along.y, beside.z - back * along.z},
+                                {beside.x + on * along.x, beside.y + on * along.y, beside.z + on * along.z},
+                                0.01};
+    Halfspace plane;
+    ASSERT_EQ(separate(segment, kUnit, radius, kNoTangent, plane), Status::kOk) << "case " << i << ' ' << radius;
+  }
+}
+
 TEST(CorridorSeparation, ThroughTheBoxIsBlocked) {
   const SegmentMargin segment{{-1.0, 0.5, 0.5}, {2.0, 0.6, 0.5}, 0.01};
   Halfspace plane;

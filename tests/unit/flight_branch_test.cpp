@@ -56,6 +56,27 @@ TEST(FlightBranch, FirstPartIsTheSameCurve) {
   EXPECT_EQ(duration(whole), duration(plan));
 }
 
+TEST(FlightBranch, RestIsThePlansEnd) {
+  const Trajectory plan = moving_plan();
+  const double whole = duration(plan);
+  for (const double t : {0.0, 0.01, 0.7, 1.25, 1.26}) {
+    Trajectory rest{};
+    take_rest(plan, t, 100.0, rest);
+    EXPECT_NEAR(duration(rest), whole - t, 1e-12);
+    for (int k = 0; k < 10; ++k) {
+      const double since = 0.1 * k * (whole - t);
+      expect_near(evaluate(rest, since).position, evaluate(plan, t + since).position, 1e-9);
+      expect_near(evaluate(rest, since).velocity, evaluate(plan, t + since).velocity, 1e-9);
+    }
+  }
+  Trajectory part{};
+  take_rest(plan, 0.2, 0.1, part);
+  EXPECT_EQ(part.count, 1);
+  take_rest(plan, whole + 1.0, 1.0, part);
+  EXPECT_EQ(part.count, 1);
+  expect_near(evaluate(part, 0.0).position, evaluate(plan, whole).position, 1e-12);
+}
+
 /// v = 1 + 2 t - t^2 along x with jerk -2: after 0.5 s the jerk has gone from -2 to 0 at a constant rate.
 TEST(FlightBranch, JerkFallsToZero) {
   const JointState from{{kZero, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}};

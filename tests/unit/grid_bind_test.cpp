@@ -94,6 +94,9 @@ TEST(GridBind, NamesTheFieldThatIsNotFinite) {
     spec = good();
     spec.radius = bad;
     expect_refused(spec, Status::kNonFiniteInput, Field::kRadius);
+    spec = good();
+    spec.tracking_margin = bad;
+    expect_refused(spec, Status::kNonFiniteInput, Field::kTrackingMargin);
   }
 }
 
@@ -138,6 +141,14 @@ TEST(GridBind, RefusesRadiiThatAreNone) {
     spec.radius = radius;
     EXPECT_EQ(bind(spec).status, Status::kOk) << radius;
   }
+}
+
+TEST(GridBind, RefusesTrackingMarginsThatAreNone) {
+  GridSpec spec = good();
+  spec.tracking_margin = -1e-12;
+  expect_refused(spec, Status::kInvalidArgument, Field::kTrackingMargin);
+  spec.tracking_margin = 1e6;  // no grid is that wide
+  expect_refused(spec, Status::kInvalidArgument, Field::kRadius);
 }
 
 TEST(GridBind, RefusesBoundariesInvertedOrOutsideTheGrid) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "support/grid_storage.hpp"
+#include "support/random.hpp"
 #include "tern/grid.hpp"
 
 namespace {
@@ -193,6 +196,62 @@ TEST(GridMarkFar, ABoxOnTheLatticeTakesTheSameVoxelsWhereverTheMapLies) {
     EXPECT_EQ(count_obstacles(owned.grid), 3 * 6 * 18) << far;
     EXPECT_TRUE(owned.grid.obstacle({3, 7, 11}));
     EXPECT_TRUE(owned.grid.obstacle({5, 12, 28}));
+  }
+}
+
+// The disc of radius 0.25 around the centre of voxel (20, 5): rows within 0.2 m of it are 5, 5, 5, 5 and 5 voxels wide
+// but for the corners, whose nearest points are sqrt(0.15^2 + 0.15^2) = 0.212 away.
+TEST_F(GridMark, ACylinderTakesTheVoxelsThatItsDiscMeets) {
+  ASSERT_EQ(grid.mark_cylinder({{2.05, 0.55, 0.3}, 0.25, 0.2}), Status::kOk);
+  expect_only(18, 23, 3, 8, 3, 5);
+  EXPECT_EQ(grid.mark_cylinder({{2.05, 0.55, 0.3}, 0.25, 0.2}), Status::kOk);
+  expect_only(18, 23, 3, 8, 3, 5);
+}
+
+TEST_F(GridMark, ASmallerDiscLeavesTheCornersOut) {
+  ASSERT_EQ(grid.mark_cylinder({{2.05, 0.55, 0.3}, 0.21, 0.1}), Status::kOk);
+  EXPECT_EQ(count_obstacles(grid), 21);
+  EXPECT_FALSE(grid.obstacle({18, 3, 3}));
+  EXPECT_TRUE(grid.obstacle({18, 4, 3}));
+  EXPECT_TRUE(grid.obstacle({20, 7, 3}));
+}
+
+TEST_F(GridMark, ACylinderWithoutWidthIsItsAxis) {
+  ASSERT_EQ(grid.mark_cylinder({{6.45, 0.25, 0.05}, 0.0, 0.4}), Status::kOk);
+  expect_only(64, 65, 2, 3, 0, 5);
+}
+
+TEST_F(GridMark, CylindersOutsideTheGridMarkNothing) {
+  ASSERT_EQ(grid.mark_cylinder({{20.0, 0.5, 0.0}, 1.0, 1.0}), Status::kOk);
+  ASSERT_EQ(grid.mark_cylinder({{5.0, 0.5, 1.5}, 1.0, 1.0}), Status::kOk);
+  EXPECT_EQ(count_obstacles(grid), 0);
+}
+
+TEST_F(GridMark, RefusesWhatIsNoCylinder) {
+  EXPECT_EQ(grid.mark_cylinder({{kNan, 0.5, 0.0}, 1.0, 1.0}), Status::kNonFiniteInput);
+  EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, kNan, 1.0}), Status::kNonFiniteInput);
+  EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, -1.0, 1.0}), Status::kInvalidArgument);
+  EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, 1.0, -1.0}), Status::kInvalidArgument);
+  EXPECT_EQ(tern::Grid().mark_cylinder({{1.0, 0.5, 0.0}, 1.0, 1.0}), Status::kInvalidArgument);
+}
+
+// Voxel by voxel: the distance from the axis to the nearest point of the voxel's square.
+TEST_F(GridMark, RandomCylindersTakeWhatTheyMeetAndNoMore) {
+  tern_test::Random random(5);
+  for (int round = 0; round < 200; ++round) {
+    OwnedGrid one(whole_grid({100, 10, 10}, 0.1, 0.0));
+    const tern::Cylinder c{{random.real(-0.5, 10.5), random.real(-0.5, 1.5), random.real(-0.3, 1.1)},
+                           random.real(0.01, 0.6),
+                           random.real(0.01, 0.8)};
+    ASSERT_EQ(one.grid.mark_cylinder(c), Status::kOk);
+    for (int k = 0; k < 10000; ++k) {
+      const tern::Voxel v{k % 100, k / 100 % 10, k / 1000};
+      const auto gap = [](double at, int index) { return at - std::min(std::max(at, 0.1 * index), 0.1 * (index + 1)); };
+      const double away = std::hypot(gap(c.base.x, v.x), gap(c.base.y, v.y)) - c.radius;
+      const double above = std::max(0.1 * v.z - (c.base.z + c.height), c.base.z - 0.1 * (v.z + 1));
+      if (std::abs(away) < 1e-8 || std::abs(above) < 1e-8) continue;
+      ASSERT_EQ(one.grid.obstacle(v), away < 0.0 && above < 0.0) << round << ": " << v.x << ' ' << v.y << ' ' << v.z;
+    }
   }
 }
 

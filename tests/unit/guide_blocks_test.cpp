@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 
+#include "base/cells_after.hpp"
 #include "guide/block_map.hpp"
 #include "guide/block_parts.hpp"
 #include "guide/block_search.hpp"
@@ -15,7 +16,6 @@
 
 namespace {
 
-using tern::Block;
 using tern::BlockMap;
 using tern::direction;
 using tern::Status;
@@ -33,7 +33,7 @@ std::unique_ptr<BlockMap> map_of(const VoxelWorld& world) {
 
 tern::CellMask moves_of(BlockMap& map, const VoxelWorld& world, const Voxel& block) {
   block_touch(map, world.grid, block);
-  return block_moves(map, world.grid, block, tern::kAllSides);
+  return block_moves(map, world.grid, block, tern::kAllSides).moves;
 }
 
 TEST(BlockParts, AWallSplitsABlock) {
@@ -71,7 +71,7 @@ TEST(BlockMap, EmptyBlocksAreJoinedToAllNeighbours) {
   const auto map = map_of(world);
   for (const std::int32_t x : {1, 31, 32, 63, 64, 65, 73}) {
     EXPECT_EQ(__builtin_popcount(moves_of(*map, world, {x, 1, 1})), 18) << x;
-    EXPECT_TRUE(map->at({x, 1, 1}).full());
+    EXPECT_TRUE(map->full(map->index({x, 1, 1})));
   }
   EXPECT_EQ(__builtin_popcount(moves_of(*map, world, {0, 0, 0})), 6);
   EXPECT_EQ(__builtin_popcount(moves_of(*map, world, {74, 2, 2})), 6);
@@ -148,8 +148,38 @@ TEST(BlockSearch, DistancesCountBlocksAndNarrowOnes) {
   }
   // Three steps of four voxels; the block with the obstacle costs a fifth more.
   EXPECT_EQ(search->map.at({3, 0, 0}).distance, 3u * 1024u + 204u);
-  EXPECT_EQ(search->map.at({3, 0, 0}).parent, direction(1, 0, 0));
+  EXPECT_EQ(search->map.at({3, 0, 0}).arrival(), direction(1, 0, 0));
   EXPECT_EQ(block_search_take(*search, world.grid), Status::kNoPath) << "nothing is left";
+}
+
+/// A shell of two voxels in the middle of blocks, which splits each block that it passes.
+TEST(BlockSearch, AThinShellHoldsTheGuideAndProvesThatThereIsNoPath) {
+  VoxelWorld world({48, 48, 48});
+  for (const std::int32_t at : {9, 33}) {
+    world.block({at, 9, 9}, {at + 1, 34, 34}).block({9, at, 9}, {34, at + 1, 34}).block({9, 9, at}, {34, 34, at + 1});
+  }
+  const std::unique_ptr<tern::BlockSearch> search(new tern::BlockSearch);
+  ASSERT_TRUE(block_search_begin(*search, world.grid, {20, 20, 20}, {2, 2, 2}));
+  Status status = Status::kRunning;
+  for (int k = 0; k < 2000 && status == Status::kRunning; ++k) status = block_search_take(*search, world.grid);
+  EXPECT_EQ(status, Status::kNoPath);
+  EXPECT_FALSE(search->map.at({0, 0, 0}).closed());
+  // A hole in the shell, and it gets out.
+  world.clear({20, 20, 33}).clear({20, 20, 34});
+  ASSERT_TRUE(block_search_begin(*search, world.grid, {20, 20, 20}, {2, 2, 2}));
+  status = Status::kRunning;
+  while (status == Status::kRunning && !search->map.at({0, 0, 0}).closed()) {
+    status = block_search_take(*search, world.grid);
+  }
+  EXPECT_EQ(status, Status::kRunning);
+}
+
+TEST(CellsAfter, OfAStepAlongX) {
+  const int right = direction(1, 0, 0);
+  EXPECT_EQ(tern::cells_after(tern::cell_bit(direction(1, 1, 0)), right), tern::cell_bit(direction(0, 1, 0)));
+  EXPECT_EQ(tern::cells_after(tern::cell_bit(direction(-1, 0, 0)), right), 0u) << "too far away";
+  EXPECT_EQ(__builtin_popcount(tern::cells_after(tern::kAllCells, right)), 18);
+  EXPECT_EQ(tern::cells_after(tern::kAllCells, tern::kHere), 0u);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(InflationPlaneSteps, ABoxIsMarkedBelowItsFloorAndAboveItsTop) {
   mark(owned, {10, 20, 5}, {14, 23, 10});
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  EXPECT_EQ(marked_planes(steps, {0, {0, 2}}, 0, 20), (std::vector<int>{3, 4, 11, 12}));
-  EXPECT_EQ(marked_planes(steps, {0, {0, 2}}, 1, 20), std::vector<int>{});
+  EXPECT_EQ(marked_planes(steps, {0, {0, 64}, {0, 2}}, 0, 20), (std::vector<int>{3, 4, 11, 12}));
+  EXPECT_EQ(marked_planes(steps, {0, {0, 64}, {0, 2}}, 1, 20), std::vector<int>{});
 }
 
 TEST(InflationPlaneSteps, MarksHoldTheRowsAndVoxelsWithinReach) {
@@ -52,7 +52,7 @@ TEST(InflationPlaneSteps, MarksHoldTheRowsAndVoxelsWithinReach) {
   mark(owned, {10, 20, 5}, {14, 23, 10});
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  steps.begin({0, {0, 2}}, 2);
+  steps.begin({0, {0, 64}, {0, 2}}, 2);
   EXPECT_FALSE(steps.known());
   EXPECT_EQ(steps.mark(0).rows, kAllBits);
   steps.advance();
@@ -69,7 +69,7 @@ TEST(InflationPlaneSteps, ADifferenceNearAWordsEndMarksTheWordBesideIt) {
   mark(owned, {129, 30, 5}, {130, 31, 10});
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  steps.begin({0, {1, 2}}, 2);
+  steps.begin({0, {0, 64}, {1, 2}}, 2);
   steps.advance();
   EXPECT_EQ(steps.mark(1).rows, bits_met({18, 23}, 0) | bits_met({28, 33}, 0));
   EXPECT_EQ(steps.mark(1).bits, 1u | std::uint64_t{1} << 63);
@@ -80,7 +80,7 @@ TEST(InflationPlaneSteps, ADifferenceInTheNextBlockReachesThisOne) {
   mark(owned, {10, 65, 5}, {11, 66, 10});
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  steps.begin({0, {0, 1}}, 2);
+  steps.begin({0, {0, 64}, {0, 1}}, 2);
   steps.advance();
   EXPECT_EQ(steps.mark(0).rows, std::uint64_t{1} << 63);
 }
@@ -90,7 +90,7 @@ TEST(InflationPlaneSteps, WhatStandsOnTheGridsFloorOrReachesItsCeilingHasNoStepT
   mark(owned, {10, 10, 0}, {11, 11, 10});
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  EXPECT_EQ(marked_planes(steps, {0, {0, 1}}, 0, 10), std::vector<int>{});
+  EXPECT_EQ(marked_planes(steps, {0, {0, 64}, {0, 1}}, 0, 10), std::vector<int>{});
 }
 
 /// Six cells reach as far as the kept planes; seven do not.
@@ -99,7 +99,7 @@ TEST(InflationPlaneSteps, ALargerBallIsNotFollowed) {
     OwnedGrid owned(whole_grid({20, 20, 30}, 0.1, 0.1 * cells));
     const Stencil stencil(owned.grid.spec());
     PlaneSteps steps(owned.grid, stencil);
-    steps.begin({0, {0, 1}}, 0);
+    steps.begin({0, {0, 64}, {0, 1}}, 0);
     steps.advance();
     EXPECT_EQ(steps.known(), cells == 6);
   }
@@ -109,7 +109,7 @@ TEST(InflationPlaneSteps, RestsWhereMarksAreOfNoUse) {
   OwnedGrid owned(whole_grid({20, 20, 90}, 0.1, 0.2));
   const Stencil stencil(owned.grid.spec());
   PlaneSteps steps(owned.grid, stencil);
-  steps.begin({0, {0, 1}}, 0);
+  steps.begin({0, {0, 64}, {0, 1}}, 0);
   int useless = 0;
   for (int z = 1; z < 10; ++z) {
     steps.advance();
@@ -125,6 +125,16 @@ TEST(InflationPlaneSteps, RestsWhereMarksAreOfNoUse) {
   }
   // Four of the planes before, and the one that it begins anew at.
   EXPECT_EQ(rested + 4, tern::kRestPlanes);
+}
+
+/// Changes far from the rows of the window are not looked at.
+TEST(InflationPlaneSteps, OnlyDifferencesNearTheRowsAreMarked) {
+  OwnedGrid owned(whole_grid({100, 40, 20}, 0.1, 0.2));
+  mark(owned, {10, 20, 5}, {14, 23, 10});
+  const Stencil stencil(owned.grid.spec());
+  PlaneSteps steps(owned.grid, stencil);
+  EXPECT_EQ(marked_planes(steps, {0, {0, 18}, {0, 2}}, 0, 20), std::vector<int>{});
+  EXPECT_EQ(marked_planes(steps, {0, {0, 19}, {0, 2}}, 0, 20), (std::vector<int>{3, 4, 11, 12}));
 }
 
 }  // namespace

@@ -147,6 +147,16 @@ TEST(CloudFile, AllFormsHaveTheSamePoints) {
   }
 }
 
+TEST(CloudFile, CommentsMayComeFirst) {
+  const std::string rest =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
+  for (const char* first : {"", "# .PCD v0.7 - Point Cloud Data file format\n", "# made by a scanner\n\n#second\n"}) {
+    const std::vector<Vec3> points = tern_host::parse_cloud(first + rest, {"comments", 0});
+    ASSERT_EQ(points.size(), 1u) << first;
+    EXPECT_EQ(points[0].z, 3.0);
+  }
+}
+
 TEST(CloudFile, BrokenFilesAreRefused) {
   for (const char* name : {"points_binary.pcd", "points_text.pcd"}) {
     const std::string whole = bytes_of(name);
@@ -155,6 +165,8 @@ TEST(CloudFile, BrokenFilesAreRefused) {
   std::string packed = bytes_of("points_binary.pcd");
   packed.insert(packed.find("DATA binary") + 11, "_compressed");
   EXPECT_TRUE(contains(cloud_reason(packed), "save it as binary or ascii"));
+  EXPECT_TRUE(contains(cloud_reason("# a comment\nsolid"), "neither a PCD file nor a PLY file"));
+  EXPECT_TRUE(contains(cloud_reason("# only comments\n#"), "neither a PCD file nor a PLY file"));
   const std::string pcd = "VERSION 0.7\n";
   EXPECT_TRUE(contains(cloud_reason("solid"), "neither a PCD file nor a PLY file"));
   EXPECT_TRUE(contains(cloud_reason(pcd + "FIELDS x y\nPOINTS 0\nDATA ascii\n"), "no x, y and z"));

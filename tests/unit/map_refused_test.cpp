@@ -60,6 +60,8 @@ TEST(MapRefused, Specs) {
   expect_refused(Field::kScanPixel, invalid, [](MapSpec& s) { s.scan_pixel = kNan; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.hits = 0; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.misses = tern::kMaxEvidence + 1; });
+  expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.support = -1; });
+  expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.support = 9; });
   expect_refused(Field::kAge, invalid, [](MapSpec& s) { s.age = -1; });
   expect_refused(Field::kSlack, invalid, [](MapSpec& s) { s.slack = -1; });
   expect_refused(Field::kPixels, invalid, [](MapSpec& s) { s.pixels = 0; });
@@ -179,6 +181,8 @@ TEST_F(MapFrames, CallsThatAreWrong) {
   EXPECT_EQ(map.mark_box({{kNan, 0.0, 0.0}, {0.0, 0.0, 0.0}}), Status::kNonFiniteInput);
   const Vec3 point{kNan, 0.0, 0.0};
   EXPECT_EQ(map.mark_points(&point, 1), Status::kNonFiniteInput);
+  EXPECT_EQ(map.mark_cylinder({point, 0.1, 1.0}), Status::kNonFiniteInput);
+  EXPECT_EQ(map.mark_cylinder({{1.0, 1.0, 0.0}, -0.1, 1.0}), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_points(nullptr, 1), Status::kInvalidArgument);
 }
 

@@ -72,9 +72,18 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
   }
 }
 
-TEST_F(PreviousPlan, IsLeftWhereThereIsANewOne) {
+TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   ask_from(0.4 * duration(first_));
   world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.time_weight = tern::kMinTimeWeight;  // a new plan takes its time
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kPrevious);
+  EXPECT_EQ(world_.report.optimiser, Status::kOk);
+  EXPECT_NE(world_.planner.corridor(), nullptr);
+  for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+  expect_same_flight(0.4 * duration(first_));
+  world_.request.time_weight = tern::kDefaultTimeWeight;
+  world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
   const tern::Trajectory with = world_.trajectory;

@@ -88,7 +88,11 @@ TEST_F(ReachPlan, GoesAsNearAsItCanToAFencedGoal) {
   world_.request.fences = &fence;
   world_.request.fence_count = 1;
   EXPECT_EQ(world_.plan(), Status::kGoalFenced);
-  EXPECT_FALSE(report().has_reachable);
+  EXPECT_EQ(report().stage, Stage::kRequest);
+  EXPECT_EQ(report().field, tern::Field::kGoalPosition);
+  EXPECT_EQ(report().fence, 0);
+  ASSERT_TRUE(report().has_reachable);
+  expect_point(report().reachable, {4.65, 2.05, 1.05});
   world_.request.goal_mode = GoalMode::kNearest;
   expect_missed(Status::kGoalFenced, {4.65, 2.05, 1.05});
   EXPECT_EQ(report().fence, 0);

@@ -62,7 +62,7 @@ TEST(Scenario, EveryRecordIsRead) {
       "start_velocity 0.1 0.2 0.3\nstart_acceleration 0.4 0.5 0.6\n"
       "goal_velocity 1 2 3\ngoal_acceleration 4 5 6\n"
       "start_jerk 0.7 0.8 0.9\ngoal_jerk 7 8 9\nj_max 5 6 7\nj_horizontal 4.5\n"
-      "resolution 0.05\nradius 0\nv_max 3\na_max 1 2 3\n"
+      "resolution 0.05\nradius 0\ntracking_margin 0.15\nv_max 3\na_max 1 2 3\n"
       "v_min -1 -2 -0.5\na_min -4\nv_horizontal 2.5\na_horizontal 1.5\ntime_weight 7",
       "m");
   ASSERT_EQ(s.blocks.size(), 3u);
@@ -81,6 +81,8 @@ TEST(Scenario, EveryRecordIsRead) {
   EXPECT_DOUBLE_EQ(s.limits.j_horizontal, 4.5);
   EXPECT_DOUBLE_EQ(s.resolution, 0.05);
   EXPECT_DOUBLE_EQ(s.radius, 0);
+  EXPECT_DOUBLE_EQ(s.tracking_margin, 0.15);
+  EXPECT_DOUBLE_EQ(s.clearance(), 0.15);
   expect_vec(s.limits.v_max, 3, 3, 3);
   expect_vec(s.limits.a_max, 1, 2, 3);
   expect_vec(s.limits.v_min, -1, -2, -0.5);
@@ -212,6 +214,35 @@ TEST(Scenario, AGridThatIsTooLargeComesWithAResolutionThatFits) {
     // Not much finer than that.
     EXPECT_NE(error_of(map + ends, {"resolution=" + std::to_string(0.85 * fitting)}), "") << message;
   }
+}
+
+TEST(Scenario, ViasHaveAToleranceAStopOrAVelocity) {
+  const Scenario s = parse_scenario(kMinimal +
+                                        "via 1 2 1\nvia 2 2 1 0.25\nvia 3 2 1 stop\nvia 3 1 1 0.5 stop\n"
+                                        "via 2 1 1 0.1 velocity 1 -0.5 0\n",
+                                    "map.txt");
+  ASSERT_EQ(s.vias.size(), 5u);
+  expect_vec(s.vias[0].position, 1, 2, 1);
+  EXPECT_EQ(s.vias[0].tolerance, 0.0);
+  EXPECT_FALSE(s.vias[0].stop);
+  EXPECT_EQ(s.vias[1].tolerance, 0.25);
+  EXPECT_TRUE(s.vias[2].stop);
+  EXPECT_EQ(s.vias[2].tolerance, 0.0);
+  EXPECT_TRUE(s.vias[3].stop);
+  EXPECT_EQ(s.vias[3].tolerance, 0.5);
+  EXPECT_TRUE(s.vias[4].has_velocity);
+  EXPECT_FALSE(s.vias[4].stop);
+  expect_vec(s.vias[4].velocity, 1, -0.5, 0);
+}
+
+TEST(Scenario, ViasThatAreNoneSayWhy) {
+  EXPECT_EQ(error_of(kMinimal + "via 1 2\n"), "map.txt:4: 'via' needs 3 numbers, or 4 with a tolerance, found 2");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 stop 3\n"), "");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 velocity 3\n"), "");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 slowly\n"), "");
+  std::string many = kMinimal;
+  for (int v = 0; v <= tern::kMaxVias; ++v) many += "via 1 2 1\n";
+  EXPECT_EQ(error_of(many), "map.txt:20: more than 16 vias");
 }
 
 TEST(Scenario, OverridesReplaceOrCompleteRecords) {

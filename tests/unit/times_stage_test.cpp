@@ -73,14 +73,29 @@ TEST_F(Times, ALimitBeyondReachIsNoneAtAll) {
   for (const double v : {2.5, 5.0, 20.0, 1000.0}) {
     begin(first(), last(), {{v, v, v}, {2.0, 2.0, 2.0}});
     ASSERT_EQ(advance(100), tern::Progress::kDone);
-    // A lone leg is three pieces. There is room for half of sqrt(2 m/s^2 * 10 m).
-    ASSERT_EQ(chain_->count, 3);
+    // A lone leg is five pieces. There is room for half of sqrt(2 m/s^2 * 10 m).
+    ASSERT_EQ(chain_->count, 5);
     const double speed = 0.5 * std::sqrt(20.0);
-    const double cruise = 10.0 / 3.0 / speed;
+    const double cruise = 2.0 / speed;
     EXPECT_NEAR(chain_->duration[0], kSlack * (cruise + speed / 4.0), 1e-12);
-    EXPECT_NEAR(chain_->duration[1], kSlack * cruise, 1e-12);
-    EXPECT_NEAR(chain_->duration[2], kSlack * (cruise + speed / 4.0), 1e-12);
+    for (int i = 1; i < 4; ++i) EXPECT_NEAR(chain_->duration[i], kSlack * cruise, 1e-12);
+    EXPECT_NEAR(chain_->duration[4], kSlack * (cruise + speed / 4.0), 1e-12);
   }
+}
+
+TEST_F(Times, EachPolyhedronGetsItsPartOfFiveSegments) {
+  const double fast = 100.0;  // no leg is long for these limits
+  const Limits limits{{fast, fast, fast}, {2.0, 2.0, 2.0}};
+  leg({0.0, 0.0, 0.0}, {5.0, 0.0, 0.0});
+  leg({5.0, 0.0, 0.0}, {10.0, 0.0, 0.0});
+  begin(first(), last(), limits);
+  EXPECT_EQ(chain_->count, 6);  // 2.5 each, rounded
+  leg({10.0, 0.0, 0.0}, {10.0, 1.5, 0.0});
+  begin(first(), last(), limits);
+  // 2.17, 2.17 and 0.65 of five.
+  const int expected[] = {0, 0, 1, 1, 2};
+  ASSERT_EQ(chain_->count, 5);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(chain_->polyhedron[i], expected[i]) << i;
 }
 
 TEST_F(Times, NoLengthTakesTheLeastDuration) {
@@ -98,15 +113,59 @@ TEST_F(Times, NoLengthTakesTheLeastDuration) {
   EXPECT_TRUE(found);
 }
 
-TEST_F(Times, AMovingEndLeavesTimeToBrake) {
-  leg({0.0, 0.0, 0.0}, {0.01, 0.0, 0.0});
+TEST_F(Times, ALongLegIsSplitWhereItTurns) {
+  // Pieces are 2.5 m at most: 8 m are three of them. The straight polyhedra between are for cruising.
+  const Limits one{{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}};
+  for (int i = 0; i < 6; ++i) leg({8.0 * i, 0.0, 0.0}, {8.0 * (i + 1), 0.0, 0.0});
+  leg({48.0, 0.0, 0.0}, {48.0, 8.0, 0.0});
+  begin(first(), last(), one);
+  const int pieces[] = {3, 1, 1, 1, 1, 3, 3};
+  int k = 0;
+  for (int i = 0; i < 7; ++i) {
+    for (int n = 0; n < pieces[i]; ++n, ++k) EXPECT_EQ(chain_->polyhedron[k], i) << k;
+  }
+  EXPECT_EQ(chain_->count, k);
+}
+
+TEST_F(Times, AMovingEndNeedNotBrake) {
+  leg({0.0, 0.0, 0.0}, {0.9, 0.0, 0.0});
+  leg({0.9, 0.0, 0.0}, {9.0, 0.0, 0.0});
   State start = first();
   start.velocity = {2.0, 0.0, 0.0};
   begin(start, last());
   ASSERT_EQ(advance(100), tern::Progress::kDone);
-  ASSERT_EQ(chain_->count, 3);
-  // Braking takes 1 s; 0.4 of it, with the slack.
-  EXPECT_NEAR(chain_->duration[0], kSlack * 0.4, 1e-12);
+  // Three pieces at the full speed, which is the start's: no time to brake in 0.9 m, which takes 1 s and 1 m.
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(chain_->polyhedron[i], 0);
+    EXPECT_NEAR(chain_->duration[i], kSlack * (0.9 / 3.0) / 2.0, 1e-12);
+  }
+  EXPECT_EQ(chain_->polyhedron[3], 1);
+}
+
+TEST_F(Times, AShortWayAtAMovingEndHasFewerPieces) {
+  const State moving{{}, {2.0, 0.0, 0.0}, {}};
+  // At 2 m/s a piece needs 0.3 m.
+  const double ways[] = {0.89, 0.61, 0.59, 0.0};
+  const int pieces[] = {2, 2, 1, 1};
+  for (int i = 0; i < 4; ++i) {
+    corridor_->count = 0;
+    leg({0.0, 0.0, 0.0}, {ways[i], 0.0, 0.0});
+    leg({ways[i], 0.0, 0.0}, {9.0, 0.0, 0.0});
+    begin(moving, last());
+    EXPECT_EQ(chain_->polyhedron[pieces[i] - 1], 0) << i;
+    EXPECT_EQ(chain_->polyhedron[pieces[i]], 1) << i;
+  }
+}
+
+TEST_F(Times, AJerkLimitMakesRampsLonger) {
+  for (int i = 0; i < 3; ++i) leg({10.0 * i, 0.0, 0.0}, {10.0 * (i + 1), 0.0, 0.0});
+  Limits limits = kTwo;
+  limits.j_max = {4.0, 4.0, 4.0};
+  begin(first(), last(), limits);
+  ASSERT_EQ(advance(100), tern::Progress::kDone);
+  // From rest to 2 m/s takes 1 s and half a second to full acceleration: half of it more than cruising.
+  EXPECT_NEAR(chain_->duration[0], kSlack * (2.5 + 0.75), 1e-12);
+  EXPECT_NEAR(chain_->duration[1], kSlack * 2.5, 1e-12);
 }
 
 TEST_F(Times, SlicesEndWhereAWholeRunDoes) {

@@ -70,6 +70,17 @@ TEST(LimitsAlong, UpAndDownAndTheHorizontalNorm) {
   EXPECT_NEAR(limits_along({1.0, 1.0, 0.0}, limits).speed, 2.0, 1e-12);
 }
 
+TEST(RampAcceleration, AJerkLimitLowersTheMean) {
+  Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  const Vec3 along{3.0, 0.0, 0.0};
+  const tern::LineLimits line = limits_along(along, limits);
+  EXPECT_EQ(tern::ramp_acceleration(along, limits, line), 2.0);
+  limits.j_max = {4.0, 4.0, 4.0};  // 1 s and half a second to full acceleration
+  EXPECT_NEAR(tern::ramp_acceleration(along, limits, line), 2.0 / 1.5, 1e-12);
+  limits.j_max = {1.0, 1.0, 1.0};  // full acceleration is not reached: sqrt 2 s up and sqrt 2 s down
+  EXPECT_NEAR(tern::ramp_acceleration(along, limits, line), 2.0 / std::sqrt(8.0), 1e-12);
+}
+
 TEST(LimitsAlong, NoAxisExceedsItsOwnAndOneReachesIt) {
   tern_test::Random random(12);
   for (int i = 0; i < tern_test::scaled(1000); ++i) {

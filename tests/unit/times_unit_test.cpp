@@ -50,6 +50,18 @@ TEST_F(TimeUnit, IsOfWhatShortLegsHaveRoomFor) {
   EXPECT_NEAR(unit(20.0, 2.0), 64.0, 1e-9);
 }
 
+TEST_F(TimeUnit, AgilityIsTheMeanLegOverTheWayToFullSpeedAndBack) {
+  legs(4, 6.0);  // from rest to 2 m/s and back to rest takes 2 m at 2 m/s^2
+  const auto agility = [&](double v, double a) {
+    return tern::agility(*chain_, *corridor_, Limits{{v, v, v}, {a, a, a}});
+  };
+  EXPECT_NEAR(agility(2.0, 2.0), 3.0, 1e-12);
+  EXPECT_NEAR(agility(2.0, 10.0), 15.0, 1e-12);
+  EXPECT_NEAR(agility(1.0, 2.0), 12.0, 1e-12);
+  // Where the way has room for less than the limit, a fourth of the whole way counts, or the mean leg.
+  EXPECT_NEAR(agility(20.0, 2.0), 1.0, 1e-12);
+}
+
 TEST_F(TimeUnit, ALimitAcrossTheWayHasNoSay) {
   legs(1, 100.0);
   EXPECT_EQ(unit(Limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}}), unit(Limits{{2.0, 9.0, 9.0}, {2.0, 9.0, 9.0}}));

@@ -21,6 +21,8 @@ using namespace tern;
 using tern_test::box_around;
 
 constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+/// The speed limit alone decides how long a flight takes.
+constexpr Limits kAgileLimits{{1.0, 1.0, 1.0}, {4.0, 4.0, 4.0}};
 constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
 
 State resting(const Vec3& point) {
@@ -83,11 +85,11 @@ TEST(TrajectoryStage, OneLongBoxIsFlownNearTheTrapezoid) {
   const Flight run(corridor, query);
   ASSERT_EQ(run.status, Status::kOk);
   EXPECT_EQ(run.stage->quality, Quality::kOptimised);
-  EXPECT_EQ(run.plan.count, 3);
+  EXPECT_EQ(run.plan.count, 5);
   // The trapezoid takes 8 s with infinite jerk; one segment of degree 7 would take 15.3 s.
   EXPECT_GT(duration(run.plan), 8.0);
-  EXPECT_LT(duration(run.plan), 9.7);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(run.plan.segments[i].polyhedron, 0);
+  EXPECT_LT(duration(run.plan), 9.2);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(run.plan.segments[i].polyhedron, 0);
 }
 
 TEST(TrajectoryStage, ACornerIsFlownFasterThanFromStopToStop) {
@@ -145,9 +147,10 @@ TEST(TrajectoryStage, NoIterationsIsStopAndGo) {
   EXPECT_EQ(run.plan.count, 3);
 }
 
-void every_budget_gives_a_plan(double weight) {
+void every_budget_gives_a_plan(double weight, const Limits& limits) {
   const Corridor corridor = corner();
   TrajectoryQuery query = rest_to_rest(corridor);
+  query.limits = limits;
   query.time_weight = weight;
   const Flight full(corridor, query);
   const std::uint32_t all = full.stage->iterations;
@@ -172,11 +175,27 @@ void every_budget_gives_a_plan(double weight) {
 }
 
 TEST(TrajectoryStage, EveryBudgetGivesAPlan) {
-  every_budget_gives_a_plan(kDefaultTimeWeight);
+  every_budget_gives_a_plan(kDefaultTimeWeight, kTwo);
 }
 
 TEST(TrajectoryStage, EveryBudgetGivesAPlanOnEveryRung) {
-  every_budget_gives_a_plan(1000.0);
+  every_budget_gives_a_plan(1000.0, kTwo);
+}
+
+TEST(TrajectoryStage, EveryBudgetGivesAPlanOnRungsBelow) {
+  every_budget_gives_a_plan(kDefaultTimeWeight, kAgileLimits);
+}
+
+TEST(TrajectoryStage, AgileLimitsAreApproachedFromSmallerWeights) {
+  const Corridor corridor = corner();
+  TrajectoryQuery query = rest_to_rest(corridor);
+  query.limits = kAgileLimits;
+  const Flight run(corridor, query);
+  ASSERT_EQ(run.stage->quality, Quality::kOptimised);
+  EXPECT_EQ(run.stage->refinement.first_rung, -2);  // agility about 3.78 m / 0.25 m = 15.1
+  EXPECT_EQ(run.stage->refinement.rung, 0);
+  // 11.1 m at 1 m/s, and little more; some of it across the corner.
+  EXPECT_LT(duration(run.plan), 11.4);
 }
 
 TEST(TrajectoryStage, SlicingChangesNothing) {

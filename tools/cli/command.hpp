@@ -19,6 +19,9 @@ void add_table_command(CLI::App& app, int& exit_status);
 void add_fly_command(CLI::App& app, int& exit_status);
 void add_solve_command(CLI::App& app, int& exit_status);
 void add_map_command(CLI::App& app, int& exit_status);
+void add_export_command(CLI::App& app, int& exit_status);
+void add_page_command(CLI::App& app, int& exit_status);
+void add_replay_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli
 

@@ -2,46 +2,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/flown_plan.hpp"
+#include "host/flight/full_knowledge.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "host/page/flight_film.hpp"
+#include "host/page/page.hpp"
+#include "host/picture/flight_picture.hpp"
 
 namespace tern_cli {
 namespace {
 
 struct FlyOptions {
   std::string world;
+  std::string plan;
   std::vector<std::string> overrides;
   std::string json;
   std::string csv;
+  std::string svg;
+  std::string html;
+  bool compare = false;
 };
 
-void print(const tern_host::FlightResult& result) {
+void print_tracking(const tern_host::FlightResult& result, double margin) {
+  const bool kept = result.tracking_max <= margin * (1.0 + 1e-9);
+  std::printf("tracking error %.3f m at most, %.3f m rms; margin %.3f m: %s\n", result.tracking_max,
+              result.tracking_rms, margin, kept ? "kept" : "EXCEEDED");
+}
+
+void print_mission(const tern_host::FlightResult& result) {
+  for (std::size_t i = 0; i < result.mission.size(); ++i) {
+    const tern_host::MissionPoint& point = result.mission[i];
+    std::printf("point %zu %s", i + 1, point.state.c_str());
+    if (point.state == "passed")
+      std::printf(" at %.2f s, %.3f m away, %.2f m/s", point.time, point.distance, point.speed);
+    std::printf("\n");
+  }
+}
+
+void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& result) {
   const double mean = result.time > 0.0 ? result.length / result.time : 0.0;
   std::printf("%s after %.2f s, %.2f m, %.2f m/s on average\n", result.status.c_str(), result.time, result.length,
               mean);
+  if (!result.reached()) std::printf("why: %s\n", result.reason.c_str());
+  if (!world.vias.empty()) print_mission(result);
+  if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);
+  print_tracking(result, world.settings.tracking_margin);
+  if (result.full_knowledge > 0.0) {
+    std::printf("one plan with full knowledge takes %.2f s: the flight took %.3f times that\n", result.full_knowledge,
+                result.time / result.full_knowledge);
+  }
   std::printf("plans: %u asked, %u committed, %u dropped, %u failed\n", result.asked, result.committed, result.dropped,
               result.failed);
 }
 
+/// A finished plan in place of a world.
+int fly_finished_plan(const FlyOptions& options) {
+  if (!options.world.empty() || !options.json.empty() || !options.svg.empty() || !options.html.empty() ||
+      options.compare) {
+    throw std::runtime_error("--plan goes with --set and --csv alone");
+  }
+  check_output_paths({options.plan}, {options.csv});
+  const tern_host::FinishedPlan plan = tern_host::read_finished_plan(options.plan);
+  tern_host::FlightSettings settings;
+  if (plan.tracking_margin > 0.0) settings.tracking_margin = plan.tracking_margin;
+  settings = tern_host::flight_settings(options.overrides, settings);
+  const tern_host::FlightResult result = tern_host::fly_plan(plan.trajectory, settings);
+  if (!options.csv.empty()) tern_host::write_files({{options.csv, result.samples}});
+  std::printf("%s flew the plan in %.2f s\n", settings.tracking.c_str(), result.time);
+  print_tracking(result, settings.tracking_margin);
+  return result.status == "kept" ? kExitOk : kExitNoPlan;
+}
+
+/// Nobody looks on where there is no film.
+tern_host::FlightOnlooker onlooker_of(tern_host::FlightFilm* film) {
+  if (film == nullptr) return {};
+  return [film](const tern_host::FlightMoment& moment) { film->note(moment); };
+}
+
 int fly(const FlyOptions& options) {
+  if (!options.plan.empty()) return fly_finished_plan(options);
+  if (options.world.empty()) throw std::runtime_error("fly needs a WORLD, or --plan");
+  if (!options.html.empty()) tern_host::check_page(1);
   std::vector<std::string> paths;
-  for (const std::string& path : {options.json, options.csv}) {
+  for (const std::string& path : {options.json, options.csv, options.svg, options.html}) {
     if (!path.empty()) paths.push_back(path);
   }
   check_output_paths({options.world}, paths);
   const tern_host::FlightWorld world = tern_host::read_flight_world(options.world, options.overrides);
-  const tern_host::FlightResult result = tern_host::simulate_flight(world);
+  std::unique_ptr<tern_host::FlightFilm> film;
+  if (!options.html.empty()) film = std::make_unique<tern_host::FlightFilm>(world);
+  tern_host::FlightResult result = tern_host::simulate_flight(world, onlooker_of(film.get()));
+  if (options.compare) result.full_knowledge = tern_host::full_knowledge_time(world);
   std::vector<tern_host::Output> outputs;
   if (!options.json.empty()) outputs.push_back({options.json, tern_host::flight_json(world, result)});
   if (!options.csv.empty()) outputs.push_back({options.csv, result.samples});
+  if (!options.svg.empty()) outputs.push_back({options.svg, tern_host::flight_svg(world, result)});
+  if (film != nullptr) outputs.push_back({options.html, tern_host::page_html({film->run(result)})});
   tern_host::write_files(outputs);
-  print(result);
+  print(world, result);
   return result.reached() ? kExitOk : kExitNoPlan;
 }
 
@@ -50,14 +116,29 @@ int fly(const FlyOptions& options) {
 void add_fly_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<FlyOptions>();
   CLI::App* const command = app.add_subcommand("fly", "Fly through a world that is discovered on the way");
-  command->add_option("WORLD", options->world, "World file (docs/formats.md)")->required();
+  command->add_option("WORLD", options->world,
+                      "World file (docs/formats.md), or FAMILY:SEED, e.g. P25:7, or P25@8:7 at 8 m/s");
+  command->add_option("--plan", options->plan, "Fly a finished plan of `tern plan --json` instead, and say how far off")
+      ->type_name("FILE");
   command->add_option("--set", options->overrides, "Replace a setting of the world")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--json", options->json, "Write the log of the flight")->type_name("FILE");
   command->add_option("--csv", options->csv, "Write one row for each tick")->type_name("FILE");
-  command->footer("Exit status 3 where the goal is not reached.");
+  command->add_option("--svg", options->svg, "Draw the world and the way flown, from above and from the side")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--html", options->html,
+          "Write a page to look at the flight in 3D, over time, with what it knew and meant to do (docs/page.md)")
+      ->type_name("FILE");
+  command->add_flag("--compare", options->compare, "Also plan the flight with full knowledge of the world");
+  command->footer(
+      "Families: P49, P36, P25, P12 (forests of thin trees), S05, S10, S20 (thick cylinders), C (hidden corner),\n"
+      "B (bug trap), O (storey with doors), M (maze); missions: L (survey lines), G (lap through ten gates),\n"
+      "I (inspection), D (delivery).\n"
+      "Exit status 3 where the goal is not reached; with --plan, where the tracking error exceeds its margin.");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }
 

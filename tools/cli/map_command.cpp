@@ -51,7 +51,8 @@ void print(const tern_host::Scenario& scenario, const GridMap& map) {
 }
 
 int show_map(const MapOptions& options) {
-  const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  const tern_host::Scenario scenario =
+      tern_host::read_scenario(options.scenario, options.overrides, tern_host::Ends::kOptional);
   check_output_paths(tern_host::input_paths(scenario), {options.svg});
   const GridMap map(scenario);
   if (map.status != tern::Status::kOk) {

@@ -11,6 +11,7 @@
 #include "host/atomic_file.hpp"
 #include "host/map/map_files.hpp"
 #include "host/number.hpp"
+#include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
 
@@ -22,6 +23,8 @@ struct PlanOptions {
   std::string json;
   std::string csv;
   std::string svg;
+  std::string html;
+  std::string record;
   std::string view = "page";
   double csv_step = 0.01;
   std::vector<std::string> overrides;
@@ -32,24 +35,31 @@ std::string picture(const PlanOptions& options, const tern_host::PlanResult& res
 }
 
 /// Everything is made before anything is written.
-void write_outputs(const PlanOptions& options, const tern_host::PlanResult& result) {
+void write_outputs(const PlanOptions& options, const tern_host::Session& session, const tern_host::PlanResult& result) {
   std::vector<tern_host::Output> outputs;
   if (!options.json.empty()) outputs.push_back({options.json, tern_host::plan_json(result)});
   if (!options.svg.empty()) outputs.push_back({options.svg, picture(options, result)});
+  if (!options.html.empty()) outputs.push_back({options.html, tern_host::page_html({tern_host::plan_run(result)})});
+  if (!options.record.empty()) outputs.push_back({options.record, session.record(result)});
   if (!options.csv.empty() && result.ok()) {
-    outputs.push_back({options.csv, tern_host::trajectory_csv(result.trajectory, options.csv_step)});
+    outputs.push_back({options.csv, tern_host::trajectory_csv(result.trajectory, options.csv_step, result.yaw.get())});
   }
   tern_host::write_files(outputs);
 }
 
 int plan(const PlanOptions& options) {
+  if (!options.html.empty()) tern_host::check_page(1);
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
-  check_output_paths(tern_host::input_paths(scenario), {options.json, options.csv, options.svg});
-  const tern_host::PlanResult result = tern_host::Session().plan(scenario);
-  write_outputs(options, result);
+  check_output_paths(tern_host::input_paths(scenario),
+                     {options.json, options.csv, options.svg, options.html, options.record});
+  tern_host::Session session;
+  const tern_host::PlanResult result = session.plan(scenario);
+  write_outputs(options, session, result);
   if (result.ok()) {
     std::fputs(plan_summary(result).c_str(), stdout);
-    return kExitOk;
+    if (result.yaw_status == tern::Status::kOk) return kExitOk;
+    std::fputs(yaw_failure(result).c_str(), stderr);
+    return kExitNoPlan;
   }
   std::fputs(failure_summary(result).c_str(), stderr);
   return kExitNoPlan;
@@ -69,13 +79,20 @@ void add_plan_command(CLI::App& app, int& exit_status) {
   command->add_option("SCENARIO", options->scenario, "Scenario file: map, start, goal, limits (docs/formats.md)")
       ->required();
   command->add_option("--json", options->json, "Write the plan, or how far it came, as JSON")->type_name("FILE");
-  command->add_option("--csv", options->csv, "Write t, position, velocity, acceleration, jerk, snap as a table")
+  command
+      ->add_option(
+          "--csv", options->csv,
+          "Write t, position, velocity, acceleration, jerk, snap, and the yaw where one is planned, as a table")
       ->type_name("FILE");
   command->add_option("--csv-step", options->csv_step, "Time between the table's rows, seconds")
       ->capture_default_str()
       ->check(check_step, "")
       ->type_name("SECONDS");
   command->add_option("--svg", options->svg, "Draw map, paths, corridor, trajectory and profiles")->type_name("FILE");
+  command->add_option("--html", options->html, "Write a page to look at the plan in 3D, over time (docs/page.md)")
+      ->type_name("FILE");
+  command->add_option("--record", options->record, "Write grid, request and answer, for `tern replay`")
+      ->type_name("FILE");
   command
       ->add_option("--view", options->view,
                    "What --svg draws: page (top and side view, profiles) or oblique (the flight through the map)")
@@ -83,12 +100,15 @@ void add_plan_command(CLI::App& app, int& exit_status) {
       ->check(CLI::IsMember({"page", "oblique"}))
       ->type_name("VIEW");
   command
-      ->add_option("--set", options->overrides,
-                   "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, start_jerk, "
-                   "goal_velocity, goal_acceleration, goal_jerk, resolution, radius, v_max, a_max, v_min, a_min, "
-                   "v_horizontal, a_horizontal, j_max, j_horizontal, time_weight, search (fast or optimal), "
-                   "goal_mode (exact or nearest), unknown (free or solid); "
-                   "e.g. --set radius=0.1 --set goal=1,2,3")
+      ->add_option(
+          "--set", options->overrides,
+          "Replace a setting of the scenario: start, goal, start_velocity, start_acceleration, start_jerk, "
+          "goal_velocity, goal_acceleration, goal_jerk, resolution, radius, tracking_margin, v_max, a_max, v_min, "
+          "a_min, "
+          "v_horizontal, a_horizontal, j_max, j_horizontal, time_weight, search (fast or optimal), "
+          "goal_mode (exact or nearest), unknown (free or solid), yaw (motion, fixed, point or timed), start_yaw, "
+          "start_yaw_rate, start_yaw_acceleration, yaw_rate_max, yaw_acceleration_max; "
+          "e.g. --set radius=0.1 --set goal=1,2,3")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -64,9 +64,11 @@ std::string timing_line(const tern_host::Timing& timing) {
          entry("check", timing.of(Stage::kCheck)) + others + "total " + fixed(timing.total(), 0) + "\n";
 }
 
-std::string clearance_line(double clearance, std::size_t fences) {
+std::string clearance_line(double clearance, const tern_host::Scenario& scenario) {
+  const std::size_t fences = scenario.fences.size();
   std::string text = std::isfinite(clearance) ? fixed(clearance, 4) + " m from the blocks" : "no blocks";
   if (fences > 0) text += ", " + std::to_string(fences) + (fences == 1 ? " geofence kept" : " geofences kept");
+  if (scenario.tracking_margin > 0.0) text += ", tracking margin " + fixed(scenario.tracking_margin, 3) + " m";
   return "  clearance   " + text + "\n";
 }
 
@@ -80,6 +82,18 @@ std::string peaks_line(const char* name, const tern_host::PeakRange& peaks, cons
   return "  " + left(name, 12) + text + " " + unit + ", limits used to " + percent(use) + " %\n";
 }
 
+/// When the plan passes each via, and how far from it.
+std::string via_lines(const PlanResult& result) {
+  std::string text;
+  for (std::size_t v = 0; v < result.scenario.vias.size(); ++v) {
+    const tern::ViaPassage& passage = result.report.vias[v];
+    const tern::Via& via = result.scenario.vias[v];
+    text += "  via " + left(std::to_string(v + 1), 8) + fixed(passage.time, 3) + " s, " + fixed(passage.distance, 3) +
+            " m from it" + (via.stop ? ", at rest" : "") + "\n";
+  }
+  return text;
+}
+
 std::string trajectory_lines(const PlanResult& result) {
   const tern::Limits& limits = result.scenario.limits;
   const tern_host::Figures figures = tern_host::measure(result.trajectory, result.scenario);
@@ -88,9 +102,32 @@ std::string trajectory_lines(const PlanResult& result) {
       tern_host::limits_jerk(limits) ? peaks_line("jerk", figures.j_range, jerk, "m/s^3", figures.j_use) : "";
   return "  trajectory  " + fixed(figures.length, 3) + " m in " + fixed(figures.duration, 3) + " s, " +
          std::to_string(result.trajectory.count) + " segments, snap " + fixed(figures.snap, 2) + "\n" +
+         via_lines(result) +
          peaks_line("velocity", figures.v_range, tern_host::velocity_range(limits), "m/s", figures.v_use) +
          peaks_line("accel.", figures.a_range, tern_host::acceleration_range(limits), "m/s^2", figures.a_use) +
-         jerk_line + clearance_line(figures.clearance, result.scenario.fences.size());
+         jerk_line + clearance_line(figures.clearance, result.scenario);
+}
+
+std::string yaw_line(const PlanResult& result) {
+  const tern_host::YawWish& wish = result.scenario.yaw;
+  const tern_host::YawPeaks peaks = tern_host::yaw_peaks(*result.yaw);
+  return "  yaw         " + std::string(tern_host::yaw_mode_word(wish.mode)) + ", rests after " +
+         fixed(tern::duration(*result.yaw), 3) + " s; rate " + fixed(peaks.rate, 3) + " of " + fixed(wish.rate_max, 3) +
+         " rad/s, accel. " + fixed(peaks.acceleration, 3) + " of " + fixed(wish.acceleration_max, 3) + " rad/s^2\n";
+}
+
+/// What a status means where the yaw planner answers it.
+const char* yaw_meaning(tern::Status status) {
+  switch (status) {
+    case tern::Status::kLimitsInvalid:
+      return "'yaw_rate_max' must lie in 0.01 to 100 rad/s, 'yaw_acceleration_max' in 0.01 to 1000 rad/s^2";
+    case tern::Status::kStartExceedsLimits:
+      return "'start_yaw_acceleration' is beyond 'yaw_acceleration_max'";
+    case tern::Status::kInvalidArgument:
+      return "the times of 'yaw timed' must rise, from 0 on";
+    default:
+      return tern::status_meaning(status);
+  }
 }
 
 struct Column {
@@ -138,12 +175,19 @@ std::string plan_summary(const PlanResult& result) {
   std::string text = result.scenario.name + ": ok" + (detail.empty() ? "" : " (" + detail + ")") + "\n";
   if (result.path != nullptr) text += search_lines(result);
   if (result.corridor != nullptr) text += corridor_line(result);
-  return text + trajectory_lines(result) + timing_line(result.timing);
+  text += trajectory_lines(result);
+  if (result.yaw != nullptr) text += yaw_line(result);
+  return text + timing_line(result.timing);
 }
 
 std::string failure_summary(const PlanResult& result) {
   return result.scenario.name + ": no plan: " + tern::status_name(result.report.status) + ": " +
          tern_host::describe_status(result.report) + "\n";
+}
+
+std::string yaw_failure(const PlanResult& result) {
+  return result.scenario.name + ": no yaw plan: " + tern::status_name(result.yaw_status) + ": " +
+         yaw_meaning(result.yaw_status) + "\n";
 }
 
 std::string table_header() {

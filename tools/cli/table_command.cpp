@@ -16,6 +16,7 @@
 #include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
 #include "host/atomic_file.hpp"
+#include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
 
@@ -27,6 +28,7 @@ constexpr double kCsvStep = 0.01;
 struct TableOptions {
   std::vector<std::string> scenarios;
   std::string folder;
+  std::string html;
   int repeat = 5;
   std::vector<std::string> overrides;
 };
@@ -44,7 +46,8 @@ void make_folder(const std::string& folder) {
 void write_outputs(const std::string& stem, const tern_host::PlanResult& result) {
   std::vector<tern_host::Output> outputs = {{stem + ".json", tern_host::plan_json(result)},
                                             {stem + ".svg", tern_host::plan_svg(result)}};
-  if (result.ok()) outputs.push_back({stem + ".csv", tern_host::trajectory_csv(result.trajectory, kCsvStep)});
+  if (result.ok())
+    outputs.push_back({stem + ".csv", tern_host::trajectory_csv(result.trajectory, kCsvStep, result.yaw.get())});
   tern_host::write_files(outputs);
 }
 
@@ -52,10 +55,12 @@ void write_outputs(const std::string& stem, const tern_host::PlanResult& result)
 void check_outputs(const TableOptions& options) {
   std::vector<std::string> outputs;
   for (const std::string& file : options.scenarios) {
+    if (options.folder.empty()) break;
     for (const char* const kind : {".json", ".svg", ".csv"}) {
       outputs.push_back(options.folder + "/" + base_name(file) + kind);
     }
   }
+  outputs.push_back(options.html);
   check_output_paths(options.scenarios, outputs);
 }
 
@@ -72,12 +77,12 @@ tern_host::PlanResult plan_repeatedly(tern_host::Session& session, const tern_ho
 }
 
 int table(const TableOptions& options) {
-  if (!options.folder.empty()) {
-    make_folder(options.folder);
-    check_outputs(options);
-  }
+  if (!options.html.empty()) tern_host::check_page(options.scenarios.size());
+  if (!options.folder.empty()) make_folder(options.folder);
+  check_outputs(options);
   tern_host::Session session;
   int exit_status = kExitOk;
+  std::vector<std::string> runs;
   std::fputs(table_header().c_str(), stdout);
   for (const std::string& file : options.scenarios) {
     const tern_host::Scenario scenario = tern_host::read_scenario(file, options.overrides);
@@ -85,7 +90,9 @@ int table(const TableOptions& options) {
     if (!result.ok()) exit_status = kExitNoPlan;
     std::fputs(table_row(base_name(file), result).c_str(), stdout);
     if (!options.folder.empty()) write_outputs(options.folder + "/" + base_name(file), result);
+    if (!options.html.empty()) runs.push_back(tern_host::plan_run(result));
   }
+  if (!options.html.empty()) tern_host::write_file(options.html, tern_host::page_html(runs));
   return exit_status;
 }
 
@@ -97,6 +104,8 @@ void add_table_command(CLI::App& app, int& exit_status) {
   command->add_option("SCENARIO", options->scenarios, "Scenario files (docs/formats.md)")->required();
   command->add_option("--out", options->folder, "Write each plan, table and picture into this folder")
       ->type_name("FOLDER");
+  command->add_option("--html", options->html, "Write a page with all plans side by side in 3D (docs/page.md)")
+      ->type_name("FILE");
   command->add_option("--repeat", options->repeat, "Plans of each scenario; the one of median time is shown")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000), "")

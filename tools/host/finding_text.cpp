@@ -82,6 +82,9 @@ std::string describe_finding(const CheckReport& check) {
       return fence_text(check);
     case Finding::kBoundary:
       return motion_text(check, "misses the state that was asked for");
+    case Finding::kVia:
+      return derivative_name(check.derivative) + " at " + number_of("via", check.via) + " is not what was asked for" +
+             excess_text(check);
     case Finding::kNone:
       break;
   }

@@ -46,7 +46,7 @@ Layout layout_at(const Scenario& scenario, double cell, bool padded) {
   const Vec3& lower = scenario.boundary.lower;
   const Vec3& upper = scenario.boundary.upper;
   const Vec3 extent = {upper.x - lower.x, upper.y - lower.y, upper.z - lower.z};
-  const double padding = padded ? std::ceil(scenario.radius / cell) + 1.0 : 0.0;
+  const double padding = padded ? std::ceil(scenario.clearance() / cell) + 1.0 : 0.0;
   return {
       cell, padding, {cells(extent.x, cell, padding), cells(extent.y, cell, padding), cells(extent.z, cell, padding)}};
 }
@@ -95,6 +95,7 @@ tern::GridSpec lay_out_grid(const Scenario& scenario) {
   spec.cell = layout.cell;
   spec.boundary = scenario.boundary;
   spec.radius = scenario.radius;
+  spec.tracking_margin = scenario.tracking_margin;
   return spec;
 }
 

@@ -94,6 +94,22 @@ Json segments_json(const tern::Trajectory& trajectory) {
   return segments;
 }
 
+/// What was asked for at each via, and how the plan passes it, where there is one.
+Json vias_json(const PlanResult& result) {
+  Json vias = Json::array();
+  for (std::size_t v = 0; v < result.scenario.vias.size(); ++v) {
+    const tern::Via& via = result.scenario.vias[v];
+    Json entry = {{"position", json(via.position)}, {"tolerance", via.tolerance}, {"stop", via.stop}};
+    if (via.has_velocity) entry["velocity"] = json(via.velocity);
+    if (result.ok()) {
+      entry["time"] = result.report.vias[v].time;
+      entry["distance"] = result.report.vias[v].distance;
+    }
+    vias.push_back(entry);
+  }
+  return vias;
+}
+
 Json timing_json(const Timing& timing) {
   return {{"inflate", timing.inflate},
           {"search", timing.of(tern::Stage::kSearch)},
@@ -117,12 +133,23 @@ Json qp_json(const tern::Report& report) {
           {"inequalities", report.qp_inequalities}};
 }
 
+Json yaw_json(const YawWish& wish, const tern::YawPlan& plan) {
+  return {{"mode", yaw_mode_word(wish.mode)},
+          {"rate_max", wish.rate_max},
+          {"acceleration_max", wish.acceleration_max},
+          {"start", {{"angle", wish.start}, {"rate", wish.start_rate}, {"acceleration", wish.start_acceleration}}},
+          {"lead", {{"duration", plan.lead}, {"polynomial", plan.polynomial}}},
+          {"step", plan.step},
+          {"points", std::vector<double>(plan.points, plan.points + plan.count + 3)}};
+}
+
 std::string point_text(const Vec3& v) {
   return "(" + brief(v.x) + ", " + brief(v.y) + ", " + brief(v.z) + ")";
 }
 
 bool is_occupied(tern::Status status) {
-  return status == tern::Status::kStartOccupied || status == tern::Status::kGoalOccupied;
+  return status == tern::Status::kStartOccupied || status == tern::Status::kGoalOccupied ||
+         status == tern::Status::kViaOccupied;
 }
 
 /// A number that is not -1 only where it has a value.
@@ -137,6 +164,7 @@ Json check_json(const tern::CheckReport& check) {
           {"polyhedron", index_json(check.polyhedron)},
           {"halfspace", index_json(check.plane)},
           {"fence", index_json(check.fence)},
+          {"via", index_json(check.via)},
           {"voxel", voxel.x < 0 ? Json(nullptr) : Json({voxel.x, voxel.y, voxel.z})},
           {"derivative", index_json(check.derivative)},
           {"axis", index_json(check.axis)},
@@ -150,6 +178,7 @@ std::string finding_text(const tern::CheckReport& check) {
 std::string describe_failure(const tern::Report& report) {
   std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
+  if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
   if (is_occupied(report.status)) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
@@ -185,11 +214,13 @@ std::string plan_json(const PlanResult& result) {
                {"scenario", scenario.name},
                {"resolution", scenario.resolution},
                {"robot_radius", scenario.radius},
+               {"tracking_margin", scenario.tracking_margin},
                {"limits", limits_json(scenario.limits)},
                {"time_weight", scenario.time_weight},
                {"start_state", json(scenario.start)},
                {"goal_state", json(scenario.goal)}};
   const tern::Report& report = result.report;
+  if (!scenario.vias.empty()) plan["vias"] = vias_json(result);
   if (report.has_reachable) plan["reachable"] = json(report.reachable);
   if (report.goal_missed != tern::Status::kOk) plan["goal_missed"] = tern::status_name(report.goal_missed);
   if (result.path != nullptr) plan["search"] = search_json(result);
@@ -198,6 +229,7 @@ std::string plan_json(const PlanResult& result) {
     plan["segments"] = segments_json(result.trajectory);
     plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
     plan["qp"] = qp_json(result.report);
+    if (result.yaw != nullptr) plan["yaw"] = yaw_json(scenario.yaw, *result.yaw);
   }
   if (result.report.check.finding != tern::Finding::kNone) plan["check"] = check_json(result.report.check);
   plan["timing_us"] = timing_json(result.timing);

@@ -18,9 +18,10 @@ std::string describe_status(const tern::Report& report);
 /// The plan as JSON: world frame, numbers that read back to the same bits.
 std::string plan_json(const PlanResult& result);
 
-/// t, position, velocity, acceleration, jerk, snap at every `step` seconds and at the end. `step` > 0; throws
-/// std::invalid_argument where that makes more than ten million rows.
-std::string trajectory_csv(const tern::Trajectory& trajectory, double step);
+/// t, position, velocity, acceleration, jerk, snap at every `step` seconds and at the end; with a yaw plan, its angle,
+/// rate and acceleration too, until both have ended. `step` > 0; throws std::invalid_argument where that makes more
+/// than ten million rows.
+std::string trajectory_csv(const tern::Trajectory& trajectory, double step, const tern::YawPlan* yaw = nullptr);
 
 }  // namespace tern_host
 

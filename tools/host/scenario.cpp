@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario.hpp"
 
-#include <limits>
-
+#include "base/bounds.hpp"
 #include "host/map/map_files.hpp"
 #include "host/scenario_records.hpp"
 
@@ -33,24 +32,25 @@ LimitRange acceleration_range(const tern::Limits& limits) {
 }
 
 LimitRange jerk_range(const tern::Limits& limits) {
-  const auto given = [](double most) { return most > 0.0 ? most : std::numeric_limits<double>::infinity(); };
-  return range({given(limits.j_max.x), given(limits.j_max.y), given(limits.j_max.z)}, {}, limits.j_horizontal);
+  const tern::Bounds bounds = tern::make_optional_bounds(limits.j_max, limits.j_horizontal);
+  return {bounds.lower, bounds.upper, bounds.horizontal};
 }
 
 bool limits_jerk(const tern::Limits& limits) {
-  return limits.j_max.x > 0.0 || limits.j_max.y > 0.0 || limits.j_max.z > 0.0 || limits.j_horizontal > 0.0;
+  return tern::limits_anything(tern::make_optional_bounds(limits.j_max, limits.j_horizontal));
 }
 
-Scenario parse_scenario(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+Scenario parse_scenario(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                        Ends ends) {
   ScenarioBuilder builder(name);
   const Place end =
       for_each_record(text, name, [&](const Words& words, const Place& place) { builder.add(words, place); });
   for (const std::string& option : overrides) parse_override(option, builder);
-  return builder.finish(end);
+  return builder.finish(end, ends);
 }
 
-Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides) {
-  Scenario scenario = parse_scenario(read_text(path), path, overrides);
+Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides, Ends ends) {
+  Scenario scenario = parse_scenario(read_text(path), path, overrides, ends);
   load_map_files(scenario);
   return scenario;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/text_records.hpp"
+#include "host/yaw/yaw_wish.hpp"
 #include "tern/request.hpp"
 #include "tern/vec3.hpp"
 
@@ -58,14 +59,21 @@ struct Scenario {
   std::vector<std::shared_ptr<const KnownSpace>> known;  ///< what the OctoMaps say is free, once they are read
   tern::State start{};
   tern::State goal{};
+  std::vector<tern::Via> vias;
   tern::Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};  ///< lower limits as given: 0 for the upper one's opposite
   double time_weight = tern::kDefaultTimeWeight;
   tern::SearchMode search = tern::SearchMode::kFast;
   tern::GoalMode goal_mode = tern::GoalMode::kExact;
+  bool has_yaw = false;  ///< false: the flight has no yaw plan
+  YawWish yaw;
   double resolution = 0.1;
   double radius = 0.25;
+  double tracking_margin = 0.0;
   Place boundary_place;    ///< for errors that show only once the grid is laid out
   Place resolution_place;  ///< empty file name where the default holds
+
+  /// The distance kept from obstacles, as tern::GridSpec::clearance().
+  double clearance() const { return radius + tracking_margin; }
 };
 
 constexpr std::size_t kMaxMapFiles = 64;
@@ -82,13 +90,17 @@ LimitRange acceleration_range(const tern::Limits& limits);
 LimitRange jerk_range(const tern::Limits& limits);
 bool limits_jerk(const tern::Limits& limits);
 
+/// Must a scenario say where a flight starts and ends? A map alone needs neither.
+enum class Ends { kRequired, kOptional };
+
 /// Parses a whole scenario. `overrides` are "key=value" with the value's numbers separated by commas or blanks; they
 /// replace records of the text, or stand for missing ones. Map files are not read. Throws ScenarioError.
 Scenario parse_scenario(const std::string& text, const std::string& name,
-                        const std::vector<std::string>& overrides = {});
+                        const std::vector<std::string>& overrides = {}, Ends ends = Ends::kRequired);
 
 /// Reads and parses a file of at most kMaxTextBytes, and reads its map files. Throws ScenarioError.
-Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {});
+Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides = {},
+                       Ends ends = Ends::kRequired);
 
 }  // namespace tern_host
 

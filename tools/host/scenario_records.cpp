@@ -3,6 +3,7 @@
 #include "host/scenario_records.hpp"
 
 #include "host/number.hpp"
+#include "host/via_record.hpp"
 #include "tern/config.hpp"
 
 namespace tern_host {
@@ -54,6 +55,7 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name)
       {"goal_jerk", Shape::kVector, nullptr, &s.goal.jerk, false, false, {}},
       {"resolution", Shape::kScalar, &s.resolution, nullptr, false, false, {}},
       {"radius", Shape::kScalar, &s.radius, nullptr, false, false, {}},
+      {"tracking_margin", Shape::kScalar, &s.tracking_margin, nullptr, false, false, {}},
       {"v_max", Shape::kLimit, nullptr, &s.limits.v_max, false, false, {}},
       {"a_max", Shape::kLimit, nullptr, &s.limits.a_max, false, false, {}},
       {"v_min", Shape::kLimit, nullptr, &s.limits.v_min, false, false, {}},
@@ -63,6 +65,11 @@ ScenarioBuilder::ScenarioBuilder(const std::string& name)
       {"j_max", Shape::kLimit, nullptr, &s.limits.j_max, false, false, {}},
       {"j_horizontal", Shape::kScalar, &s.limits.j_horizontal, nullptr, false, false, {}},
       {"time_weight", Shape::kScalar, &s.time_weight, nullptr, false, false, {}},
+      {"start_yaw", Shape::kScalar, &s.yaw.start, nullptr, false, false, {}},
+      {"start_yaw_rate", Shape::kScalar, &s.yaw.start_rate, nullptr, false, false, {}},
+      {"start_yaw_acceleration", Shape::kScalar, &s.yaw.start_acceleration, nullptr, false, false, {}},
+      {"yaw_rate_max", Shape::kScalar, &s.yaw.rate_max, nullptr, false, false, {}},
+      {"yaw_acceleration_max", Shape::kScalar, &s.yaw.acceleration_max, nullptr, false, false, {}},
   };
 }
 
@@ -85,7 +92,12 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
   if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") return add_fence(words, place);
+  if (key == "via") return add_via(words, place);
   if (key == "octomap" || key == "cloud") return add_map_file(words, place);
+  if (key == "yaw") {
+    if (scenario_.has_yaw) throw ScenarioError(place, "'yaw' is given twice" + first_given(yaw_place_));
+    return set_yaw(words, place);
+  }
   if (Choice* const choice = find_choice(key)) {
     if (choice->given) throw ScenarioError(place, "'" + key + "' is given twice" + first_given(choice->place));
     return choose(*choice, words, place);
@@ -102,6 +114,7 @@ void ScenarioBuilder::override_setting(const std::string& key, const std::vector
                                        const Place& place) {
   std::vector<std::string> words{key};
   words.insert(words.end(), values.begin(), values.end());
+  if (key == "yaw") return set_yaw(words, place);
   if (Choice* const choice = find_choice(key)) return choose(*choice, words, place);
   Setting* const setting = find(key);
   if (setting == nullptr) throw ScenarioError(place, "unknown or not a setting: " + quote(key));
@@ -129,6 +142,12 @@ void ScenarioBuilder::choose(Choice& choice, const std::vector<std::string>& wor
   choice.place = place;
 }
 
+void ScenarioBuilder::set_yaw(const std::vector<std::string>& words, const Place& place) {
+  read_yaw_record(words, place, scenario_.yaw);
+  scenario_.has_yaw = true;
+  yaw_place_ = place;
+}
+
 void ScenarioBuilder::add_map_file(const std::vector<std::string>& words, const Place& place) {
   const std::string& key = words.front();
   if (words.size() != 2) throw ScenarioError(place, "'" + key + "' needs one file name, without blanks");
@@ -139,6 +158,14 @@ void ScenarioBuilder::add_map_file(const std::vector<std::string>& words, const 
   scenario_.map_files.push_back({kind, words[1], place});
 }
 
+void ScenarioBuilder::add_via(const std::vector<std::string>& words, const Place& place) {
+  const tern::Via via = read_via(words, place);
+  if (scenario_.vias.size() == std::size_t{tern::kMaxVias}) {
+    throw ScenarioError(place, "more than " + std::to_string(tern::kMaxVias) + " vias");
+  }
+  scenario_.vias.push_back(via);
+}
+
 /// A cloud does not say what is free.
 void ScenarioBuilder::check_unknown() const {
   if (scenario_.unknown == Unknown::kFree) return;
@@ -146,6 +173,15 @@ void ScenarioBuilder::check_unknown() const {
     if (file.kind == MapFileKind::kOctomap) return;
   }
   throw ScenarioError(choices_[2].place, "'unknown solid' needs an 'octomap', which says what is free");
+}
+
+void ScenarioBuilder::check_yaw() const {
+  if (scenario_.has_yaw) return;
+  for (const Setting& setting : settings_) {
+    const std::string key = setting.key;
+    if (!setting.given || key.find("yaw") == std::string::npos) continue;
+    throw ScenarioError(setting.place, "'" + key + "' needs a 'yaw', which says where the nose should point");
+  }
 }
 
 void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {
@@ -212,16 +248,16 @@ void ScenarioBuilder::check_ranges() const {
     if (key == "resolution" && !(*setting.scalar > 0.0)) {
       throw ScenarioError(setting.place, "'resolution' must be more than 0");
     }
-    if (key == "radius" && !(*setting.scalar >= 0.0)) {
-      throw ScenarioError(setting.place, "'radius' must not be less than 0");
+    if ((key == "radius" || key == "tracking_margin") && !(*setting.scalar >= 0.0)) {
+      throw ScenarioError(setting.place, "'" + key + "' must not be less than 0");
     }
   }
 }
 
-Scenario ScenarioBuilder::finish(const Place& end) {
+Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   if (!has_boundary_) throw ScenarioError(end, "the file ends without a 'boundary'");
   for (const Setting& setting : settings_) {
-    if (setting.required && !setting.given) {
+    if (setting.required && !setting.given && ends == Ends::kRequired) {
       throw ScenarioError(end, std::string("the file ends without a '") + setting.key + "'");
     }
   }
@@ -230,6 +266,7 @@ Scenario ScenarioBuilder::finish(const Place& end) {
   scenario_.goal_mode = static_cast<tern::GoalMode>(find_choice("goal_mode")->chosen);
   scenario_.unknown = find_choice("unknown")->chosen == 0 ? Unknown::kFree : Unknown::kSolid;
   check_unknown();
+  check_yaw();
   scenario_.resolution_place = find("resolution")->place;
   return scenario_;
 }

@@ -26,7 +26,7 @@ class ScenarioBuilder {
   void override_setting(const std::string& key, const std::vector<std::string>& values, const Place& place);
 
   /// Checks what only the whole scenario shows; `end` is the place to name where something is missing.
-  Scenario finish(const Place& end);
+  Scenario finish(const Place& end, Ends ends);
 
  private:
   enum class Shape { kScalar, kVector, kLimit };
@@ -54,14 +54,18 @@ class ScenarioBuilder {
   void add_boundary(const std::vector<std::string>& words, const Place& place);
   void add_fence(const std::vector<std::string>& words, const Place& place);
   static void choose(Choice& choice, const std::vector<std::string>& words, const Place& place);
+  void set_yaw(const std::vector<std::string>& words, const Place& place);
   void add_map_file(const std::vector<std::string>& words, const Place& place);
+  void add_via(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
   void check_ranges() const;
   void check_unknown() const;
+  void check_yaw() const;
 
   Scenario scenario_;
   bool has_boundary_ = false;
+  Place yaw_place_;
   std::vector<Setting> settings_;
   Choice choices_[3];
 };

@@ -3,9 +3,12 @@
 #include "host/session.hpp"
 
 #include <cstring>
+#include <stdexcept>
+#include <utility>
 
 #include "host/grid_layout.hpp"
 #include "host/map/scenario_grid.hpp"
+#include "tern/record.hpp"
 #include "tern_port/port.hpp"
 
 namespace tern_host {
@@ -26,6 +29,8 @@ tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence
   request.fence_count = static_cast<std::int32_t>(fences.size());
   request.start = scenario.start;
   request.goal = scenario.goal;
+  request.vias = scenario.vias.data();
+  request.via_count = static_cast<std::int32_t>(scenario.vias.size());
   request.limits = scenario.limits;
   request.time_weight = scenario.time_weight;
   request.search = scenario.search;
@@ -39,6 +44,13 @@ std::unique_ptr<unsigned char[]> touched_memory(std::size_t bytes) {
   std::unique_ptr<unsigned char[]> memory(new unsigned char[bytes]);
   std::memset(memory.get(), 0, bytes);
   return memory;
+}
+
+void add_yaw(PlanResult& result) {
+  if (!result.ok() || !result.scenario.has_yaw) return;
+  auto plan = std::make_unique<tern::YawPlan>();
+  result.yaw_status = plan_yaw(result.scenario.yaw, result.trajectory, *plan);
+  if (result.yaw_status == tern::Status::kOk) result.yaw = std::move(plan);
 }
 
 tern::Status refuse(PlanResult& result, tern::Status status) {
@@ -97,7 +109,22 @@ PlanResult Session::plan(const Scenario& scenario) {
   for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
   if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
   if (planner_.corridor() != nullptr) result.corridor = std::make_unique<tern::Corridor>(*planner_.corridor());
+  add_yaw(result);
   return result;
+}
+
+std::string Session::record(const PlanResult& result) const {
+  const std::vector<tern::Fence> fences = fences_of(result.scenario);
+  std::string bytes(tern::plan_record_bytes(result.grid.dims), '\0');
+  std::size_t used = 0;
+  const tern::Status status =
+      tern::record_plan(grid_, request_of(result.scenario, fences), result.report.status, result.trajectory,
+                        reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size(), &used);
+  if (status != tern::Status::kOk) {
+    throw std::runtime_error(std::string("this query cannot be recorded: ") + tern::status_meaning(status));
+  }
+  bytes.resize(used);
+  return bytes;
 }
 
 }  // namespace tern_host

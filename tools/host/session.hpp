@@ -5,10 +5,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "host/scenario.hpp"
 #include "tern/tern.hpp"
+#include "tern/yaw.hpp"
 
 namespace tern_host {
 
@@ -40,6 +42,9 @@ struct PlanResult {
   std::unique_ptr<tern::Path> path;          ///< grid frame; null where the stage was not reached
   std::unique_ptr<tern::Corridor> corridor;  ///< likewise
   tern::Trajectory trajectory{};             ///< empty unless ok()
+  /// Null unless the scenario wants one; yaw_status says why not where it does.
+  std::unique_ptr<tern::YawPlan> yaw;
+  tern::Status yaw_status = tern::Status::kOk;
 
   bool ok() const { return report.status == tern::Status::kOk; }
 };
@@ -51,6 +56,9 @@ class Session {
 
   /// Lays out, fills and inflates the grid, and plans. Throws ScenarioError where the grid does not fit.
   PlanResult plan(const Scenario& scenario);
+
+  /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
+  std::string record(const PlanResult& result) const;
 
   /// The next plan takes as long as a first one on its map: Planner::forget_map.
   void forget_map() { planner_.forget_map(); }

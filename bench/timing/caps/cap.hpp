@@ -51,10 +51,14 @@ tern::Request request_between(const tern::Vec3& start, const tern::Vec3& goal);
 // One function a file, each reports its rows.
 void grid_caps();
 void search_caps();
+void guided_caps();
 void shortcut_caps();
 void corridor_caps();
 void programme_caps();
 void check_caps();
+void map_caps();
+void yaw_caps();
+void via_caps();
 
 }  // namespace tern_caps
 

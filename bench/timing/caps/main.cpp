@@ -61,9 +61,13 @@ int main() {
   tern_board::print("cap,stage,count,reached,capacity,units,times\n");
   tern_caps::grid_caps();
   tern_caps::search_caps();
+  tern_caps::guided_caps();
   tern_caps::shortcut_caps();
   tern_caps::corridor_caps();
   tern_caps::programme_caps();
   tern_caps::check_caps();
+  tern_caps::map_caps();
+  tern_caps::yaw_caps();
+  tern_caps::via_caps();
   return 0;
 }

@@ -100,6 +100,12 @@
 #define TERN_MAX_FENCES TERN_DEFAULT(2, 16, 16)
 #endif
 
+/// Vias of one request. Each takes about 300 bytes of the workspace and 16 of a
+/// Report. A way through vias needs a segment for each, and one more. Beyond it: kViasFull.
+#ifndef TERN_MAX_VIAS
+#define TERN_MAX_VIAS TERN_DEFAULT(2, 16, 16)
+#endif
+
 /// Half-spaces of all fences of one request together, 96 at most. The workspace takes 160 + 16 * this bytes for each,
 /// most of them for the corners of keep-out fences. Beyond it: kFencePlanesFull.
 #ifndef TERN_MAX_FENCE_PLANES
@@ -124,6 +130,12 @@
 #define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 256, 4096)
 #endif
 
+/// Pieces of a yaw plan's spline, 90 bytes each in a YawPlanner and 8 in a YawPlan. Beyond it: longer pieces, never
+/// shorter than a tenth of a second.
+#ifndef TERN_MAX_YAW_PIECES
+#define TERN_MAX_YAW_PIECES TERN_DEFAULT(16, 128, 256)
+#endif
+
 #ifdef __cplusplus
 
 #include <stddef.h>
@@ -146,9 +158,11 @@ constexpr int kMaxQpIterations = TERN_MAX_QP_ITERATIONS;
 constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
 constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
+constexpr int32_t kMaxVias = TERN_MAX_VIAS;
 constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
 constexpr int32_t kMaxPixels = TERN_MAX_PIXELS;
 constexpr int32_t kMaxPriorBoxes = TERN_MAX_PRIOR_BOXES;
+constexpr int32_t kMaxYawPieces = TERN_MAX_YAW_PIECES;
 
 /// Coordinates that differ by less than this share of a voxel count as equal. A box whose faces are off the lattice
 /// only by rounding then takes no additional voxel. 1e-9 of a voxel of 0.1 m is 0.1 nm.
@@ -163,7 +177,9 @@ static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
 static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,
               "a fence that is a box; facets of fences live on the stack");
+static_assert(kMaxVias >= 1 && kMaxVias <= 1024, "sizes of reports are small");
 static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");
+static_assert(kMaxYawPieces >= 8 && kMaxYawPieces <= 4096, "a start, an end and something between");
 static_assert(kMaxNodes < (1 << 30) && kMaxOpen < (1 << 30), "node indices are 32 bits");
 
 }  // namespace tern

@@ -10,12 +10,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "tern/fence.hpp"
 #include "tern/map.hpp"
 #include "tern/planner.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
+#include "tern/via.hpp"
+#include "tern/yaw.hpp"
 
 namespace tern {
 
@@ -27,7 +30,7 @@ struct FlightSpec {
   double time_weight;
   /// Nanoseconds from one tick to the next, > 0.
   int64_t tick;
-  /// Units of work that a tick may spend, 128 at least.
+  /// Units of work that a tick may spend, 256 at least. A unit takes about a thousand instructions.
   uint32_t work_per_tick;
   /// Units after which a plan is dropped, > 0. With work_per_tick it says how many ticks ahead a new plan begins.
   uint32_t plan_work;
@@ -37,6 +40,10 @@ struct FlightSpec {
   double near;
   /// How fast the vehicle turns its sensor, rad/s, > 0. It says how long to look into one direction.
   double yaw_rate;
+  /// Geofences, `fence_count` of them, or null: all that is flown respects them. They and their half-spaces are yours
+  /// and must outlive the flight.
+  const Fence* fences = nullptr;
+  int32_t fence_count = 0;
 };
 
 /// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
@@ -57,11 +64,62 @@ enum class FlightMode : uint8_t {
 
 /// Why the vehicle rests, or does not go on.
 enum class FlightReason : uint8_t {
-  kNone = 0,    ///< it flies, or is about to
-  kNoGoal,      ///< there is no goal: none was set yet, or stop() took it away
-  kArrived,     ///< it rests at the goal
-  kNearest,     ///< the goal is occupied; it rests as near to it as it can
-  kNoProgress,  ///< after a look around there is still no way. set_goal() makes it try again
+  kNone = 0,        ///< it flies, or is about to
+  kNoGoal,          ///< there is no goal: none was set yet, or stop() took it away
+  kArrived,         ///< it rests at the goal
+  kNearest,         ///< the goal is occupied; it rests as near to it as it can
+  kNoProgress,      ///< after a look around there is still no way. set_goal() makes it try again
+  kHemmedIn,        ///< likewise, and something is nearer to the vehicle than the radius
+  kViaBlocked,      ///< the mission ended: its next point is in an obstacle or breaks a fence
+  kViaUnreachable,  ///< the mission ended: after a look around there is still no way to its next point
+};
+
+/// Points of a mission, at most: the vias and the goal.
+constexpr int32_t kMaxMissionPoints = kMaxVias + 1;
+
+/// What happens where a point of a mission, other than the goal, cannot be reached.
+enum class ViaPolicy : uint8_t {
+  kEnd = 0,  ///< the mission ends: the vehicle comes to rest and says why
+  kSkip,     ///< it goes on to the next point
+};
+
+/// What became of a point of a mission.
+enum class PointState : uint8_t {
+  kAhead = 0,
+  kPassed,   ///< within its tolerance. The goal: the vehicle rests there
+  kSkipped,  ///< it could not be reached
+};
+
+/// In English, for logs: "fly", and "there is no way that can be proven free". Static strings; "unknown" for other
+/// numbers.
+const char* flight_mode_name(FlightMode mode) noexcept;
+const char* flight_reason_text(FlightReason reason) noexcept;
+
+/// Where the nose points in flight. In every mode, a vehicle that rests and looks for its way turns to what the next
+/// plan needs to see.
+enum class FlightYawMode : uint8_t {
+  kTowardsUnseen = 0,  ///< to the first point of the way that is not proven yet
+  kAlongMotion,        ///< along the horizontal velocity
+  kTowardsPoint,       ///< to FlightYaw::point, seen from above
+  kFixed,              ///< to FlightYaw::heading
+  kAtPoints,           ///< passes each point of the mission with its heading of FlightYaw::headings
+};
+
+/// How to turn the nose, and a sensor that is fixed to it. The limit on the rate is FlightSpec::yaw_rate, which must
+/// then be within 0.01 .. 100.
+struct FlightYaw {
+  FlightYawMode mode;
+  /// Limit on the angular acceleration, rad/s^2, 0.01 .. 1000.
+  double acceleration_max;
+  /// The sensor's horizontal field of view, rad, 0 .. 2 pi; 0 where FlightReport::waits_for_view does not matter.
+  double view;
+  /// The heading at rest; only the first set_yaw() after start() reads it.
+  Heading start;
+  Heading heading;  ///< for kFixed
+  Vec3 point;       ///< for kTowardsPoint: world frame, m
+  /// For kAtPoints: one heading for each point of the mission, copied; points beyond the last one have its heading.
+  const Heading* headings;
+  int32_t heading_count;  ///< 1 .. kMaxMissionPoints
 };
 
 /// What one tick did.
@@ -77,6 +135,11 @@ struct FlightReport {
   /// For kThreat: the time until which the committed plan is proven, and the speed there, m/s. Otherwise 0.
   int64_t contact_time;
   double contact_speed;
+  /// The mission's next point, and how many were passed and skipped. Flight::point_state() says which.
+  int32_t leg, passed, skipped;
+  /// True where the next thing to see is outside the sensor's field of view (FlightYaw::view): the limits on the yaw
+  /// slow the flight.
+  bool waits_for_view;
 };
 
 /// What to fly at one time.
@@ -99,13 +162,31 @@ class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
   /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, too few words);
-  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free: see RollingMap::assume_free. Whatever
+  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free: see RollingMap::assume_free; or
+  /// if the position breaks a fence. Whatever
   /// is refused leaves the flight without a binding.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
                const Vec3& position, int64_t t) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
   /// the goal as it was; kInvalidArgument before start().
   Status set_goal(const Vec3& goal) noexcept;
+  /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
+  /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m; where `stop` is true,
+  /// at rest. The goal's tolerance and stop mean nothing. The points are copied. `policy` says what happens to one that
+  /// turns out to be in an obstacle, to break a fence, or to have no way to it; for the goal, that is as for
+  /// set_goal(). kOk; whatever is refused leaves the goal as it was: kNonFiniteInput; kViasFull (more than
+  /// kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a velocity, no such policy, or before
+  /// start()).
+  Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
+  /// What became of a point of the mission. kAhead for points that it does not have.
+  PointState point_state(int32_t point) const noexcept;
+  /// Plans yaws beside what is flown from now on; without it, yaw() is 0. May be called again at any time: the nose
+  /// goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk; whatever is
+  /// refused changes nothing: kNonFiniteInput; kLimitsInvalid; kInvalidArgument (before start(), a mode that is none, a
+  /// heading without direction, too many headings or none, view out of range).
+  Status set_yaw(const FlightYaw& yaw) noexcept;
+  /// Where the nose points at time `t`, with rate and acceleration. Every time has an answer, as for command().
+  YawSample yaw(int64_t t) const noexcept;
   /// Comes to rest soon and forgets the goal. kInvalidArgument before start().
   Status stop() noexcept;
   /// Does one tick's work: the map's job in work, the proof of what is flown where the map changed, and the next plan.

@@ -3,8 +3,8 @@
 //
 // The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
 // is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only where the robot's
-// centre may be anywhere in the voxel's closed cube: at least the radius away from every obstacle cube, and inside the
-// boundary (contract C5). docs/grid.md has the details.
+// centre may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every
+// obstacle cube, and inside the boundary (contract C5). docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
@@ -29,9 +29,22 @@ struct GridSpec {
   /// voxel that it cuts is blocked. Where obstacles beyond the boundary matter, make the grid wider than the boundary
   /// by the radius, because a grid knows no obstacles outside itself.
   Box boundary;
-  /// Least distance of the robot's centre from every obstacle, 0 .. kMaxDimension cells. A nanometre or less counts as
-  /// 0; Grid::spec() then has 0.
+  /// Radius of the robot's body, >= 0.
   double radius;
+  /// How far the vehicle may be off the plan while it flies, >= 0. docs/simulator.md has what was measured. It is part
+  /// of the grid and not of a request, because the blocked layer depends on it.
+  double tracking_margin;
+
+  /// Least distance that a plan keeps from every obstacle. At most kMaxDimension voxels. A nanometre or less counts as
+  /// 0: radius and tracking_margin of Grid::spec() are then 0.
+  double clearance() const noexcept { return radius + tracking_margin; }
+};
+
+/// An upright cylinder, closed. World frame, metres.
+struct Cylinder {
+  Vec3 base;      ///< the centre of its lower face
+  double radius;  ///< >= 0
+  double height;  ///< >= 0
 };
 
 /// Smallest and largest voxel edge, metres.
@@ -82,6 +95,9 @@ class Grid {
   /// for rounding takes no further voxel. A flat box on a voxel face marks the voxels above it, or below it at the
   /// grid's upper face. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument where lower > upper.
   Status mark_box(const Box& world) noexcept;
+  /// Marks each voxel whose interior the cylinder meets. One of radius 0 marks what mark_box marks for its axis, and so
+  /// on for one of height 0. kNonFiniteInput; kInvalidArgument for a radius or height below 0.
+  Status mark_cylinder(const Cylinder& world) noexcept;
   /// Clears the same voxels that mark_box would mark, whoever marked them.
   Status clear_box(const Box& world) noexcept;
   /// Marks one voxel. kOutOfMap outside the grid.

@@ -28,8 +28,9 @@ struct MapSpec {
   /// Voxels along each axis, as for a grid. Along x the window moves by 64 voxels at a time, so choose at least 128
   /// there.
   Voxel dims;
-  /// The least distance of the vehicle's centre from every obstacle, as GridSpec::radius.
+  /// Radius of the vehicle's body, and how far it may be off the plan, as GridSpec::radius and tracking_margin.
   double radius;
+  double tracking_margin;
 
   /// Depth up to which a frame is used, > 0. Nothing beyond it is marked or seen.
   double range;
@@ -47,6 +48,10 @@ struct MapSpec {
   /// kMaxEvidence.
   int32_t hits;
   int32_t misses;
+  /// For depth images: of the eight pixels around one, so many must measure about the same depth (a voxel and their
+  /// errors apart at most), or it counts as an error of the sensor. It then hits nothing, and sees no further than the
+  /// nearest pixel around it. 0 .. 8; 0: every pixel counts.
+  int32_t support;
   /// A voxel counts as seen for at most this time after the last frame that saw it, in nanoseconds. 0: for ever. At
   /// most a day.
   int64_t age;
@@ -104,8 +109,8 @@ class MapState;
 
 /// A view of a map that lies in words of yours, which must outlive it. Copies share the map. It is not thread-safe.
 ///
-/// The map does one job at a time: a frame, a scan or a slide. begin_frame(), begin_scan() or follow() begins it, and
-/// step() does it in slices. The result does not depend on the slices (contract C3).
+/// The map does one job at a time: a frame, a scan, a slide or a snapshot. begin_frame(), begin_scan(), follow() or
+/// begin_snapshot() begins it, and step() does it in slices. The result does not depend on the slices (contract C3).
 class RollingMap {
  public:
   /// Binds the map to `words`, at least map_words(spec) of them with any content. Nothing is seen, and the prior's
@@ -129,6 +134,13 @@ class RollingMap {
   /// enters the window is unknown, except for the prior. What leaves it is forgotten. Until the slide is finished, both
   /// grids count as not bound.
   Status follow(const Vec3& center) noexcept;
+  /// Begins to copy the route grid, for plans that go on while frames are entered. `words` is yours: `word_count`
+  /// words, at least grid_words(spec.dims) of them, which must outlive `grid`. Keep one grid with its words for all
+  /// snapshots: the planner keeps what it learned of voxels that are the same. A grid that does not lie there yet is
+  /// bound first, which takes as long as a frame. The grid must stay where it is until the job is done; until then it
+  /// counts as not bound, and afterwards it is inflated. kRunning; kInvalidArgument if the map is not bound, a job is
+  /// not finished, or the words are too few.
+  Status begin_snapshot(Grid& grid, uint64_t* words, size_t word_count) noexcept;
   /// Continues the job. kRunning: there is more to do. kOk: no job is left, and both grids are inflated.
   /// kInvalidArgument if the map is not bound.
   ///
@@ -138,7 +150,8 @@ class RollingMap {
   Status step(uint32_t work) noexcept;
   /// True while a job is not finished.
   bool busy() const noexcept;
-  /// The most units that a frame of this size takes, or a scan of this many points. A slide takes at most scan_work(0).
+  /// The most units that a frame of this size takes, or a scan of this many points. A slide or a snapshot takes at most
+  /// scan_work(0).
   uint32_t frame_work(int32_t width, int32_t height) const noexcept;
   uint32_t scan_work(size_t count) const noexcept;
 
@@ -150,8 +163,13 @@ class RollingMap {
   Status assume_free(const Vec3& center, double radius) noexcept;
   /// Marks the voxels of a box as obstacles in both grids, as Grid::mark_box does, until misses clear them.
   Status mark_box(const Box& world) noexcept;
+  /// Likewise, as Grid::mark_cylinder does.
+  Status mark_cylinder(const Cylinder& world) noexcept;
   /// Likewise marks the voxels that hold the points, as Grid::mark_points does.
   Status mark_points(const Vec3* world, size_t count) noexcept;
+
+  /// begin_snapshot() and all of its work. kOk; kInvalidArgument as there.
+  Status snapshot(Grid& grid, uint64_t* words, size_t word_count) noexcept;
 
   // Reading, only for a map that is bound. Both grids are ordinary grids whose boundary is the window. Their addresses
   // stay the same. Do not copy them, because a slide unbinds the copies.
@@ -161,16 +179,20 @@ class RollingMap {
   /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of its obstacle
   /// layer is either that from before the frame or that from after it.
   const Grid& safe() const noexcept;
-  /// Copies the route grid, for plans that go on while frames are entered. `words` is yours: `word_count` words, at
-  /// least grid_words(spec.dims) of them, which must outlive `grid`. Keep one grid with its words for all snapshots: it
-  /// is bound again only where the window has moved. The planner keeps what it learned of voxels that are the same.
-  /// kOk, and the grid is inflated; kInvalidArgument where the map is not bound, a job is in work, or the words are too
-  /// few. Not sliced: it copies two layers, a byte for four voxels.
-  Status snapshot(Grid& grid, uint64_t* words, size_t word_count) const noexcept;
   /// True where the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
   bool seen(const Voxel& voxel) const noexcept;
+  /// All of seen() as a layer: a bit a voxel, in the rows of Grid::obstacle_row(). The map's; read only. A slide moves
+  /// it with the grids.
+  const uint64_t* seen_rows() const noexcept;
+  /// Grows by one whenever voxels of one word of seen_rows() are seen for the first time, or again after they were
+  /// forgotten. Where it stands still, the map learns nothing new.
+  uint64_t learned() const noexcept;
   /// Grows with every change of either grid.
   uint64_t revision() const noexcept;
+  /// `world` becomes a box around all voxels of safe() that became solid since the last call that answered true; after
+  /// bind() and after a slide, it is the window. World frame, metres. False, and `world` stays, where there are none or
+  /// a job is in work. What was proven clear on safe() before is still so outside this box, grown by the radius.
+  bool take_added(Box& world) noexcept;
   /// MapSpec::slack of the last bind.
   int32_t slack() const noexcept;
 

@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "tern/fence.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
@@ -32,6 +33,7 @@ enum class ProofEnd : uint8_t {
   kJerk,          ///< beyond a limit of jerk
   kMalformed,     ///< the trajectory has numbers that are not finite, no duration, or a gap between two segments
   kPieces,        ///< a segment needs more pieces than kProofPieces
+  kFence,         ///< outside a keep-in, or too near to a keep-out, or too nearly so to tell
 };
 
 /// How far a proof came.
@@ -44,6 +46,32 @@ struct ProofReport {
   Voxel voxel;
   /// Pieces that were looked at.
   uint32_t work;
+};
+
+/// Voxels that became solid although they had been seen free. In a world that stands still, such voxels are errors of
+/// the sensor.
+struct Alarm {
+  /// Around the voxels that became solid, world frame, metres. Voxels whose centres are outside are not part of it.
+  Box box;
+  /// A layer of yours with a bit for each voxel that was seen free, in the rows of Grid::obstacle_row(). It must stay
+  /// until the proof is done. See RollingMap::seen_rows().
+  const uint64_t* seen;
+};
+
+/// What a proof may rely on. World frame, metres; copied by Proof::begin(). Null: nothing.
+struct ProofGrounds {
+  /// The trajectory was proven before, and no obstacle was added since but in this box. Only what comes near to it is
+  /// proven again. See RollingMap::take_added().
+  const Box* added = nullptr;
+  /// A place to get away from: obstacles that are nearer to it than the radius may stay as near as they are to it, but
+  /// come no nearer. For a vehicle at rest that finds something within its radius.
+  const Vec3* left = nullptr;
+  /// Obstacles of this alarm do not count.
+  const Alarm* alarm = nullptr;
+  /// Fences that the trajectory must respect, `fence_count` of them, valid as for a Request. They must stay until the
+  /// proof is done. Where three faces of a keep-out meet, the proof may ask for more than the radius.
+  const Fence* fences = nullptr;
+  int32_t fence_count = 0;
 };
 
 /// A segment is halved at most this many times over. What cannot be proven then is not proven.
@@ -74,8 +102,8 @@ class Proof {
   /// be null: then only clearance is proven.
   ///
   /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty.
-  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
-               Beyond beyond) noexcept;
+  Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+               const ProofGrounds& grounds = {}) noexcept;
   /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
   /// proof was begun.
   ///
@@ -93,12 +121,14 @@ class Proof {
   };
   enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
 
+  void pardon(const Alarm& alarm) noexcept;
   bool sound(const Segment& segment) const noexcept;
   int part_after(int part) const noexcept;
   void enter_segment() noexcept;
   void enter_part(int part) noexcept;
   bool holds(const Piece& piece, int count, ProofEnd& end) noexcept;
   bool keeps_clear(const Piece& piece, ProofEnd& end) noexcept;
+  bool keeps_fences(const Piece& piece, double tolerance) const noexcept;
   bool keeps_limit(const Piece& piece, int count) const noexcept;
   void look_at_piece() noexcept;
   void lose(double u, ProofEnd end) noexcept;
@@ -110,6 +140,15 @@ class Proof {
   bool has_limits_ = false;
   Limits limits_{};
   Beyond beyond_ = Beyond::kEmpty;
+  bool has_added_ = false;
+  Box added_{};  // local frame
+  bool has_left_ = false;
+  Vec3 left_{};  // local frame
+  const uint64_t* pardoned_ = nullptr;
+  Voxel pardon_begin_{};  // voxels whose obstacles need not count
+  Voxel pardon_end_{};
+  const Fence* fences_ = nullptr;
+  int32_t fence_count_ = 0;
   int segment_ = 0;
   double begin_ = 0.0;  // of the segment
   double first_ = 0.0;  // the segment's parameter where its proof begins

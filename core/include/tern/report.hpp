@@ -7,9 +7,11 @@
 
 #include <stdint.h>
 
+#include "tern/config.hpp"
 #include "tern/fence.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
+#include "tern/via.hpp"
 
 namespace tern {
 
@@ -51,6 +53,8 @@ struct CheckReport {
   int32_t plane = -1;
   /// Index in Request::fences.
   int32_t fence = -1;
+  /// Index in Request::vias.
+  int32_t via = -1;
   /// 0 position, 1 velocity, 2 acceleration, 3 jerk.
   int32_t derivative = -1;
   /// 0 x, 1 y, 2 z; 3 the horizontal norm.
@@ -111,6 +115,12 @@ enum class SearchUsed : uint8_t {
   kOptimal,
 };
 
+/// Where a plan passes a via.
+struct ViaPassage {
+  double time;      ///< s since the plan's beginning
+  double distance;  ///< m from the via's position then, at most its tolerance but for 1e-9 m
+};
+
 /// The whole answer to one call of Planner::plan or Planner::finish, which always fill it. Plain data without pointers.
 struct Report {
   /// The answer; the same as the call's return value.
@@ -119,14 +129,14 @@ struct Report {
   Stage stage;
   /// The field of the request or grid that is wrong. kNone where no single field is.
   Field field;
-  /// Only for kStartOccupied and kGoalOccupied. True: the point lies inside an obstacle. False: it is outside, but
-  /// closer to one than the radius.
+  /// Only for kStartOccupied, kGoalOccupied and kViaOccupied. True: the point lies inside an obstacle. False: it is
+  /// outside, but closer to one than the radius.
   bool raw_occupied;
-  /// Only for kStartOccupied and kGoalOccupied: true where nearest_free has a value.
+  /// Only for kStartOccupied, kGoalOccupied and kViaOccupied: true where nearest_free has a value.
   bool has_nearest_free;
-  /// True where reachable has a value: the goal is occupied, or no path leads to it, or the search had no room to find
-  /// one (kNodesFull, kOpenFull), or the goal is fenced and Request::goal_mode is kNearest. False where the start joins
-  /// no free voxel, where Budget::expansions did not last, and where the grid is too large (TERN_MAX_FENCE_WORDS).
+  /// True where reachable has a value: the goal is occupied or fenced, or no path leads to it, or the search had no
+  /// room to find one (kNodesFull, kOpenFull). False where the start joins no free voxel, where Budget::expansions did
+  /// not last, and where the grid is too large (TERN_MAX_FENCE_WORDS).
   bool has_reachable;
   /// True where ticks were measured. False where no clock was given, or where it stood still or ran backwards.
   bool timing_known;
@@ -141,7 +151,7 @@ struct Report {
   /// Why the plan was to end at `reachable` instead of the goal: kGoalOccupied, kGoalFenced, kNoPath, kNodesFull or
   /// kOpenFull. kOk where it was not, and always with GoalMode::kExact.
   Status goal_missed;
-  /// World frame, metres: the centre of the free voxel nearest to the occupied start or goal. Valid where
+  /// World frame, metres: the centre of the free voxel nearest to the occupied start, goal or via. Valid where
   /// has_nearest_free is true; zero otherwise.
   Vec3 nearest_free;
   /// World frame, metres: the point nearest to the goal of those that a path leads to. It is the centre of a free
@@ -151,9 +161,17 @@ struct Report {
   /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
   StageReport stages[kStageCount];
   HighWater high_water;
-  /// Only where `status` or `goal_missed` is kStartFenced or kGoalFenced: the index in Request::fences of a fence that
-  /// is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Else kNoFence.
+  /// Only where `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a
+  /// fence that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Else
+  /// kNoFence.
   int32_t fence = kNoFence;
+  /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
+  /// plan could not be led to. kNoVia where the way from the last via to the goal is at fault, or no single part of the
+  /// way.
+  int32_t via = kNoVia;
+  /// How the plan passes the vias, one entry each; those of Request::vias beyond via_count are zero, and all of them
+  /// without a plan. At vias with equal positions, one after the other, several may have the same time.
+  ViaPassage vias[kMaxVias];
 
   /// Only where `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its
   /// segments and polyhedra are those of that plan, which is not given out.

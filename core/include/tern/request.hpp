@@ -10,6 +10,7 @@
 #include "tern/fence.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
+#include "tern/via.hpp"
 
 namespace tern {
 
@@ -103,8 +104,7 @@ enum class SearchMode : uint8_t {
 /// What to do about a goal that cannot be planned to: one that is occupied or fenced, or that no chain of free voxels
 /// leads to. Any other number is refused (kInvalidArgument, field kGoalMode).
 enum class GoalMode : uint8_t {
-  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come,
-  /// except for kGoalFenced.
+  /// There is no plan: kGoalOccupied, kGoalFenced or kNoPath. Report::reachable says how near the robot could come.
   kExact = 0,
   /// As near as you can: the plan ends at rest at Report::reachable, and Report::goal_missed says why. A goal that can
   /// be planned to gets the same plan as with kExact.
@@ -127,11 +127,18 @@ struct Request {
   const Fence* fences = nullptr;
   /// 0 .. kMaxFences. Beyond it: kFencesFull.
   int32_t fence_count = 0;
+  /// Points to pass on the way to the goal, in order: an array of `via_count`, or null with via_count 0. Speed carries
+  /// through a via that is not a stop. A request with vias takes GoalMode::kExact and no previous plan; the others are
+  /// refused with kInvalidArgument and the field.
+  const Via* vias = nullptr;
+  /// 0 .. kMaxVias. Beyond it: kViasFull.
+  int32_t via_count = 0;
 
-  /// For replanning in flight: the plan that you are flying, or null. The planner first looks for a new plan. If it
-  /// finds none, it follows the rest of this one, provided that this is still free on the grid. If the goal is a
-  /// different one, it goes on from there to the goal. Report::detours is 3 for such a plan. Only if that fails too
-  /// does it try to stop first.
+  /// For replanning in flight: the plan that you are flying, or null. If the planner finds no
+  /// plan, or none that arrives more than a microsecond earlier, it follows the rest of this one, provided that this is
+  /// still free on the grid. So no new plan to the same goal arrives later than the rest. If the goal is a different
+  /// one and there is no plan, it goes on from there to the goal. Report::detours is 3 for such a plan. Only if that
+  /// fails too does it try to stop first.
   ///
   /// `start` must be what evaluate(*previous, previous_time) returns, bit for bit. Otherwise the answer is
   /// kInvalidArgument, field kPrevious.

@@ -34,10 +34,18 @@ enum class Status : uint8_t {
   /// The goal's velocity or acceleration exceeds a limit, likewise.
   kGoalExceedsLimits = 15,
 
+  /// A via's velocity exceeds a limit, likewise. Report::via says which via.
+  kViaExceedsLimits = 16,
+
   /// Only from a RollingMap: the pose's quaternion is not a unit quaternion.
   kPoseInvalid = 18,
   /// Only from a RollingMap: a depth image has no size, or intrinsics that no camera has (tern/map.hpp).
   kCameraInvalid = 19,
+
+  /// Only for records (tern/record.hpp): the bytes are no record, not all of it, or altered.
+  kRecordDamaged = 20,
+  /// Only for records: another version of the format wrote it.
+  kRecordVersion = 21,
 
   // 30 .. 49: the request is right, but the world has no answer to it. Choose another start, goal, radius or
   // resolution, or wait.
@@ -47,19 +55,27 @@ enum class Status : uint8_t {
   kStartOccupied = 30,
   /// The goal is closer to an obstacle than the radius, likewise.
   kGoalOccupied = 31,
-  /// At this resolution and radius, no chain of free voxels connects start and goal.
+  /// At this resolution and radius, no chain of free voxels connects start and goal. With vias, Report::via says which
+  /// of them cannot be reached from the one before.
   kNoPath = 32,
   /// The grid changed between two slices of a plan. Begin the plan again.
   kMapChanged = 33,
   /// An obstacle or a fence is closer than the radius to a line that the corridor must hold. A finer grid may help.
   kCorridorBlocked = 34,
-  /// Only for a start or goal in motion: no trajectory within the limits leaves or meets that motion here. Keep flying
+  /// Only for a start or goal in motion, or a via with a velocity: no trajectory within the limits leaves or meets that
+  /// motion here. Keep flying
   /// the plan that you have (Request::previous), slow down earlier, or ask for a goal at rest.
   kNoTrajectory = 35,
   /// The start lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
   kStartFenced = 36,
   /// The goal lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
   kGoalFenced = 37,
+
+  /// A via is closer to an obstacle than the radius, likewise. Report::via says which.
+  kViaOccupied = 38,
+  /// A via lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::via and Report::fence
+  /// say which.
+  kViaFenced = 39,
 
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.
@@ -79,9 +95,12 @@ enum class Status : uint8_t {
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
   kFenceLayerFull = 60,  ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
 
+  kViasFull = 61,  ///< TERN_MAX_VIAS: the request has more vias
+
   /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
   kPixelsFull = 63,
-  kPriorFull = 64,  ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes
+  kPriorFull = 64,   ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes
+  kRecordFull = 65,  ///< The room for a record does not suffice. plan_record_bytes() says how much always does.
 
   // 70 .. 89: the solver or the machine did not hold up.
 
@@ -135,6 +154,7 @@ enum class Finding : uint8_t {
   kFence,     ///< a control point lies outside a keep-in, or a polyhedron comes closer than the radius to a keep-out
   kBoundary,  ///< the start's or the goal's state is not met
   kJerk,      ///< some jerk(t) is beyond a limit
+  kVia,       ///< a via is missed, out of order, or not passed as it was asked for
 };
 
 /// The field of a request, a grid or a call that a status is about.
@@ -152,7 +172,7 @@ enum class Field : uint8_t {
   kCell,               ///< GridSpec::cell
   kDimensions,         ///< GridSpec::dims
   kBoundary,           ///< GridSpec::boundary: not finite, lower > upper, or not inside the grid
-  kRadius,             ///< GridSpec::radius
+  kRadius,             ///< GridSpec::radius, or its sum with tracking_margin
   kStorage,            ///< the grid's words: null or too few; or the grid is not bound to any
   kWorkspace,          ///< the planner's memory: null, or less than kWorkspaceBytes
   kCallOrder,          ///< finish() before begin(), or before step() was done
@@ -171,7 +191,7 @@ enum class Field : uint8_t {
   kRange,              ///< MapSpec::range
   kMargins,            ///< a margin of MapSpec
   kScanPixel,          ///< MapSpec::scan_pixel
-  kEvidence,           ///< MapSpec::hits or misses
+  kEvidence,           ///< MapSpec::hits, misses or support
   kAge,                ///< MapSpec::age
   kSlack,              ///< MapSpec::slack
   kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
@@ -181,6 +201,8 @@ enum class Field : uint8_t {
   kJMax,               ///< Limits::j_max
   kJHorizontal,        ///< Limits::j_horizontal
   kGoalMode,           ///< Request::goal_mode
+  kVias,               ///< Request::vias or via_count, or a via in it
+  kTrackingMargin,     ///< GridSpec::tracking_margin
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

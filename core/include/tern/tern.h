@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 6
+#define TERN_ABI 8
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -32,11 +32,13 @@ typedef tern::Vec3 tern_vec3;
 typedef tern::Voxel tern_voxel;
 typedef tern::Box tern_box;
 typedef tern::GridSpec tern_grid_spec;
+typedef tern::Cylinder tern_cylinder;
 typedef tern::State tern_state;
 typedef tern::Limits tern_limits;
 typedef tern::Budget tern_budget;
 typedef tern::Halfspace tern_halfspace;
 typedef tern::Fence tern_fence;
+typedef tern::Via tern_via;
 typedef tern::Request tern_request;
 typedef tern::Segment tern_segment;
 typedef tern::Trajectory tern_trajectory;
@@ -46,6 +48,7 @@ typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
 typedef tern::CheckReport tern_check_report;
 typedef tern::HighWater tern_high_water;
+typedef tern::ViaPassage tern_via_passage;
 typedef tern::Report tern_report;
 extern "C" {
 #else
@@ -56,7 +59,11 @@ typedef struct { double x, y, z; } tern_vec3;
 typedef struct { int32_t x, y, z; } tern_voxel;
 typedef struct { tern_vec3 lower, upper; } tern_box;
 /* Where a grid lies, how fine it is, and the robot's radius: tern/grid.hpp. World frame, metres. */
-typedef struct { tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius; } tern_grid_spec;
+typedef struct {
+  tern_vec3 origin; double cell; tern_voxel dims; tern_box boundary; double radius, tracking_margin;
+} tern_grid_spec;
+/* An upright cylinder; `base` is the centre of its lower face: tern::Cylinder. World frame, metres. */
+typedef struct { tern_vec3 base; double radius, height; } tern_cylinder;
 /* Start or goal: tern/request.hpp. World frame; m, m/s, m/s^2, m/s^3. */
 typedef struct { tern_vec3 position, velocity, acceleration, jerk; } tern_state;
 /* Limits per axis and of the horizontal norm: tern/request.hpp. m/s, m/s^2 and m/s^3. */
@@ -72,6 +79,13 @@ typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_bu
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
 /* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces that the caller owns; world frame. */
 typedef struct { const tern_halfspace* planes; int32_t count; uint8_t kind; /* 0 keep-in, 1 keep-out */ } tern_fence;
+/* A point to pass on the way: tern/via.hpp. World frame; m and m/s. `velocity` counts only with has_velocity. */
+typedef struct {
+  tern_vec3 position;
+  double tolerance; /* m, >= 0: how near the plan comes */
+  bool stop, has_velocity;
+  tern_vec3 velocity;
+} tern_via;
 /* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
 typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
@@ -86,6 +100,8 @@ typedef struct {
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
   const tern_fence* fences; /* geofences, or null with fence_count 0 */
   int32_t fence_count;
+  const tern_via* vias; /* points to pass on the way, in order, or null with via_count 0 */
+  int32_t via_count;
   /* For replanning: the plan that is being flown, or null. `start` must be its state at previous_time, as tern_evaluate
    * gives it. It may be the trajectory that the new plan is written to. See tern::Request. */
   const tern_trajectory* previous;
@@ -109,11 +125,13 @@ typedef struct {
 /* What the check found wrong with a plan: tern/report.hpp. -1 where an index or a voxel has no value. */
 typedef struct {
   uint8_t finding; /* tern_finding_name() */
-  int32_t segment, polyhedron, plane, fence;
+  int32_t segment, polyhedron, plane, fence, via;
   int32_t derivative, axis; /* 0 position .. 3 jerk; 0 x, 1 y, 2 z, 3 the horizontal norm */
   tern_voxel voxel;
   double excess; /* by how much more than the check allows: m, m/s, m/s^2 or m/s^3 */
 } tern_check_report;
+/* When a plan passes a via, in seconds, and how far from it, in metres: tern/report.hpp. */
+typedef struct { double time, distance; } tern_via_passage;
 /* The answer to a call of the planner: tern/report.hpp. */
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
@@ -130,6 +148,8 @@ typedef struct {
   tern_stage_report stages[12];
   tern_high_water high_water;
   int32_t fence; /* index of the fence that start or goal breaks; -1: none */
+  int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
+  tern_via_passage vias[TERN_MAX_VIAS];
   tern_check_report check; /* only where status or optimiser is check_failed */
   int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
@@ -204,6 +224,8 @@ uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* wo
 /* Marks each voxel that the box meets as an obstacle. World frame, metres; parts outside the grid are ignored. ok,
  * non_finite_input or invalid_argument. */
 uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);
+/* Marks each voxel that the cylinder meets, likewise. */
+uint8_t tern_grid_mark_cylinder(tern_grid* grid, const tern_cylinder* world);
 /* Clears the voxels that tern_grid_mark_box would mark, likewise. */
 uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
 /* Marks the voxel of each of `count` points, world frame, metres. Points outside the grid are skipped. `inside` gets
@@ -217,11 +239,11 @@ uint8_t tern_grid_inflate(tern_grid* grid);
 /* A hash of the capacities that your program is compiled with. It equals tern_configuration_hash() if they are the same
  * as the library's. It uses integers only: the last two represent the core's floating-point constants. */
 static inline uint64_t tern_header_hash(void) {
-  const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,     TERN_MAX_OPEN,
-                             TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,    TERN_MAX_LOCAL_BOXES,
-                             TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES, TERN_MAX_FENCES,
-                             TERN_MAX_FENCE_PLANES, TERN_MAX_FENCE_WORDS,   TERN_MAX_PIXELS,    TERN_MAX_PRIOR_BOXES,
-                             0x112e0be826d695u,     0x1999999999999au};
+  const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,       TERN_MAX_OPEN,
+                             TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,      TERN_MAX_LOCAL_BOXES,
+                             TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,   TERN_MAX_FENCES,
+                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_FENCE_WORDS, TERN_MAX_PIXELS,
+                             TERN_MAX_PRIOR_BOXES,  TERN_MAX_YAW_PIECES,    0x112e0be826d695u,    0x1999999999999au};
   uint64_t hash = 0xCBF29CE484222325u;
   for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;
   return hash;

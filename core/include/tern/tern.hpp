@@ -15,8 +15,10 @@
 #include "tern/map.hpp"
 #include "tern/planner.hpp"
 #include "tern/proof.hpp"
+#include "tern/record.hpp"
 #include "tern/self_test.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
+#include "tern/yaw.hpp"
 
 #endif

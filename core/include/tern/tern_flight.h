@@ -11,6 +11,7 @@
 #define TERN_TERN_FLIGHT_H
 
 #include "tern/tern_map.h"
+#include "tern/tern_yaw.h"
 
 #ifdef __cplusplus
 #include "tern/flight.hpp"
@@ -18,6 +19,7 @@
 typedef tern::ProofReport tern_proof_report;
 typedef tern::FlightSpec tern_flight_spec;
 typedef tern::FlightReport tern_flight_report;
+typedef tern::FlightYaw tern_flight_yaw;
 typedef tern::Command tern_command;
 extern "C" {
 #else
@@ -28,13 +30,23 @@ typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; } t
 typedef struct {
   tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
   double horizon, near, yaw_rate;
+  const tern_fence* fences; int32_t fence_count;
 } tern_flight_spec;
 /* What one tick did: tern::FlightReport. */
 typedef struct {
   uint8_t mode, reason, plan;
   uint32_t asked, committed, dropped, failed, work;
   int64_t contact_time; double contact_speed;
+  int32_t leg, passed, skipped;
+  bool waits_for_view;
 } tern_flight_report;
+/* How to turn the nose: tern::FlightYaw. rad, rad/s^2, m. */
+typedef struct {
+  uint8_t mode; /* TERN_FLIGHT_YAW_... */
+  double acceleration_max, view;
+  tern_heading start, heading; tern_vec3 point;
+  const tern_heading* headings; int32_t heading_count;
+} tern_flight_yaw;
 /* What to fly at one time: tern::Command. */
 typedef struct { tern_sample sample; tern_vec3 look_at; } tern_command;
 /* clang-format on */
@@ -51,7 +63,8 @@ enum {
   TERN_PROOF_ACCELERATION = 4, /* a limit of acceleration */
   TERN_PROOF_JERK = 5,         /* a limit of jerk */
   TERN_PROOF_MALFORMED = 6,    /* no trajectory at all */
-  TERN_PROOF_PIECES = 7        /* a segment that needs too many pieces */
+  TERN_PROOF_PIECES = 7,       /* a segment that needs too many pieces */
+  TERN_PROOF_FENCE = 8         /* a fence */
 };
 /* What the vehicle is doing. */
 enum {
@@ -63,12 +76,27 @@ enum {
 };
 /* Why it rests. */
 enum {
-  TERN_FLIGHT_GOES_ON = 0,    /* it flies, or is about to */
-  TERN_FLIGHT_NO_GOAL = 1,    /* there is no goal */
-  TERN_FLIGHT_ARRIVED = 2,    /* at the goal */
-  TERN_FLIGHT_NEAREST = 3,    /* as near to an occupied goal as it gets */
-  TERN_FLIGHT_NO_PROGRESS = 4 /* there is no way that can be proven */
+  TERN_FLIGHT_GOES_ON = 0,        /* it flies, or is about to */
+  TERN_FLIGHT_NO_GOAL = 1,        /* there is no goal */
+  TERN_FLIGHT_ARRIVED = 2,        /* at the goal */
+  TERN_FLIGHT_NEAREST = 3,        /* as near to an occupied goal as it gets */
+  TERN_FLIGHT_NO_PROGRESS = 4,    /* there is no way that can be proven */
+  TERN_FLIGHT_HEMMED_IN = 5,      /* likewise, and something is nearer than the radius */
+  TERN_FLIGHT_VIA_BLOCKED = 6,    /* the mission's next point is occupied or fenced */
+  TERN_FLIGHT_VIA_UNREACHABLE = 7 /* there is no way to the mission's next point */
 };
+/* What happens where a point of a mission cannot be reached. */
+enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* it goes on to the next point */ };
+/* Where the nose points in flight. */
+enum {
+  TERN_FLIGHT_YAW_TOWARDS_UNSEEN = 0, /* to the first point of the way that is not proven yet */
+  TERN_FLIGHT_YAW_ALONG_MOTION = 1,
+  TERN_FLIGHT_YAW_TOWARDS_POINT = 2,
+  TERN_FLIGHT_YAW_FIXED = 3,
+  TERN_FLIGHT_YAW_AT_POINTS = 4 /* each point of the mission with a heading of its own */
+};
+/* What became of a point of a mission. */
+enum { TERN_POINT_AHEAD = 0, TERN_POINT_PASSED = 1, TERN_POINT_SKIPPED = 2 };
 
 /* Until when the trajectory is proven from `from` on, in seconds since its beginning. `limits` and `report` may be
  * null. NaN for a null grid or trajectory. */
@@ -94,12 +122,25 @@ uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, con
                           uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
+/* Sets a mission: vias, and the goal as the last point. ok, non_finite_input, vias_full or invalid_argument. */
+uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int32_t count, uint8_t policy);
+/* What became of a point of the mission. */
+uint8_t tern_flight_point_state(const tern_flight* flight, int32_t point);
 /* Comes to rest and forgets the goal. */
 uint8_t tern_flight_stop(tern_flight* flight);
 /* One tick's work; `t` in nanoseconds. `report` may be null. ok or invalid_argument. */
 uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* report);
 /* What to fly at time `t`: any time has an answer. Null does nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
+
+/* Plans yaws beside what is flown. ok, non_finite_input, limits_invalid or invalid_argument. */
+uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw);
+/* Where the nose points at time `t`. Null does nothing. */
+void tern_flight_yaw_at(const tern_flight* flight, int64_t t, tern_yaw_sample* yaw);
+
+/* In English: tern::flight_mode_name() and flight_reason_text(). */
+const char* tern_flight_mode_name(uint8_t mode);
+const char* tern_flight_reason_text(uint8_t reason);
 
 #ifdef __cplusplus
 } /* extern "C" */

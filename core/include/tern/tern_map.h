@@ -20,9 +20,9 @@ extern "C" {
 /* clang-format off */
 /* The window, its resolution, and the errors of the sensor: tern::MapSpec. Metres, radians, nanoseconds. */
 typedef struct {
-  tern_vec3 origin; double cell; tern_voxel dims; double radius;
+  tern_vec3 origin; double cell; tern_voxel dims; double radius, tracking_margin;
   double range, depth_margin, depth_margin_square, pose_margin, angle_margin, scan_pixel;
-  int32_t hits, misses; int64_t age; int32_t slack, pixels;
+  int32_t hits, misses, support; int64_t age; int32_t slack, pixels;
   const tern_box* prior; int32_t prior_count;
 } tern_map_spec;
 /* A camera's pose: its centre, and the quaternion (w, x, y, z) from its axes (right, down, ahead) to the world's. */
@@ -64,8 +64,9 @@ uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);
 uint8_t tern_map_step(tern_map* map, uint32_t work);
 /* States, before take-off, that a ball is free: the voxels wholly inside it count as seen. */
 uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double radius);
-/* Marks a box, or the voxels of points, as obstacles. */
+/* Marks a box, an upright cylinder, or the voxels of points, as obstacles. */
 uint8_t tern_map_mark_box(tern_map* map, const tern_box* world);
+uint8_t tern_map_mark_cylinder(tern_map* map, const tern_cylinder* world);
 uint8_t tern_map_mark_points(tern_map* map, const tern_vec3* world, size_t count);
 /* Writes a view of the route grid (the unknown is free) or of the safe grid (the unknown is solid) to `grid`. It is
  * valid until the map slides; ask for it again after every slide. */
@@ -74,7 +75,9 @@ uint8_t tern_map_safe(const tern_map* map, tern_grid* grid);
 /* Copies the route grid into `words`, which are yours: at least tern_grid_words(dims) words that outlive the grid.
  * Plans on the copy go on while frames are entered. Pass the same grid and words each time. `grid` may hold anything at
  * first, or zeros. ok, or invalid_argument: no map, a job in work, too few words. */
-uint8_t tern_map_snapshot(const tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
+uint8_t tern_map_snapshot(tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
+/* Begins the same as a job for tern_map_step: running. `grid` must stay where it is until the job is done. */
+uint8_t tern_map_begin_snapshot(tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
 /* 1 where the voxel was seen free, else 0. */
 uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel);
 /* Grows with every change of either grid. 0 for a map that is not bound. */

@@ -22,7 +22,7 @@ namespace workspace {
 // the interface: use kWorkspaceBytes.
 constexpr size_t kNodes = kMaxNodes, kHeap = kMaxOpen, kCells = static_cast<size_t>(kMaxCells);
 constexpr size_t kJumps = kMaxJumpPoints, kSegments = kMaxSegments, kPlanes = kMaxPlanes;
-constexpr size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive;
+constexpr size_t kBoxes = kMaxLocalBoxes, kActive = kMaxActive, kVias = kMaxVias;
 
 constexpr size_t larger(size_t a, size_t b) {
   return a < b ? b : a;
@@ -46,13 +46,13 @@ constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.
 constexpr size_t kTrajectory =
     kSegments * (9600 + kPlanes * 112) + kActive * (kSegments * 96 + kActive * 4 + 128) + 8192;
-/// The results: path, corridor and trajectory, which outlive the stages that made them.
+/// The results, which outlive the stages that made them: the path and its current leg, vias, corridor and trajectory.
 constexpr size_t kResults =
-    (kJumps + kSegments) * 24 + kSegments * 448 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
+    (kJumps + kSegments) * 24 * 2 + kVias * 400 + kSegments * 448 + (kSegments + 32) * (kPlanes * 32 + 400) + 1024;
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 130 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
+/// Bytes that a planner needs: 131 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
 /// trajectory share one part of it, one after the other. If the core's assertion fails for capacities of your own,
 /// define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES

@@ -16,8 +16,11 @@ const char* status_name(Status status) noexcept {
     case Status::kOutOfMap: return "out_of_map";
     case Status::kStartExceedsLimits: return "start_exceeds_limits";
     case Status::kGoalExceedsLimits: return "goal_exceeds_limits";
+    case Status::kViaExceedsLimits: return "via_exceeds_limits";
     case Status::kPoseInvalid: return "pose_invalid";
     case Status::kCameraInvalid: return "camera_invalid";
+    case Status::kRecordDamaged: return "record_damaged";
+    case Status::kRecordVersion: return "record_version";
     case Status::kStartOccupied: return "start_occupied";
     case Status::kGoalOccupied: return "goal_occupied";
     case Status::kNoPath: return "no_path";
@@ -26,6 +29,8 @@ const char* status_name(Status status) noexcept {
     case Status::kNoTrajectory: return "no_trajectory";
     case Status::kStartFenced: return "start_fenced";
     case Status::kGoalFenced: return "goal_fenced";
+    case Status::kViaOccupied: return "via_occupied";
+    case Status::kViaFenced: return "via_fenced";
     case Status::kNodesFull: return "nodes_full";
     case Status::kOpenFull: return "open_full";
     case Status::kJumpPointsFull: return "jump_points_full";
@@ -35,8 +40,10 @@ const char* status_name(Status status) noexcept {
     case Status::kFencesFull: return "fences_full";
     case Status::kFencePlanesFull: return "fence_planes_full";
     case Status::kFenceLayerFull: return "fence_layer_full";
+    case Status::kViasFull: return "vias_full";
     case Status::kPixelsFull: return "pixels_full";
     case Status::kPriorFull: return "prior_full";
+    case Status::kRecordFull: return "record_full";
     case Status::kWorkingSetFull: return "working_set_full";
     case Status::kIterationLimit: return "iteration_limit";
     case Status::kInfeasible: return "infeasible";
@@ -58,17 +65,22 @@ const char* status_meaning(Status status) noexcept {
     case Status::kNonFiniteInput: return "a field is NaN or infinite";
     case Status::kInvalidArgument: return "a null, zero or oversized argument, or a call out of order";
     case Status::kLimitsInvalid: return "a limit has the wrong sign or a size outside 0.001 to 1000 (jerk: to 1e6), or the time weight is outside 0.001 to 1e6";
-    case Status::kOutOfMap: return "start or goal lies outside the boundary";
+    case Status::kOutOfMap: return "start, goal or a via lies outside the boundary";
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
     case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
+    case Status::kViaExceedsLimits: return "a via's velocity is above its limit";
     case Status::kPoseInvalid: return "the pose's quaternion is not a unit quaternion";
     case Status::kCameraInvalid: return "the image has no size, or its intrinsics are those of no camera";
+    case Status::kRecordDamaged: return "the bytes are no record, not all of it, or altered";
+    case Status::kRecordVersion: return "another version of the format wrote the record";
     case Status::kStartOccupied: return "the start is closer to an obstacle than the radius";
     case Status::kGoalOccupied: return "the goal is closer to an obstacle than the radius";
     case Status::kNoPath: return "free space at this resolution and radius does not connect start and goal";
     case Status::kMapChanged: return "the map changed while the plan was being made: begin again";
     case Status::kCorridorBlocked: return "an obstacle touches a segment of the path";
-    case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state";
+    case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state, or has the velocity that a via asks for";
+    case Status::kViaOccupied: return "a via is closer to an obstacle than the radius";
+    case Status::kViaFenced: return "a via is outside a keep-in, or nearer than the radius to a keep-out";
     case Status::kNodesFull: return "the search needs more nodes: raise TERN_MAX_NODES or coarsen the grid";
     case Status::kOpenFull: return "the open list is full: raise TERN_MAX_OPEN or coarsen the grid";
     case Status::kJumpPointsFull: return "the jump-point path turns too often: raise TERN_MAX_JUMP_POINTS";
@@ -79,8 +91,10 @@ const char* status_meaning(Status status) noexcept {
     case Status::kFencesFull: return "too many geofences: raise TERN_MAX_FENCES";
     case Status::kFencePlanesFull: return "too many half-spaces in geofences: raise TERN_MAX_FENCE_PLANES";
     case Status::kFenceLayerFull: return "the grid is too large for geofences, or for a goal as near as possible: raise TERN_MAX_FENCE_WORDS";
+    case Status::kViasFull: return "too many vias: raise TERN_MAX_VIAS";
     case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
     case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
+    case Status::kRecordFull: return "the room for the record does not suffice";
     case Status::kObstaclesFull: return "too many obstacles around a segment: raise TERN_MAX_LOCAL_BOXES";
     case Status::kWorkingSetFull: return "too many constraints active at once: raise TERN_MAX_ACTIVE";
     case Status::kIterationLimit: return "the quadratic programme ran out of iterations: raise TERN_MAX_QP_ITERATIONS";
@@ -125,6 +139,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kJerk: return "jerk";
     case Finding::kJoint: return "joint";
     case Finding::kFence: return "fence";
+    case Finding::kVia: return "via";
     case Finding::kBoundary: return "boundary state";
   }
   return "unknown";
@@ -174,6 +189,8 @@ const char* field_name(Field field) noexcept {
     case Field::kPixels: return "pixels";
     case Field::kPrior: return "prior";
     case Field::kGoalMode: return "goal mode";
+    case Field::kVias: return "vias";
+    case Field::kTrackingMargin: return "tracking margin";
   }
   return "unknown";
 }

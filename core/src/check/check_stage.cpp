@@ -26,7 +26,8 @@ bool check_segment(CheckStage& stage, const Grid& grid, const Corridor& corridor
                      (query.fences == nullptr ||
                       keep_ins_hold(trajectory.segments[index], *query.fences, trajectory.origin, tolerance, stage));
   if (!holds) stage.segment = index;
-  return holds;
+  if (!holds || index + 1 < trajectory.count) return holds;
+  return vias_met(grid, trajectory, query, stage);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "tern/request.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
+#include "tern/via.hpp"
 
 namespace tern {
 
@@ -31,6 +32,9 @@ struct CheckQuery {
   State goal;
   Limits limits;
   const AskedFences* fences = nullptr;  ///< null: none
+  const Via* vias = nullptr;
+  const std::int32_t* joints = nullptr;  ///< segment at whose beginning the plan passes each via, or their count
+  std::int32_t via_count = 0;
 };
 
 /// One keep-out at a time, about the middle of what surrounds it.
@@ -70,9 +74,16 @@ bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Asked
 bool keep_ins_hold(const Segment& segment, const AskedFences& fences, const Vec3& origin, double tolerance,
                    CheckReport& found) noexcept;
 
-/// Malformed numbers, membership, limits for all t, and the joint to the segment before (or the start state).
+/// The limits for all t, of velocity, acceleration and, where it is limited, jerk.
+bool limits_hold(const Segment& segment, const Limits& limits, CheckReport& found) noexcept;
+
+/// Malformed numbers, membership, those limits, and the joint to the segment before (or the start state).
 bool segment_holds(const Grid& grid, const Corridor& corridor, const Trajectory& trajectory, int index,
                    const CheckQuery& query, CheckReport& found) noexcept;
+
+/// True where the plan passes the vias at those joints, in order, as near as asked, and at rest or with the velocity
+/// that was asked for.
+bool vias_met(const Grid& grid, const Trajectory& trajectory, const CheckQuery& query, CheckReport& found) noexcept;
 
 /// A test that failed.
 inline bool refuse(Finding finding, CheckReport& found) noexcept {

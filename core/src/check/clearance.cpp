@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/math.hpp"
 #include "check/check_stage.hpp"
+#include "check/cuts.hpp"
 #include "grid/bit_rows.hpp"
 
 namespace tern {
 namespace {
-
-/// Rows of voxels that can come within the radius of a polyhedron.
-struct Range {
-  Voxel lo;
-  Voxel hi;  // inclusive
-};
 
 /// A box around the polyhedron from those of its planes that are axis-aligned; the grid where there are none.
 Box bounding_box(const Grid& grid, const Polyhedron& polyhedron) {
@@ -34,10 +29,10 @@ std::int32_t clamp_index(double cells, std::int32_t count) {
   return static_cast<std::int32_t>(cells);
 }
 
-Range voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
+RowBlock voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
   const GridSpec& spec = grid.spec();
   const Box box = bounding_box(grid, polyhedron);
-  const double reach = spec.radius + spec.cell;  // a cell more than needed costs little and forgives rounding
+  const double reach = spec.clearance() + spec.cell;  // a cell more than needed costs little and forgives rounding
   return {{clamp_index((box.lower.x - reach) / spec.cell, spec.dims.x),
            clamp_index((box.lower.y - reach) / spec.cell, spec.dims.y),
            clamp_index((box.lower.z - reach) / spec.cell, spec.dims.z)},
@@ -46,23 +41,6 @@ Range voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
            clamp_index((box.upper.z + reach) / spec.cell, spec.dims.z)}};
 }
 
-/// A half-space as a row of voxels along x meets it: which of the row's voxels it cuts off from the polyhedron, as
-/// closed cubes with the radius to spare.
-struct Cut {
-  double y;  ///< of the normal
-  double z;
-  int far_y;  ///< which end of a row of cubes it cuts off last: 0 the lower, 1 the upper
-  int far_z;
-  double reach;  ///< metres along the normal from which on a cube is cut off
-  double per_x;  ///< 1 / (normal.x * cell): voxels of x a metre along the normal; 0: all voxels of a row alike
-};
-
-/// Cuts by the sign of per_x: none, negative, positive.
-struct Cuts {
-  Cut cut[kMaxPlanes];
-  int end[3];  ///< of each sign's cuts
-};
-
 /// Units in the last place by which the square of a unit normal may miss 1.
 constexpr double kUnitUlps = 16.0;
 
@@ -70,11 +48,11 @@ constexpr double kUnitUlps = 16.0;
 /// the tolerance at most.
 constexpr double kSlopeShare = 0.01;
 
-Cut cut_of(const Grid& grid, const Halfspace& plane, double tolerance) {
+PlaneCut cut_of(const Grid& grid, const Halfspace& plane, double tolerance) {
   const GridSpec& spec = grid.spec();
   const double row = spec.dims.x * spec.cell;
   const Vec3& n = plane.normal;
-  Cut cut{n.y, n.z, n.y < 0.0 ? 1 : 0, n.z < 0.0 ? 1 : 0, plane.offset + spec.radius - tolerance, 0.0};
+  PlaneCut cut{n.y, n.z, n.y < 0.0 ? 1 : 0, n.z < 0.0 ? 1 : 0, plane.offset + spec.clearance() - tolerance, 0.0};
   if (absolute(n.x) * row > kSlopeShare * tolerance) {
     cut.per_x = 1.0 / (n.x * spec.cell);
   } else {
@@ -83,15 +61,15 @@ Cut cut_of(const Grid& grid, const Halfspace& plane, double tolerance) {
   return cut;
 }
 
-int sign_of(const Cut& cut) {
+int sign_of(const PlaneCut& cut) {
   return cut.per_x < 0.0 ? 1 : (cut.per_x > 0.0 ? 2 : 0);
 }
 
-Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
+PlaneCuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
   const int planes = all_planes(polyhedron);
-  Cut all[kMaxPlanes];
+  PlaneCut all[kMaxPlanes];
   for (int p = 0; p < planes; ++p) all[p] = cut_of(grid, polyhedron.planes[p], tolerance);
-  Cuts cuts;
+  PlaneCuts cuts;
   int count = 0;
   for (int sign = 0; sign < 3; ++sign) {
     for (int p = 0; p < planes; ++p) {
@@ -102,37 +80,10 @@ Cuts cuts_of(const Grid& grid, const Polyhedron& polyhedron, double tolerance) {
   return cuts;
 }
 
-/// Voxels [begin, end) of x.
-struct Span {
-  std::int32_t begin;
-  std::int32_t end;
-};
-
-/// Of the rows in a block of y and z: voxels that no half-space cuts off in all of them. One that cuts off a voxel
-/// towards larger x cuts off all that follow, so that what is left is one span; empty where begin >= end.
-Span uncut(const Grid& grid, const Cuts& cuts, const Range& block) {
-  const double cell = grid.spec().cell;
-  const double y[2] = {block.lo.y * cell, (block.hi.y + 1) * cell};
-  const double z[2] = {block.lo.z * cell, (block.hi.z + 1) * cell};
-  const auto missing = [&y, &z](const Cut& cut) { return cut.reach - (cut.y * y[cut.far_y] + cut.z * z[cut.far_z]); };
-  double begin = block.lo.x;
-  double end = block.hi.x + 1.0;
-  int p = 0;
-  for (; p < cuts.end[0]; ++p) {
-    if (missing(cuts.cut[p]) <= 0.0) return {0, 0};
-  }
-  for (; p < cuts.end[1]; ++p) begin = larger(begin, missing(cuts.cut[p]) * cuts.cut[p].per_x);
-  for (; p < cuts.end[2]; ++p) end = smaller(end, missing(cuts.cut[p]) * cuts.cut[p].per_x);
-  if (begin >= end) return {0, 0};
-  // A voxel is cut off from above where it begins at `end` or later, from below where it ends at `begin` or earlier.
-  const auto last = static_cast<std::int32_t>(end);
-  return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
-}
-
 constexpr std::int32_t kNoObstacle = -1;
 
 /// The least x of an obstacle in the span of the row.
-std::int32_t first_obstacle(const std::uint64_t* row, const Span& span) {
+std::int32_t first_obstacle(const std::uint64_t* row, const RowSpan& span) {
   if (span.begin >= span.end) return kNoObstacle;
   for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
     const std::uint64_t word = row[k] & bits_within({span.begin, span.end}, k);
@@ -144,13 +95,22 @@ std::int32_t first_obstacle(const std::uint64_t* row, const Span& span) {
 /// Rows of y and z that are looked at together: most blocks are cut off as a whole, or lie inside where nothing is.
 constexpr std::int32_t kBlock = 4;
 
+/// The OR of a word of the block's rows in one plane.
+std::uint64_t any_of_rows(const std::uint64_t* word, std::ptrdiff_t step, std::int32_t rows) {
+  if (rows == kBlock) return word[0] | word[step] | word[2 * step] | word[3 * step];
+  std::uint64_t any = 0;
+  for (std::int32_t y = 0; y < rows; ++y, word += step) any |= *word;
+  return any;
+}
+
 /// True where a row of the block has an obstacle in the span.
-bool any_obstacle(const BitRows& obstacles, const Range& block, const Span& span) {
+bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan& span) {
+  const std::ptrdiff_t plane = obstacles.index(0, 1);
   for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
+    const std::uint64_t* word = obstacles.row(block.lo.y, block.lo.z) + k;
     std::uint64_t any = 0;
-    for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
-      const std::uint64_t* word = obstacles.row(block.lo.y, z) + k;
-      for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y, word += obstacles.row_words) any |= *word;
+    for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z, word += plane) {
+      any |= any_of_rows(word, obstacles.row_words, block.hi.y - block.lo.y + 1);
     }
     if ((any & bits_within({span.begin, span.end}, k)) != 0) return true;
   }
@@ -159,14 +119,17 @@ bool any_obstacle(const BitRows& obstacles, const Range& block, const Span& span
 
 /// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
 /// leave of all rows together. `obstacle`: the first that is not cut off.
-bool block_clear(const Grid& grid, const Cuts& cuts, const Range& block, Voxel& obstacle) {
-  const Span span = uncut(grid, cuts, block);
+bool block_clear(const Grid& grid, const PlaneCuts& cuts, const LayerDepths& depths, const RowBlock& block,
+                 Voxel& obstacle) {
+  const double cell = grid.spec().cell;
+  const RowSpan span = uncut(cell, cuts, block, depths);
   if (span.begin >= span.end || !any_obstacle(GridView::obstacles(grid), block, span)) return true;
+  const PlaneCuts few = cuts_within(cell, cuts, block, span);
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = grid.obstacle_row(y, z);
       if (first_obstacle(row, span) == kNoObstacle) continue;
-      const std::int32_t x = first_obstacle(row, uncut(grid, cuts, {{span.begin, y, z}, {span.end - 1, y, z}}));
+      const std::int32_t x = first_obstacle(row, uncut(cell, few, {{span.begin, y, z}, {span.end - 1, y, z}}));
       if (x == kNoObstacle) continue;
       obstacle = {x, y, z};
       return false;
@@ -199,7 +162,7 @@ double missing_to(const Grid& grid, const Halfspace& plane, const Voxel& voxel, 
     const double normal = axis(plane.normal, a);
     depth += normal * (cell * (index[a] + (normal < 0.0 ? 1 : 0)));
   }
-  return (plane.offset + grid.spec().radius - tolerance) - depth;
+  return (plane.offset + grid.spec().clearance() - tolerance) - depth;
 }
 
 /// The half-space that comes nearest to cutting the voxel off, and what it lacks.
@@ -219,14 +182,16 @@ bool refuse_obstacle(const Grid& grid, const Polyhedron& polyhedron, const Voxel
 
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found) noexcept {
   if (!well_formed(polyhedron)) return refuse(Finding::kMalformed, found);
-  const Range range = voxels_near(grid, polyhedron);
+  const RowBlock range = voxels_near(grid, polyhedron);
   const double tolerance = check_distance(grid) + grid_rounding(grid);
-  const Cuts cuts = cuts_of(grid, polyhedron, tolerance);
+  const PlaneCuts cuts = cuts_of(grid, polyhedron, tolerance);
   Voxel obstacle{};
   for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
+    const std::int32_t z_end = block_end(z, range.hi.z);
+    const LayerDepths depths(cuts, z * grid.spec().cell, (z_end + 1) * grid.spec().cell);
     for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
-      const Range block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), block_end(z, range.hi.z)}};
-      if (!block_clear(grid, cuts, block, obstacle)) {
+      const RowBlock block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), z_end}};
+      if (!block_clear(grid, cuts, depths, block, obstacle)) {
         return refuse_obstacle(grid, polyhedron, obstacle, tolerance, found);
       }
     }

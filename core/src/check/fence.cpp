@@ -26,7 +26,7 @@ Surroundings surroundings_of(const Grid& grid) {
   for (int a = 0; a < 3; ++a) {
     const double across =
         larger(axis(boundary.upper, a) - axis(around.center, a), axis(around.center, a) - axis(boundary.lower, a));
-    axis(around.half, a) = (1.0 + kHair) * (across + grid.spec().radius);
+    axis(around.half, a) = (1.0 + kHair) * (across + grid.spec().clearance());
   }
   return around;
 }
@@ -138,7 +138,7 @@ bool inside(const Halfspace& world, const Segment& segment, const Vec3& origin, 
 bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences, FenceScratch& scratch,
                      CheckReport& found) noexcept {
   const Surroundings around = surroundings_of(grid);
-  const Asked asked{grid.spec().radius, fence_tolerance(grid)};
+  const Asked asked{grid.spec().clearance(), fence_tolerance(grid)};
   for (int k = 0; k < fences.count; ++k) {
     const AskedFence& fence = fences.fence[k];
     if (fence.kind != FenceKind::kKeepOut) continue;

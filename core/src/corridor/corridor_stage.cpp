@@ -36,8 +36,18 @@ std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   return pieces;
 }
 
-void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg) {
+/// Where the leg begins at a via, so does the next polyhedron, number `next`.
+void pass_via(CorridorStage& stage, std::int32_t next) {
+  ViaMarks* marks = stage.marks;
+  stage.at_via = marks != nullptr && stage.passed < marks->count && marks->waypoint[stage.passed] == stage.leg;
+  if (!stage.at_via) return;
+  marks->polyhedron[stage.passed++] = next;
+  stage.fixed = next;
+}
+
+void begin_leg(CorridorStage& stage, const Path& path, std::int32_t leg, std::int32_t next) {
   stage.leg = leg;
+  pass_via(stage, next);
   stage.piece = 0;
   stage.pieces = pieces_of(stage, path);
   stage.from = path.points[leg];
@@ -60,14 +70,15 @@ Progress halve(CorridorStage& stage, const Path& path, Status why) {
 }
 
 /// Goes on to the next whole piece: kMore, or kDone after the last.
-Progress next_piece(CorridorStage& stage, const Path& path) {
+Progress next_piece(CorridorStage& stage, const Path& path, std::int32_t next) {
   if (++stage.piece < stage.pieces) {
+    stage.at_via = false;
     stage.pending = 1;
     stage.ends[0] = piece_end(stage, path);
     return Progress::kMore;
   }
   if (stage.leg + 1 >= legs_of(path)) return Progress::kDone;
-  begin_leg(stage, path, stage.leg + 1);
+  begin_leg(stage, path, stage.leg + 1, next);
   return Progress::kMore;
 }
 
@@ -79,21 +90,24 @@ bool is_last_piece(const CorridorStage& stage, const Path& path) {
 
 /// Moves on past a finished polyhedron, and past the following pieces that it also contains; kDone after the last
 /// piece. Half a piece always gets its own polyhedron, so that the number of polyhedra bounds the number of halvings.
-Progress move_on(CorridorStage& stage, const Path& path, double margin, Polyhedron& finished) {
+Progress move_on(CorridorStage& stage, const Path& path, double margin, Corridor& out) {
+  Polyhedron& finished = out.polyhedra[out.count - 1];
   stage.from = stage.ends[--stage.pending];
   if (stage.pending > 0) return Progress::kMore;
-  Progress progress = next_piece(stage, path);
-  while (progress == Progress::kMore && !is_last_piece(stage, path) && holds(finished, stage.ends[0], margin)) {
+  Progress progress = next_piece(stage, path, out.count);
+  while (progress == Progress::kMore && !stage.at_via && !is_last_piece(stage, path) &&
+         holds(finished, stage.ends[0], margin)) {
     set_segment(finished, finished.from, stage.ends[0]);
     stage.from = stage.ends[0];
-    progress = next_piece(stage, path);
+    progress = next_piece(stage, path, out.count);
   }
   return progress;
 }
 
-/// Drops polyhedra before the last one as long as the last one contains their lines too. The first polyhedron stays.
-void drop_held(Corridor& out, double margin) {
-  while (out.count > 2) {
+/// Drops polyhedra before the last one as long as the last one contains their lines too. The first polyhedron stays,
+/// and so do the first `fixed` ones.
+void drop_held(Corridor& out, double margin, std::int32_t fixed) {
+  while (out.count > 2 && out.count > fixed + 1) {
     const Polyhedron& last = out.polyhedra[out.count - 1];
     Polyhedron& before = out.polyhedra[out.count - 2];
     if (!holds(last, before.from, margin)) return;
@@ -119,14 +133,14 @@ Progress try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Cor
   ++stage.built;
   ++out.count;
   const double margin = kSightMargin * grid.spec().cell;
-  drop_held(out, margin);
-  return move_on(stage, path, margin, out.polyhedra[out.count - 1]);
+  drop_held(out, margin, stage.fixed);
+  return move_on(stage, path, margin, out);
 }
 
 }  // namespace
 
-void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes,
-                    const Fences* fences) noexcept {
+void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes, const Fences* fences,
+                    ViaMarks* marks) noexcept {
   stage.status = Status::kOk;
   stage.planes = 0;
   stage.planes_high = 0;
@@ -134,6 +148,10 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   reset_counters(stage.grow);
   stage.grow.planes_allowed = max_planes;
   stage.grow.fences = fences;
+  stage.marks = marks;
+  stage.passed = 0;
+  stage.at_via = false;
+  stage.fixed = 0;
   stage.leg = -1;
   stage.piece = 0;
   stage.pieces = 0;
@@ -147,7 +165,7 @@ Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& pa
   if (legs_of(path) < 1 || legs_of(path) > kMaxSegments) return conclude(Status::kSegmentsFull, stage.status);
   if (stage.leg < 0) {
     out.count = 0;
-    begin_leg(stage, path, 0);
+    begin_leg(stage, path, 0, 0);
   }
   Progress progress = Progress::kMore;
   while (progress == Progress::kMore && work.take()) progress = try_piece(stage, grid, path, out);

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/progress.hpp"
+#include "base/via_marks.hpp"
 #include "base/work.hpp"
 #include "corridor/grow.hpp"
 #include "tern/corridor.hpp"
@@ -45,6 +46,10 @@ struct CorridorStage {
   std::int32_t leg;    ///< index of the current leg of the path
   std::int32_t piece;  ///< index of the current piece of the leg, and how many there are
   std::int32_t pieces;
+  ViaMarks* marks;       ///< null: no vias
+  std::int32_t passed;   ///< vias that the current leg begins at or after
+  bool at_via;           ///< the current piece begins at a via
+  std::int32_t fixed;    ///< polyhedra before the one that begins at the last via
   std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
   Vec3 from;             ///< where the next polyhedron begins
   std::int32_t pending;  ///< count of `ends`: where the halves of the piece end, the next half last
@@ -52,9 +57,10 @@ struct CorridorStage {
   GrowScratch grow;
 };
 
-/// `max_planes` is the budget of half-spaces (Budget::planes). `fences` must outlive the stage; null means none.
+/// `max_planes` is the budget of half-spaces (Budget::planes). `fences` and `marks` must outlive the stage; null means
+/// none. `marks` says which waypoints are vias, and receives the polyhedra that begin there.
 void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
-                    const Fences* fences = nullptr) noexcept;
+                    const Fences* fences = nullptr, ViaMarks* marks = nullptr) noexcept;
 
 /// One unit of work is one attempt at a polyhedron. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
@@ -63,7 +69,7 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in
 /// the path's order, but some may be skipped. A polyhedron takes over a neighbouring piece if it contains the far end
 /// of that piece with kSightMargin of a voxel to spare; its line then leads straight to or from there. The first and
-/// the last piece of the path always have polyhedra of their own.
+/// the last piece of the path always have polyhedra of their own. No polyhedron is for both sides of a via.
 ///
 /// If the interior legs of the path keep kSightMargin of a voxel from everything that is not free, any two neighbours
 /// share a ball of radius kSightMargin * cell around their common point (less 1e-9 m of rounding).

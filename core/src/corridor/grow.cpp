@@ -66,8 +66,8 @@ Status enclose(int count, const SegmentMargin& segment, const GridSpec& spec, Gr
   const int given = out.count;
   const double cell = spec.cell;
   EllipsoidFrame frame =
-      fit_ellipsoid(segment.from, segment.to, {scratch.boxes, count, spec.radius}, cell, scratch.remaining);
-  const Obstacles obstacles{scratch.boxes, keep_uncut(out, spec.radius, scratch.boxes, count), spec.radius};
+      fit_ellipsoid(segment.from, segment.to, {scratch.boxes, count, spec.clearance()}, cell, scratch.remaining);
+  const Obstacles obstacles{scratch.boxes, keep_uncut(out, spec.clearance(), scratch.boxes, count), spec.clearance()};
   const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
   Status status = append_tangents(metric, obstacles, segment, scratch, out);
   Vec3 center;
@@ -90,7 +90,7 @@ Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach,
   out.count = 0;
   const Status faces = append_faces(box, scratch, out);
   if (faces != Status::kOk) return faces;
-  const Status fences = append_fence_planes(box, segment, spec.radius, scratch, out);
+  const Status fences = append_fence_planes(box, segment, spec.clearance(), scratch, out);
   if (fences != Status::kOk) return fences;
 
   const VoxelRange range = voxels_within_reach(grid, box);

@@ -66,7 +66,7 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, doub
 
 Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, double slack,
                       GrowScratch& scratch, Polyhedron& out) {
-  const double radius = grid.spec().radius;
+  const double radius = grid.spec().clearance();
   const Vec3 normal = widest_normal(hull, solid, faces, direction_tolerance(grid.spec()));
   const double far = hull_reach(normal, hull);
   const double offset = hull_support(normal, solid) - radius;
@@ -95,7 +95,7 @@ Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scr
 
 Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, double slack, GrowScratch& scratch,
                         Polyhedron& out) {
-  const double radius = grid.spec().radius;
+  const double radius = grid.spec().clearance();
   const int count = extract_local_boxes(grid, voxels_within_reach(grid, box), scratch.extract, scratch.boxes);
   if (count < 0) return Status::kObstaclesFull;
   Status status = Status::kOk;
@@ -116,7 +116,7 @@ Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, doub
 Status append_fences(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) {
   if (scratch.fences == nullptr) return Status::kOk;
   const Fences& fences = *scratch.fences;
-  const double radius = grid.spec().radius;
+  const double radius = grid.spec().clearance();
   for (int k = 0; k < fences.keep_in_count; ++k) {
     if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + fences.touching) {
       return Status::kCorridorBlocked;

@@ -28,14 +28,30 @@ Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3&
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
 }
 
-/// The normal that leaves the segment the most room.
-Vec3 widest_normal(const SegmentMargin& segment, const LocalBox& box) {
-  const Box solid = box_of(box);
-  const ClosestPair pair = segment_box_closest(segment.from, segment.to, solid);
+/// What a normal's room may lack of the gap, as a share of what counts as touching.
+constexpr double kShortOfGap = 0.25;
+
+/// The normal that leaves the segment the most room, and that room. The closest pair has it, and the room is the gap.
+/// Rounding turns the direction of a pair that is very close. Then the room falls short of the gap, the more the longer
+/// the segment is, and the box's separating axes are tried, and the direction without its part along the segment.
+WidestNormal widest_normal(const SegmentMargin& segment, const Box& box) {
+  const ClosestPair pair = segment_box_closest(segment.from, segment.to, box);
   const Vec3 across = pair.on_box - pair.on_segment;
   const double gap = length(across);
-  if (gap < segment.direction) return separating_normal(segment.from, segment.to, solid, segment.direction);
-  return (1.0 / gap) * across;
+  WidestNormal best{across, 0.0};
+  if (gap < segment.direction) {
+    best = separating_normal(segment.from, segment.to, box, segment.direction);
+  } else {
+    best.normal = (1.0 / gap) * across;
+    best.room = room_along(segment.from, segment.to, box, best.normal);
+  }
+  if (!(gap > 0.0) || best.room >= gap - kShortOfGap * segment.touching) return best;
+  offer(segment.from, segment.to, box, (1.0 / gap) * across, best);
+  const Vec3 along = segment.to - segment.from;
+  const Vec3 upright = across - (dot(across, along) / dot(along, along)) * along;
+  const double size = length(upright);
+  if (size > 0.0) offer(segment.from, segment.to, box, (1.0 / size) * upright, best);
+  return best;
 }
 
 }  // namespace
@@ -48,18 +64,18 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
     out = plane_along(segment, box, radius, tangent);
     return Status::kOk;
   }
-  const Vec3 widest = widest_normal(segment, box);
-  const double room = room_along(segment, box, radius, widest);
+  const WidestNormal widest = widest_normal(segment, box_of(box));
+  const double room = widest.room - radius * length(widest.normal);
   if (room < -segment.touching) return Status::kCorridorBlocked;
   const double margin = larger(segment.least, smaller(kMarginShare * room, kMostMargin));
   if (!has_tangent || room <= margin) {
-    out = plane_along(segment, box, radius, widest);
+    out = plane_along(segment, box, radius, widest.normal);
   } else if (tangent_room >= margin) {
     out = plane_along(segment, box, radius, tangent);
   } else {
     // Between the two normals, as close to the tangent as the margin allows: see room_along.
     const double share = (margin - tangent_room) / (room - tangent_room);
-    out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest);
+    out = plane_along(segment, box, radius, (1.0 - share) * tangent + share * widest.normal);
   }
   return Status::kOk;
 }

@@ -15,15 +15,11 @@ Vec3 blend(const Vec3& a, const Vec3& b, double u) {
   return (1.0 - u) * a + u * b;
 }
 
-double hull(const Curve& curve, const Bounds& bounds) {
+/// The largest gauge of the control points between the two ends.
+double hull_between(const Curve& curve, const Bounds& bounds) {
   double result = 0.0;
-  for (int i = 0; i <= curve.degree; ++i) result = larger(result, gauge(bounds, curve.c[i]));
+  for (int i = 1; i < curve.degree; ++i) result = larger(result, gauge(bounds, curve.c[i]));
   return result;
-}
-
-/// The ends of a Bernstein form are values of the curve.
-double reached(const Curve& curve, const Bounds& bounds) {
-  return larger(gauge(bounds, curve.c[0]), gauge(bounds, curve.c[curve.degree]));
 }
 
 /// Pieces still to be looked into, the deepest on top. Each level leaves one sibling at most.
@@ -32,6 +28,13 @@ struct Pieces {
   int depth[kPeakDepth + 1];
   int count;
 };
+
+/// Makes the curve its own hodograph.
+void differentiate(Curve& curve, double duration) {
+  const double factor = curve.degree / duration;
+  for (int i = 0; i < curve.degree; ++i) curve.c[i] = factor * (curve.c[i + 1] - curve.c[i]);
+  --curve.degree;
+}
 
 void push(Pieces& pieces, const Curve& curve, int depth) {
   pieces.curve[pieces.count] = curve;
@@ -49,7 +52,7 @@ Curve curve_of(const Segment& segment) noexcept {
 }
 
 Curve hodograph(const Curve& curve, double duration) noexcept {
-  Curve result{};
+  Curve result;
   result.degree = curve.degree - 1;
   const double factor = curve.degree / duration;
   for (int i = 0; i < curve.degree; ++i) result.c[i] = factor * (curve.c[i + 1] - curve.c[i]);
@@ -58,7 +61,7 @@ Curve hodograph(const Curve& curve, double duration) noexcept {
 
 Curve snap_of(const Segment& segment) noexcept {
   Curve curve = curve_of(segment);
-  for (int k = 0; k < 4; ++k) curve = hodograph(curve, segment.duration);
+  for (int k = 0; k < 4; ++k) differentiate(curve, segment.duration);
   return curve;
 }
 
@@ -79,7 +82,7 @@ Vec3 value(Curve curve, double u) noexcept {
 
 Curve split(Curve& curve) noexcept {
   const int n = curve.degree;
-  Curve second{};
+  Curve second;
   second.degree = n;
   for (int level = 0; level <= n; ++level) {
     second.c[n - level] = curve.c[n];
@@ -88,28 +91,31 @@ Curve split(Curve& curve) noexcept {
   return second;
 }
 
+// The ends of all pieces are values of the curve, and `lower` has counted them: a piece's hull needs only the control
+// points between its ends, and a cut adds one value, where the halves meet.
 double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept {
-  double lower = reached(curve, bounds);
+  double lower = larger(gauge(bounds, curve.c[0]), gauge(bounds, curve.c[curve.degree]));
   double bound = larger(lower, floor);
   Pieces pieces;
   pieces.count = 0;
   push(pieces, curve, 0);
   for (int step = 0; step < kPeakPieces && pieces.count > 0; ++step) {
-    --pieces.count;
-    Curve first = pieces.curve[pieces.count];
-    const int depth = pieces.depth[pieces.count];
-    const double top = hull(first, bounds);
+    Curve& piece = pieces.curve[pieces.count - 1];
+    int& depth = pieces.depth[pieces.count - 1];
+    const double top = hull_between(piece, bounds);
     if (top <= larger(floor, lower * (1.0 + tolerance)) || depth == kPeakDepth) {
       bound = larger(bound, top);
+      --pieces.count;
       continue;
     }
-    const Curve second = split(first);
-    lower = larger(lower, reached(first, bounds));
+    Curve first = piece;
+    piece = split(first);
+    lower = larger(lower, gauge(bounds, piece.c[0]));
     bound = larger(bound, lower);
-    push(pieces, second, depth + 1);
-    push(pieces, first, depth + 1);
+    ++depth;
+    push(pieces, first, depth);
   }
-  for (int i = 0; i < pieces.count; ++i) bound = larger(bound, hull(pieces.curve[i], bounds));
+  for (int i = 0; i < pieces.count; ++i) bound = larger(bound, hull_between(pieces.curve[i], bounds));
   return bound;
 }
 

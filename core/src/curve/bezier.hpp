@@ -10,7 +10,8 @@
 
 namespace tern {
 
-/// Bernstein coefficients c[0 .. degree] over u in [0, 1].
+/// Bernstein coefficients c[0 .. degree] over u in [0, 1]. Those beyond have no meaning and are not set: setting them
+/// would cost more than most of what is done with a curve.
 struct Curve {
   Vec3 c[kControlPoints];
   int degree;

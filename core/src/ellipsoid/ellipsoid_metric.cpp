@@ -42,50 +42,74 @@ Vector near_offset(const EllipsoidMetric& metric, const Bounds& bounds) {
 /// The best offset so far.
 struct Best {
   Vector offset;
-  double value;
+  Vector gradient;  ///< the metric's matrix times the offset
+  double value;     ///< the offset's squared length in the metric; negative while there is none
 };
 
 void offer(Best& best, const EllipsoidMetric& metric, const Vector& d) {
-  const double value = dot(d, multiply(metric.matrix, d));
+  const Vector gradient = multiply(metric.matrix, d);
+  const double value = dot(d, gradient);
   if (best.value >= 0.0 && value >= best.value) return;
-  best = {d, value};
+  best = {d, gradient, value};
 }
 
-/// Offers the best point of the edge at `at_a` on axis a and `at_b` on axis b: along axis c, the free optimum is
-/// clamped.
-void offer_edge(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, int a, int b, int c, double at_a,
-                double at_b) {
+/// The axis that is neither.
+constexpr int third_axis(int a, int b) {
+  return 3 - a - b;
+}
+
+/// Offers the best point of the edge at `at_a` on axis kA and `at_b` on axis kB: along the third axis, the free optimum
+/// is clamped. Axes are constants, so that vectors stay in registers.
+template <int kA, int kB>
+void offer_edge(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, double at_a, double at_b) {
+  constexpr int kC = third_axis(kA, kB);
   Vector d;
-  d[a] = at_a;
-  d[b] = at_b;
-  const double free = -(metric.matrix(c, a) * at_a + metric.matrix(c, b) * at_b) / metric.matrix(c, c);
-  d[c] = clamp(free, bounds.lower[c], bounds.upper[c]);
+  d[kA] = at_a;
+  d[kB] = at_b;
+  const double free = -(metric.matrix(kC, kA) * at_a + metric.matrix(kC, kB) * at_b) / metric.matrix(kC, kC);
+  d[kC] = clamp(free, bounds.lower[kC], bounds.upper[kC]);
   offer(best, metric, d);
 }
 
-/// Offers the best point of the face at `at` on axis a. The optimum on the whole plane is a multiple of column a of
+/// Offers the best point of the face at `at` on axis kA. The optimum on the whole plane is a multiple of column kA of
 /// E^2.
-void offer_face(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, int a, double at) {
-  const int b = a == 2 ? 0 : a + 1;
-  const int c = a == 0 ? 2 : a - 1;
-  const double step = at / metric.shape(a, a);
+template <int kA>
+void offer_face(Best& best, const EllipsoidMetric& metric, const Bounds& bounds, double at) {
+  constexpr int kB = kA == 2 ? 0 : kA + 1;
+  constexpr int kC = third_axis(kA, kB);
+  const double step = at / metric.shape(kA, kA);
   // No point of the whole plane of the face is nearer than this.
   if (best.value >= 0.0 && at * step >= best.value) return;
-  const double free_b = metric.shape(b, a) * step;
-  const double free_c = metric.shape(c, a) * step;
-  const double clamped_b = clamp(free_b, bounds.lower[b], bounds.upper[b]);
-  const double clamped_c = clamp(free_c, bounds.lower[c], bounds.upper[c]);
+  const double free_b = metric.shape(kB, kA) * step;
+  const double free_c = metric.shape(kC, kA) * step;
+  const double clamped_b = clamp(free_b, bounds.lower[kB], bounds.upper[kB]);
+  const double clamped_c = clamp(free_c, bounds.lower[kC], bounds.upper[kC]);
   const bool outside_b = clamped_b < free_b || clamped_b > free_b;
   const bool outside_c = clamped_c < free_c || clamped_c > free_c;
   if (!outside_b && !outside_c) {
     Vector d;
-    d[a] = at;
-    d[b] = free_b;
-    d[c] = free_c;
+    d[kA] = at;
+    d[kB] = free_b;
+    d[kC] = free_c;
     return offer(best, metric, d);
   }
-  if (outside_b) offer_edge(best, metric, bounds, a, b, c, at, clamped_b);
-  if (outside_c) offer_edge(best, metric, bounds, a, c, b, at, clamped_c);
+  if (outside_b) offer_edge<kA, kB>(best, metric, bounds, at, clamped_b);
+  if (outside_c) offer_edge<kA, kC>(best, metric, bounds, at, clamped_c);
+}
+
+/// Offers the face of axis kA that faces the centre, if one does.
+template <int kA>
+void offer_axis(Best& best, const EllipsoidMetric& metric, const Bounds& bounds) {
+  if (bounds.lower[kA] > 0.0) offer_face<kA>(best, metric, bounds, bounds.lower[kA]);
+  if (bounds.upper[kA] < 0.0) offer_face<kA>(best, metric, bounds, bounds.upper[kA]);
+}
+
+Best nearest_in(const EllipsoidMetric& metric, const Bounds& bounds) {
+  Best best{Vector::Zero(), Vector::Zero(), -1.0};
+  offer_axis<0>(best, metric, bounds);
+  offer_axis<1>(best, metric, bounds);
+  offer_axis<2>(best, metric, bounds);
+  return best;
 }
 
 }  // namespace
@@ -111,13 +135,7 @@ Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept {
 }
 
 Vector nearest_offset(const EllipsoidMetric& metric, const Vector& center, const LocalBox& box) noexcept {
-  const Bounds bounds = bounds_about(center, box);
-  Best best{Vector::Zero(), -1.0};
-  for (int a = 0; a < 3; ++a) {
-    if (bounds.lower[a] > 0.0) offer_face(best, metric, bounds, a, bounds.lower[a]);
-    if (bounds.upper[a] < 0.0) offer_face(best, metric, bounds, a, bounds.upper[a]);
-  }
-  return best.offset;
+  return nearest_in(metric, bounds_about(center, box)).offset;
 }
 
 double least_scale(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept {
@@ -141,13 +159,12 @@ Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double ra
   // Along a fixed normal, growing the box by the radius is the same as moving the centre towards the box by the radius.
   Vector moved = metric.center;
   for (int step = 0; step < kNormalSteps; ++step) {
-    const Vector offset = nearest_offset(metric, moved, box);
-    const Vector gradient = multiply(metric.matrix, offset);
-    const double norm = length(gradient);
+    const Best nearest = nearest_in(metric, bounds_about(moved, box));
+    const double norm = length(nearest.gradient);
     if (!(norm > 0.0)) break;  // the box holds the centre
     const Vector before = normal;
-    normal = (1.0 / norm) * gradient;
-    point = (moved + offset) - (radius * normal) - metric.center;
+    normal = (1.0 / norm) * nearest.gradient;
+    point = (moved + nearest.offset) - (radius * normal) - metric.center;
     if (dot(normal, before) >= 1.0 - kNormalSettled || !(radius > 0.0)) break;
     moved = metric.center + radius * normal;
   }

@@ -115,7 +115,7 @@ void block_outside(const Fences& fences, FenceLayer& layer, const Grid& view) no
 
 void block_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer, const Grid& view) noexcept {
   const double cell = view.spec().cell;
-  collect_normals(fences, fence, view.spec().radius, layer);
+  collect_normals(fences, fence, view.spec().clearance(), layer);
   const IndexRange layers = rows_near(layer, view, 2);
   const IndexRange rows = rows_near(layer, view, 1);
   for (std::int32_t z = layers.begin; z < layers.end; ++z) {

@@ -39,7 +39,7 @@ struct Surroundings {
 };
 
 Surroundings surroundings_of(const Grid& grid) {
-  const double radius = grid.spec().radius;
+  const double radius = grid.spec().clearance();
   Box box = grid.local_boundary();
   for (int a = 0; a < 3; ++a) {
     axis(box.lower, a) = axis(box.lower, a) - radius;

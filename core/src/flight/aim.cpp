@@ -6,12 +6,15 @@
 #include "flight/flight_state.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/distance.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
 
 /// A new aim is chosen where less than this part of the horizon is left.
 constexpr double kAimRest = 0.6;
+/// Voxels around the vehicle that are looked at for a way out, along each axis and direction.
+constexpr std::int32_t kMaxWayOut = 8;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
@@ -43,13 +46,13 @@ Vec3 offset_of(int direction) {
 
 }  // namespace
 
-/// The goal, or the point on the straight line to it that is within the horizon and the window.
-void FlightState::choose_aim(const Vec3& from) noexcept {
+/// The target, or the point on the straight line to it that is at most so far away and within the window.
+void FlightState::choose_aim(const Vec3& from, double most) noexcept {
   const GridSpec& window = map.safe().spec();
-  const double margin = window.radius + kAimVoxels * window.cell;
+  const double margin = window.clearance() + kAimVoxels * window.cell;
   const Vec3 way = goal - from;
   const double far = length(way);
-  double part = far > spec.horizon ? spec.horizon / far : 1.0;
+  double part = far > most ? most / far : 1.0;
   for (int a = 0; a < 3; ++a) {
     const double room = axis(way, a) > 0.0 ? axis(window.boundary.upper, a) - margin - axis(from, a)
                                            : axis(from, a) - margin - axis(window.boundary.lower, a);
@@ -60,21 +63,48 @@ void FlightState::choose_aim(const Vec3& from) noexcept {
   aim = aims_at_goal ? goal : from + part * way;
 }
 
-/// A plan keeps its aim until little of the way is left, so that plans are compared by their times.
-bool FlightState::keeps_aim(const Vec3& from) const noexcept {
-  return now.to_goal || distance(from, now.aim) > kAimRest * spec.horizon;
+/// Straight away from what is within the radius, by that much.
+void FlightState::choose_way_out(const Vec3& from) noexcept {
+  const Grid& safe = map.safe();
+  const GridSpec& window = safe.spec();
+  const Vec3 local = safe.to_local(from);
+  const Voxel at = safe.voxel_of(local);
+  const std::int32_t reach = ceil_index(window.clearance() / window.cell, 0, kMaxWayOut);
+  Vec3 away = kZero;
+  for (std::int32_t z = at.z - reach; z <= at.z + reach; ++z) {
+    for (std::int32_t y = at.y - reach; y <= at.y + reach; ++y) {
+      for (std::int32_t x = at.x - reach; x <= at.x + reach; ++x) {
+        if (safe.obstacle({x, y, z})) away = away + (local - safe.center({x, y, z}));
+      }
+    }
+  }
+  const double size = length(away);
+  if (!(size > 0.0)) return;
+  aim = from + (window.clearance() / size) * away;
+  aims_at_goal = false;
 }
 
-/// The window follows the vehicle where it cannot cut off what will be flown, with the radius around it.
+/// A plan keeps its aim until little of the way is left, so that plans are compared by their times.
+bool FlightState::keeps_aim(const Vec3& from) const noexcept {
+  return (now.to_goal && now.target == itinerary.last()) || way_length(from, now.aim) > kAimRest * spec.horizon;
+}
+
+/// The window follows the vehicle only as far as it must: what leaves it is forgotten, and may be the only way to the
+/// goal. It keeps the horizon around the vehicle where it is wide enough, and cannot cut off what will be flown, with
+/// the radius around it.
 void FlightState::follow_window() noexcept {
   const GridSpec& window = map.safe().spec();
-  const Vec3 center = sample_at(time).position;
+  const Vec3 at = sample_at(time).position;
   const Vec3 offset = offset_after_move(map);
-  const Course& course = has_next ? next : now;
+  const double needed = spec.horizon + window.clearance() + kAimVoxels * window.cell;
+  const Commitment& commitment = latest();
+  Vec3 center = 0.5 * (window.boundary.lower + window.boundary.upper);
   for (int a = 0; a < 3; ++a) {
     const double half = 0.5 * (axis(window.boundary.upper, a) - axis(window.boundary.lower, a));
-    const double room = half - axis(offset, a) - window.radius - window.cell;
-    if (reach_along(course.flown, seconds_between(course.begin, time), center, a) > room) return;
+    const double spare = larger(0.0, half - axis(offset, a) - needed);
+    axis(center, a) = clamp(axis(center, a), axis(at, a) - spare, axis(at, a) + spare);
+    const double room = half - axis(offset, a) - window.clearance() - window.cell;
+    if (reach_along(commitment.flown, seconds_between(commitment.begin, time), center, a) > room) return;
   }
   map.follow(center);
 }
@@ -83,29 +113,48 @@ void FlightState::follow_window() noexcept {
 Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
   if (!is_looking) return look_at;
   const int sector = sector_at(t);
-  if (sector < 1) return look_at;
-  return sample_at(t).position + spec.horizon * offset_of((sector - 1) % kDirections);
+  if (sector < 1 || sector > kDirections) return look_at;
+  return sample_at(t).position + spec.horizon * offset_of(sector - 1);
 }
 
 int FlightState::sector_at(std::int64_t t) const noexcept {
-  const double sector = seconds_between(look_since, t) / (kEighthTurn / spec.yaw_rate + kLookTime);
-  return sector < kDirections + 1.0 ? static_cast<int>(sector) : kDirections + 1;
+  double held = kEighthTurn / spec.yaw_rate + kLookTime;
+  // A planned turn begins late, and gathers its rate and loses it.
+  if (nose.planned)
+    held += spec.yaw_rate / nose.yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
+  const double sector = seconds_between(look_since, t) / held;
+  constexpr int kLast = kDirections + kStares + 1;
+  return sector < kLast ? static_cast<int>(sector) : kLast;
+}
+
+/// From rest, towards the voxel that ended the proof. It may be so near that only the direction says anything.
+void FlightState::look_at_obstacle() noexcept {
+  const Vec3 at = sample_at(time).position;
+  const Grid& safe = map.safe();
+  const Vec3 way = safe.spec().origin + safe.center(proof.report().voxel) - at;
+  const double flat = square_root(way.x * way.x + way.y * way.y);
+  if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
 /// A cycle ended without a commit. At rest the vehicle then looks around, once; after that it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
-  if (idle_cycles < kPatience) return;
+  if (idle_cycles < kIdleCycles) return;
   if (!is_looking) {
     is_looking = true;
     look_since = time;
-  } else if (sector_at(time) > kDirections) {
-    park(FlightReason::kNoProgress);
+  } else if (sector_at(time) > kDirections + kStares) {
+    park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
   }
 }
 
+/// There is no point in going on, unless to the point after the next one.
 void FlightState::park(FlightReason why) noexcept {
+  if (itinerary.leg != itinerary.last() && why != FlightReason::kHemmedIn) {
+    leave_out(itinerary.leg, why == FlightReason::kNearest ? FlightReason::kViaBlocked : FlightReason::kViaUnreachable);
+    return;
+  }
   parked = true;
   is_looking = false;
   reason = why;
@@ -118,7 +167,7 @@ bool FlightState::is_nearest() noexcept {
   const Grid& seen = map.route();
   const double slack = kAimVoxels * seen.spec().cell;
   if (!rests_at_takeover() || distance(start.d[0], goal) > distance(aim, goal) + slack) return false;
-  if (seen.bound() && aims_at_goal && !point_clear(seen, seen.to_local(goal), seen.spec().radius)) {
+  if (seen.bound() && aims_at_goal && !point_clear(seen, seen.to_local(goal), seen.spec().clearance())) {
     park(FlightReason::kNearest);
   }
   return true;
@@ -127,23 +176,26 @@ bool FlightState::is_nearest() noexcept {
 /// A new plan is about to be committed. Those that do not lead nearer to the goal are counted, so that no vehicle flies
 /// to and fro for ever.
 void FlightState::note_progress() noexcept {
-  const double left = distance(start.d[0], goal);
-  if (nearest < 0.0 || left < nearest - map.safe().spec().cell) {
-    nearest = left;
-    fruitless = 0;
-  } else if (++fruitless > kFruitless) {
-    park(FlightReason::kNoProgress);
-  }
+  const double left = distance(start.d[0], itinerary.points[itinerary.leg].position);
+  const bool comes_nearer = nearest < 0.0 || left < nearest - map.safe().spec().cell;
+  if (comes_nearer) nearest = left;
+  wandering = comes_nearer ? 0 : wandering + 1;
+  const bool learns = map.learned() - learned >= kLearned;
+  if (learns) learned = map.learned();
+  fruitless = comes_nearer || learns ? 0 : fruitless + 1;
+  if (fruitless > kFruitless || wandering > kWandering) park(FlightReason::kNoProgress);
 }
 
 /// At the goal, there is nothing left to plan.
 void FlightState::note_rest() noexcept {
-  if (has_goal && !parked && rests() && reaches_goal()) park(FlightReason::kArrived);
+  if (!has_goal || parked || !rests() || !reaches_goal()) return;
+  itinerary.state[itinerary.last()] = PointState::kPassed;
+  park(FlightReason::kArrived);
 }
 
 /// What is flown ends at the goal.
 bool FlightState::reaches_goal() const noexcept {
-  return now.to_goal && now.goal == goal_number && now.branch >= duration(now.wished);
+  return now.to_goal && now.target == itinerary.last() && now.goal == goal_number && now.branch >= duration(now.wished);
 }
 
 }  // namespace tern

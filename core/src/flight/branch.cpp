@@ -20,6 +20,15 @@ void shorten(double u, Segment& segment) {
   segment.duration *= u;
 }
 
+/// The rest of a segment, from u in (0, 1) on: the triangle's right edge.
+void drop_first_part(double u, Segment& segment) {
+  for (int level = 1; level <= kDegree; ++level) {
+    for (int i = 0; i <= kDegree - level; ++i) {
+      segment.points[i] = (1.0 - u) * segment.points[i] + u * segment.points[i + 1];
+    }
+  }
+}
+
 }  // namespace
 
 JointState settled(const JointState& from, double time) noexcept {
@@ -67,6 +76,27 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
     if (t < end) shorten((t - begin) / segment.duration, segment);
     begin = end;
   }
+}
+
+void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept {
+  out.origin = plan.origin;
+  out.count = 0;
+  double begin = 0.0;
+  for (int i = 0; i < plan.count && begin < t + ahead; ++i) {
+    const double end = begin + plan.segments[i].duration;
+    if (end > t) {
+      Segment& segment = out.segments[out.count++];
+      segment = plan.segments[i];
+      if (begin < t) {
+        drop_first_part((t - begin) / segment.duration, segment);
+        segment.duration = end - t;
+      }
+    }
+    begin = end;
+  }
+  if (out.count > 0) return;
+  const JointState rest{{plan.segments[plan.count - 1].points[kDegree], kZero, kZero, kZero}};
+  append_between(rest, rest, kMinDuration, out);
 }
 
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,

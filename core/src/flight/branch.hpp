@@ -26,6 +26,10 @@ JointState settled(const JointState& from, double time) noexcept;
 /// Position to jerk of a trajectory, the position relative to `origin`.
 JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept;
 
+/// `out` becomes what follows `t` of the plan, with the segments that begin in the next `ahead` seconds; rest at the
+/// plan's end where nothing follows. 0 <= t.
+void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept;
+
 /// Appends the segment between two states. False where there is no room: kMaxSegments.
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept;
 

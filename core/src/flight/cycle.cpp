@@ -5,47 +5,77 @@
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
+#include "grid/distance.hpp"
 
 namespace tern {
 namespace {
 
-/// Units of the planner that are paid for together.
-constexpr std::uint32_t kPlanSlice = 32;
+/// What units of the planner cost here, so that all units of a flight take about as long: a step of the search or the
+/// shortcut, a polyhedron, and an iteration of the optimiser or what comes after it.
+constexpr std::uint32_t kPathPrice = 2;
+constexpr std::uint32_t kPolyhedronPrice = 96;
+constexpr std::uint32_t kTrajectoryPrice = 32;
+/// The same for a piece of a proof.
+constexpr std::uint32_t kPiecePrice = 6;
 /// The part of a plan's work that the optimiser may spend: with less it answers with the best plan so far.
-constexpr std::uint32_t kIterationShare = 4;
+constexpr std::uint32_t kIterationShare = 2;
 /// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
 /// Where plans from rest fail, they are tried in turn with the unseen nearby solid; the same but for voxels next to the
 /// vehicle, which may leave it no voxel to begin at; and with the unseen free.
 constexpr int kAttempts = 3;
+constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
-/// Ticks from the beginning of a plan to the instant when it takes over.
-std::int64_t lead_ticks(const FlightSpec& spec) {
+/// Metres: further than any window is wide.
+constexpr double kAnywhere = 1e9;
+/// Ticks from the beginning of a plan to the instant when it takes over: twice as many for each plan that was dropped
+/// before.
+constexpr int kMostDoublings = 3;
+std::int64_t lead_ticks(const FlightSpec& spec, int late) {
   const std::uint32_t half = spec.work_per_tick / 2;
-  return std::int64_t{spec.plan_work / half} + 2;
+  return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
+}
+
+std::uint32_t price_of_unit(const Planner& planner) {
+  if (planner.corridor() != nullptr) return kTrajectoryPrice;
+  return planner.path() != nullptr ? kPolyhedronPrice : kPathPrice;
 }
 
 }  // namespace
 
-/// A unit of a proof is a piece of a curve.
-Progress FlightState::prove(Work& work) noexcept {
+/// A slice of a proof.
+Progress step_proof(Proof& proof, Work& work) noexcept {
   const std::uint32_t before = proof.report().work;
-  const Status status = proof.step(work.left);
-  work.left -= proof.report().work - before;
+  const Status status = proof.step(work.left / kPiecePrice);
+  work.left -= kPiecePrice * (proof.report().work - before);
   return status == Status::kRunning ? Progress::kMore : Progress::kDone;
+}
+
+Progress FlightState::prove(Work& work) noexcept {
+  return step_proof(proof, work);
+}
+
+/// The vehicle will rest, and something was found within its radius meanwhile: an error of a sensor, or something that
+/// moved. It may get away from there.
+bool FlightState::is_hemmed_in() const noexcept {
+  const Grid& safe = map.safe();
+  return rests_at_takeover() &&
+         !point_clear(safe, safe.to_local(sample_at(takeover).position), safe.spec().clearance());
 }
 
 /// Nothing to plan for, or nothing to plan on.
 void FlightState::begin_cycle() noexcept {
   if (!has_goal || parked || has_next || stopping || watching || !map.safe().bound()) return;
-  takeover = time + lead_ticks(spec) * spec.tick;
+  takeover = time + lead_ticks(spec, late) * spec.tick;
   deadline = takeover - spec.tick;
   if (reaches_goal() && rests_at_takeover()) return;
   ++report.asked;
   const GridSpec& window = map.route().spec();
-  const double near = idle_cycles % kAttempts < 2 ? spec.near : 0.0;
-  const double hole = idle_cycles % kAttempts == 1 ? window.radius + kHoleVoxels * window.cell : 0.0;
-  route.begin(map, sample_at(takeover).position, near, hole);
+  const int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
+  const double near = attempt < 2 ? spec.near : 0.0;
+  const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
+  leaves = is_hemmed_in();
+  route.begin(map, sample_at(takeover).position, near, hole, leaves ? window.clearance() : 0.0);
   keeps = false;
   job = Job::kCopy;
 }
@@ -54,10 +84,11 @@ void FlightState::advance(Work& work) noexcept {
   note_rest();
   if (job != Job::kIdle && time > deadline) {
     ++report.dropped;
+    if (job != Job::kEvade) ++late;
     give_up();
   }
-  const bool in_time = job != Job::kIdle && takeover < contact;
-  const bool threatened = threat && !evaded && !in_time;
+  const bool is_braking_soon = has_next && next.evades;
+  const bool threatened = threat && !evaded && !is_braking_soon && !leaves_time_to_brake();
   if (job != Job::kEvade && !watching && map.safe().bound() && (stopping || threatened)) begin_evade();
   if (job == Job::kIdle) begin_cycle();
   // A cycle has at most as many steps as jobs and candidates.
@@ -66,6 +97,7 @@ void FlightState::advance(Work& work) noexcept {
   for (int step = 0; step < kSteps && progress == Progress::kDone && job != Job::kIdle; ++step) {
     progress = run_job(work);
   }
+  if (job == Job::kEvade && time >= deadline) end_evade();  // with the best brake so far
 }
 
 // One line a job: a table.
@@ -75,6 +107,7 @@ Progress FlightState::run_job(Work& work) noexcept {
     case Job::kIdle: return Progress::kMore;
     case Job::kCopy: return run_copy(work);
     case Job::kKeep: return run_keep(work);
+    case Job::kRoute: return run_route(work);
     case Job::kPlan: return run_plan(work);
     case Job::kWait: return run_wait();
     case Job::kReach: return run_reach(work);
@@ -91,8 +124,9 @@ Progress FlightState::run_copy(Work& work) noexcept {
   if (route.advance(map, work) == Progress::kMore) return Progress::kMore;
   const double from = seconds_between(now.begin, takeover);
   job = Job::kKeep;
-  const bool candidate = now.goal == goal_number && from < now.branch;
-  if (!candidate || proof.begin(route.grid(), now.wished, from, nullptr, Beyond::kEmpty) != Status::kRunning) {
+  const bool candidate = now.goal == goal_number && still_fits() && from < now.branch;
+  if (!candidate || proof.begin(route.grid(), now.wished, from, nullptr, Beyond::kEmpty,
+                                {nullptr, nullptr, nullptr, spec.fences, spec.fence_count}) != Status::kRunning) {
     begin_plan();
   }
   return Progress::kDone;
@@ -108,14 +142,68 @@ Progress FlightState::run_keep(Work& work) noexcept {
 /// From where the vehicle will be at the takeover.
 void FlightState::begin_plan() noexcept {
   start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
+  moved_aim = beside_goal = false;
+  if (keeps) keep_points();
   if (keeps && keeps_aim(start.d[0])) {
     aim = now.aim;
     aims_at_goal = now.to_goal;
-  } else {
-    choose_aim(start.d[0]);
+    return ask_planner();
   }
-  moved_aim = beside_goal = false;
-  ask_planner();
+  const bool leads_out = leaves && idle_cycles % 2 == 1;
+  choose_points(start.d[0]);
+  if (leads_out) ask_for_first(0);
+  choose_aim(place_before_target(start.d[0]), leads_out ? spec.horizon : kAnywhere);
+  if (leads_out) choose_way_out(start.d[0]);
+  way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
+}
+
+/// A plan to the aim of which only the path is made.
+void FlightState::ask_route() noexcept {
+  Request request{};
+  request.start.position = start.d[0];
+  request.goal.position = aim;
+  request.limits = spec.limits;
+  request.fences = spec.fences;
+  request.fence_count = spec.fence_count;
+  request.vias = asked;
+  request.via_count = asked_count;
+  planner->begin(route.grid(), request);
+  job = Job::kRoute;
+}
+
+/// The aim is on the way to the goal as far as it is known. Where there is no way, it is on the straight line.
+Progress FlightState::run_route(Work& work) noexcept {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning && planner->path() == nullptr) {
+    if (work.left < kPathPrice) return Progress::kMore;
+    status = planner->step(1);
+    work.left -= kPathPrice;
+  }
+  if (planner->path() != nullptr) {
+    shorten_way(*planner->path());
+    ask_planner();
+    return Progress::kDone;
+  }
+  Report found;
+  planner->finish(plan, found);
+  if (note_fault(found)) {
+    give_up();
+    return Progress::kDone;
+  }
+  if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
+    moved_aim = true;
+    aim = found.nearest_free;
+    beside_goal = aims_at_goal;
+    aims_at_goal = false;
+    ask_route();
+  } else if (asked_count > 0) {
+    if (!ask_for_less(found)) choose_draft(false);
+  } else {
+    moved_aim = beside_goal = false;
+    choose_aim(start.d[0], spec.horizon);
+    ask_planner();
+  }
+  return Progress::kDone;
 }
 
 void FlightState::ask_planner() noexcept {
@@ -123,8 +211,12 @@ void FlightState::ask_planner() noexcept {
   request.start = {start.d[0], start.d[1], start.d[2], start.d[3]};
   request.goal.position = aim;
   request.limits = spec.limits;
-  request.budget.iterations = spec.plan_work / kIterationShare;
+  request.budget.iterations = spec.plan_work / (kIterationShare * kTrajectoryPrice);
   request.time_weight = spec.time_weight;
+  request.fences = spec.fences;
+  request.fence_count = spec.fence_count;
+  request.vias = asked;
+  request.via_count = asked_count;
   planner->begin(route.grid(), request);
   job = Job::kPlan;
 }
@@ -134,10 +226,11 @@ bool FlightState::move_aim(const Report& found) noexcept {
   if (found.status != Status::kGoalOccupied || !found.has_nearest_free || moved_aim) return false;
   moved_aim = true;
   aim = found.nearest_free;
-  if (is_nearest()) return false;
+  if (asked_count == 0 && is_nearest()) return false;
   const double slack = kAimVoxels * map.route().spec().cell;
-  if (keeps && now.beside_goal && distance(now.aim, goal) <= distance(aim, goal) + slack) aim = now.aim;
-  beside_goal = aims_at_goal || (keeps && now.beside_goal);
+  const bool keeps_beside = keeps && now.beside_goal && now.target == target;
+  if (keeps_beside && distance(now.aim, goal) <= distance(aim, goal) + slack) aim = now.aim;
+  beside_goal = aims_at_goal || keeps_beside;
   aims_at_goal = false;
   ask_planner();
   return true;
@@ -146,14 +239,28 @@ bool FlightState::move_aim(const Report& found) noexcept {
 Progress FlightState::run_plan(Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
-    if (work.left < kPlanSlice) return Progress::kMore;
-    status = planner->step(kPlanSlice);
-    work.left -= kPlanSlice;
+    const std::uint32_t price = price_of_unit(*planner);
+    if (work.left < price) return Progress::kMore;
+    status = planner->step(1);
+    work.left -= price;
   }
   Report found;
   report.plan = planner->finish(plan, found);
-  if (!move_aim(found)) choose_draft(report.plan == Status::kOk);
+  // Would it have been in time with half the lead?
+  if (late > 0 && takeover - time > (lead_ticks(spec, late) - lead_ticks(spec, late - 1) + 1) * spec.tick) --late;
+  end_plan(found);
   return Progress::kDone;
+}
+
+/// Where the planner found none, there may be one that asks for less.
+void FlightState::end_plan(const Report& found) noexcept {
+  const bool planned = found.status == Status::kOk;
+  if (planned) {
+    list_passages(found);
+    return choose_draft(true);
+  }
+  if (note_fault(found)) return give_up();
+  if (!move_aim(found) && !ask_for_less(found)) choose_draft(false);
 }
 
 /// The rest of the plan that is flown wins unless the new one leads elsewhere or arrives earlier.
@@ -163,7 +270,7 @@ void FlightState::choose_draft(bool planned) noexcept {
   if (keeps) {
     const double rest = duration(now.wished) - seconds_between(now.begin, takeover);
     const bool better = planned && (!same(aim, now.aim) || duration(draft.wished) < rest - kEarlier);
-    extends = !better;
+    extends = !better || passes_later();
   }
   if (extends) draft = now;
   if (!extends && !planned) return fail();
@@ -179,6 +286,9 @@ void FlightState::compose() noexcept {
   draft.to_goal = aims_at_goal;
   draft.beside_goal = beside_goal;
   draft.goal = goal_number;
+  draft.evades = false;
+  draft.leaves = leaves;
+  draft.left = start.d[0];
 }
 
 }  // namespace tern

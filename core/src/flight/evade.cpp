@@ -8,9 +8,19 @@
 #include "flight/flight_state.hpp"
 
 namespace tern {
+namespace {
+
+/// A brake that touches at most the alarm comes first, then the slowest contact, then the latest one.
+bool is_better(const Evasion& a, const Evasion& b) {
+  if (b.number < 0) return true;
+  if (a.known != b.known) return a.known;
+  return a.speed < b.speed || (!(a.speed > b.speed) && a.until > b.until);
+}
+
+}  // namespace
 
 void FlightState::begin_evade() noexcept {
-  const bool needed = !rests() && (threat || course_at(time).branch > 0.0);
+  const bool needed = !rests() && (threat || commitment_at(time).branch > 0.0);
   stopping = false;
   evaded = true;
   if (!needed || (threat && rest_begins() <= time + kEvadeTicks * spec.tick)) return;
@@ -18,60 +28,102 @@ void FlightState::begin_evade() noexcept {
   takeover = time + kEvadeTicks * spec.tick;
   deadline = takeover - spec.tick;
   job = Job::kEvade;
-  best_until = -1.0;
-  best_shape = branch = -1;
-  extends = false;
+  best.number = branch = -1;
+  extends = pardons = false;
   next_evasion();
 }
 
 bool FlightState::make_evasion() noexcept {
-  const Course& course = course_at(takeover);
+  const Commitment& commitment = commitment_at(takeover);
   draft.begin = takeover;
   draft.branch = 0.0;
   draft.goal = goal_number;
+  draft.target = itinerary.leg;
+  draft.passages = 0;
   draft.to_goal = draft.beside_goal = false;
+  draft.evades = threat;
+  draft.leaves = commitment.leaves;
+  draft.left = commitment.left;
   draft.flown.count = 0;
-  draft.flown.origin = evaluate(course.flown, seconds_between(course.begin, takeover)).position;
-  const JointState at = joint_at(course.flown, seconds_between(course.begin, takeover), draft.flown.origin);
-  if (!append_stop(at, limits, branch, stop, draft.flown)) return false;
+  draft.flown.origin = evaluate(commitment.flown, seconds_between(commitment.begin, takeover)).position;
+  if (!append_evasion(commitment, seconds_between(commitment.begin, takeover))) return false;
   draft.wished = draft.flown;
   draft.aim = draft.flown.origin + draft.flown.segments[draft.flown.count - 1].points[kDegree];
   return true;
 }
 
+/// Straight ahead, or along what is flown.
+bool FlightState::append_evasion(const Commitment& flown, double from) noexcept {
+  const JointState at = joint_at(flown.flown, from, draft.flown.origin);
+  if (branch < kStops) return append_stop(at, limits, branch, stop, draft.flown);
+  return append_slow_down(flown.flown, from, slow_down_time(at.d[1], limits, branch - kStops), draft.flown);
+}
+
 /// The sharpest brake first.
 void FlightState::next_evasion() noexcept {
-  while (++branch < kStops) {
+  pardons = false;
+  while (++branch < kEvasions) {
     if (!make_evasion()) continue;
-    if (proof.begin(map.safe(), draft.flown, 0.0, &spec.limits, Beyond::kSolid) == Status::kRunning) return;
+    if (begin_proof(draft.flown, 0.0) == Status::kRunning) return;
   }
   end_evade();
 }
 
 Progress FlightState::run_evade(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
-  if (proof.report().end == ProofEnd::kProven) {
+  const bool proven = proof.report().end == ProofEnd::kProven;
+  if (proven && !pardons) {
     commit();
     return Progress::kDone;
   }
-  if (proof.report().until > best_until) {
-    best_until = proof.report().until;
-    best_shape = branch;
+  if (pardons) {
+    tried.known = proven;
+  } else {
+    const double until = proof.report().until;
+    tried = {branch, until, length(evaluate(draft.flown, until).velocity), true};
+    if (is_better(tried, best) && begin_pardon()) return Progress::kDone;
+    tried.known = false;
   }
+  if (is_better(tried, best)) best = tried;
   next_evasion();
   return Progress::kDone;
 }
 
-/// None is proven. Of what is left, the brake that is proven for longest, if that is later than what is flown; the
+/// Is the brake at hand clear of everything but the alarm?
+bool FlightState::begin_pardon() noexcept {
+  if (!has_alarm) return false;
+  ProofGrounds grounds = grounds_of(draft);
+  grounds.alarm = &alarm;
+  pardons = proof.begin(map.safe(), draft.flown, 0.0, &spec.limits, Beyond::kSolid, grounds) == Status::kRunning;
+  return pardons;
+}
+
+/// None is proven. Of those that touch at most the alarm, the one with the slowest contact is flown; of the others,
+/// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown. The
 /// threat remains.
 void FlightState::end_evade() noexcept {
-  const std::int64_t best = takeover + nanoseconds(larger(0.0, best_until));
-  branch = best_shape;
-  if (!threat || best_shape < 0 || best <= contact || !make_evasion()) return give_up();
+  branch = best.number;
+  const bool helps = best.number >= 0 && (best.speed < contact_speed || (best.known && !known));
+  if (!threat || !helps || (known && !best.known) || !make_evasion()) return give_up();
+  const Alarm raised = alarm;
+  const bool is_raised = has_alarm;
   commit();
+  alarm = raised;
+  has_alarm = is_raised;
   threat = true;
-  contact = best;
-  contact_speed = length(evaluate(draft.flown, best_until).velocity);
+  known = best.known;
+  contact = takeover + nanoseconds(best.until);
+  contact_speed = best.speed;
+}
+
+/// A plan in work may go on under a threat if its end leaves time to brake, should it fail: twice as long as the
+/// sharpest brake takes, and what comes before it.
+bool FlightState::leaves_time_to_brake() const noexcept {
+  if (job == Job::kIdle || takeover >= contact) return false;
+  const Vec3& most = spec.limits.a_max;
+  const double weakest = smaller(most.x, smaller(most.y, most.z));
+  const double needed = 2.0 * length(sample_at(takeover).velocity) / weakest + 2.0 * kSettleTime;
+  return seconds_between(takeover + kEvadeTicks * spec.tick, contact) > needed;
 }
 
 }  // namespace tern

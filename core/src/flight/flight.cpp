@@ -15,7 +15,7 @@ namespace tern {
 namespace {
 
 /// What the spec's numbers may be.
-constexpr std::uint32_t kLeastWork = 128;
+constexpr std::uint32_t kLeastWork = 256;
 constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
 
 std::size_t state_words() {
@@ -32,14 +32,20 @@ bool spec_fits(const FlightSpec& spec) {
          spec.yaw_rate >= 1e-3;
 }
 
+std::int32_t count_points(const Itinerary& itinerary, PointState state) {
+  std::int32_t count = 0;
+  for (std::int32_t i = 0; i < itinerary.count; ++i) count += itinerary.state[i] == state ? 1 : 0;
+  return count;
+}
+
 /// One segment that stays at a point.
-void hover(const Vec3& position, std::int64_t t, Course& course) {
-  course.begin = t;
-  course.flown.origin = course.aim = position;
+void hover(const Vec3& position, std::int64_t t, Commitment& commitment) {
+  commitment.begin = t;
+  commitment.flown.origin = commitment.aim = position;
   const JointState rest{};
-  append_between(rest, rest, kMinDuration, course.flown);
-  course.wished = course.flown;
-  course.branch = kMinDuration;
+  append_between(rest, rest, kMinDuration, commitment.flown);
+  commitment.wished = commitment.flown;
+  commitment.branch = kMinDuration;
 }
 
 }  // namespace
@@ -62,7 +68,7 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   if (limits.status != Status::kOk) return limits.status;
   if (!valid_time_weight(spec.time_weight)) return Status::kLimitsInvalid;
   const GridSpec& window = map.safe().spec();
-  if (!(window.radius > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
+  if (!(window.clearance() > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
   FlightState* const state = new (words) FlightState{};
   state->spec = spec;
   state->limits = MotionLimits(spec.limits);
@@ -72,28 +78,28 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   state->reason = FlightReason::kNoGoal;
   state->look_at = position;
   hover(position, t, state->now);
-  ProofReport proven;
-  clear_until(map.safe(), state->now.flown, 0.0, nullptr, Beyond::kSolid, &proven);
-  if (proven.end != ProofEnd::kProven) return Status::kStartOccupied;
+  const bool begun = state->proof.begin(map.safe(), state->now.flown, 0.0, nullptr, Beyond::kSolid,
+                                        state->grounds_of(state->now)) == Status::kRunning;
+  if (!begun || state->proof.step(2 * kProofPieces) != Status::kOk) return Status::kStartOccupied;
+  if (state->proof.report().end != ProofEnd::kProven) return Status::kStartOccupied;
   const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());
   if (bound != Status::kOk) return bound;
-  state->watched = map.revision();
   state_ = state;
   return Status::kOk;
 }
 
 Status Flight::set_goal(const Vec3& goal) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
-  if (!finite(goal)) return Status::kNonFiniteInput;
-  FlightState& state = *state_;
-  state.goal = goal;
-  state.has_goal = true;
-  ++state.goal_number;
-  state.parked = state.stopping = state.is_looking = false;
-  state.idle_cycles = state.fruitless = 0;
-  state.nearest = -1.0;
-  state.reason = FlightReason::kNone;
-  return Status::kOk;
+  Via point;
+  point.position = goal;
+  return set_mission(&point, 1, ViaPolicy::kEnd);
+}
+
+Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  const Status status = check_mission(points, count, policy);
+  if (status == Status::kOk) state_->begin_mission(points, count, policy);
+  return status;
 }
 
 Status Flight::stop() noexcept {
@@ -104,13 +110,13 @@ Status Flight::stop() noexcept {
   return Status::kOk;
 }
 
-const Course& FlightState::course_at(std::int64_t t) const noexcept {
+const Commitment& FlightState::commitment_at(std::int64_t t) const noexcept {
   return has_next && t >= next.begin ? next : now;
 }
 
 Sample FlightState::sample_at(std::int64_t t) const noexcept {
-  const Course& course = course_at(t);
-  return evaluate(course.flown, seconds_between(course.begin, t));
+  const Commitment& commitment = commitment_at(t);
+  return evaluate(commitment.flown, seconds_between(commitment.begin, t));
 }
 
 std::int64_t FlightState::rest_begins() const noexcept {
@@ -119,12 +125,15 @@ std::int64_t FlightState::rest_begins() const noexcept {
 
 void FlightState::take_over() noexcept {
   if (!has_next || time < next.begin) return;
+  if (watching && watched_part == Watched::kBefore) watch_all = true;
+  watching = watching && watched_part != Watched::kBefore;
   now = next;
   has_next = false;
 }
 
 FlightMode FlightState::mode() const noexcept {
-  if (threat || alarmed) return FlightMode::kThreat;
+  const bool gave_up = parked && rests();
+  if (alarmed || (threat && !gave_up)) return FlightMode::kThreat;
   if (rests()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -134,6 +143,7 @@ bool FlightState::reads_map() const noexcept {
   switch (job) {
     case Job::kIdle:
     case Job::kKeep:
+    case Job::kRoute:
     case Job::kPlan:
     case Job::kWait:
       return watching;
@@ -157,6 +167,10 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode();
   report.reason = reason;
   report.work = spent;
+  report.waits_for_view = waits_for_view();
+  report.leg = itinerary.leg;
+  report.passed = count_points(itinerary, PointState::kPassed);
+  report.skipped = count_points(itinerary, PointState::kSkipped);
   report.contact_time = report.mode == FlightMode::kThreat ? contact : 0;
   report.contact_speed = report.mode == FlightMode::kThreat ? contact_speed : 0.0;
 }
@@ -167,10 +181,12 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
   FlightState& state = *state_;
   state.time = t;
   state.alarmed = false;
+  state.pass_points();
   state.take_over();
   Work work{state.spec.work_per_tick};
   state.step_map(work);
   state.run_watch(work);
+  state.turn_nose(work);
   state.advance(work);
   state.finish_report(state.spec.work_per_tick - work.left);
   report = state.report;
@@ -182,9 +198,25 @@ Command Flight::command(int64_t t) const noexcept {
   return {state_->sample_at(t), state_->looking_at(t)};
 }
 
+PointState Flight::point_state(int32_t point) const noexcept {
+  const bool exists = state_ != nullptr && point >= 0 && point < state_->itinerary.count;
+  return exists ? state_->itinerary.state[point] : PointState::kAhead;
+}
+
+Status Flight::set_yaw(const FlightYaw& yaw) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  const Status status = check_flight_yaw(yaw, state_->spec.yaw_rate);
+  if (status == Status::kOk) state_->set_yaw(yaw);
+  return status;
+}
+
+YawSample Flight::yaw(int64_t t) const noexcept {
+  return state_ == nullptr ? YawSample{} : state_->yaw_at(t);
+}
+
 Vec3 Flight::rest_position() const noexcept {
   if (state_ == nullptr) return kZero;
-  const Trajectory& flown = state_->has_next ? state_->next.flown : state_->now.flown;
+  const Trajectory& flown = state_->latest().flown;
   return flown.origin + flown.segments[flown.count - 1].points[kDegree];
 }
 

@@ -87,6 +87,15 @@ std::uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal) {
   return goal == nullptr ? kInvalid : code(object(flight).set_goal(*goal));
 }
 
+std::uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, std::int32_t count,
+                                     std::uint8_t policy) {
+  return code(object(flight).set_mission(points, count, static_cast<tern::ViaPolicy>(policy)));
+}
+
+std::uint8_t tern_flight_point_state(const tern_flight* flight, std::int32_t point) {
+  return static_cast<std::uint8_t>(object(flight).point_state(point));
+}
+
 std::uint8_t tern_flight_stop(tern_flight* flight) {
   return code(object(flight).stop());
 }
@@ -100,6 +109,22 @@ std::uint8_t tern_flight_tick(tern_flight* flight, std::int64_t t, tern_flight_r
 
 void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command* command) {
   if (command != nullptr) *command = object(flight).command(t);
+}
+
+std::uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw) {
+  return yaw == nullptr ? kInvalid : code(object(flight).set_yaw(*yaw));
+}
+
+void tern_flight_yaw_at(const tern_flight* flight, std::int64_t t, tern_yaw_sample* yaw) {
+  if (yaw != nullptr) *yaw = object(flight).yaw(t);
+}
+
+const char* tern_flight_mode_name(std::uint8_t mode) {
+  return tern::flight_mode_name(static_cast<tern::FlightMode>(mode));
+}
+
+const char* tern_flight_reason_text(std::uint8_t reason) {
+  return tern::flight_reason_text(static_cast<tern::FlightReason>(reason));
 }
 
 }  // extern "C"

@@ -14,7 +14,10 @@
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
 #include "flight/branch.hpp"
+#include "flight/commitment.hpp"
+#include "flight/nose.hpp"
 #include "flight/route_copy.hpp"
+#include "flight/slow_down.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 
@@ -24,27 +27,31 @@ namespace tern {
 /// and with limits on jerk the sharpest may be too sharp.
 constexpr int kBranches = 16;
 constexpr int kBranchShapes = kStops;
+/// Brakes for a threat: straight ahead, and along what is flown.
+constexpr int kEvasions = kStops + kSlowDowns;
 /// Ticks that getting out of the way may take before it begins.
 constexpr int kEvadeTicks = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
-constexpr int kPatience = 3;
+constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
+/// Then it looks at what ended the last proof for as long as so many directions take: a noisy sensor needs some frames.
+constexpr int kStares = 5;
 /// Voxels that an aim keeps from the window's faces, besides the radius; and by which one must be nearer to the goal to
 /// count as nearer.
 constexpr double kAimVoxels = 2.0;
-/// New plans that may be committed without coming nearer to the goal than before.
-constexpr int kFruitless = 300;
+/// New plans that may be committed without coming nearer to the goal than before, or learning what so many words of the
+/// map hold; and in all, until it comes nearer.
+constexpr int kFruitless = 150;
+constexpr std::uint64_t kLearned = 64;
+constexpr int kWandering = 1500;
+/// Points of a way that are so near are the same, metres.
+constexpr double kSamePlace = 1e-6;
 
-/// A committed plan, or one that may become it.
-struct Course {
-  Trajectory flown;    ///< ends at rest; proven
-  Trajectory wished;   ///< the plan whose first part is flown
-  double branch;       ///< seconds since the beginning up to which both are the same
-  std::int64_t begin;  ///< nanoseconds
-  Vec3 aim;            ///< where `wished` ends
-  bool to_goal;        ///< the aim is the goal,
-  bool beside_goal;    ///< or the nearest free point to it
-  std::uint32_t goal;  ///< number of the goal that it was made for
+/// What is being proven of what is flown.
+enum class Watched : std::uint8_t {
+  kBefore,  ///< what comes before the takeover
+  kLatest,  ///< what is flown to its end
+  kAlarm,   ///< the same, but for the alarm
 };
 
 /// What the flight works on. A cycle makes one plan; evading makes a brake.
@@ -52,6 +59,7 @@ enum class Job : std::uint8_t {
   kIdle,
   kCopy,     ///< the route grid
   kKeep,     ///< is the rest of the plan that is flown still free on the route?
+  kRoute,    ///< the way to the goal, of which the plan is the first part
   kPlan,     ///< the planner
   kWait,     ///< for the window to be done with its slide
   kReach,    ///< until when is the best plan proven?
@@ -68,15 +76,15 @@ class FlightState {
   Planner* planner;
   RouteCopy route;
   std::int64_t time;  ///< of the last tick
-  Course now;
-  Course next;
+  Commitment now;
+  Commitment next;
   bool has_next;
 
-  // The goal.
-  Vec3 goal;
+  // The mission; to a goal alone, it has one point.
+  Itinerary itinerary;
   bool has_goal;
-  std::uint32_t goal_number;
-  bool parked;  ///< no more plans until the next goal
+  std::uint32_t goal_number;  ///< counts the missions
+  bool parked;                ///< no more plans until the next goal
   bool stopping;
   FlightReason reason;
 
@@ -85,44 +93,65 @@ class FlightState {
   std::int64_t takeover;  ///< when its result begins
   std::int64_t deadline;  ///< the last tick that may commit it
   Proof proof;
-  Course draft;      ///< the plan at hand
-  Trajectory plan;   ///< of the planner
-  Stopping stop;     ///< the brake that was tried last
-  JointState start;  ///< at the takeover, world frame
+  Commitment draft;     ///< the plan at hand
+  Trajectory plan;      ///< of the planner
+  Stopping stop;        ///< the brake that was tried last
+  JointState start;     ///< at the takeover, world frame
+  Via asked[kMaxVias];  ///< what the plan passes
+  std::int32_t asked_point[kMaxVias];
+  std::int32_t asked_count;
+  std::int32_t target;  ///< the point after those
+  Vec3 goal;            ///< its place
   Vec3 aim;
-  bool aims_at_goal;
+  bool aims_at_goal;  ///< the aim is the target
   bool moved_aim;     ///< the nearest free point took the aim's place,
   bool beside_goal;   ///< which was the goal
+  bool leaves;        ///< something is within the radius of where the vehicle rests
   bool keeps;         ///< the rest of the plan that is flown is free on the route
   bool extends;       ///< `draft` goes on along the plan that is flown
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
   bool tries_branch;  ///< it is being proven
-  double best_until;  ///< of the brakes tried
-  int best_shape;
+  Evasion tried;      ///< the brake at hand
+  Evasion best;       ///< of those that were tried
+  bool pardons;       ///< the brake at hand is being proven but for the alarm
 
   // The proof of what is flown.
   Proof watch;
   bool watching;
-  std::uint64_t watched;  ///< the map's revision; 0: none
+  Watched watched_part;  ///< that is being proven
+  bool has_added;        ///< only near this, which became solid
+  Box added;
+  bool watch_all;         ///< of what is flown, not only what is near to what was added
+  std::uint64_t watched;  ///< the safe grid's revision then
   bool threat;
   bool alarmed;  ///< in this tick
   bool evaded;   ///< it was tried on this map
   std::int64_t contact;
   double contact_speed;  ///< m/s, along what was flown when the threat was found
+  bool has_alarm;
+  Alarm alarm;  ///< what became solid since what is flown was proven
+  bool known;   ///< what is flown is clear of everything but the alarm
+
+  Nose nose;
 
   // At rest.
   int idle_cycles;
-  int fruitless;   ///< new plans since the vehicle was nearest to the goal
-  double nearest;  ///< metres to the goal; negative: not known yet
+  int late;               ///< plans that were dropped, one after the other
+  int fruitless;          ///< new plans since the vehicle was nearest to the goal, or learned something
+  int wandering;          ///< new plans since it was nearest
+  std::uint64_t learned;  ///< RollingMap::learned() then
+  double nearest;         ///< metres to the goal; negative: not known yet
   bool is_looking;
   std::int64_t look_since;
-  Vec3 look_at;
+  Vec3 look_at;  ///< what the next plan needs to know
   FlightReport report;
 
   // flight.cpp
   Sample sample_at(std::int64_t t) const noexcept;
-  const Course& course_at(std::int64_t t) const noexcept;
+  const Commitment& commitment_at(std::int64_t t) const noexcept;
+  /// The one that will be flown to its end. What comes before a takeover lasts a few ticks.
+  const Commitment& latest() const noexcept { return has_next ? next : now; }
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
   /// Where nothing new takes over before; two ticks more or less do not matter.
@@ -134,11 +163,13 @@ class FlightState {
   void finish_report(std::uint32_t spent) noexcept;
 
   // aim.cpp: where to, and where to look.
-  void choose_aim(const Vec3& from) noexcept;
+  void choose_aim(const Vec3& from, double most) noexcept;
+  void choose_way_out(const Vec3& from) noexcept;
   bool keeps_aim(const Vec3& from) const noexcept;
   void follow_window() noexcept;
   Vec3 looking_at(std::int64_t t) const noexcept;
   int sector_at(std::int64_t t) const noexcept;
+  void look_at_obstacle() noexcept;
   void note_idle() noexcept;
   void park(FlightReason why) noexcept;
   void note_progress() noexcept;
@@ -146,21 +177,63 @@ class FlightState {
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
 
+  // mission.cpp: the points on the way
+  void begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
+  void try_anew() noexcept;
+  std::int32_t leg_at(std::int64_t t) const noexcept;
+  void pass_points() noexcept;
+  void pass_point() noexcept;
+  void go_on_from(std::int32_t point) noexcept;
+  bool in_window(const Vec3& place) const noexcept;
+  void choose_points(const Vec3& from) noexcept;
+  void ask_for(std::int32_t point) noexcept;
+  void ask_for_first(std::int32_t points) noexcept;
+  bool ask_for_less(const Report& found) noexcept;
+  void end_at_point(std::int32_t number) noexcept;
+  void keep_points() noexcept;
+  bool still_fits() const noexcept;
+  double way_length(const Vec3& from, const Vec3& to) const noexcept;
+  Vec3 place_before_target(const Vec3& from) const noexcept;
+  void shorten_way(const Path& way) noexcept;
+  bool is_blocked(std::int32_t point) const noexcept;
+  std::int32_t point_at_fault(const Report& found) const noexcept;
+  bool note_fault(const Report& found) noexcept;
+  bool leave_out(std::int32_t point, FlightReason why) noexcept;
+  void list_passages(const Report& found) noexcept;
+  bool passes_later() const noexcept;
+
+  // nose.cpp: where the nose points
+  void set_yaw(const FlightYaw& yaw) noexcept;
+  void turn_nose(Work& work) noexcept;
+  NoseWish nose_wish(std::int64_t t) const noexcept;
+  void begin_yaw(const NoseWish& wish) noexcept;
+  void time_headings(YawRequest& request) noexcept;
+  void advance_yaw(Work& work) noexcept;
+  YawSample yaw_at(std::int64_t t) const noexcept;
+  void note_view() noexcept;
+  bool waits_for_view() const noexcept;
+
   // cycle.cpp: a plan
+  bool is_hemmed_in() const noexcept;
   void begin_cycle() noexcept;
   void advance(Work& work) noexcept;
   Progress run_job(Work& work) noexcept;
   Progress run_copy(Work& work) noexcept;
   Progress run_keep(Work& work) noexcept;
   void begin_plan() noexcept;
+  void ask_route() noexcept;
+  Progress run_route(Work& work) noexcept;
   void ask_planner() noexcept;
   bool move_aim(const Report& found) noexcept;
   Progress run_plan(Work& work) noexcept;
+  void end_plan(const Report& found) noexcept;
   void choose_draft(bool planned) noexcept;
   void compose() noexcept;
   Progress prove(Work& work) noexcept;
 
   // prove_draft.cpp: what of it is flown
+  ProofGrounds grounds_of(const Commitment& commitment) const noexcept;
+  Status begin_proof(const Trajectory& trajectory, double from) noexcept;
   double start_of_proof() const noexcept;
   Progress run_wait() noexcept;
   Progress run_reach(Work& work) noexcept;
@@ -177,24 +250,31 @@ class FlightState {
   // evade.cpp
   void begin_evade() noexcept;
   bool make_evasion() noexcept;
+  bool append_evasion(const Commitment& flown, double from) noexcept;
+  bool begin_pardon() noexcept;
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;
+  bool leaves_time_to_brake() const noexcept;
 
   // watch.cpp
   void begin_watch() noexcept;
+  void watch_part(Watched which) noexcept;
+  void end_part() noexcept;
+  void note_threat() noexcept;
+  void note_added() noexcept;
+  const Commitment& watched_commitment() const noexcept { return watched_part == Watched::kBefore ? now : latest(); }
   void run_watch(Work& work) noexcept;
 };
 
-/// Seconds from `begin` to `t`.
-inline double seconds_between(std::int64_t begin, std::int64_t t) noexcept {
-  return static_cast<double>(t - begin) * 1e-9;
-}
+/// What is wrong with a yaw plan's wish; kOk where nothing is. `rate` is the limit, rad/s.
+Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept;
 
-/// Nanoseconds, rounded down.
-inline std::int64_t nanoseconds(double seconds) noexcept {
-  return static_cast<std::int64_t>(seconds * 1e9);
-}
+/// What is wrong with a mission; kOk where nothing is.
+Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
+
+/// A slice of a proof, in the flight's units.
+Progress step_proof(Proof& proof, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -12,10 +12,20 @@ namespace tern {
 /// not.
 Progress FlightState::run_wait() noexcept {
   if (!map.safe().bound()) return Progress::kMore;
-  const Status begun = proof.begin(map.safe(), draft.wished, start_of_proof(), &spec.limits, Beyond::kSolid);
+  const Status begun = begin_proof(draft.wished, start_of_proof());
   job = Job::kReach;
   if (begun != Status::kRunning) give_up();
   return Progress::kDone;
+}
+
+/// What every proof of a commitment rests on.
+ProofGrounds FlightState::grounds_of(const Commitment& commitment) const noexcept {
+  return {nullptr, commitment.leaves ? &commitment.left : nullptr, nullptr, spec.fences, spec.fence_count};
+}
+
+/// On the safe grid, with limits.
+Status FlightState::begin_proof(const Trajectory& trajectory, double from) noexcept {
+  return proof.begin(map.safe(), trajectory, from, &spec.limits, Beyond::kSolid, grounds_of(draft));
 }
 
 double FlightState::start_of_proof() const noexcept {
@@ -26,6 +36,8 @@ Progress FlightState::run_reach(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   reached = proof.report().until;
   look_at = evaluate(draft.wished, reached).position;
+  note_view();
+  if (rests_at_takeover() && proof.report().end == ProofEnd::kObstacle) look_at_obstacle();
   if (proof.report().end == ProofEnd::kProven) {
     draft.flown = draft.wished;
     draft.branch = reached;
@@ -65,16 +77,20 @@ bool FlightState::make_branch() noexcept {
   const JointState joint = joint_at(draft.wished, at, draft.wished.origin);
   if (!append_stop(joint, limits, branch % kBranchShapes, stop, draft.flown)) return false;
   if (!leads_on()) return false;
-  return proof.begin(map.safe(), draft.flown, at, &spec.limits, Beyond::kSolid) == Status::kRunning;
+  return begin_proof(draft.flown, at) == Status::kRunning;
 }
 
-/// The candidate after `branch`. A unit of work is one of them.
+/// What making a candidate costs.
+constexpr std::uint32_t kBranchPrice = 32;
+
+/// The candidate after `branch`.
 Progress FlightState::next_branch(Work& work) noexcept {
   if (branch + 1 == kBranches * kBranchShapes) {
     fail();
     return Progress::kDone;
   }
-  if (!work.take()) return Progress::kMore;
+  if (work.left < kBranchPrice) return Progress::kMore;
+  work.left -= kBranchPrice;
   ++branch;
   tries_branch = make_branch();
   return Progress::kDone;
@@ -86,7 +102,7 @@ Progress FlightState::run_branch(Work& work) noexcept {
   tries_branch = false;
   if (proof.report().end != ProofEnd::kProven) return Progress::kDone;
   job = Job::kConfirm;
-  proof.begin(map.safe(), draft.flown, start_of_proof(), &spec.limits, Beyond::kSolid);
+  begin_proof(draft.flown, start_of_proof());
   return Progress::kDone;
 }
 
@@ -108,8 +124,8 @@ void FlightState::commit() noexcept {
   ++report.committed;
   idle_cycles = 0;
   is_looking = false;
-  watching = threat = false;
-  watched = map.busy() ? 0 : map.revision();  // what the frame in work still changes was not proven
+  if (watching) watch_all = true;
+  watching = threat = has_alarm = false;
   if (extends) {
     now = draft;
   } else {

@@ -38,7 +38,7 @@ Status RouteCopy::bind(const RollingMap& map, std::uint64_t* words, std::size_t 
   return status;
 }
 
-void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, double hole) noexcept {
+void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept {
   const GridSpec& spec = map.route().spec();
   if (!same(spec.origin, grid_.spec().origin)) {  // the window slid
     const GridWords words(grid_);
@@ -51,8 +51,19 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, do
     near_[a] = voxels_around(axis(local, a) / spec.cell, near / spec.cell, axis(spec.dims, a));
     hole_[a] = voxels_around(axis(local, a) / spec.cell, hole / spec.cell, axis(spec.dims, a));
   }
+  center_ = (1.0 / spec.cell) * local;
+  emptied_ = emptied / spec.cell;
   row_ = plane_ = 0;
   paid_ = 0;
+}
+
+/// The voxels of a word that the ball meets.
+std::uint64_t RouteCopy::emptied_bits(std::int32_t y, std::int32_t z, std::int32_t k) const noexcept {
+  const double off_y = center_.y - clamp(center_.y, y, y + 1);
+  const double off_z = center_.z - clamp(center_.z, z, z + 1);
+  const double rest = emptied_ * emptied_ - off_y * off_y - off_z * off_z;
+  if (!(rest > 0.0)) return 0;
+  return bits_met(voxels_around(center_.x, square_root(rest), grid_.spec().dims.x), k);
 }
 
 void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
@@ -67,7 +78,7 @@ void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
     std::uint64_t unseen = is_near ? solid[k] & bits_met(near_[0], k) : 0;
     if (in_hole) unseen &= ~bits_met(hole_[0], k);
-    GridWords(grid_).store(y, z, k, hit[k] | unseen);
+    GridWords(grid_).store(y, z, k, (hit[k] | unseen) & ~emptied_bits(y, z, k));
   }
 }
 

@@ -20,21 +20,25 @@ class RouteCopy {
  public:
   /// Storage of grid_words(dims).
   Status bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept;
-  /// Begins to copy. From `hole` to `near` away from `center` along some axis, the unseen is solid.
-  void begin(const RollingMap& map, const Vec3& center, double near, double hole) noexcept;
+  /// Begins to copy. From `hole` to `near` away from `center` along some axis, the unseen is solid. Nothing is solid
+  /// within `emptied` of the center.
+  void begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept;
   /// The map must not change before it is done. A unit is 64 words copied, or 16 inflated.
   Progress advance(const RollingMap& map, Work& work) noexcept;
 
   const Grid& grid() const noexcept { return grid_; }
 
  private:
+  std::uint64_t emptied_bits(std::int32_t y, std::int32_t z, std::int32_t k) const noexcept;
   void copy_row(const RollingMap& map, std::int32_t row) noexcept;
   void inflate_piece() noexcept;
   std::uint32_t price() const noexcept;
 
   Grid grid_;
   IndexRange hole_[3];
-  IndexRange near_[3];      ///< voxels along x, y and z
+  IndexRange near_[3];  ///< voxels along x, y and z
+  Vec3 center_{};       ///< in voxels, and the voxels around it in which nothing is solid
+  double emptied_ = 0.0;
   std::int32_t row_ = 0;    ///< next to copy
   std::int32_t plane_ = 0;  ///< next to inflate
   std::uint32_t paid_ = 0;

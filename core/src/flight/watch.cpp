@@ -1,38 +1,90 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is flown is proven anew whenever the map changed.
+// What is flown is proven anew where the map became solid.
 #include "base/math.hpp"
 #include "flight/flight_state.hpp"
 
 namespace tern {
+namespace {
 
-/// The course that will be flown to its end. What comes before a takeover lasts a few ticks.
+constexpr int kWatchedParts = 3;
+
+Box around(const Box& a, const Box& b) {
+  Box box = a;
+  for (int k = 0; k < 3; ++k) {
+    axis(box.lower, k) = smaller(axis(a.lower, k), axis(b.lower, k));
+    axis(box.upper, k) = larger(axis(a.upper, k), axis(b.upper, k));
+  }
+  return box;
+}
+
+}  // namespace
+
+/// The alarm grows until what is flown is proven.
+void FlightState::note_added() noexcept {
+  alarm.box = has_alarm ? around(alarm.box, added) : added;
+  alarm.seen = map.seen_rows();
+  has_alarm = true;
+}
+
+/// Only near what became solid since the last time. Under a threat all of it: what was solid may have become free.
 void FlightState::begin_watch() noexcept {
-  const Course& course = has_next ? next : now;
-  const double from = larger(0.0, seconds_between(course.begin, time));
-  watching = watch.begin(map.safe(), course.flown, from, nullptr, Beyond::kSolid) == Status::kRunning;
-  watched = map.revision();
+  const bool is_added = map.take_added(added);
+  if (is_added) note_added();
+  const bool all = watch_all || (threat && watched != map.safe().revision());
+  if (!all && !is_added) return;
+  has_added = !all;
+  watch_all = false;
+  watched = map.safe().revision();
+  watch_part(has_next ? Watched::kBefore : Watched::kLatest);
+}
+
+void FlightState::watch_part(Watched which) noexcept {
+  watched_part = which;
+  const Commitment& commitment = watched_commitment();
+  const double from = larger(0.0, seconds_between(commitment.begin, time));
+  ProofGrounds grounds = grounds_of(commitment);
+  if (has_added && watched_part != Watched::kAlarm) grounds.added = &added;
+  if (watched_part == Watched::kAlarm) grounds.alarm = &alarm;
+  watching = watch.begin(map.safe(), commitment.flown, from, nullptr, Beyond::kSolid, grounds) == Status::kRunning;
 }
 
 void FlightState::run_watch(Work& work) noexcept {
-  if (!watching && !map.busy() && watched != map.revision()) begin_watch();
-  if (!watching) return;
-  const std::uint32_t before = watch.report().work;
-  const Status status = watch.step(work.left);
-  work.left -= watch.report().work - before;
-  if (status == Status::kRunning) return;
-  watching = false;
-  threat = watch.report().end != ProofEnd::kProven;
-  evaded = false;
-  if (!threat) return;
-  alarmed = true;
-  const Course& course = has_next ? next : now;
-  contact = course.begin + nanoseconds(watch.report().until);
-  contact_speed = length(evaluate(course.flown, watch.report().until).velocity);
-  if (!has_next) return;
-  has_next = false;  // what is flown until then may still be proven
-  watched = 0;
+  if (!watching && !map.busy()) begin_watch();
+  for (int k = 0; k < kWatchedParts && watching; ++k) {
+    if (step_proof(watch, work) == Progress::kMore) return;
+    watching = false;
+    end_part();
+  }
+}
+
+void FlightState::end_part() noexcept {
+  const bool proven = watch.report().end == ProofEnd::kProven;
+  const std::int64_t until = watched_commitment().begin + nanoseconds(watch.report().until);
+  if (watched_part == Watched::kAlarm) {
+    known = proven;
+  } else if (watched_part == Watched::kBefore && (proven || until >= next.begin)) {
+    watch_part(Watched::kLatest);
+  } else if (proven) {
+    threat = evaded = has_alarm = false;
+  } else {
+    note_threat();
+  }
+}
+
+void FlightState::note_threat() noexcept {
+  const Commitment& commitment = watched_commitment();
+  threat = alarmed = true;
+  evaded = known = false;
+  contact = commitment.begin + nanoseconds(watch.report().until);
+  contact_speed = length(evaluate(commitment.flown, watch.report().until).velocity);
+  if (has_next && !next.evades) {
+    has_next = false;  // what is flown until then may still be proven
+    watch_all = true;
+  } else if (has_alarm) {
+    watch_part(Watched::kAlarm);
+  }
 }
 
 }  // namespace tern

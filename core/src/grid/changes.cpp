@@ -24,15 +24,16 @@ bool Changes::any() const noexcept {
   return false;
 }
 
-ChangeExtent Changes::extent() const noexcept {
-  ChangeExtent extent{{regions_.planes, 0}, {regions_.blocks, 0}, {regions_.words, 0}};
-  for (std::int32_t z = 0; z < regions_.planes; ++z) {
+ChangeExtent Changes::extent(const IndexRange& planes) const noexcept {
+  ChangeExtent extent{{planes.end, planes.begin}, {regions_.words, 0}, {}};
+  for (std::int32_t z = planes.begin; z < planes.end; ++z) {
     if (!plane(z)) continue;
     hold(extent.planes, z);
     for (std::int32_t block = 0; block < regions_.blocks; ++block) {
       for (std::int32_t k = 0; k < regions_.words; ++k) {
-        if (bits_[at(z, block, k)] == 0) continue;
-        hold(extent.blocks, block);
+        const std::uint64_t rows = bits_[at(z, block, k)];
+        if (rows == 0) continue;
+        extent.rows[block] |= rows;
         hold(extent.words, k);
       }
     }

@@ -15,11 +15,15 @@
 
 namespace tern {
 
-/// Where a change map has bits set: planes, blocks of rows, words; empty ranges where it has none.
+/// The most blocks of rows that a grid has.
+constexpr std::int32_t kMaxBlocks = (kMaxDimension + kBlockRows - 1) / kBlockRows;
+
+/// Where some planes of a change map have bits set: planes and words, as ranges that are empty where there are none;
+/// and the rows of each block, of all these planes and words together.
 struct ChangeExtent {
   IndexRange planes;
-  IndexRange blocks;
   IndexRange words;
+  std::uint64_t rows[kMaxBlocks];
 };
 
 /// The change map of a grid. Word (z, block, k) has bit y - 64 block set where obstacles changed that block voxels of
@@ -40,12 +44,13 @@ class Changes {
   bool plane(std::int32_t z) const noexcept {
     return z >= 0 && z < regions_.planes && (summary_[z >> 6] >> (z & 63) & 1u) != 0;
   }
-  /// The block's changed rows in word k; none past the grid.
-  std::uint64_t rows(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
-    return block >= 0 && block < regions_.blocks ? bits_[at(z, block, k)] : 0;
+  /// The block's changed rows in each word; none past the grid.
+  const std::uint64_t* words_of(std::int32_t z, std::int32_t block) const noexcept {
+    return plane(z) && block >= 0 && block < regions_.blocks ? bits_ + at(z, block, 0) : kNoRows;
   }
 
-  ChangeExtent extent() const noexcept;
+  /// Of the planes that are given.
+  ChangeExtent extent(const IndexRange& planes) const noexcept;
   void clear() noexcept;
   void note_all() noexcept;
   /// Words first .. last of row (y, z).
@@ -56,6 +61,8 @@ class Changes {
   }
 
  private:
+  static constexpr std::uint64_t kNoRows[kMaxRowWords] = {};
+
   void set_plane(std::int32_t z, std::uint64_t value) noexcept;
   std::size_t at(std::int32_t z, std::int32_t block, std::int32_t k) const noexcept {
     return static_cast<std::size_t>(regions_.at(z, block, k));

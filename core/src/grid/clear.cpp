@@ -39,7 +39,7 @@ bool keeps_clear(const Probe& probe, const Box& box) {
   const double squared = segment_box_distance_squared(probe.a, probe.b, shrunk);
   if (squared < probe.needed_squared) return false;
   if (squared >= 3.0 * s * s) return true;
-  return room_along(probe.a, probe.b, box, separating_normal(probe.a, probe.b, box, probe.direction)) >= -s;
+  return separating_normal(probe.a, probe.b, box, probe.direction).room >= -s;
 }
 
 bool in_boundary(const Grid& grid, const Vec3& local, double tolerance) {

@@ -37,6 +37,7 @@ Verdict check_finite(const GridSpec& spec) {
   if (!finite(spec.cell)) return {Status::kNonFiniteInput, Field::kCell};
   if (!finite(spec.boundary.lower) || !finite(spec.boundary.upper)) return {Status::kNonFiniteInput, Field::kBoundary};
   if (!finite(spec.radius)) return {Status::kNonFiniteInput, Field::kRadius};
+  if (!finite(spec.tracking_margin)) return {Status::kNonFiniteInput, Field::kTrackingMargin};
   return kAccepted;
 }
 
@@ -69,7 +70,8 @@ Verdict check(const GridSpec& spec, const std::uint64_t* words, std::size_t word
   if (words == nullptr || word_count < needed) return invalid(Field::kStorage);
   if (spec.cell < kMinCell || spec.cell > kMaxCell) return invalid(Field::kCell);
   if (!origin_resolves_cells(spec)) return invalid(Field::kOrigin);
-  if (spec.radius < 0.0 || spec.radius > spec.cell * kMaxDimension) return invalid(Field::kRadius);
+  if (spec.tracking_margin < 0.0) return invalid(Field::kTrackingMargin);
+  if (spec.radius < 0.0 || spec.clearance() > spec.cell * kMaxDimension) return invalid(Field::kRadius);
   if (!boundary_fits(spec)) return invalid(Field::kBoundary);
   return kAccepted;
 }
@@ -110,7 +112,7 @@ std::uint64_t hash_after(std::uint64_t hash, const Vec3& point) {
 
 /// Of an empty grid: a hash of all that its blocked layer depends on.
 std::uint64_t content_of(const GridSpec& spec, const Box& local_boundary) {
-  std::uint64_t content = hash_after(hash_after(0, spec.cell), spec.radius);
+  std::uint64_t content = hash_after(hash_after(0, spec.cell), spec.clearance());
   content = hash_after(hash_after(content, local_boundary.lower), local_boundary.upper);
   for (int a = 0; a < 3; ++a) content = content_after(content, static_cast<std::uint64_t>(axis(spec.dims, a)));
   return content;
@@ -152,7 +154,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
   // One radius for every stage: what is none for inflation is none for the corridor.
-  if (spec.radius <= kClearTolerance) spec_.radius = 0.0;
+  if (spec.clearance() <= kClearTolerance) spec_.radius = spec_.tracking_margin = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_for(spec.dims.x);
   reach_x_ = Stencil(spec_).gap_x() + 1;

@@ -50,8 +50,14 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
 template <std::int32_t kWords>
 void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, std::uint64_t* differences) {
   const std::uint64_t* row = rows.words + first;
+  const std::ptrdiff_t next = rows.stride;
   std::uint64_t any[kWords] = {};
-  for (std::int32_t y = 0; y < rows.count; ++y, row += rows.stride) {
+  std::int32_t y = 0;
+  for (; y + 1 < rows.count; y += 2, row += 2 * next) {
+    for (std::int32_t k = 0; k < kWords; ++k)
+      any[k] |= (row[k] ^ row[k - back]) | (row[next + k] ^ row[next + k - back]);
+  }
+  if (y < rows.count) {
     for (std::int32_t k = 0; k < kWords; ++k) any[k] |= row[k] ^ row[k - back];
   }
   for (std::int32_t k = 0; k < kWords; ++k) differences[first + k] = any[k];
@@ -171,6 +177,7 @@ bool same_footprint(const LayerRectangle& a, const LayerRectangle& b) {
   return a.x0 == b.x0 && a.x1 == b.x1 && a.y0 == b.y0 && a.y1 == b.y1;
 }
 
+/// The rectangle's box, one layer high.
 LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::int32_t z, double cell) {
   const std::int32_t x = range.lower.x & ~63;
   const std::int32_t y = range.lower.y;
@@ -185,9 +192,9 @@ struct Boxes {
   double cell;
 };
 
-/// Makes the box reach through layer z.
-void grow_up(Boxes& boxes, std::int32_t box, std::int32_t z) {
-  boxes.at[box].upper[2] = (z + 1) * boxes.cell;
+/// Makes the boxes of a layer's rectangles reach up to layer `end`, which may be that layer's own upper side.
+void grow_up(const LayerRectangle* layer, int count, std::int32_t end, const Boxes& boxes) {
+  for (int j = 0; j < count; ++j) boxes.at[layer[j].box].upper[2] = end * boxes.cell;
 }
 
 /// Matches the rectangles of layer z with those below, both in the same order: the same footprint continues its box,
@@ -199,7 +206,6 @@ bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* la
     while (j < below_count && before(below[j], layer[i])) ++j;
     if (j < below_count && same_footprint(below[j], layer[i])) {
       layer[i].box = below[j].box;
-      grow_up(boxes, layer[i].box, z);
       continue;
     }
     if (boxes.count == kMaxLocalBoxes) return false;
@@ -214,14 +220,14 @@ bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* la
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
   const GridSpec& spec = grid.spec();
   const double cell = spec.cell;
-  const double run_reach = spec.radius + cell;
+  const double run_reach = spec.clearance() + cell;
   VoxelRange range;
   range.lower.x = clamp_index((box.lower.x - run_reach) / cell, spec.dims.x);
   range.upper.x = clamp_index((box.upper.x + run_reach) / cell + 1.0, spec.dims.x);
-  range.lower.y = clamp_index((box.lower.y - spec.radius) / cell + kLatticeTolerance, spec.dims.y);
-  range.upper.y = clamp_index((box.upper.y + spec.radius) / cell + kFullyInside, spec.dims.y);
-  range.lower.z = clamp_index((box.lower.z - spec.radius) / cell + kLatticeTolerance, spec.dims.z);
-  range.upper.z = clamp_index((box.upper.z + spec.radius) / cell + kFullyInside, spec.dims.z);
+  range.lower.y = clamp_index((box.lower.y - spec.clearance()) / cell + kLatticeTolerance, spec.dims.y);
+  range.upper.y = clamp_index((box.upper.y + spec.clearance()) / cell + kFullyInside, spec.dims.y);
+  range.lower.z = clamp_index((box.lower.z - spec.clearance()) / cell + kLatticeTolerance, spec.dims.z);
+  range.upper.z = clamp_index((box.upper.z + spec.clearance()) / cell + kFullyInside, spec.dims.z);
   return range;
 }
 
@@ -235,10 +241,8 @@ int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratc
   const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
   for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
     const Rows rows = rows_of(grid, range, window, z);
-    if (z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) {
-      for (int j = 0; j < below_count; ++j) grow_up(found, below[j].box, z);
-      continue;
-    }
+    if (z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) continue;
+    grow_up(below, below_count, z, found);
     const int count = layer_rectangles(rows, window, scratch, layer);
     if (count < 0 || !join_below(below, below_count, layer, count, range, z, found)) return -1;
     LayerRectangle* const done = below;
@@ -246,6 +250,7 @@ int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratc
     layer = done;
     below_count = count;
   }
+  grow_up(below, below_count, range.upper.z, found);
   return found.count;
 }
 

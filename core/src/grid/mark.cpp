@@ -4,6 +4,7 @@
 // Marking and clearing the obstacle layer.
 #include "base/math.hpp"
 #include "grid/changes.hpp"
+#include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
 #include "tern/grid.hpp"
@@ -94,6 +95,19 @@ Status Grid::mark_box(const Box& world) noexcept {
 
 Status Grid::clear_box(const Box& world) noexcept {
   return set_box(world, false);
+}
+
+Status Grid::mark_cylinder(const Cylinder& world) noexcept {
+  if (!bound()) return Status::kInvalidArgument;
+  const Status status = check(world);
+  if (status != Status::kOk) return status;
+  ++words_[kRevision];
+  const IndexRange z = planes_met(spec_, world);
+  visit_rows(spec_, world, [&](std::int32_t y, const IndexRange& x) {
+    words_[kContent] = content_with(words_[kContent], x, {y, y + 1}, z, true);
+    for (std::int32_t k = z.begin; k < z.end; ++k) set_row(y, k, x.begin, x.end, true);
+  });
+  return Status::kOk;
 }
 
 Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {

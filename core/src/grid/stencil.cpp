@@ -18,8 +18,8 @@ std::int32_t floor_root(std::int32_t square) {
 
 /// Largest squared gap in cells that is closer than the radius; -1 where not even touching is.
 std::int32_t largest_blocking_gap(const GridSpec& spec) {
-  if (spec.radius <= kClearTolerance) return -1;
-  const double cells = spec.radius / spec.cell;
+  if (spec.clearance() <= kClearTolerance) return -1;
+  const double cells = spec.clearance() / spec.cell;
   // A gap that equals the radius but for rounding keeps the radius.
   return ceil_index(cells * cells * (1.0 - 2.0 * kLatticeTolerance), 1, kMaxDimension * kMaxDimension) - 1;
 }

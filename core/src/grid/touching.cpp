@@ -20,26 +20,20 @@ Vec3 edge_normal(int a, const Vec3& u) {
   return {-u.y, u.x, 0.0};
 }
 
-/// The best normal so far.
-struct Widest {
-  Vec3 normal;
-  double room;
-};
-
-void offer(const Vec3& from, const Vec3& to, const Box& box, const Vec3& unit, Widest& best) {
-  const double room = room_along(from, to, box, unit);
-  if (room > best.room) best = {unit, room};
-}
-
 }  // namespace
 
 double room_along(const Vec3& from, const Vec3& to, const Box& box, const Vec3& normal) noexcept {
   return support(normal, box) - larger(dot(normal, from), dot(normal, to));
 }
 
-Vec3 separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept {
+void offer(const Vec3& from, const Vec3& to, const Box& box, const Vec3& unit, WidestNormal& best) noexcept {
+  const double room = room_along(from, to, box, unit);
+  if (room > best.room) best = {unit, room};
+}
+
+WidestNormal separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept {
   const Vec3 first = unit_axis(0, 1.0);
-  Widest best{first, room_along(from, to, box, first)};
+  WidestNormal best{first, room_along(from, to, box, first)};
   for (int a = 0; a < 3; ++a) {
     offer(from, to, box, unit_axis(a, 1.0), best);
     offer(from, to, box, unit_axis(a, -1.0), best);
@@ -52,7 +46,7 @@ Vec3 separating_normal(const Vec3& from, const Vec3& to, const Box& box, double 
     offer(from, to, box, (1.0 / norm) * normal, best);
     offer(from, to, box, (-1.0 / norm) * normal, best);
   }
-  return best.normal;
+  return best;
 }
 
 }  // namespace tern

@@ -22,10 +22,19 @@ inline double support(const Vec3& normal, const Box& box) noexcept {
 /// overlap along it.
 double room_along(const Vec3& from, const Vec3& to, const Box& box, const Vec3& normal) noexcept;
 
+/// A unit normal and the room along it.
+struct WidestNormal {
+  Vec3 normal;
+  double room;
+};
+
+/// Takes a unit normal in place of the best one if it leaves more room.
+void offer(const Vec3& from, const Vec3& to, const Box& box, const Vec3& unit, WidestNormal& best) noexcept;
+
 /// The best separating axis of a segment that touches the box, among the box's face normals and the cross products of
-/// its edges with the segment: the unit normal with the most room. A face wins a tie. Products shorter than `direction`
+/// its edges with the segment: the one with the most room. A face wins a tie. Products shorter than `direction`
 /// (direction_tolerance) are left out: the segment runs along that edge, or is a point.
-Vec3 separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
+WidestNormal separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
 
 }  // namespace tern
 

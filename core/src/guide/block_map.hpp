@@ -3,7 +3,7 @@
 //
 // A coarse map: blocks of voxels. Two neighbouring blocks are joined if free voxels touch across their common face. If
 // voxels are connected, so are their blocks; the converse is not true. Blocks are made from the rows of the blocked
-// layer when a search first needs them, 64 along x at a time.
+// layer when a search first needs them, those of one word of voxels at a time.
 #ifndef TERN_GUIDE_BLOCK_MAP_HPP
 #define TERN_GUIDE_BLOCK_MAP_HPP
 
@@ -15,8 +15,8 @@
 
 namespace tern {
 
-/// Capacity for blocks, and for words of 64 blocks along x: those of the largest map. A thin map, or one whose
-/// dimensions are no multiples of four, may need more. It then has no block map.
+/// Capacity for blocks, and for words of voxels along x in all rows of blocks: those of the largest map.
+/// A thin map, or one whose dimensions are no multiples of four, may need more. It then has no block map.
 constexpr std::int32_t kGuideBlocks = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 constexpr std::int32_t kBlockWords = static_cast<std::int32_t>((kMaxCells + 511) / 512);
 
@@ -33,65 +33,102 @@ constexpr GuideCost guide_cost(int move) {
 
 /// Cost of the cheapest path in an empty map.
 constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
-  const MoveCounts moves = octile_moves(a, b);
-  return static_cast<GuideCost>(moves.space) * kGuideSpace + static_cast<GuideCost>(moves.plane) * kGuidePlane +
-         static_cast<GuideCost>(moves.straight) * kGuideStraight;
+  const std::int32_t x = magnitude(b.x - a.x);
+  const std::int32_t y = magnitude(b.y - a.y);
+  const std::int32_t z = magnitude(b.z - a.z);
+  const std::int32_t level = x > y ? x : y;
+  const std::int32_t most = level > z ? level : z;
+  const std::int32_t lower = x < y ? x : y;
+  const std::int32_t least = lower < z ? lower : z;
+  // The longest way along an axis, and what a move costs more for its second and its third axis.
+  constexpr std::int32_t kSecond = kGuidePlane - kGuideStraight;
+  constexpr std::int32_t kThird = kGuideSpace - kGuidePlane;
+  return static_cast<GuideCost>((static_cast<std::int32_t>(kGuideStraight) - kSecond) * most + kSecond * (x + y + z) +
+                                (kThird - kSecond) * least);
 }
 
-/// A block, and what the search of blocks knows about it.
+/// What is known about a block, in its byte of BlockMap::sides: one bit for each side at which the block is joined to
+/// its neighbour, and one of these kinds.
+constexpr unsigned kBlockWhole = 0u << kSides;  ///< not all voxels are free, but the free ones are connected within it
+constexpr unsigned kBlockFull = 1u << kSides;   ///< all voxels are free
+constexpr unsigned kBlockSplit = 2u << kSides;  ///< the free voxels are not all connected within it
+constexpr unsigned kBlockUnknown = 3u << kSides;  ///< whole or split
+constexpr unsigned kBlockKinds = 3u << kSides;
+
+/// What the search of blocks knows about a block.
 struct Block {
-  /// In `flags`.
-  static constexpr std::uint8_t kClosed = 1;  ///< the cheapest path is known
-  static constexpr std::uint8_t kParts = 2;   ///< it is known whether the block is split
-  static constexpr std::uint8_t kSplit = 4;   ///< it is split: its free voxels are not all connected within it
-  /// In `sides`, in addition to one bit for each side at which the block is joined to its neighbour.
-  static constexpr std::uint8_t kFull = 1 << kSides;  ///< all voxels are free
-
   GuideCost distance;  ///< cost from the search's origin, by the best path so far; kFar if there is none
-  std::uint8_t sides;
-  std::uint8_t parent;  ///< the move by which that path arrives
-  std::uint8_t flags;
+  std::uint32_t link;  ///< the moves from the block, kBlockClosed; above, the move by which that path arrives
 
-  bool full() const { return (sides & kFull) != 0; }
-  bool closed() const { return (flags & kClosed) != 0; }
+  CellMask moves() const { return link & kAllCells; }
+  int arrival() const { return static_cast<int>(link >> kDirections); }
+  bool closed() const { return (link & cell_bit(kHere)) != 0; }
 };
-static_assert(sizeof(Block) == 8, "eight a cache line");
+static_assert(sizeof(Block) == 8 && kDirections + 5 == 32, "eight a cache line");
+
+/// In Block::link: the cheapest path is known, and so are the moves.
+constexpr std::uint32_t kBlockClosed = cell_bit(kHere);
+
+/// The link of a block that is not closed.
+constexpr std::uint32_t arrival_link(int move) {
+  return static_cast<std::uint32_t>(move) << kDirections;
+}
+
+/// Widths of a block, as BlockMap::log.
+constexpr int kSmallBlocks = 2;
+constexpr int kLargeBlocks = 3;
 
 /// Plain data; needs no initialisation before block_map_begin.
 struct BlockMap {
   std::int32_t log;                            ///< a block is 2^log voxels wide: 2 or 3
   Voxel dims;                                  ///< in blocks
-  std::int32_t words;                          ///< of a row of blocks
+  std::int32_t last;                           ///< blocks of a word of voxels, less one: 15 or 7
+  std::int32_t words;                          ///< of voxels, in a row of blocks
   std::int32_t offsets[kDirections];           ///< what a move adds to a block's index
-  std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit a word
-  std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit a word: all words around it are made
-  Block blocks[kGuideBlocks];                  ///< x fastest; valid where `made` says so
+  std::int32_t beside[kSides];                 ///< what the moves across the sides add
+  std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit a word: its blocks are made
+  std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit a word: so are those of the rows beside it
+  std::uint8_t sides[kGuideBlocks];            ///< see above; x fastest; valid where `made` says so
+  std::uint8_t entries[kGuideBlocks];          ///< of a closed split block: a voxel of the part entered
+  Block blocks[kGuideBlocks];                  ///< valid where `made` says so
 
+  bool large() const { return log == kLargeBlocks; }
   Voxel block_of(const Voxel& v) const { return {v.x >> log, v.y >> log, v.z >> log}; }
-  std::int32_t index(const Voxel& b) const { return b.x + dims.x * (b.y + dims.y * b.z); }
+  std::int32_t row(const Voxel& b) const { return b.y + dims.y * b.z; }
+  std::int32_t index(const Voxel& b) const { return b.x + dims.x * row(b); }
+  std::int32_t word(const Voxel& b) const { return (b.x >> (6 - log)) + words * row(b); }
   Block& at(const Voxel& b) { return blocks[index(b)]; }
   const Block& at(const Voxel& b) const { return blocks[index(b)]; }
-  std::int32_t word(const Voxel& b) const { return (b.x >> 6) + words * (b.y + dims.y * b.z); }
+  bool full(std::int32_t block) const { return (sides[block] & kBlockKinds) == kBlockFull; }
+  SideMask joined(const Voxel& b) const { return sides[index(b)] & kAllSides; }
 };
 
-/// Prepares the map of a grid, without making any blocks. False if the grid has too many blocks.
-bool block_map_begin(BlockMap& map, const Grid& grid) noexcept;
+/// Prepares the map of a grid, without making any blocks. Blocks are large if the radius is; with `small`, they are
+/// not. False if the grid has too many blocks.
+bool block_map_begin(BlockMap& map, const Grid& grid, bool small = false) noexcept;
 
-/// Makes the block and the others of its word.
+/// Makes the block and the others of its word of voxels.
 void block_touch(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// Finds out whether the block is split. Blocks of eight voxels count as not split.
-void block_find_parts(BlockMap& map, const Grid& grid, const Voxel& block, Block& at) noexcept;
+/// Finds out whether the block is split. Blocks of eight voxels count as not split. Its byte of `sides`.
+unsigned block_find_parts(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// True if the block is split. `at` is the block.
-inline bool block_split(BlockMap& map, const Grid& grid, const Voxel& block, Block& at) noexcept {
-  if ((at.flags & Block::kParts) == 0) block_find_parts(map, grid, block, at);
-  return (at.flags & Block::kSplit) != 0;
+/// True if the block is split.
+inline bool block_split(BlockMap& map, const Grid& grid, const Voxel& block) noexcept {
+  unsigned sides = map.sides[map.index(block)];
+  if (sides >= kBlockUnknown) sides = block_find_parts(map, grid, block);
+  return sides >= kBlockSplit;
 }
+
+/// Moves from a block.
+struct BlockMoves {
+  CellMask moves;
+  bool split_beside;  ///< one of the blocks across the sides is split
+};
 
 /// Moves from a block across the given sides, along one axis or two. For a move along two axes, one of the two blocks
 /// at the corner must be joined to both ends and must not be split. Makes the blocks that the moves lead to.
-CellMask block_moves(BlockMap& map, const Grid& grid, const Voxel& block, SideMask sides) noexcept;
+BlockMoves block_moves(BlockMap& map, const Grid& grid, const Voxel& block, SideMask sides) noexcept;
 
 }  // namespace tern
 

@@ -17,22 +17,48 @@ VoxelMask grown(VoxelMask voxels, VoxelMask free) {
   return voxels | ((voxels << 16 | voxels >> 16) & free);
 }
 
+constexpr std::uint64_t rotated(std::uint64_t bits, int left) {
+  return bits << left | bits >> ((64 - left) & 63);
+}
+
+/// The blocked voxels of a block that has this many layers and rows inside the grid.
+inline VoxelMask read_blocked(const Grid& grid, const Voxel& first, int layers, int rows) {
+  const BitRows blocked = GridView::blocked(grid);
+  const std::uint64_t* layer = blocked.row(first.y, first.z) + (first.x >> 6);
+  const std::uint64_t wanted = std::uint64_t{15} << (first.x & 63);
+  std::uint64_t voxels = 0;  // from bit first.x on, around the word's end
+  for (int z = 0; z < layers; ++z, layer += blocked.index(0, 1)) {
+    std::uint64_t of_layer = 0;
+    for (int y = 0; y < rows; ++y) of_layer |= rotated(layer[y * blocked.row_words] & wanted, 4 * y);
+    voxels |= rotated(of_layer, 16 * z);
+  }
+  return rotated(voxels, -first.x & 63);
+}
+
+/// True if one side is wholly free and each free voxel lies on a row of free voxels from there. Then they are all
+/// connected, and most are like that.
+bool rows_from_a_side(VoxelMask free) {
+  constexpr int kStep[] = {1, 4, 16};
+  for (int axis = 0; axis < 3; ++axis) {
+    const VoxelMask low = kFaces[2 * axis];
+    const VoxelMask high = kFaces[2 * axis + 1];
+    if ((low & ~free) == 0 && (free & ~(free << kStep[axis] | low)) == 0) return true;
+    if ((high & ~free) == 0 && (free & ~(free >> kStep[axis] | high)) == 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept {
   const Voxel& dims = grid.spec().dims;
-  const BitRows blocked = GridView::blocked(grid);
   const Voxel first{block.x * 4, block.y * 4, block.z * 4};
+  // Most blocks are whole: there, the loops' bounds are constants.
+  if (first.y + 4 <= dims.y && first.z + 4 <= dims.z) return ~read_blocked(grid, first, 4, 4);
   const int layers = dims.z - first.z < 4 ? dims.z - first.z : 4;
   const int rows = dims.y - first.y < 4 ? dims.y - first.y : 4;
-  VoxelMask voxels = 0;
-  for (int z = 0; z < layers; ++z) {
-    const std::uint64_t* row = blocked.row(first.y, first.z + z) + (first.x >> 6);
-    for (int y = 0; y < rows; ++y, row += blocked.row_words) {
-      voxels |= (~row[0] >> (first.x & 63) & 15u) << (4 * y + 16 * z);
-    }
-  }
-  return voxels;
+  const VoxelMask inside = ~VoxelMask{0} >> 16 * (4 - layers) & 0x0001000100010001u * (0xFFFFu >> 4 * (4 - rows));
+  return inside & ~read_blocked(grid, first, layers, rows);
 }
 
 VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept {
@@ -47,19 +73,13 @@ VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept {
 }
 
 bool one_part(VoxelMask free) noexcept {
-  return connected(free & (~free + 1), free) == free;
+  return rows_from_a_side(free) || connected(free & (~free + 1), free) == free;
 }
 
 SideMask sides_touched(VoxelMask voxels) noexcept {
   SideMask sides = 0;
   for (int side = 0; side < kSides; ++side) sides |= (voxels & kFaces[side]) != 0 ? 1u << side : 0u;
   return sides;
-}
-
-VoxelMask voxels_at(SideMask sides) noexcept {
-  VoxelMask voxels = 0;
-  for (int side = 0; side < kSides; ++side) voxels |= (sides >> side & 1u) != 0 ? kFaces[side] : 0;
-  return voxels;
 }
 
 VoxelMask voxels_across(VoxelMask voxels, int side) noexcept {

@@ -51,9 +51,8 @@ VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept;
 /// True where the free voxels are all connected.
 bool one_part(VoxelMask free) noexcept;
 
-/// The sides that the voxels touch, and the voxels that touch the sides.
+/// The sides that the voxels touch.
 SideMask sides_touched(VoxelMask voxels) noexcept;
-VoxelMask voxels_at(SideMask sides) noexcept;
 
 /// The voxels of the next block that meet some of these across a side.
 VoxelMask voxels_across(VoxelMask voxels, int side) noexcept;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/block_search.hpp"
 
+#include "base/cells_after.hpp"
+#include "guide/split_blocks.hpp"
+
 namespace tern {
 namespace {
 
@@ -19,15 +22,20 @@ static_assert((8 * (narrow(kGuidePlane) + kGuidePlane) >> kBucketBits) + 1 < kBl
 static_assert(std::uint64_t{kGuideBlocks} * 4 * narrow(kGuidePlane) < kFar - 8 * 2048 * kGuideSpace,
               "a path visits a block once");
 
-/// Costs of a step into a block that is wholly free, for blocks four and eight voxels wide.
+/// Costs of a step into a block, for blocks four and eight voxels wide.
 struct BlockCosts {
-  GuideCost of[2][kDirections];
+  struct Step {
+    GuideCost into[2];  ///< a narrow one, a full one
+  };
+  Step of[2][kDirections];
 };
 constexpr BlockCosts make_costs() {
   BlockCosts costs{};
-  for (int move = 0; move < kDirections; ++move) {
-    costs.of[0][move] = guide_cost(move) << 2;
-    costs.of[1][move] = guide_cost(move) << 3;
+  for (int large = 0; large < 2; ++large) {
+    for (int move = 0; move < kDirections; ++move) {
+      const GuideCost cost = guide_cost(move) << (2 + large);
+      costs.of[large][move] = {{narrow(cost), cost}};
+    }
   }
   return costs;
 }
@@ -43,45 +51,41 @@ constexpr Voxel unpack(std::uint32_t packed) {
 }
 static_assert(kMaxDimension / 4 <= 1024, "ten bits a coordinate");
 
-bool open_block(BlockSearch& search, const Voxel& block, GuideCost distance) {
-  const GuideCost left = guide_octile(block, search.target) << search.map.log;
-  return queue_put(search.open, (distance + left) >> kBucketBits, pack(block));
-}
-
-/// The sides across which the best path may have entered a block. For a move around a corner, these are the sides that
-/// a block at the corner joins to the block before.
-SideMask entrances(BlockSearch& search, const Grid& grid, const Voxel& at, int arrival) {
-  if (axes_of(arrival) == 1) return sides_of(opposite(arrival));
-  BlockMap& map = search.map;
-  const Voxel from = at + offset(opposite(arrival));
-  SideMask sides = 0;
-  for (SideMask left = sides_of(arrival); left != 0; left &= left - 1) {
-    const SideMask first = left & (~left + 1);
-    const Voxel corner = from + offset(kSideMove[__builtin_ctz(left)]);
-    const SideMask second = sides_of(arrival) & ~first;
-    const bool joined = (map.at(from).sides & first) != 0 && (map.at(corner).sides & second) != 0 &&
-                        !block_split(map, grid, corner, map.at(corner));
-    if (joined) sides |= sides_of(opposite(kSideMove[__builtin_ctz(second)]));
+/// What a move adds to that number.
+struct PackedMoves {
+  std::uint32_t by[kDirections];
+};
+constexpr PackedMoves make_packed_moves() {
+  PackedMoves moves{};
+  for (int move = 0; move < kDirections; ++move) {
+    const Voxel step = offset(move);
+    moves.by[move] = static_cast<std::uint32_t>(step.x + step.y * 1024 + step.z * 1024 * 1024);
   }
-  return sides;
+  return moves;
+}
+constexpr PackedMoves kPackedMoves = make_packed_moves();
+
+/// The bucket of a block with a path of this cost.
+std::uint32_t bucket_of(const BlockSearch& search, const Voxel& block, GuideCost distance) {
+  return (distance + (guide_octile(block, search.target) << search.map.log)) >> kBucketBits;
 }
 
-/// The sides across which the search may leave a block. If the block is split, these are the sides of the part that it
-/// arrived in.
-SideMask exits(BlockSearch& search, const Grid& grid, const Voxel& at) {
+/// Closes a block. The moves from it.
+CellMask close(BlockSearch& search, const Grid& grid, const Voxel& at, Block& block) {
   BlockMap& map = search.map;
-  if (!block_split(map, grid, at, map.at(at))) return kAllSides;
-  search.lost = true;
-  const int arrival = map.at(at).parent;
-  const VoxelMask entered = arrival == kHere ? VoxelMask{1} << place_in_block(search.origin)
-                                             : voxels_at(entrances(search, grid, at, arrival));
-  return sides_touched(connected(entered, block_voxels(grid, at)));
+  const bool split = block_split(map, grid, at);
+  const SideMask sides = split ? enter_part(map, grid, at, place_in_block(search.origin)) : kAllSides;
+  const BlockMoves from = block_moves(map, grid, at, sides);
+  block.link |= from.moves | kBlockClosed;
+  if (split || from.split_beside) search.lost = search.lost || leaves_out(map, grid, at);
+  return from.moves;
 }
 
 }  // namespace
 
-bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards) noexcept {
-  if (!block_map_begin(search.map, grid)) return false;
+bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards,
+                        bool small) noexcept {
+  if (!block_map_begin(search.map, grid, small)) return false;
   search.target = search.map.block_of(towards);
   search.origin = from;
   search.lost = false;
@@ -91,30 +95,39 @@ bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from
   block_touch(search.map, grid, origin);
   block_touch(search.map, grid, search.target);
   search.map.at(origin).distance = 0;
-  return open_block(search, origin, 0);
+  return queue_put(search.open, bucket_of(search, origin, 0), pack(origin));
 }
 
 Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
   BlockMap& map = search.map;
   if (search.open.count == 0) return search.lost ? Status::kNodesFull : Status::kNoPath;
-  const Voxel at = unpack(queue_take(search.open));
-  Block& block = map.at(at);
+  const std::uint32_t packed = queue_take(search.open);
+  const Voxel at = unpack(packed);
+  const std::int32_t index = map.index(at);
+  Block& block = map.blocks[index];
   if (block.closed()) return Status::kRunning;
-  block.flags |= Block::kClosed;
   search.f = search.open.current << kBucketBits;
-  const GuideCost* const costs = kBlockCosts.of[map.log - 2];
+  const int arrival = block.arrival();
+  const CellMask moves = close(search, grid, at, block);
+  const CellMask known = cells_after(map.blocks[index - map.offsets[arrival]].moves(), arrival);
+  const BlockCosts::Step* const costs = kBlockCosts.of[map.log - 2];
   const GuideCost here = block.distance;
-  const CellMask moves = block_moves(map, grid, at, exits(search, grid, at));
-  for (CellMask left = moves; left != 0; left &= left - 1) {
+  // First those that may be better than what is known, without branches: that is hard to predict.
+  CellMask better = 0;
+  for (CellMask left = moves & ~known; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
-    Block& next = (&block)[map.offsets[move]];
-    const GuideCost cost = costs[move];
-    if (next.distance <= here + cost || next.closed()) continue;
-    const GuideCost distance = here + (next.full() ? cost : narrow(cost));
-    if (next.distance <= distance) continue;
-    next.distance = distance;
-    next.parent = static_cast<std::uint8_t>(move);
-    if (!open_block(search, at + kMoveOf.at[move].step, distance)) return Status::kOpenFull;
+    const bool improves = here + costs[move].into[1] < (&block)[map.offsets[move]].distance;
+    better |= static_cast<CellMask>(improves) << move;
+  }
+  for (; better != 0; better &= better - 1) {
+    const int move = __builtin_ctz(better);
+    const std::int32_t to = index + map.offsets[move];
+    const GuideCost distance = here + costs[move].into[map.full(to)];
+    if (map.blocks[to].distance <= distance || map.blocks[to].closed()) continue;
+    map.blocks[to] = {distance, arrival_link(move)};
+    const Voxel end = at + kMoveOf.at[move].step;
+    if (!queue_put(search.open, bucket_of(search, end, distance), packed + kPackedMoves.by[move]))
+      return Status::kOpenFull;
   }
   return Status::kRunning;
 }

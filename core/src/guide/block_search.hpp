@@ -34,8 +34,10 @@ struct BlockSearch {
   BucketQueue<kBlockBuckets, kBlockOpen> open;
 };
 
-/// Opens the block of the voxel `from`. Both voxels must be free. False if the grid has no block map.
-bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards) noexcept;
+/// Opens the block of the voxel `from`. Both voxels must be free. `small` as in block_map_begin. False if the grid has
+/// no block map.
+bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards,
+                        bool small = false) noexcept;
 
 /// Takes one entry off the open list. kRunning; kNoPath if no entry is left and this proves that there is no path;
 /// kNodesFull if no entry is left and it does not; kOpenFull.

@@ -20,14 +20,14 @@ template <std::int32_t kBuckets, std::int32_t kEntries>
 struct BucketQueue {
   struct Entry {
     std::uint32_t item;
-    std::int32_t next;  ///< in its bucket, or in the list of entries to use again; -1 at the end
+    std::int32_t next;  ///< in its bucket, -1 at the end; or in the list of entries to use again, `used` at the end
   };
   std::uint32_t current;  ///< bucket that the last entry came from
   std::int32_t count;
   std::int32_t used;    ///< entries that were ever used
-  std::int32_t unused;  ///< first entry to use again, -1 if there is none
+  std::int32_t unused;  ///< first entry to use again, `used` if there is none
   std::uint64_t busy[kBuckets / 64];
-  std::int32_t first[kBuckets];  ///< valid where `busy` says so
+  std::int32_t first[kBuckets];  ///< -1 where there is none
   Entry entries[kEntries];
 };
 
@@ -36,8 +36,9 @@ void queue_reset(BucketQueue<kBuckets, kEntries>& queue) noexcept {
   queue.current = 0;
   queue.count = 0;
   queue.used = 0;
-  queue.unused = -1;
+  queue.unused = 0;
   for (std::uint64_t& word : queue.busy) word = 0;
+  for (std::int32_t& entry : queue.first) entry = -1;
 }
 
 /// False if the queue is full.
@@ -47,12 +48,11 @@ bool queue_put(BucketQueue<kBuckets, kEntries>& queue, std::uint32_t bucket, std
   if (queue.count++ == 0 || bucket < queue.current) queue.current = bucket;
   const std::uint32_t beyond = bucket - queue.current;
   const std::uint32_t slot = (beyond < kBuckets ? bucket : queue.current + kBuckets - 1) % kBuckets;
-  const std::int32_t entry = queue.unused >= 0 ? queue.unused : queue.used++;
-  if (entry == queue.unused) queue.unused = queue.entries[entry].next;
-  const std::uint64_t bit = std::uint64_t{1} << (slot % 64);
-  queue.entries[entry] = {item, (queue.busy[slot / 64] & bit) != 0 ? queue.first[slot] : -1};
+  const std::int32_t entry = queue.unused;
+  queue.unused = entry == queue.used ? ++queue.used : queue.entries[entry].next;
+  queue.entries[entry] = {item, queue.first[slot]};
   queue.first[slot] = entry;
-  queue.busy[slot / 64] |= bit;
+  queue.busy[slot / 64] |= std::uint64_t{1} << (slot % 64);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/guided_search.hpp"
 
+#include "base/cells_after.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
 
@@ -12,12 +13,22 @@ constexpr int kBucketBits = 6;
 
 /// Blocks from the current one to the carrot. Aiming ahead smooths the corners of the guide's path, which the path of
 /// voxels need not follow.
-constexpr int kCarrotBlocks = 3;
+constexpr int kCarrotBlocks = 2;
 
 /// The heuristic counts one and a half times.
 constexpr std::uint64_t weighted(GuideCost left) {
   return std::uint64_t{left} + left / 2;
 }
+
+struct MoveCosts {
+  GuideCost of[kDirections];
+};
+constexpr MoveCosts make_move_costs() {
+  MoveCosts costs{};
+  for (int move = 0; move < kDirections; ++move) costs.of[move] = guide_cost(move);
+  return costs;
+}
+constexpr MoveCosts kMoveCosts = make_move_costs();
 
 constexpr std::uint32_t entry(std::int32_t page, int place) {
   return static_cast<std::uint32_t>(page) << 6 | static_cast<std::uint32_t>(place);
@@ -27,12 +38,12 @@ constexpr std::uint32_t entry(std::int32_t page, int place) {
 /// pass, the block next to that part that is nearest to the goal.
 Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, const Voxel& voxel) {
   BlockMap& map = search.guide.map;
-  const int arrival = map.at(block).parent;
+  const int arrival = map.at(block).arrival();
   const Voxel step = offset(opposite(arrival));
   const Voxel next = block + step;
-  if (arrival == kHere || !block_split(map, grid, block, map.at(block))) return next;
+  if (arrival == kHere || !block_split(map, grid, block)) return next;
   const VoxelMask part = connected(VoxelMask{1} << place_in_block(voxel), block_voxels(grid, block));
-  const SideMask sides = sides_touched(part) & map.at(block).sides;
+  const SideMask sides = sides_touched(part) & map.joined(block);
   if ((sides & sides_of(opposite(arrival))) != 0) return next;
   Voxel best = block;
   GuideCost least = kFar;
@@ -48,20 +59,20 @@ Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, con
   return best;
 }
 
-/// Sets the carrot of a page whose block is closed: the middle of the block a few blocks further along the guide's
+/// Sets the carrot of a page whose block is closed: the middle of the block two blocks further along the guide's
 /// path, or the goal where the path ends first.
 void set_carrot(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
   const BlockMap& map = search.guide.map;
   Voxel block = next_block(search, grid, map.block_of(voxel), voxel);
   for (int k = 1; k < kCarrotBlocks; ++k) {
-    block = block + offset(opposite(map.at(block).parent));
+    block = block + offset(opposite(map.at(block).arrival()));
   }
   const Block& reached = map.at(block);
   const std::int32_t half = 1 << (map.log - 1);
   page.heads = true;
   page.rest = reached.distance;
   page.carrot = {(block.x << map.log) + half, (block.y << map.log) + half, (block.z << map.log) + half};
-  if (reached.parent == kHere) page.carrot = search.goal;
+  if (reached.arrival() == kHere) page.carrot = search.goal;
 }
 
 /// Sets the heuristic of a new page. If its block is not closed yet, this is a lower bound: from the f that the guide
@@ -106,24 +117,30 @@ Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, Guide
 /// A search that can follow its guide expands hardly more voxels than its path has. If it expands several times as
 /// many, the guide leads astray.
 constexpr std::uint32_t kLeastExpansions = 256;
-constexpr std::uint32_t kExpansionsPerVoxel = 4;
+constexpr std::uint32_t kExpansionsPerVoxel = 8;
 
 std::uint32_t most_expansions(const GuidedSearch& search) {
   const GuideCost length = search.guide.map.at(search.guide.target).distance / kGuideStraight;
   return least(kGuidedExpansions, kLeastExpansions + kExpansionsPerVoxel * length);
 }
 
-Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const Voxel& at, GuideCost cost) {
+Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const Voxel& at, int place) {
   if (same(at, search.goal)) return Status::kOk;
   if (search.expanded == 0) search.most = most_expansions(search);
   if (++search.expanded > search.most) return Status::kNodesFull;
-  for (CellMask left = legal_moves(free_cells(grid, at)); left != 0; left &= left - 1) {
+  const Page& from = search.store.pages[index];
+  const GuideCost cost = from.cost[place];
+  const CellMask free = free_cells(grid, at);
+  // The moves that the voxel before has made, as far as they show from here.
+  const int arrival = from.arrival[place];
+  const CellMask known = cells_after(legal_moves(cells_after(free, opposite(arrival))), arrival);
+  for (CellMask left = legal_moves(free) & ~known; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
     const Voxel to = at + kMoveOf.at[move].step;
     const bool here = (((to.x ^ at.x) | (to.y ^ at.y) | (to.z ^ at.z)) & ~3) == 0;
     const std::int32_t page = here ? index : page_of(search, grid, to);
     if (page == kGuidePages) return Status::kNodesFull;
-    const Status status = reach(search, page, to, cost + guide_cost(move), move);
+    const Status status = reach(search, page, to, cost + kMoveCosts.of[move], move);
     if (status != Status::kRunning) return status;
   }
   return Status::kRunning;
@@ -154,17 +171,34 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
     return Status::kRunning;
   }
   page.closed |= std::uint64_t{1} << place;
-  return expand(search, grid, index, at, page.cost[place]);
+  return expand(search, grid, index, at, place);
+}
+
+/// Lets the guide take entries off its list, one a unit of work, until it has closed the block awaited or may not go
+/// on.
+Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
+  const Block& awaited = search.guide.map.blocks[search.awaited];
+  // Once it has closed the start's block, the entries left no longer count.
+  const std::uint32_t most = search.guide_left == 0 ? work.left : least(work.left, search.guide_left);
+  std::uint32_t taken = 0;
+  Status status = Status::kRunning;
+  while (status == Status::kRunning && taken < most && !awaited.closed()) {
+    status = block_search_take(search.guide, grid);
+    ++taken;
+  }
+  work.left -= taken;
+  search.guide_left -= taken;
+  return status;
 }
 
 }  // namespace
 
-bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept {
+bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal, bool small) noexcept {
   search.start = start;
   search.goal = goal;
   search.expanded = 0;
   search.most = 0;
-  if (!block_search_begin(search.guide, grid, goal, start)) return false;
+  if (!block_search_begin(search.guide, grid, goal, start, small)) return false;
   search.awaited = search.guide.map.index(search.guide.target);
   guided_reopen(search, grid);
   search.guide_left = kGuideStallLimit;
@@ -181,14 +215,13 @@ void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
 
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept {
   Status status = Status::kRunning;
-  while (status == Status::kRunning) {
-    if (!work.take()) return status;
+  while (status == Status::kRunning && work.left > 0) {
     if (block_closed(search.guide, search.awaited)) {
+      work.take();
       status = take_voxel(search, grid);
       continue;
     }
-    status = block_search_take(search.guide, grid);
-    --search.guide_left;
+    status = advance_guide(search, grid, work);
     if (status == Status::kRunning && guide_stalls(search)) return status;
   }
   return status;

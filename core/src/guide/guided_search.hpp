@@ -46,8 +46,9 @@ struct GuidedSearch {
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-/// False if the grid has too many blocks for a guide.
-bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal) noexcept;
+/// `small` as in block_map_begin. False if the grid has too many blocks for a guide.
+bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal,
+                  bool small = false) noexcept;
 
 /// True once the guide has taken kGuideStallLimit entries without reaching the start's block: the start may be walled
 /// in. The search continues after guided_reopen().

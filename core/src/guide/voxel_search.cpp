@@ -27,7 +27,7 @@ void begin_guided(VoxelSearch& search, const Grid& grid) {
 /// True if the first expansions are done and a guided search must follow.
 bool first_over(const VoxelSearch& search) {
   const bool first = search.method == SearchMethod::kFirst;
-  return first && search.optimal.jumps && search.optimal.expanded >= kFirstExpansions;
+  return first && search.optimal.jumped >= kFirstJumps;
 }
 
 Status advance_optimal(VoxelSearch& search, const Grid& grid, Work& work) {
@@ -46,6 +46,7 @@ bool proves(Status status) {
 void begin_pocket(VoxelSearch& search, const Grid& grid, SearchMethod method) {
   search.method = method;
   search.start_flooded |= method == SearchMethod::kStartPocket;
+  search.goal_flooded |= method == SearchMethod::kGoalPocket;
   pocket_begin(search.guided, grid, method == SearchMethod::kGoalPocket ? search.goal : search.start);
 }
 
@@ -57,23 +58,34 @@ Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
   return status;
 }
 
-/// What follows a guided search that stalls or gives up, or a flood that proves nothing. False at the end.
-bool begin_next(VoxelSearch& search, const Grid& grid) {
-  if (search.method == SearchMethod::kGoalPocket) return false;
-  if (search.method == SearchMethod::kStartPocket && !search.gave_up) {
-    search.method = SearchMethod::kGuided;
-    guided_reopen(search.guided, grid);
-  } else {
-    begin_pocket(search, grid, search.start_flooded ? SearchMethod::kGoalPocket : SearchMethod::kStartPocket);
-  }
+/// Begins a guided search with small blocks after one with large ones. False if there is none.
+bool begin_small(VoxelSearch& search, const Grid& grid) {
+  if (!search.guided.guide.map.large()) return false;
+  search.method = SearchMethod::kGuided;
+  if (!guided_begin(search.guided, grid, search.start, search.goal, true)) return false;
+  guided_reopen(search.guided, grid);  // it must not stall again
   return true;
 }
 
-/// A guided search, a flood around the start, the guided search again, and a flood around the goal.
-constexpr int kGuidedTurns = 4;
+/// What follows a guided search that stalls or gives up, or a flood that proves nothing. False at the end.
+bool begin_next(VoxelSearch& search, const Grid& grid) {
+  if (search.method == SearchMethod::kStartPocket && !search.gave_up) {
+    search.method = SearchMethod::kGuided;
+    guided_reopen(search.guided, grid);
+    return true;
+  }
+  if (search.start_flooded && search.goal_flooded) return begin_small(search, grid);
+  begin_pocket(search, grid, search.start_flooded ? SearchMethod::kGoalPocket : SearchMethod::kStartPocket);
+  return true;
+}
+
+/// A guided search, a flood around the start, the guided search again, a flood around the goal, and a guided search
+/// with small blocks.
+constexpr int kGuidedTurns = 5;
 
 /// The guided search, with floods around the ends: around the start where the guide stalls, and around both where the
-/// search gives up. Ends as they do; kNodesFull and kOpenFull prove nothing.
+/// search gives up. Then, if the blocks were large, the guided search with small ones. Ends as they do; kNodesFull and
+/// kOpenFull prove nothing.
 Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
   Status status = Status::kRunning;
   for (int turn = 0; turn < kGuidedTurns; ++turn) {
@@ -98,6 +110,7 @@ void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, con
   search.nodes_high = 0;
   search.open_high = 0;
   search.start_flooded = false;
+  search.goal_flooded = false;
   search.gave_up = false;
   begin_optimal(search, grid);
   if (mode == SearchMode::kFast) search.method = SearchMethod::kFirst;

@@ -20,12 +20,12 @@
 
 namespace tern {
 
-/// A fast search begins with this many expansions of the optimal search, or more while that still goes step by step and
-/// is about to arrive. Easy queries end there, with a cheapest path.
-constexpr std::uint32_t kFirstExpansions = 96;
+/// A fast search begins with the steps of the optimal search, while these make progress, and with so many expansions
+/// that jump. Easy queries end there, with a cheapest path.
+constexpr std::uint32_t kFirstJumps = 32;
 
 /// Units of work of one search. The first expansions are a search's own, and bounded as one.
-constexpr std::uint32_t kVoxelSearchBound = kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
+constexpr std::uint32_t kVoxelSearchBound = 2 * kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
 
@@ -35,6 +35,7 @@ struct VoxelSearch {
   Voxel goal;
   SearchMethod method;
   bool start_flooded;       ///< around the start there is no pocket, or a large one
+  bool goal_flooded;        ///< likewise around the goal
   bool gave_up;             ///< the guided search did
   Cost least;               ///< proven lower bound of the cost of any path
   std::int32_t nodes_high;  ///< of the optimal search

@@ -13,24 +13,33 @@
 namespace tern {
 namespace {
 
-/// Adds to reached[k] the rows of the block that changes in plane z reach in word k. If the reach is more than 64 rows,
-/// whole blocks count as reached.
-void add_reached(const Changes& changes, std::int32_t z, std::int32_t block, std::int32_t reach,
+/// Changed rows of a block in two planes together, word by word.
+struct ChangedRows {
+  const std::uint64_t* below;
+  const std::uint64_t* above;
+
+  ChangedRows(const Changes& changes, std::int32_t z_below, std::int32_t z_above, std::int32_t block)
+      : below(changes.words_of(z_below, block)), above(changes.words_of(z_above, block)) {}
+  std::uint64_t at(std::int32_t k) const { return below[k] | above[k]; }
+};
+
+/// Adds to reached[k] the rows of the block that changes in planes `below` and `above` reach in word k. If the reach is
+/// more than 64 rows, whole blocks count as reached.
+void add_reached(const Changes& changes, std::int32_t below, std::int32_t above, std::int32_t block, std::int32_t reach,
                  const IndexRange& words, std::uint64_t* reached) {
-  if (!changes.plane(z)) return;
-  const std::int32_t far = reach < kBlockRows ? 1 : words_for(reach);
-  for (std::int32_t k = words.begin; k < words.end; ++k, ++reached) {
-    const std::uint64_t own = changes.rows(z, block, k);
-    if ((own | *reached) == kAllBits) {
-      *reached = kAllBits;
-      continue;
-    }
-    std::uint64_t any = 0;
-    for (std::int32_t b = block - far; b <= block + far; ++b) any |= changes.rows(z, b, k);
-    if (any == 0) continue;
-    *reached |= reach < kBlockRows
-                    ? spread_bits(changes.rows(z, block - 1, k), own, changes.rows(z, block + 1, k), reach)
-                    : kAllBits;
+  if (!changes.plane(below) && !changes.plane(above)) return;
+  const std::int32_t far = words_for(reach);
+  for (std::int32_t b = block - far; b <= block + far && reach >= kBlockRows; ++b) {
+    const ChangedRows rows(changes, below, above, b);
+    for (std::int32_t k = words.begin; k < words.end; ++k) reached[k - words.begin] |= rows.at(k) != 0 ? kAllBits : 0;
+  }
+  if (reach >= kBlockRows) return;
+  const ChangedRows before(changes, below, above, block - 1);
+  const ChangedRows own(changes, below, above, block);
+  const ChangedRows after(changes, below, above, block + 1);
+  for (std::int32_t k = words.begin; k < words.end; ++k) {
+    if ((before.at(k) | own.at(k) | after.at(k)) == 0) continue;
+    reached[k - words.begin] |= spread_bits(before.at(k), own.at(k), after.at(k), reach);
   }
 }
 
@@ -90,20 +99,19 @@ struct Inflation {
     WindowRows reached{};
     const std::int32_t count = window.words.end - window.words.begin;
     const std::int32_t reach = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
-    add_reached(changes, z, window.block, reach, window.words, reached.words);
+    add_reached(changes, z, z, window.block, reach, window.words, reached.words);
     for (std::int32_t gap = 0; gap <= stencil.gap_z() && reached.all(count) != kAllBits; ++gap) {
       const std::int32_t reach_there = stencil.reach(gap, 0);
-      add_reached(changes, z - gap - 1, window.block, reach_there, window.words, reached.words);
-      add_reached(changes, z + gap + 1, window.block, reach_there, window.words, reached.words);
+      add_reached(changes, z - gap - 1, z + gap + 1, window.block, reach_there, window.words, reached.words);
     }
     const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
     for (std::int32_t k = 0; k < count; ++k) reached.words[k] &= inside;
     return reached;
   }
 
-  /// Calls `visit` with patches that cover these rows of a plane.
+  /// Calls `visit` with patches that cover these rows of a plane, and removes them.
   template <typename Visit>
-  static void for_each_patch(const BlockWindow& window, std::int32_t z, WindowRows rows, Visit visit) {
+  static void for_each_patch(const BlockWindow& window, std::int32_t z, WindowRows& rows, Visit visit) {
     const std::int32_t count = window.words.end - window.words.begin;
     const std::int32_t first = window.block * kBlockRows;
     for (std::int32_t k = 0; k < count; ++k) {
@@ -116,7 +124,7 @@ struct Inflation {
     }
   }
 
-  void make_all(const BlockWindow& window, std::int32_t z, const WindowRows& rows) const {
+  void make_all(const BlockWindow& window, std::int32_t z, WindowRows& rows) const {
     for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch); });
   }
 
@@ -128,9 +136,8 @@ struct Inflation {
   }
 
   /// Makes the rows from the plane below and the differences. If it is cheaper to make all rows from obstacles, does
-  /// nothing and returns false.
-  bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps,
-                       const WindowRows& reached) const {
+  /// nothing and returns false. The rows that were made are removed.
+  bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps, WindowRows& reached) const {
     if (!steps.known()) return false;
     const std::int32_t count = window.words.end - window.words.begin;
     WindowRows differing = reached;
@@ -154,7 +161,7 @@ struct Inflation {
     const std::int32_t count = window.words.end - window.words.begin;
     bool follows = false;
     for (std::int32_t z = planes.begin; z < planes.end; ++z) {
-      const WindowRows reached = find_reached(window, z);
+      WindowRows reached = find_reached(window, z);
       for (std::int32_t k = 0; k < count; ++k) {
         if (reached.words[k] != 0) contents[regions.at(z, window.block, window.words.begin + k)] = content;
       }
@@ -169,18 +176,30 @@ struct Inflation {
     }
   }
 
+  /// Rows of the block that changes in the rows of the extent reach.
+  static std::uint64_t rows_reached(const ChangeExtent& extent, std::int32_t block, std::int32_t reach) {
+    const std::int32_t far = words_for(reach);
+    const auto rows = [&extent](std::int32_t b) { return b >= 0 && b < kMaxBlocks ? extent.rows[b] : 0; };
+    if (reach < kBlockRows) return spread_bits(rows(block - 1), rows(block), rows(block + 1), reach);
+    std::uint64_t any = 0;
+    for (std::int32_t b = block - far; b <= block + far; ++b) any |= rows(b);
+    return any != 0 ? kAllBits : 0;
+  }
+
   /// Makes what changes reach in the planes of `wanted`.
   void run(PlaneSteps& steps, const IndexRange& wanted) const {
-    const ChangeExtent extent = changes.extent();
     const std::int32_t far_z = stencil.gap_z() + 1;
-    const std::int32_t far_blocks = stencil.gap_z() < 0 ? 0 : words_for(stencil.reach(0, 0));
+    const std::int32_t far_y = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
+    const ChangeExtent extent =
+        changes.extent(overlap({0, regions.planes}, {wanted.begin - far_z, wanted.end + far_z}));
     const IndexRange reached = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
     const IndexRange planes = overlap(reached, wanted);
-    const IndexRange blocks =
-        overlap({0, changes.blocks()}, {extent.blocks.begin - far_blocks, extent.blocks.end + far_blocks});
-    for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
+    for (std::int32_t block = 0; block < changes.blocks(); ++block) {
+      const std::uint64_t any = rows_reached(extent, block, far_y);
+      if (any == 0) continue;
+      const IndexRange rows{__builtin_ctzll(any), kBlockRows - __builtin_clzll(any)};
       for (std::int32_t k = extent.words.begin; k < extent.words.end; k += kStepWords) {
-        make_window({block, overlap(extent.words, {k, k + kStepWords})}, planes, steps);
+        make_window({block, rows, overlap(extent.words, {k, k + kStepWords})}, planes, steps);
       }
     }
   }

@@ -231,16 +231,21 @@ void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64
   }
 }
 
-/// Spreads every bit to its two neighbours along x, as if all rows were one long row.
+/// Spreads every bit to its two neighbours along x, as if all rows were one long row. Rows of one word that are apart
+/// need nothing from their neighbours.
 void spread(InflationTile& tile) {
-  const std::int32_t width = tile.width;
+  const std::int32_t count = tile.rows * tile.width;
   const std::uint64_t* __restrict from = tile.words[tile.made] + 1;
   std::uint64_t* __restrict to = tile.words[1 - tile.made] + 1;
-  for (std::int32_t k = 0; k < tile.rows * width; ++k) {
+  tile.made = 1 - tile.made;
+  if (tile.width == 1 && tile.apart) {
+    for (std::int32_t k = 0; k < count; ++k) to[k] = from[k] | (from[k] << 1) | (from[k] >> 1);
+    return;
+  }
+  for (std::int32_t k = 0; k < count; ++k) {
     to[k] = from[k] | (from[k] << 1) | (from[k] >> 1) | (from[k - 1] >> 63) | (from[k + 1] << 63);
   }
   if (!tile.apart) part_rows(tile, from, to);
-  tile.made = 1 - tile.made;
 }
 
 /// Without a radius, obstacles block only themselves.

@@ -83,7 +83,8 @@ bool PlaneSteps::rows_differ(const IndexRange& rows, std::int32_t step) const {
 void PlaneSteps::take(std::int32_t step) {
   if (step < 1 || step >= dims_.z) return;
   const std::int32_t first = window_.block * kBlockRows;
-  const IndexRange rows = overlap({0, dims_.y}, {first - reach_y_, first + kBlockRows + reach_y_});
+  const IndexRange rows =
+      overlap({0, dims_.y}, {first + window_.rows.begin - reach_y_, first + window_.rows.end + reach_y_});
   if (!rows_differ(rows, step)) return;
   Differences appearing{};
   Differences vanishing{};

@@ -24,6 +24,7 @@ constexpr std::int32_t kStepWords = 8;
 /// Some words of the rows of one block.
 struct BlockWindow {
   std::int32_t block;
+  IndexRange rows;   ///< rows of the block; others do not matter
   IndexRange words;  ///< at most kStepWords
 };
 

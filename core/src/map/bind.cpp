@@ -8,6 +8,7 @@
 #include "base/verdict.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
+#include "map/support.hpp"
 
 namespace tern {
 namespace {
@@ -53,7 +54,8 @@ bool margins_fit(const MapSpec& spec) {
 }
 
 bool thresholds_fit(const MapSpec& spec) {
-  return spec.hits >= 1 && spec.hits <= kMaxEvidence && spec.misses >= 1 && spec.misses <= kMaxEvidence;
+  return spec.hits >= 1 && spec.hits <= kMaxEvidence && spec.misses >= 1 && spec.misses <= kMaxEvidence &&
+         spec.support >= 0 && spec.support <= kNeighbours;
 }
 
 bool prior_fits(const MapSpec& spec) {
@@ -84,7 +86,8 @@ Verdict check(const MapSpec& spec) {
 }
 
 GridSpec grid_spec(const MapSpec& spec) {
-  return {spec.origin, spec.cell, spec.dims, window_box(spec.origin, spec.cell, spec.dims), spec.radius};
+  const Box window = window_box(spec.origin, spec.cell, spec.dims);
+  return {spec.origin, spec.cell, spec.dims, window, spec.radius, spec.tracking_margin};
 }
 
 /// Divides the words between the layers and images, and clears them.
@@ -147,18 +150,16 @@ Status RollingMap::bind(const MapSpec& spec, uint64_t* words, size_t word_count,
   if (verdict.status == Status::kOk && (words == nullptr || word_count < needed)) verdict = invalid(Field::kStorage);
   if (field != nullptr) *field = verdict.field;
   if (verdict.status != Status::kOk) return verdict.status;
-  // The grids are bound first. They come last in the words, so if they refuse, nothing has been written.
+  // A grid is bound first. It comes last in the words, so if it refuses, nothing has been written.
   const std::size_t grid = grid_words(spec.dims);
   Grid route;
-  Grid safe;
   std::uint64_t* const grids = words + (needed - 2 * grid);
   const Status status = route.bind(grid_spec(spec), grids, grid, field);
   if (status != Status::kOk) return status;
-  safe.bind(grid_spec(spec), grids + grid, grid);
   state_ = new (words) MapState{};
   state_->spec = spec;
   state_->route = route;
-  state_->safe = safe;
+  state_->safe.bind(grid_spec(spec), grids + grid, grid);
   state_->face = face_pixels(spec);
   lay_out(*state_, words + state_words());
   fill(*state_);

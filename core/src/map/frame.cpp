@@ -157,8 +157,22 @@ VoxelBox MapState::block_at(std::int64_t index) const noexcept {
 
 void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept {
   const std::uint64_t unseen = ~seen[row(y, z) + static_cast<std::size_t>(k)] & GridWords::valid_bits(route, k);
+  const std::uint64_t solid = blocked | unseen;
+  if ((solid & ~GridWords(safe).obstacles()[row(y, z) + static_cast<std::size_t>(k)]) != 0) note_added(y, z, k);
   GridWords(route).store(y, z, k, blocked);
-  GridWords(safe).store(y, z, k, blocked | unseen);
+  GridWords(safe).store(y, z, k, solid);
+}
+
+/// Along x, whole words: that is near enough.
+void MapState::note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept {
+  const VoxelBox word{{kWordBits * k, kWordBits * (k + 1)}, {y, y + 1}, {z, z + 1}};
+  if (added.x.begin >= added.x.end) added = word;
+  const auto grow = [](IndexRange& range, const IndexRange& by) {
+    range = {by.begin < range.begin ? by.begin : range.begin, by.end > range.end ? by.end : range.end};
+  };
+  grow(added.x, word.x);
+  grow(added.y, word.y);
+  grow(added.z, word.z);
 }
 
 void MapState::prepare_views() noexcept {
@@ -193,7 +207,9 @@ void MapState::enter_block(std::int64_t index) noexcept {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
       const std::uint64_t miss = free.words[z - block.z.begin][y - block.y.begin] & valid;
+      if (miss == 0 && hit[at] == 0 && !forget_first) continue;
       const Evidence now = after(evidence(at), hit[at], miss, hits, misses);
+      if ((now.seen & ~seen[at]) != 0) ++learned;
       seen[at] = now.seen;
       low[at] = now.low;
       high[at] = now.high;

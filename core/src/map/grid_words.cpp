@@ -42,14 +42,25 @@ void GridWords::finish_inflation() const noexcept {
   grid_.words_[Grid::kInflated] = grid_.words_[Grid::kRevision];
 }
 
-void GridWords::copy(const Grid& from) const noexcept {
-  const std::size_t layer = GridView::layer_words(from);
-  __builtin_memcpy(grid_.obstacles_, from.obstacles_, sizeof(std::uint64_t) * layer);
-  __builtin_memcpy(grid_.blocked_, from.blocked_, sizeof(std::uint64_t) * layer);
+void GridWords::begin_copy(const Grid& from) const noexcept {
+  begin_shift();
+  if (same(grid_.spec_.origin, from.spec_.origin)) return;
+  move_to(from.spec_.origin);
+  grid_.binding_ = content_after(grid_.binding_, grid_.words_[Grid::kRevision]);
+}
+
+void GridWords::copy_planes(const Grid& from, std::int32_t begin, std::int32_t end) const noexcept {
+  const std::size_t first = grid_.row(0, begin);
+  const std::size_t bytes = sizeof(std::uint64_t) * (grid_.row(0, end) - first);
+  __builtin_memcpy(grid_.obstacles_ + first, from.obstacles_ + first, bytes);
+  __builtin_memcpy(grid_.blocked_ + first, from.blocked_ + first, bytes);
+}
+
+void GridWords::end_copy(const Grid& from) const noexcept {
   for (std::int32_t k = 0; k < Regions(from.spec_.dims).count(); ++k) grid_.contents_[k] = from.contents_[k];
-  ++grid_.words_[Grid::kRevision];
   grid_.words_[Grid::kContent] = from.words_[Grid::kContent];
   finish_inflation();
+  grid_.words_[Grid::kBinding] = grid_.binding_;
 }
 
 void GridWords::begin_shift() const noexcept {

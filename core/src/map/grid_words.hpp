@@ -39,8 +39,13 @@ class GridWords {
   void inflate_planes(std::int32_t begin, std::int32_t end) const noexcept;
   void finish_inflation() const noexcept;
 
-  /// Makes a bound grid equal to an inflated one with the same spec: both layers, and the numbers of the regions.
-  void copy(const Grid& from) const noexcept;
+  /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius, wherever that lies. No
+  /// view of the grid is bound until end_copy().
+  void begin_copy(const Grid& from) const noexcept;
+  /// Copies both layers of planes begin .. end - 1.
+  void copy_planes(const Grid& from, std::int32_t begin, std::int32_t end) const noexcept;
+  /// Ends the copy: this view is bound again, and inflated. The regions get the numbers that they have there.
+  void end_copy(const Grid& from) const noexcept;
 
   /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().
   void begin_shift() const noexcept;

@@ -38,6 +38,12 @@ std::uint8_t put(const tern::Grid& grid, tern_grid* out) {
   return code(Status::kOk);
 }
 
+/// The grid that lies there; a new one, not bound, where there was none.
+tern::Grid& grid_at(tern_grid& place) {
+  if (*static_cast<const volatile std::uint64_t*>(place.opaque) != tern::kGridTag) put(tern::Grid{}, &place);
+  return *std::launder(reinterpret_cast<tern::Grid*>(place.opaque + 1));
+}
+
 }  // namespace
 
 extern "C" {
@@ -89,6 +95,10 @@ std::uint8_t tern_map_mark_box(tern_map* map, const tern_box* world) {
   return world == nullptr ? kInvalid : code(object(map).mark_box(*world));
 }
 
+std::uint8_t tern_map_mark_cylinder(tern_map* map, const tern_cylinder* world) {
+  return world == nullptr ? kInvalid : code(object(map).mark_cylinder(*world));
+}
+
 std::uint8_t tern_map_mark_points(tern_map* map, const tern_vec3* world, std::size_t count) {
   return code(object(map).mark_points(world, count));
 }
@@ -103,13 +113,12 @@ std::uint8_t tern_map_safe(const tern_map* map, tern_grid* grid) {
   return bound.bound() && grid != nullptr ? put(bound.safe(), grid) : kInvalid;
 }
 
-std::uint8_t tern_map_snapshot(const tern_map* map, tern_grid* grid, std::uint64_t* words, std::size_t word_count) {
-  if (grid == nullptr) return kInvalid;
-  const RollingMap bound = object(map);
-  const bool used = *static_cast<const volatile std::uint64_t*>(grid->opaque) == tern::kGridTag;
-  tern::Grid copy = used ? *std::launder(reinterpret_cast<const tern::Grid*>(grid->opaque + 1)) : tern::Grid{};
-  const Status status = bound.snapshot(copy, words, word_count);
-  return status == Status::kOk ? put(copy, grid) : code(status);
+std::uint8_t tern_map_snapshot(tern_map* map, tern_grid* grid, std::uint64_t* words, std::size_t word_count) {
+  return grid == nullptr ? kInvalid : code(object(map).snapshot(grid_at(*grid), words, word_count));
+}
+
+std::uint8_t tern_map_begin_snapshot(tern_map* map, tern_grid* grid, std::uint64_t* words, std::size_t word_count) {
+  return grid == nullptr ? kInvalid : code(object(map).begin_snapshot(grid_at(*grid), words, word_count));
 }
 
 std::uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel) {

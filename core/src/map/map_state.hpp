@@ -10,11 +10,12 @@
 
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
-#include "map/carve.hpp"
-#include "map/depth_pyramid.hpp"
-#include "map/projector.hpp"
-#include "map/view.hpp"
+#include "map/hit_writer.hpp"
 #include "tern/map.hpp"
+#include "view/carve.hpp"
+#include "view/depth_pyramid.hpp"
+#include "view/projector.hpp"
+#include "view/view.hpp"
 
 namespace tern {
 
@@ -36,12 +37,8 @@ enum class Task : std::uint8_t {
   kInflateRoute,  ///< planes
   kInflateSafe,
   kSlide,  ///< planes
+  kCopy,   ///< planes of the route grid, for a snapshot
 };
-
-/// One comparison suffices: as unsigned numbers, values below the range are very large.
-inline bool within(const IndexRange& range, std::int32_t index) noexcept {
-  return static_cast<std::uint32_t>(index - range.begin) < static_cast<std::uint32_t>(range.end - range.begin);
-}
 
 /// The frame or scan that is being processed.
 struct Frame {
@@ -67,7 +64,8 @@ class MapState {
   MapSpec spec;
   Grid route;
   Grid safe;
-  Voxel base;  ///< the window's lower voxel, counted from the spec's origin
+  Voxel base;      ///< the window's lower voxel, counted from the spec's origin
+  VoxelBox added;  ///< around the voxels of the safe grid that became solid since that was last asked for
 
   // Layers of evidence, with the same rows as the grids; and the images.
   std::uint64_t* seen;
@@ -77,16 +75,18 @@ class MapState {
   Depth* image;
   std::int64_t image_entries;
 
-  std::int64_t time;    ///< of the last frame
-  bool timed;           ///< false before the first frame
-  std::int64_t ageing;  ///< time since a layer was last forgotten, times the number of layers of blocks
-  std::int32_t forget;  ///< the next layer to forget
-  std::int32_t face;    ///< pixels along an edge of a scan's face
+  std::uint64_t learned;  ///< words in which voxels were seen for the first time
+  std::int64_t time;      ///< of the last frame
+  bool timed;             ///< false before the first frame
+  std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of blocks
+  std::int32_t forget;    ///< the next layer to forget
+  std::int32_t face;      ///< pixels along an edge of a scan's face
   Task task;
   std::uint32_t paid;  ///< units saved up for the next piece
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
   Slide slide;
+  Grid* copy;  ///< the caller's, for a snapshot
 
   std::int32_t row_words() const noexcept { return (spec.dims.x + 63) / 64; }
   std::int32_t layers() const noexcept { return (spec.dims.z + kBlock - 1) / kBlock; }
@@ -116,19 +116,18 @@ class MapState {
   void make_pyramid_row(std::int64_t index) noexcept;
   void enter_block(std::int64_t index) noexcept;
   void slide_plane(std::int32_t index) noexcept;
+  void copy_plane(std::int32_t z) const noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
+  /// Makes a row of the safe grid from what is hit and seen, and notes it in both grids.
+  void renew_row(std::int32_t y, std::int32_t z) noexcept;
 
-  /// Marks the voxel of a local point as hit by the current frame, unless the point is outside the frame's box.
-  void mark_hit(const Voxel& v) const noexcept {
-    const VoxelBox& box = frame.box;
-    if (within(box.x, v.x) && within(box.y, v.y) && within(box.z, v.z)) {
-      hit[row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
-    }
-  }
+  /// Marks hits of the current frame.
+  HitWriter hit_writer() const noexcept { return {hit, row_words(), spec.dims.y, frame.box}; }
   /// Writes a word into both grids: the blocked voxels into the route grid, the blocked or unseen ones into the safe
   /// grid.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
+  void note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept;
   /// Marks the prior's boxes in plane z of the route grid, except in voxels that stayed in the window.
   void mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
   /// Prepares the projectors of the frame's views.

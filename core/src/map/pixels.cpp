@@ -5,22 +5,18 @@
 // is enough: the depth is rounded towards the camera, and a hit is off by less than a thousandth of a voxel.
 #include "base/math.hpp"
 #include "map/map_state.hpp"
+#include "map/support.hpp"
 
 namespace tern {
 namespace {
 
 /// Pixels that are processed together.
 constexpr std::int32_t kChunk = 64;
-/// Depths of a chunk, and the voxels that they hit.
+/// Depths of a chunk.
 struct Chunk {
   Four fours[kChunk / 4];
   float* numbers() { return reinterpret_cast<float*>(fours); }
 };
-struct ChunkOfVoxels {
-  FourInts fours[3][kChunk / 4];
-  const std::int32_t* axis(int a) const { return reinterpret_cast<const std::int32_t*>(fours[a]); }
-};
-
 /// The number of a saturated pixel.
 constexpr float kSaturated = 65535.0f;
 
@@ -49,6 +45,38 @@ Scale scale_of(const DepthView& view) {
   return {unit, static_cast<float>(view.min), view.z16 != nullptr && saturated < max ? saturated : max};
 }
 
+/// Reads the depths of `count` pixels of row v from u on.
+void read_depths(const DepthView& view, const Scale& scale, std::int32_t u, std::int32_t v, std::int32_t count,
+                 float* z) {
+  const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(v) * view.stride + u;
+  view.z16 != nullptr ? depths(view.z16 + from, scale, count, z) : depths(view.z32 + from, scale, count, z);
+}
+
+/// A chunk of one row with the pixels beside it; NaN beyond the image's edges.
+struct WideChunk {
+  float z[kChunk + 2];
+
+  void read(const DepthView& view, const Scale& scale, std::int32_t u, std::int32_t v, std::int32_t count) {
+    for (float& depth : z) depth = __builtin_nanf("");
+    if (v < 0 || v >= view.height) return;
+    const std::int32_t first = u > 0 ? u - 1 : 0;
+    const std::int32_t end = u + count < view.width ? u + count + 1 : view.width;
+    read_depths(view, scale, first, v, end - first, z + (first - (u - 1)));
+  }
+};
+
+/// What the pixels of a chunk see and hit, where some of them may be wrong.
+void judge_chunk(const DepthView& view, const Scale& scale, const Support& support, std::int32_t u, std::int32_t v,
+                 std::int32_t count, float* sees, float* hits) {
+  WideChunk rows[3];
+  for (std::int32_t k = 0; k < 3; ++k) rows[k].read(view, scale, u, v + k - 1, count);
+  for (std::int32_t k = 0; k < count; ++k) {
+    const Judged judged = judge_pixel(support, rows[0].z + k, rows[1].z + k, rows[2].z + k);
+    sees[k] = judged.sees;
+    hits[k] = judged.hits;
+  }
+}
+
 /// Converts a measured depth to the depth that is certainly free, in units. The unit that it subtracts covers rounding.
 struct FreeDepth {
   float margin, margin_square, range, units;
@@ -73,47 +101,31 @@ struct RowOfRays {
   Vec3f origin;
   Vec3f ray;
   Vec3f step;
-  Vec3f most;  ///< the window's size
   float range;
 
-  /// Voxel indices on one axis, for four pixels with depths z. -1 if the point is below the window or the pixel hits
-  /// nothing, `size` if the point is beyond the window.
-  static FourInts index(float from, Four along, Four z, FourInts hits, float size) {
-    const Four least = Four{-1.0f, -1.0f, -1.0f, -1.0f};
-    const Four most = Four{size, size, size, size};
-    const Four at = from + z * along;
-    const Four low = at > least ? at : least;
-    const Four high = low < most ? low : most;
-    const Four kept = hits ? high : least;
-    return __builtin_convertvector(kept + 1.0f, FourInts) - 1;
-  }
-  /// Fills out[axis] for the chunk of pixels that begins at u.
-  void points(std::int32_t u, const Chunk& depths, ChunkOfVoxels& out) const {
+  /// Marks what the chunk of pixels hits that begins at u.
+  void mark(std::int32_t u, const Chunk& depths, HitWriter& writer) const {
     Four at = static_cast<float>(u) + Four{0.0f, 1.0f, 2.0f, 3.0f};
-    for (std::int32_t k = 0; k < kChunk / 4; ++k) {
-      const Four z = depths.fours[k];
+    for (const Four z : depths.fours) {
       const FourInts hits = (z > 0.0f) & (z <= range);
-      out.fours[0][k] = index(origin.x, ray.x + at * step.x, z, hits, most.x);
-      out.fours[1][k] = index(origin.y, ray.y + at * step.y, z, hits, most.y);
-      out.fours[2][k] = index(origin.z, ray.z + at * step.z, z, hits, most.z);
+      const Four cells[3] = {origin.x + z * (ray.x + at * step.x), origin.y + z * (ray.y + at * step.y),
+                             origin.z + z * (ray.z + at * step.z)};
+      if (any(hits)) writer.add(cells, hits);
       at += 4.0f;
     }
   }
 };
 
 /// The rays of row v. The view's steps are the camera's axes, with the length of a voxel.
-RowOfRays rays_of(const View& view, const Vec3& origin, const GridSpec& window, float range, std::int32_t v) {
-  const double per_cell = 1.0 / window.cell;
+RowOfRays rays_of(const View& view, const Vec3& origin, double cell, float range, std::int32_t v) {
+  const double per_cell = 1.0 / cell;
   const Vec3 x{view.steps[0].x, view.steps[1].x, view.steps[2].x};
   const Vec3 y{view.steps[0].y, view.steps[1].y, view.steps[2].y};
   const Vec3 ahead{view.steps[0].z, view.steps[1].z, view.steps[2].z};
   const Vec3 ray = (-view.cx / view.fx) * x + ((v - view.cy) / view.fy) * y + ahead;
   // The steps are in metres per voxel. One factor makes them unit axes, the other converts metres to voxels.
-  return {to_float(per_cell * origin),
-          to_float((per_cell * per_cell) * ray),
-          to_float((per_cell * per_cell / view.fx) * x),
-          {static_cast<float>(window.dims.x), static_cast<float>(window.dims.y), static_cast<float>(window.dims.z)},
-          range};
+  return {to_float(per_cell * origin), to_float((per_cell * per_cell) * ray),
+          to_float((per_cell * per_cell / view.fx) * x), range};
 }
 
 }  // namespace
@@ -124,25 +136,25 @@ void MapState::read_pixels(std::int32_t v) noexcept {
   const float range = static_cast<float>(spec.range);
   const FreeDepth free{static_cast<float>(spec.depth_margin), static_cast<float>(spec.depth_margin_square), range,
                        static_cast<float>(frame.views[0].units)};
-  const RowOfRays rays = rays_of(frame.views[0], frame.origin, route.spec(), range, v);
+  const Support support{static_cast<float>(spec.cell), free.margin, free.margin_square, spec.support};
+  const RowOfRays rays = rays_of(frame.views[0], frame.origin, spec.cell, range, v);
   Depth* row = frame.views[0].pyramid.row(v);
-  Voxel last{-1, -1, -1};
+  HitWriter writer = hit_writer();
   for (std::int32_t u = 0; u < depth.width; u += kChunk) {
     const std::int32_t count = depth.width - u < kChunk ? depth.width - u : kChunk;
-    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(v) * depth.stride + u;
-    Chunk chunk{};
-    float* z = chunk.numbers();
-    depth.z16 != nullptr ? depths(depth.z16 + from, scale, count, z) : depths(depth.z32 + from, scale, count, z);
-    for (std::int32_t k = 0; k < count; ++k) row[u + k] = free.of(z[k]);
-    ChunkOfVoxels voxels;
-    rays.points(u, chunk, voxels);
-    for (std::int32_t k = 0; k < count; ++k) {
-      const Voxel next{voxels.axis(0)[k], voxels.axis(1)[k], voxels.axis(2)[k]};
-      // Neighbouring pixels often hit the same voxel.
-      if (next.x == last.x && next.y == last.y && next.z == last.z) continue;
-      last = next;
-      mark_hit(next);
+    Chunk chunk;
+    float* const hits = chunk.numbers();
+    for (std::int32_t k = count; k < kChunk; ++k) hits[k] = 0.0f;
+    float wary[kChunk];
+    const float* sees = hits;
+    if (support.least > 0) {
+      judge_chunk(depth, scale, support, u, v, count, wary, hits);
+      sees = wary;
+    } else {
+      read_depths(depth, scale, u, v, count, hits);
     }
+    for (std::int32_t k = 0; k < count; ++k) row[u + k] = free.of(sees[k]);
+    rays.mark(u, chunk, writer);
   }
 }
 

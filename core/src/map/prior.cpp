@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the map is told rather than sees: prior boxes, boxes and points to mark, and a ball that is free.
+// What the map is told rather than sees: prior boxes, boxes, cylinders and points to mark, and a ball that is free.
 #include "base/math.hpp"
+#include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -112,14 +113,33 @@ Status RollingMap::mark_box(const Box& world) noexcept {
   return Status::kOk;
 }
 
+Status RollingMap::mark_cylinder(const Cylinder& world) noexcept {
+  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
+  const Status status = check(world);
+  if (status != Status::kOk) return status;
+  MapState& state = *state_;
+  const GridSpec& window = state.route.spec();
+  const IndexRange z = planes_met(window, world);
+  visit_rows(window, world, [&](std::int32_t row, const IndexRange& x) {
+    visit_words({x, {row, row + 1}, z}, [&](std::int32_t y, std::int32_t plane, std::int32_t k, std::uint64_t bits) {
+      state.hit[state.row(y, plane) + static_cast<std::size_t>(k)] |= bits;
+    });
+  });
+  enter_marks(state);
+  return Status::kOk;
+}
+
 Status RollingMap::mark_points(const Vec3* world, size_t count) noexcept {
   if (state_ == nullptr || busy() || (world == nullptr && count > 0)) return Status::kInvalidArgument;
   for (std::size_t k = 0; k < count; ++k) {
     if (!finite(world[k])) return Status::kNonFiniteInput;
   }
   MapState& state = *state_;
-  state.frame.box = whole(state.spec.dims);
-  for (std::size_t k = 0; k < count; ++k) state.mark_hit(state.route.voxel_of(state.route.to_local(world[k])));
+  for (std::size_t k = 0; k < count; ++k) {
+    const Voxel v = state.route.voxel_of(state.route.to_local(world[k]));
+    if (!state.route.inside(v)) continue;
+    state.hit[state.row(v.y, v.z) + static_cast<std::size_t>(v.x >> 6)] |= std::uint64_t{1} << (v.x & 63);
+  }
   enter_marks(state);
   return Status::kOk;
 }

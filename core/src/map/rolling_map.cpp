@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A map's jobs, task by task and piece by piece.
-#include "base/direction.hpp"
 #include "base/math.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -63,6 +62,7 @@ Task task_after(Task task) {
       return Task::kInflateSafe;
     case Task::kIdle:
     case Task::kInflateSafe:
+    case Task::kCopy:
       break;
   }
   return Task::kIdle;
@@ -78,12 +78,6 @@ void inflate_piece(Grid& grid, std::int64_t piece, bool last) {
   const std::int32_t end = begin + kInflatedPlanes;
   GridWords(grid).inflate_planes(begin, end < grid.spec().dims.z ? end : grid.spec().dims.z);
   if (last) GridWords(grid).finish_inflation();
-}
-
-bool same_spec(const GridSpec& a, const GridSpec& b) {
-  return same(a.origin, b.origin) && same(a.cell, b.cell) && same(a.dims, b.dims) &&
-         same(a.boundary.lower, b.boundary.lower) && same(a.boundary.upper, b.boundary.upper) &&
-         same(a.radius, b.radius);
 }
 
 /// Units of all blocks, both inflations and one slide.
@@ -115,6 +109,7 @@ std::int64_t MapState::pieces() const noexcept {
     case Task::kInflateSafe:
       return inflation_pieces(*this);
     case Task::kSlide:
+    case Task::kCopy:
       return spec.dims.z;
   }
   return 0;
@@ -136,6 +131,7 @@ void MapState::do_piece() noexcept {
     case Task::kInflateRoute: return inflate_piece(route, piece, last);
     case Task::kInflateSafe: return inflate_piece(safe, piece, last);
     case Task::kSlide: return slide_plane(index);
+    case Task::kCopy: return copy_plane(index);
   }
 }
 // clang-format on
@@ -165,6 +161,8 @@ std::uint32_t MapState::price() const noexcept {
       return plane_units(*this, kInflatedPlanes);
     case Task::kSlide:
       return slide_price(*this);
+    case Task::kCopy:
+      return plane_units(*this, 1);
   }
   return 1;
 }
@@ -210,22 +208,30 @@ const Grid& RollingMap::safe() const noexcept {
   return state_->safe;
 }
 
-Status RollingMap::snapshot(Grid& grid, uint64_t* words, size_t word_count) const noexcept {
-  if (state_ == nullptr || busy()) return Status::kInvalidArgument;
-  const Grid& route = state_->route;
-  // A grid that lies where the window lay when the words were bound needs no other binding.
-  const bool there = grid.bound() && GridWords(grid).lies_in(words) && same_spec(grid.spec(), route.spec());
-  const Status status = there ? Status::kOk : grid.bind(route.spec(), words, word_count);
-  if (status == Status::kOk) GridWords(grid).copy(route);
-  return status;
+uint64_t RollingMap::learned() const noexcept {
+  return state_ == nullptr ? 0 : state_->learned;
 }
 
 uint64_t RollingMap::revision() const noexcept {
-  return state_ == nullptr ? 0 : state_->safe.revision();
+  return state_ == nullptr ? 0 : state_->route.revision() + state_->safe.revision();
+}
+
+bool RollingMap::take_added(Box& world) noexcept {
+  if (state_ == nullptr || busy() || !touches(state_->added)) return false;
+  const GridSpec& window = state_->safe.spec();
+  const VoxelBox& box = state_->added;
+  world.lower = window.origin + window.cell * Vec3{1.0 * box.x.begin, 1.0 * box.y.begin, 1.0 * box.z.begin};
+  world.upper = window.origin + window.cell * Vec3{1.0 * box.x.end, 1.0 * box.y.end, 1.0 * box.z.end};
+  state_->added = VoxelBox{};
+  return true;
 }
 
 int32_t RollingMap::slack() const noexcept {
   return state_ == nullptr ? 0 : state_->spec.slack;
+}
+
+const uint64_t* RollingMap::seen_rows() const noexcept {
+  return state_ == nullptr ? nullptr : state_->seen;
 }
 
 bool RollingMap::seen(const Voxel& voxel) const noexcept {

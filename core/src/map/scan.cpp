@@ -36,22 +36,82 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   return view;
 }
 
-/// Lowers the depth of the pixel that a ray falls into, on each face that the ray meets.
-void lower(const Frame& frame, const Vec3& ray, double margin) {
-  const View& any = frame.views[0];
+/// The vectors from the sensor to four points, and what they mean. Single precision is enough: depths are rounded
+/// towards the sensor, and a point is off by less than a ten thousandth of a pixel.
+struct FourRays {
+  Four axes[3];
+  Four free;      ///< the part of each vector that is certainly free, as a factor
+  FourInts hits;  ///< not 0 if the point is within the range
+};
+
+/// Points further than this away are skipped, like those that are not finite. Their squares still have finite sums.
+constexpr double kFarthest = 1e18;
+
+/// The vector from the sensor to a point; 0 if the point is skipped.
+Vec3 ray_to(const Vec3& point, const Vec3& origin) {
+  const Vec3 ray = point - origin;
+  const bool near = absolute(ray.x) < kFarthest && absolute(ray.y) < kFarthest && absolute(ray.z) < kFarthest;
+  return near ? ray : kZero;
+}
+
+/// The vectors from the sensor to the points of a piece, axis by axis. A piece that is not full ends in zeros.
+struct PieceOfRays {
+  Four fours[3][kPiecePoints / 4];
+
+  PieceOfRays(const Vec3* points, std::size_t count, const Vec3& origin) {
+    float* numbers[3];
+    for (int a = 0; a < 3; ++a) numbers[a] = reinterpret_cast<float*>(fours[a]);
+    for (std::size_t k = 0; k < kPiecePoints; ++k) {
+      const Vec3 ray = k < count ? ray_to(points[k], origin) : kZero;
+      for (int a = 0; a < 3; ++a) numbers[a][k] = static_cast<float>(axis(ray, a));
+    }
+  }
+  FourRays four(std::size_t k) const { return {{fours[0][k], fours[1][k], fours[2][k]}, all(0.0f), FourInts{}}; }
+};
+
+/// Finds out how far the rays are free. A point beyond the range shows that the ray is free up to the range.
+void set_free(FourRays& rays, const MapSpec& spec) {
+  const Four* r = rays.axes;
+  const Four square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+  const Four far = square_root(square);
+  const float range = static_cast<float>(spec.range);
+  const Four margin = static_cast<float>(spec.depth_margin) + static_cast<float>(spec.depth_margin_square) * square;
+  const Four least = far - margin;
+  rays.free = (least < range ? least : all(range)) / far;
+  rays.hits = (far > 0.0f) & (far <= range);
+}
+
+/// What a ray shows in a face: a pixel, and the depth up to which it is free.
+struct FourPixels {
+  FourInts u, v, depth;
+};
+
+/// The pixels of four rays in the two faces across one axis. Beside these faces, the depth is that of no point.
+FourPixels pixels_across(const FourRays& rays, int a, const View& face) {
+  const Four ahead = absolute(rays.axes[a]);
+  const Four across = rays.axes[(a + 1) % 3];
+  const Four down = rays.axes[(a + 2) % 3];
+  const Four widest = static_cast<float>(kFaceTangent) * ahead;
+  const FourInts within = (absolute(across) < widest) & (absolute(down) < widest);
+  const Four scale = static_cast<float>(face.fx) / (ahead > 0.0f ? ahead : all(1.0f));
+  const float middle = static_cast<float>(face.cx + 0.5);
+  const float last = static_cast<float>(face.width) - 0.5f;
+  const Four units = ahead * rays.free * static_cast<float>(face.units) - 1.0f;
+  const FourInts depth = whole(clamp(units, 0.0f, static_cast<float>(kDepthUnits)));
+  return {whole(clamp(across * scale + middle, 0.0f, last)), whole(clamp(down * scale + middle, 0.0f, last)),
+          within ? depth : FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint}};
+}
+
+/// Lowers the depths of the pixels that four rays fall into, on each face that they meet.
+void lower(const Frame& frame, const FourRays& rays) {
   for (int a = 0; a < 3; ++a) {
-    const double along = axis(ray, a);
-    const double ahead = absolute(along);
-    const double across = axis(ray, (a + 1) % 3);
-    const double down = axis(ray, (a + 2) % 3);
-    if (!(absolute(across) < kFaceTangent * ahead && absolute(down) < kFaceTangent * ahead)) continue;
-    const double scale = any.fx / ahead;
-    const std::int32_t u = floor_index(across * scale + (any.cx + 0.5), 0, any.width - 1);
-    const std::int32_t v = floor_index(down * scale + (any.cx + 0.5), 0, any.width - 1);
-    // An error along the beam moves the point by at most as much along the axis.
-    const Depth depth = static_cast<Depth>(floor_index((ahead - margin) * any.units - 1.0, 0, kDepthUnits));
-    Depth& least = frame.views[2 * a + (along > 0.0 ? 0 : 1)].pyramid.row(v)[u];
-    if (depth < least) least = depth;
+    const FourPixels pixels = pixels_across(rays, a, frame.views[0]);
+    for (int k = 0; k < 4; ++k) {
+      const DepthPyramid& face = frame.views[2 * a + (rays.axes[a][k] > 0.0f ? 0 : 1)].pyramid;
+      Depth& least = face.row(pixels.v[k])[pixels.u[k]];
+      const Depth depth = static_cast<Depth>(pixels.depth[k]);
+      least = depth < least ? depth : least;
+    }
   }
 }
 
@@ -104,22 +164,18 @@ void MapState::close_face_row(std::int32_t index) noexcept {
 void MapState::read_points(std::int64_t index) const noexcept {
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
-  const std::size_t end = begin + (left < kPiecePoints ? left : kPiecePoints);
-  const double per_cell = 1.0 / spec.cell;
-  for (std::size_t k = begin; k < end; ++k) {
-    if (!finite(frame.points[k])) continue;
-    const Vec3 ray = frame.points[k] - frame.world_origin;
-    const double far = length(ray);
-    if (!finite(far)) continue;
-    const double margin = spec.depth_margin + spec.depth_margin_square * far * far;
-    if (far > spec.range) {
-      lower(frame, (spec.range / far) * ray, margin);
-      continue;
-    }
-    lower(frame, ray, margin);
-    const Vec3 cells = per_cell * (frame.origin + ray);
-    mark_hit({floor_index(cells.x, -1, spec.dims.x), floor_index(cells.y, -1, spec.dims.y),
-              floor_index(cells.z, -1, spec.dims.z)});
+  const std::size_t count = left < kPiecePoints ? left : kPiecePoints;
+  const float per_cell = static_cast<float>(1.0 / spec.cell);
+  const Vec3 from = (1.0 / spec.cell) * frame.origin;
+  HitWriter writer = hit_writer();
+  const PieceOfRays piece_of_rays(frame.points + begin, count, frame.world_origin);
+  for (std::size_t k = 0; k < kPiecePoints / 4; ++k) {
+    FourRays rays = piece_of_rays.four(k);
+    set_free(rays, spec);
+    lower(frame, rays);
+    Four cells[3];
+    for (int a = 0; a < 3; ++a) cells[a] = static_cast<float>(axis(from, a)) + per_cell * rays.axes[a];
+    writer.add(cells, rays.hits);
   }
 }
 

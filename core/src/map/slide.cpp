@@ -84,20 +84,19 @@ struct Layer {
   }
 };
 
-/// Rows whose blocked words must be made again: those that entered the window, and those along the edge at which
-/// obstacles have left it.
+/// Indices on one axis at which blocked words must be made again, at both ends: those that entered the window, and the
+/// one along the edge at which obstacles have left it.
 struct Stale {
-  const Voxel& by;
-  const VoxelBox& kept;
-  const Voxel& dims;
+  IndexRange first;
+  IndexRange last;
 
-  static bool at(std::int32_t by, const IndexRange& kept, std::int32_t count, std::int32_t index) {
-    if (!contains(kept, index)) return true;
-    return (by > 0 && index == 0) || (by < 0 && index == count - 1);
+  Stale(std::int32_t by, const IndexRange& kept, std::int32_t count)
+      : first{0, by > 0 ? 1 : kept.begin}, last{by < 0 ? count - 1 : kept.end, count} {
+    if (kept.end > 0) return;
+    first = {0, 0};
+    last = {0, count};
   }
-  bool row(std::int32_t y, std::int32_t z) const {
-    return by.x != 0 || at(by.y, kept.y, dims.y, y) || at(by.z, kept.z, dims.z, z);
-  }
+  bool contains(std::int32_t index) const { return tern::contains(first, index) || tern::contains(last, index); }
 };
 
 }  // namespace
@@ -142,28 +141,34 @@ void MapState::move_plane(std::int32_t z, const VoxelBox& kept) noexcept {
   for (const Layer& layer : layers) layer.move_plane(z, slide.by);
 }
 
+void MapState::renew_row(std::int32_t y, std::int32_t z) noexcept {
+  GridWords(route).note(y, z, 0, row_words() - 1);
+  GridWords(safe).note(y, z, 0, row_words() - 1);
+  const std::uint64_t* hits = GridWords(route).obstacles() + row(y, z);
+  std::uint64_t* solid = GridWords(safe).obstacles() + row(y, z);
+  for (std::int32_t k = 0; k < row_words(); ++k) {
+    solid[k] = hits[k] | (~seen[row(y, z) + static_cast<std::size_t>(k)] & GridWords::valid_bits(route, k));
+  }
+}
+
 void MapState::slide_plane(std::int32_t index) noexcept {
   const Voxel dims = spec.dims;
   const VoxelBox kept = kept_box(slide.by, dims);
-  const Stale stale{slide.by, kept, dims};
   const std::int32_t z = slide.by.z >= 0 ? index : dims.z - 1 - index;
   if (index == 0) move_origin();
   move_plane(z, kept);
   mark_prior(z, kept);
-  for (std::int32_t y = 0; y < dims.y; ++y) {
-    if (!stale.row(y, z)) continue;
-    GridWords(route).note(y, z, 0, row_words() - 1);
-    GridWords(safe).note(y, z, 0, row_words() - 1);
-    for (std::int32_t k = 0; k < row_words(); ++k) {
-      store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)]);
-    }
-  }
+  const bool whole = slide.by.x != 0 || Stale(slide.by.z, kept.z, dims.z).contains(z);
+  const Stale stale(whole ? 1 : slide.by.y, whole ? IndexRange{0, 0} : kept.y, dims.y);
+  for (std::int32_t y = stale.first.begin; y < stale.first.end; ++y) renew_row(y, z);
+  for (std::int32_t y = stale.last.begin; y < stale.last.end; ++y) renew_row(y, z);
   if (index + 1 < dims.z) return;
   GridWords(route).end_shift(slide.by);
   GridWords(safe).end_shift(slide.by);
 }
 
 void MapState::move_origin() noexcept {
+  added = {{0, spec.dims.x}, {0, spec.dims.y}, {0, spec.dims.z}};
   base = {base.x + slide.by.x, base.y + slide.by.y, base.z + slide.by.z};
   GridWords(route).move_to(window_origin());
   GridWords(safe).move_to(window_origin());

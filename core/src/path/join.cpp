@@ -88,13 +88,13 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept {
   join.next = 0;
   join.state = JoinState::kJoined;
   if (grid.free(join.voxel)) return;
-  if (point_clear(grid, point, grid.spec().radius)) collect(join, grid, point, false);
+  if (point_clear(grid, point, grid.spec().clearance())) collect(join, grid, point, false);
   join.state = join.count > 0 ? JoinState::kTrying : JoinState::kRefused;
 }
 
 bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept {
   mark_searched(join, grid, join.voxel);
-  if (join.count == 0) collect(join, grid, point, !moves && !(grid.spec().radius > 0.0));
+  if (join.count == 0) collect(join, grid, point, !moves && !(grid.spec().clearance() > 0.0));
   join.state = join.next < join.count ? JoinState::kTrying : JoinState::kRefused;
   return join.state == JoinState::kTrying;
 }
@@ -102,7 +102,7 @@ bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) no
 void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
   const Voxel candidate = join.candidates[join.next++];
   const Vec3 center = grid.center(candidate);
-  const double radius = grid.spec().radius;
+  const double radius = grid.spec().clearance();
   const bool known = join.searched[cell_of(join, candidate)];
   const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);
   if (!known && allowed && segment_clear(grid, point, center, radius)) {

@@ -63,7 +63,7 @@ bool is_direct(const SearchStage& stage, const Grid& grid) {
   const Voxel a = grid.voxel_of(query.start);
   const Voxel b = grid.voxel_of(query.goal);
   if (same(a, b) && grid.free(a)) return true;
-  return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().radius);
+  return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().clearance());
 }
 
 /// A path that needs no search: the points coincide, or lie in the same free voxel.

@@ -27,7 +27,6 @@ constexpr double kLegPrice = 0.05;
 /// The best known chain from the first point of the path to one of its points.
 struct ChainEnd {
   double cost;        ///< metres of length and leg prices
-  double onward;      ///< cost of the chain that goes on from here to the head, while this point is a candidate
   std::int32_t from;  ///< the point before it
 };
 
@@ -36,6 +35,7 @@ struct Shortcut {
   std::int32_t head;   ///< the point whose best predecessor is sought
   std::int32_t probe;  ///< the next line of sight is from here to the head; -1 if none can beat the best known
   ChainEnd ends[kMaxJumpPoints];
+  double onward[kMaxJumpPoints];  ///< cost of the chain that goes on from a candidate to the head
 };
 
 /// `path.raw` is the path to shorten. Each of its points sees the next, because the step is a move of the grid or a

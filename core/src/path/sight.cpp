@@ -71,6 +71,8 @@ std::int32_t met(const Track& track, const IndexRange& range, std::int32_t n) {
 bool row_free(const std::uint64_t* row, const IndexRange& range) {
   const std::int32_t first = range.begin >> 6;
   const std::int32_t last = (range.end - 1) >> 6;
+  // Most ranges are a few voxels in one word.
+  if (first == last) return (row[first] >> (range.begin & 63)) << (kWordBits - (range.end - range.begin)) == 0;
   for (std::int32_t k = first; k <= last; ++k) {
     if ((row[k] & bits_within(range, k)) != 0) return false;
   }

@@ -19,13 +19,13 @@ struct Lines {
 };
 
 bool fences_allow(const Lines& lines, const Vec3& from, const Vec3& to) {
-  return lines.fences == nullptr || fences_clear(*lines.fences, from, to, lines.grid.spec().radius);
+  return lines.fences == nullptr || fences_clear(*lines.fences, from, to, lines.grid.spec().clearance());
 }
 
 /// A braking motion needs only the radius, like a start that is not in a free voxel.
 bool can_brake_along(Lines& lines, const Vec3& from, const Vec3& to) {
   ++lines.count;
-  return segment_clear(lines.grid, from, to, lines.grid.spec().radius) && fences_allow(lines, from, to);
+  return segment_clear(lines.grid, from, to, lines.grid.spec().clearance()) && fences_allow(lines, from, to);
 }
 
 /// Legs of a path keep the margin that gives neighbouring polyhedra room in common.

@@ -3,6 +3,7 @@
 #ifndef TERN_PLANNER_LAYOUT_HPP
 #define TERN_PLANNER_LAYOUT_HPP
 
+#include "base/via_marks.hpp"
 #include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
 #include "fence/fence_layer.hpp"
@@ -13,7 +14,9 @@
 #include "planner/escape.hpp"
 #include "planner/plan.hpp"
 #include "planner/previous.hpp"
+#include "tern/via.hpp"
 #include "tern/workspace.hpp"
+#include "times/chain.hpp"
 #include "times/times_stage.hpp"
 #include "trajectory/trajectory_stage.hpp"
 
@@ -29,6 +32,15 @@ struct FlightEnds {
   Vec3 origin_in_grid;  ///< of the plan's frame
 };
 
+/// The vias of the current plan.
+struct Mission {
+  Via vias[kMaxVias];            ///< as asked for, world frame
+  ViaMarks marks;                ///< on the path, and in the corridor without escapes
+  Hold holds[kMaxVias];          ///< of the chain
+  std::int32_t joint[kMaxVias];  ///< of the trajectory: the segment that begins there, or their count
+  Path leg;                      ///< the part of the path at hand
+};
+
 /// The times stage and the trajectory stage, with their input.
 struct TrajectoryMemory {
   Corridor corridor;  ///< relative to the plan's origin
@@ -42,6 +54,7 @@ struct TrajectoryMemory {
 struct Layout {
   Plan plan;
   Path path;
+  Mission mission;
   Corridor corridor;
   Trajectory trajectory;
   FlightEnds ends;

@@ -44,6 +44,14 @@ std::uint32_t Plan::searches() const noexcept {
   return attempts() * (given_at_rest_ ? 1 : 1 + kEscapeTries);
 }
 
+/// A bound for all searches, each of which takes that many units a leg at most.
+std::uint32_t Plan::legs_searched(std::uint32_t bound) const noexcept {
+  const std::uint64_t legs =
+      static_cast<std::uint64_t>(searches() + searched_again_) * static_cast<std::uint64_t>(via_count() + 1);
+  const std::uint64_t all = legs * bound;
+  return all < 0xFFFFFFFFu ? static_cast<std::uint32_t>(all) : 0xFFFFFFFFu;
+}
+
 std::uint32_t Plan::corridors() const noexcept {
   return attempts() * (given_at_rest_ ? 1 : 2 + kEscapeTries);
 }
@@ -51,7 +59,7 @@ std::uint32_t Plan::corridors() const noexcept {
 /// The most checks of a plan: for each corridor the optimiser's plan, then the fallback; and the rest of the previous
 /// plan.
 std::uint32_t Plan::checks() const noexcept {
-  return corridors() + attempts() * (asked_.previous != nullptr ? 1 + kPreviousTries : 1);
+  return corridors() + attempts() * (asked_.previous != nullptr ? 1 + 2 * kPreviousTries : 1);
 }
 
 /// The requested start (0) or goal (1), relative to the plan's origin.
@@ -84,7 +92,7 @@ Progress Plan::run_detour(Work& work) noexcept {
 bool Plan::escape_may_help(Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
   const FlightEnds& ends = memory_->ends;
-  const double radius = world().spec().radius;
+  const double radius = world().spec().clearance();
   switch (status) {
     case Status::kNoTrajectory:
     case Status::kCorridorBlocked:
@@ -109,6 +117,7 @@ void Plan::fail(Stage stage, Status status) noexcept {
   if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
     failed_status_ = status;
+    report_.via = via_at_fault(stage);
   }
   if (previous_may_help(status)) {
     enter(Stage::kPrevious);
@@ -143,11 +152,11 @@ void Plan::begin_escape() noexcept {
   ++escapes_;
 }
 
-/// One unit tries one duration. True if the curve has room; it is then the whole plan.
+/// One unit tries one duration. True if the curve has room; it is then the whole plan. It passes no vias.
 bool Plan::arrives(Work& work) noexcept {
   Layout& memory = *memory_;
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
-  if (at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
+  if (via_count() > 0 || at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
   while (arrivals_ < kArrivals && work.take()) {
     const bool arrived = arrive_try(room, asked_end(0), asked_end(1), limits_, arrivals_++, memory.stage.corridor.grow,
                                     memory.escapes[0]);
@@ -186,10 +195,9 @@ Progress Plan::run_escape(Work& work) noexcept {
     }
   }
   rest_at_escapes();
-  has_path_ = false;
   has_corridor_ = false;
   report_.detours = memory.previous.flown ? kFollowed : kEscaped;
-  enter(Stage::kSearch);
+  begin_way();
   return Progress::kDone;
 }
 

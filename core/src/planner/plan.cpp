@@ -35,10 +35,12 @@ Status Plan::end(Stage stage, Status status) noexcept {
   life_ = Life::kEnded;
   status_ = status;
   report_.stage = stage;
-  const bool occupied = status == Status::kStartOccupied || status == Status::kGoalOccupied;
+  const bool occupied =
+      status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
   if (!occupied) report_.raw_occupied = report_.has_nearest_free = false;
   if (status != Status::kCheckFailed && report_.optimiser != Status::kCheckFailed) report_.check = CheckReport{};
   if (status != Status::kOk) report_.quality = Quality::kNone;
+  if (status == Status::kOk) report_.via = kNoVia;
   return status;
 }
 
@@ -50,15 +52,32 @@ const Fences* Plan::fences() const noexcept {
   return has_fences_ ? &memory_->fences : nullptr;
 }
 
-/// Refuses the request, or notes that the plan goes to the nearest point that can be reached.
-Status Plan::refuse_goal() noexcept {
-  if (asked_.goal_mode == GoalMode::kExact) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+/// Notes that the goal cannot be planned to. What remains is the nearest point that can be reached.
+void Plan::give_up_goal() noexcept {
+  if (asked_.goal_mode == GoalMode::kExact) report_.field = Field::kGoalPosition;
   failed_stage_ = Stage::kRequest;
   failed_status_ = Status::kGoalFenced;
+  leg_ = via_count();
+}
+
+/// Reads the vias; kRunning where all is well.
+Status Plan::accept_vias(const Request& request) noexcept {
+  Mission& mission = memory_->mission;
+  mission.marks.count = 0;
+  const Verdict verdict = validate_vias(*grid_, request, limits_, report_.via);
+  if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
+  mission.marks.count = request.via_count;
+  for (std::int32_t v = 0; v < request.via_count; ++v) mission.vias[v] = request.vias[v];
   return Status::kRunning;
 }
 
-/// Reads the fences and holds start and goal against them; kRunning where all is well.
+/// Holds a place (local frame) against the fences. Where it breaks one, the report names it.
+bool Plan::keeps_fences(const Vec3& place) noexcept {
+  report_.fence = fence_broken(memory_->fences, place, place, grid_->spec().clearance());
+  return report_.fence == kNoFence;
+}
+
+/// Reads the fences and holds start, vias and goal against them; kRunning where all is well.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
   fences_blocked_ = 0;
@@ -69,15 +88,17 @@ Status Plan::accept_fences(const Request& request) noexcept {
   if (!copy_fences(request.fences, request.fence_count, memory.asked_fences)) {
     return refuse(Status::kFencePlanesFull, Field::kFences);
   }
-  const double radius = grid_->spec().radius;
-  const Vec3& start = memory.ends.start_in_grid;
-  const Vec3& goal = memory.ends.goal_in_grid;
-  report_.fence = fence_broken(memory.fences, start, start, radius);
-  if (report_.fence != kNoFence) return refuse(Status::kStartFenced, Field::kStartPosition);
-  report_.fence = fence_broken(memory.fences, goal, goal, radius);
-  if (report_.fence != kNoFence && refuse_goal() != Status::kRunning) return status_;
+  if (!keeps_fences(memory.ends.start_in_grid)) return refuse(Status::kStartFenced, Field::kStartPosition);
+  for (std::int32_t v = 0; v < via_count(); ++v) {
+    if (keeps_fences(to_local(*grid_, memory.mission.vias[v].position))) continue;
+    report_.via = v;
+    return refuse(Status::kViaFenced, Field::kVias);
+  }
+  if (!keeps_fences(memory.ends.goal_in_grid)) give_up_goal();
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
-  return copied == Status::kOk ? Status::kRunning : refuse(copied, Field::kFences);
+  if (copied == Status::kOk) return Status::kRunning;
+  if (report_.field == Field::kGoalPosition) return refuse(Status::kGoalFenced, Field::kGoalPosition);
+  return refuse(copied, Field::kFences);
 }
 
 /// The plan's frame has its origin in the start, in world coordinates as they were given.
@@ -100,6 +121,7 @@ void Plan::begin_attempt() noexcept {
   ends.goal.position = asked_.goal.position - asked_.start.position;
   for (Escape& escape : memory_->escapes) escape.next = escape.count = 0;
   cut_previous(*grid_, asked_, memory_->previous);
+  tries_rest_ = false;
 }
 
 Status Plan::begin(const Grid& grid, const Request& request) noexcept {
@@ -112,6 +134,8 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
+  const Status vias = accept_vias(request);
+  if (vias != Status::kRunning) return vias;
   asked_ = request;
   given_at_rest_ = rests();
   begin_attempt();
@@ -120,7 +144,11 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   version_ = grid.version();
   status_ = Status::kRunning;
   life_ = Life::kBegun;
-  enter(has_fences_ ? Stage::kFences : Stage::kSearch);
+  if (has_fences_) {
+    enter(Stage::kFences);
+  } else {
+    begin_with_rest();
+  }
   return status_;
 }
 

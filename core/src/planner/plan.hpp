@@ -49,14 +49,29 @@ class Plan {
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
   void begin_attempt() noexcept;
-  Status refuse_goal() noexcept;
+  void give_up_goal() noexcept;
+  Status accept_vias(const Request& request) noexcept;
   Status accept_fences(const Request& request) noexcept;
+  bool keeps_fences(const Vec3& place) noexcept;
   const Grid& world() const noexcept;
 
   // stages.cpp: the stage at hand.
   void enter(Stage stage) noexcept;
   Progress run_stage(Work& work) noexcept;
   Progress advance(Work& work) noexcept;
+
+  // legs.cpp: the way through the vias.
+  void begin_way() noexcept;
+  std::int32_t via_count() const noexcept;
+  Vec3 leg_from() const noexcept;
+  Vec3 leg_to() const noexcept;
+  Path& leg_path() noexcept;
+  Status join_leg() noexcept;
+  Status status_of_leg(Status status) const noexcept;
+  std::int32_t via_at_fault(Stage stage) const noexcept;
+  void make_holds() noexcept;
+  void locate_vias() noexcept;
+  void report_vias() noexcept;
 
   // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
   Progress run_fences(Work& work) noexcept;
@@ -97,15 +112,20 @@ class Plan {
   bool rests() const noexcept;
   std::uint32_t attempts() const noexcept;
   std::uint32_t searches() const noexcept;
+  std::uint32_t legs_searched(std::uint32_t bound) const noexcept;
   std::uint32_t corridors() const noexcept;
   std::uint32_t checks() const noexcept;
 
-  // run_previous.cpp: the rest of the previous plan.
+  // run_previous.cpp: the rest of the previous plan. No new plan may be later.
   bool previous_may_help(Status status) const noexcept;
   void begin_previous() noexcept;
   Progress run_previous(Work& work) noexcept;
   Progress drop_previous(Status why) noexcept;
   void follow_previous() noexcept;
+  void begin_with_rest() noexcept;
+  Progress end_trial(bool holds) noexcept;
+  bool prefers_rest() const noexcept;
+  void return_to_rest() noexcept;
   Vec3 start_jerk() const noexcept;
   void begin_hulls() noexcept;
 
@@ -124,6 +144,7 @@ class Plan {
   Life life_ = Life::kIdle;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
+  std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal
   bool given_at_rest_ = false;              // both ends of the request as given
   std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
@@ -134,11 +155,15 @@ class Plan {
   Status refused_ = Status::kOk;            // ...with this status
   Stage failed_stage_ = Stage::kRequest;
   Status failed_status_ = Status::kOk;
+  bool tries_rest_ = false;        // before anything new is looked for
+  std::int32_t rest_try_ = 0;      // the one that holds, of kPreviousTries; 0: none
+  double rest_time_ = 0.0;         // how long it takes, s
+  std::uint32_t rest_planes_ = 0;  // that enclosing it takes
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
   MotionLimits limits_{};  // the request's
-  Request asked_{};        // as given, or to the reachable point; its fences and its previous plan are not read again
+  Request asked_{};        // as given, or to the reachable point; its fences, vias and previous plan are not read again
   Report report_{};
 };
 

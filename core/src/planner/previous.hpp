@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rest of the plan that is being flown, Request::previous. It can still be flown if the planner finds no new plan.
+// The rest of the plan that is being flown, Request::previous. It is flown if the planner finds no plan that arrives
+// earlier.
 #ifndef TERN_PLANNER_PREVIOUS_HPP
 #define TERN_PLANNER_PREVIOUS_HPP
 
@@ -25,9 +26,10 @@ constexpr int kPreviousTries = 2;
 /// much.
 constexpr double kLeastRest = 1e-3;
 
-/// The most half-spaces for enclosing the rest. The factor 2 is for segments that had no room and were halved.
+/// The most half-spaces for enclosing the rest, before a new plan is looked for and after it. The last factor 2 is for
+/// segments that had no room and were halved.
 constexpr std::uint32_t kPreviousPlanes =
-    static_cast<std::uint32_t>(kPreviousTries) * 2u * static_cast<std::uint32_t>(kMaxSegments) * kMaxPlanes;
+    2u * static_cast<std::uint32_t>(kPreviousTries) * 2u * static_cast<std::uint32_t>(kMaxSegments) * kMaxPlanes;
 
 /// The rest of a plan. Plain data.
 struct Previous {

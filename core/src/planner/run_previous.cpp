@@ -1,7 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rest of the previous plan, for the case that no new plan is found. It is proven again on the current map.
+// The rest of the previous plan, for the case that no new plan is found, or none that arrives earlier. It is proven
+// again on the current map: before a new plan is looked for, so that a rest that does not hold costs little, and again
+// if it is to be flown, because the new plan took its memory.
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "check/tolerance.hpp"
@@ -16,8 +18,48 @@ namespace {
 /// A checked plan may violate a half-space by the check's tolerance, and the half-space may be too near to an obstacle
 /// by another. So its hulls may be too near by both. A factor below 1 leaves room for rounding.
 constexpr double kPreviousSlack = 0.9;
+/// A new plan replaces the rest if it arrives earlier by more than this, seconds.
+constexpr double kEarlierBy = 1e-6;
 
 }  // namespace
+
+/// The first stage of an attempt: if the rest meets the goal, does it hold?
+void Plan::begin_with_rest() noexcept {
+  const Previous& rest = memory_->previous;
+  rest_try_ = 0;
+  tries_rest_ = rest.count > 0 && rest.meets_goal;
+  tries_rest_ ? enter(Stage::kPrevious) : begin_way();
+}
+
+/// The attempt then begins anew, as if nothing had been tried.
+Progress Plan::end_trial(bool holds) noexcept {
+  const Previous& rest = memory_->previous;
+  if (!holds && rest.tries < kPreviousTries) {
+    enter(Stage::kPrevious);
+    return Progress::kFailed;
+  }
+  rest_try_ = holds ? rest.tries : 0;
+  rest_time_ = duration(memory_->trajectory);
+  rest_planes_ = report_.stages[static_cast<int>(Stage::kPrevious)].work;
+  asked_.previous = &memory_->previous.plan;
+  report_.quality = Quality::kNone;
+  begin_attempt();
+  begin_way();
+  return Progress::kDone;
+}
+
+bool Plan::prefers_rest() const noexcept {
+  const Previous& rest = memory_->previous;
+  if (rest_try_ == 0 || (rest.flown && rest.meets_goal) || planes_left() < rest_planes_) return false;
+  return !(duration(memory_->trajectory) < rest_time_ - kEarlierBy);
+}
+
+void Plan::return_to_rest() noexcept {
+  cut_previous(*grid_, asked_, memory_->previous);
+  memory_->previous.tries = rest_try_ - 1;
+  report_.optimiser = Status::kOk;
+  enter(Stage::kPrevious);
+}
 
 /// Prepares the memory for polyhedra around hulls.
 void Plan::begin_hulls() noexcept {
@@ -75,6 +117,7 @@ Progress Plan::run_previous(Work& work) noexcept {
 
 /// The reason for the plan's failure stays the same, unless the rest lacked only segments.
 Progress Plan::drop_previous(Status why) noexcept {
+  if (tries_rest_) return end_trial(false);
   const Status first = failed_status_;
   if (why == Status::kSegmentsFull) {
     failed_stage_ = Stage::kPrevious;

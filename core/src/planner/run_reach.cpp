@@ -20,7 +20,7 @@ bool lacks_nodes(Status status) {
 /// The goal cannot be planned to, whatever the limits and the budget.
 bool misses_goal(Status status) {
   return status == Status::kGoalOccupied || status == Status::kGoalFenced || status == Status::kNoPath ||
-         lacks_nodes(status);
+         status == Status::kViaOccupied || lacks_nodes(status);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void Plan::give_up() noexcept {
 void Plan::begin_reach() noexcept {
   const Request local = to_local(*grid_, asked_);
   reach_begin(memory_->stage.reach, world(),
-              {local.start.position, local.goal.position, expansions_left(), fences(), !at_rest(asked_.start)});
+              {local.start.position, leg_to(), expansions_left(), fences(), !at_rest(asked_.start)});
 }
 
 Progress Plan::run_reach(Work& work) noexcept {
@@ -74,7 +74,7 @@ void Plan::plan_to_reachable() noexcept {
   asked_.goal = {report_.reachable, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   if (asked_.previous != nullptr) asked_.previous = &memory_->previous.plan;
   begin_attempt();
-  enter(Stage::kSearch);
+  begin_with_rest();
 }
 
 }  // namespace tern

@@ -55,37 +55,41 @@ Progress Plan::run_fences(Work& work) noexcept {
     }
     count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
   }
-  enter(failed_status_ == Status::kGoalFenced ? Stage::kReach : Stage::kSearch);
+  if (failed_status_ == Status::kGoalFenced) {
+    enter(Stage::kReach);
+  } else {
+    begin_with_rest();
+  }
   return Progress::kDone;
 }
 
 void Plan::begin_search() noexcept {
   const FlightEnds& ends = memory_->ends;
-  const SearchQuery query{ends.start_in_grid,
-                          ends.goal_in_grid,
+  const SearchQuery query{leg_from(),
+                          leg_to(),
                           expansions_left(),
                           fences(),
-                          !at_rest(ends.start),
-                          !at_rest(ends.goal),
+                          leg_ == 0 && !at_rest(ends.start),
+                          leg_ == via_count() && !at_rest(ends.goal),
                           searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
 }
 
 Progress Plan::run_search(Work& work) noexcept {
   SearchStage& stage = memory_->stage.search;
-  const Progress progress = search_advance(stage, world(), work, memory_->path);
-  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, (searches() + searched_again_) * kSearchBound);
+  const Progress progress = search_advance(stage, world(), work, leg_path());
+  count(Stage::kSearch, stage.expansions, asked_.budget.expansions, legs_searched(kSearchBound));
   raise(report_.high_water.nodes, stage.nodes_high);
   raise(report_.high_water.open, stage.open_high);
   raise(report_.high_water.jump_points, stage.raw_high);
-  report_.search_used = stage.search_used;
-  report_.search_bound = stage.search_bound;
+  if (leg_ == 0 || stage.search_used == SearchUsed::kGuided) report_.search_used = stage.search_used;
+  report_.search_bound = leg_ == 0 ? stage.search_bound : larger(report_.search_bound, stage.search_bound);
   if (progress == Progress::kMore) return progress;
   report_.raw_occupied = stage.raw_occupied;
   report_.has_nearest_free = stage.has_nearest_free;
   if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
   if (progress == Progress::kFailed) {
-    fail(Stage::kSearch, stage.status);
+    fail(Stage::kSearch, status_of_leg(stage.status));
   } else {
     enter(Stage::kShortcut);
   }
@@ -93,23 +97,28 @@ Progress Plan::run_search(Work& work) noexcept {
 }
 
 void Plan::begin_shortcut() noexcept {
-  shortcut_begin(memory_->stage.shortcut, world(), sight_lines_left(), memory_->path);
+  shortcut_begin(memory_->stage.shortcut, world(), sight_lines_left(), leg_path());
 }
 
 Progress Plan::run_shortcut(Work& work) noexcept {
   ShortcutStage& stage = memory_->stage.shortcut;
-  const Progress progress = shortcut_advance(stage, world(), work, memory_->path);
-  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines,
-        (searches() + searched_again_) * kShortcutBound);
+  const Progress progress = shortcut_advance(stage, world(), work, leg_path());
+  count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, legs_searched(kShortcutBound));
   raise(report_.high_water.segments, stage.segments_high);
   if (progress == Progress::kMore) return progress;
-  if (progress == Progress::kFailed) {
-    if (search_again(stage.status)) return Progress::kDone;
-    fail(Stage::kShortcut, stage.status);
-    return progress;
+  const Status status = progress == Progress::kFailed ? stage.status : join_leg();
+  if (status != Status::kOk) {
+    if (search_again(status)) return Progress::kDone;
+    fail(Stage::kShortcut, status);
+    return Progress::kFailed;
   }
-  has_path_ = true;
-  enter(Stage::kCorridor);
+  has_path_ = leg_ == via_count();
+  if (has_path_) {
+    enter(Stage::kCorridor);
+  } else {
+    ++leg_;
+    enter(Stage::kSearch);
+  }
   return progress;
 }
 
@@ -117,13 +126,12 @@ Progress Plan::run_shortcut(Work& work) noexcept {
 bool Plan::search_again(Status why) noexcept {
   if (why != Status::kSegmentsFull || report_.search_used != SearchUsed::kGuided) return false;
   searched_again_ = 1;
-  has_path_ = false;
-  enter(Stage::kSearch);
+  begin_way();
   return true;
 }
 
 void Plan::begin_corridor() noexcept {
-  corridor_begin(memory_->stage.corridor, world(), memory_->path, planes_left(), fences());
+  corridor_begin(memory_->stage.corridor, world(), memory_->path, planes_left(), fences(), &memory_->mission.marks);
 }
 
 Progress Plan::run_corridor(Work& work) noexcept {
@@ -162,8 +170,11 @@ void Plan::begin_times() noexcept {
   Layout& memory = *memory_;
   const FlightEnds& ends = memory.ends;
   TrajectoryMemory& stages = memory.stage.trajectory;
-  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, stages.corridor);
-  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, limits_}, stages.chain);
+  make_holds();
+  const Holds holds{memory.mission.holds, via_count()};
+  relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, holds,
+                    stages.corridor);
+  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, limits_, holds}, stages.chain);
 }
 
 Progress Plan::run_times(Work& work) noexcept {
@@ -195,7 +206,7 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   report_trajectory();
   if (progress == Progress::kDone) {
     end_trajectory();
-  } else if (stage.status == Status::kNoTrajectory && report_.detours == 0) {
+  } else if (stage.status == Status::kNoTrajectory && report_.detours == 0 && via_count() == 0) {
     enter(Stage::kDetour);
   } else {
     fail(Stage::kTrajectory, stage.status);
@@ -209,6 +220,7 @@ void Plan::end_trajectory() noexcept {
   memory.trajectory.origin = asked_.start.position;
   if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory)) {
     raise(report_.high_water.segments, memory.trajectory.count);
+    locate_vias();
     enter(Stage::kCheck);
   } else if (stop_and_go_) {
     fail(Stage::kTrajectory, Status::kSegmentsFull);
@@ -241,10 +253,18 @@ Progress Plan::run_check(Work& work) noexcept {
   CheckStage& stage = memory.stage.check;
   CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
   query.start.jerk = start_jerk();
+  query.vias = memory.mission.vias;
+  query.joints = memory.mission.joint;
+  query.via_count = via_count();
   const Progress progress = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
-  if (progress == Progress::kDone) end(Stage::kCheck, Status::kOk);
-  if (progress != Progress::kFailed) return progress;
+  if (progress == Progress::kMore) return progress;
+  if (tries_rest_) return end_trial(progress == Progress::kDone);
+  if (progress == Progress::kDone) {
+    report_vias();
+    prefers_rest() ? return_to_rest() : static_cast<void>(end(Stage::kCheck, Status::kOk));
+    return progress;
+  }
   report_.check = stage;
   if (report_.quality == Quality::kOptimised && report_.detours < kEscaped) {
     fall_back(stage.status);

@@ -4,13 +4,16 @@
 #include <cstdint>
 #include <new>
 
+#include "base/grid_handle.hpp"
 #include "base/grid_tag.hpp"
-#include "tern/tern.h"
+#include "tern/tern_corridor.h"
 
 namespace {
 
 using tern::Grid;
 using tern::kGridTag;
+using tern::kNoGrid;
+using tern::object;
 using tern::Planner;
 using tern::Status;
 
@@ -34,23 +37,11 @@ constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgu
 std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
-/// Stands in for a grid that was never bound.
-constexpr Grid kNoGrid{};
-
-/// True if there is a grid. The memory may be uninitialised. A volatile read gives the word one definite value.
-bool holds_grid(const tern_grid* grid) {
-  return *static_cast<const volatile std::uint64_t*>(grid->opaque) == kGridTag;
-}
-/// Null if there is none.
-Grid* object(tern_grid* grid) {
-  if (grid == nullptr || !holds_grid(grid)) return nullptr;
-  return std::launder(reinterpret_cast<Grid*>(grid->opaque + 1));
-}
-const Grid& object(const tern_grid* grid) {
-  return holds_grid(grid) ? *std::launder(reinterpret_cast<const Grid*>(grid->opaque + 1)) : kNoGrid;
-}
 Planner& object(tern_planner* planner) {
   return *std::launder(reinterpret_cast<Planner*>(planner->opaque));
+}
+const Planner& object(const tern_planner* planner) {
+  return *std::launder(reinterpret_cast<const Planner*>(planner->opaque));
 }
 
 }  // namespace
@@ -134,6 +125,12 @@ std::uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world) {
   return code(cleared->clear_box(*world));
 }
 
+std::uint8_t tern_grid_mark_cylinder(tern_grid* grid, const tern_cylinder* world) {
+  Grid* marked = object(grid);
+  if (marked == nullptr || world == nullptr) return kInvalid;
+  return code(marked->mark_cylinder(*world));
+}
+
 std::uint8_t tern_grid_mark_points(tern_grid* grid, const tern_vec3* world, std::size_t count, std::size_t* inside) {
   Grid* marked = object(grid);
   return marked == nullptr ? kInvalid : code(marked->mark_points(world, count, inside));
@@ -192,6 +189,14 @@ std::uint8_t tern_plan_step(tern_planner* planner, std::uint32_t work) {
 std::uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report) {
   if (planner == nullptr || trajectory == nullptr || report == nullptr) return kInvalid;
   return code(object(planner).finish(*trajectory, *report));
+}
+
+std::int32_t tern_corridor(const tern_planner* planner, tern_polyhedron* polyhedra, std::int32_t room) {
+  const tern::Corridor* corridor = planner == nullptr ? nullptr : object(planner).corridor();
+  if (corridor == nullptr) return 0;
+  const std::int32_t fit = polyhedra == nullptr ? 0 : room;
+  for (int i = 0; i < corridor->count && i < fit; ++i) polyhedra[i] = corridor->polyhedra[i];
+  return corridor->count;
 }
 
 double tern_duration(const tern_trajectory* trajectory) {

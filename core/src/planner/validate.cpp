@@ -139,20 +139,22 @@ bool known(SearchMode mode) {
   return mode == SearchMode::kFast || mode == SearchMode::kOptimal;
 }
 
-/// Moves a point into the local frame, and onto the boundary's face if it is outside only by rounding.
-Vec3 position_to_local(const Grid& grid, const Vec3& world) {
-  Vec3 local = grid.to_local(world);
-  for (int a = 0; a < 3; ++a) axis(local, a) = onto_boundary(grid, axis(local, a), a);
-  return local;
-}
-
 bool in_map(const Grid& grid, const Vec3& world) {
-  const Vec3 local = position_to_local(grid, world);
+  const Vec3 local = to_local(grid, world);
   const Box boundary = grid.local_boundary();
   for (int a = 0; a < 3; ++a) {
     if (axis(local, a) < axis(boundary.lower, a) || axis(local, a) > axis(boundary.upper, a)) return false;
   }
   return true;
+}
+
+Status check_via(const Grid& grid, const Via& via, const MotionLimits& limits) {
+  if (!finite(via.position) || !finite(via.tolerance)) return Status::kNonFiniteInput;
+  if (via.has_velocity && !finite(via.velocity)) return Status::kNonFiniteInput;
+  if (via.tolerance < 0.0 || (via.stop && via.has_velocity)) return Status::kInvalidArgument;
+  if (!in_map(grid, via.position)) return Status::kOutOfMap;
+  const bool within = !via.has_velocity || within_limit(via.velocity, limits.velocity);
+  return within ? Status::kOk : Status::kViaExceedsLimits;
 }
 
 }  // namespace
@@ -182,10 +184,33 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
   return check_states(request, limits);
 }
 
+Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimits& limits,
+                      std::int32_t& via) noexcept {
+  via = kNoVia;
+  if (request.via_count == 0) return kAccepted;
+  if (request.via_count < 0 || request.vias == nullptr) return {Status::kInvalidArgument, Field::kVias};
+  if (request.via_count > kMaxVias) return {Status::kViasFull, Field::kVias};
+  if (request.goal_mode != GoalMode::kExact) return {Status::kInvalidArgument, Field::kGoalMode};
+  if (request.previous != nullptr) return {Status::kInvalidArgument, Field::kPrevious};
+  for (std::int32_t v = 0; v < request.via_count; ++v) {
+    const Status status = check_via(grid, request.vias[v], limits);
+    if (status == Status::kOk) continue;
+    via = v;
+    return {status, Field::kVias};
+  }
+  return kAccepted;
+}
+
+Vec3 to_local(const Grid& grid, const Vec3& position) noexcept {
+  Vec3 local = grid.to_local(position);
+  for (int a = 0; a < 3; ++a) axis(local, a) = onto_boundary(grid, axis(local, a), a);
+  return local;
+}
+
 Request to_local(const Grid& grid, const Request& request) noexcept {
   Request local = request;
-  local.start.position = position_to_local(grid, request.start.position);
-  local.goal.position = position_to_local(grid, request.goal.position);
+  local.start.position = to_local(grid, request.start.position);
+  local.goal.position = to_local(grid, request.goal.position);
   return local;
 }
 

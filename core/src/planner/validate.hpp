@@ -3,6 +3,8 @@
 #ifndef TERN_PLANNER_VALIDATE_HPP
 #define TERN_PLANNER_VALIDATE_HPP
 
+#include <cstdint>
+
 #include "base/bounds.hpp"
 #include "base/verdict.hpp"
 #include "tern/grid.hpp"
@@ -18,8 +20,13 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
 Verdict validate_limits(const Limits& limits) noexcept;
 bool valid_time_weight(double weight) noexcept;
 
+/// The request's vias, of a request that is valid otherwise. `via` receives the index of the one that is wrong, or
+/// kNoVia.
+Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimits& limits, std::int32_t& via) noexcept;
+
 /// The request in the grid's local frame. Positions that are outside the boundary only by rounding are moved onto it.
 Request to_local(const Grid& grid, const Request& request) noexcept;
+Vec3 to_local(const Grid& grid, const Vec3& position) noexcept;
 
 }  // namespace tern
 

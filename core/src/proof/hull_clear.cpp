@@ -12,6 +12,8 @@ namespace {
 
 /// Times that the pair of nearest points is improved before a hull is given up.
 constexpr int kImprovements = 4;
+/// Rounding of a sum of three squares.
+constexpr double kWider = 1.0 + 1e-15;
 
 Vec3 nearest_in(const Box& box, const Vec3& p) {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
@@ -42,14 +44,59 @@ IndexRange voxels_within(double lower, double upper, double distance, double cel
   return range;
 }
 
+/// The obstacles of a row that count.
+struct Row {
+  const std::uint64_t* solid;
+  const std::uint64_t* pardoned;  ///< null: all of them count
+  IndexRange xs;                  ///< where some may not
+
+  std::uint64_t word(std::int32_t k) const {
+    return pardoned == nullptr ? solid[k] : solid[k] & ~(pardoned[k] & bits_met(xs, k));
+  }
+};
+
+Row row_of(const Grid& grid, const Pardon& pardon, std::int32_t y, std::int32_t z) {
+  const bool applies = pardon.layer != nullptr && contains(pardon.ys, y) && contains(pardon.zs, z);
+  const BitRows rows = GridView::obstacles(grid);
+  return {rows.row(y, z), applies ? pardon.layer + rows.index(y, z) : nullptr, pardon.xs};
+}
+
 /// The first x of the range whose bit is `value`; the range's end where none is.
-std::int32_t find_bit(const std::uint64_t* row, const IndexRange& range, bool value) {
+std::int32_t find_bit(const Row& row, const IndexRange& range, bool value) {
   if (range.begin >= range.end) return range.end;
   for (std::int32_t k = range.begin >> 6; k <= (range.end - 1) >> 6; ++k) {
-    const std::uint64_t word = (value ? row[k] : ~row[k]) & bits_within(range, k);
+    const std::uint64_t word = (value ? row.word(k) : ~row.word(k)) & bits_within(range, k);
     if (word != 0) return kWordBits * k + __builtin_ctzll(word);
   }
   return range.end;
+}
+
+/// Two boxes: exact but for rounding on the side of false, whose part of the distance is far below the tolerances.
+bool boxes_apart(const Box& a, const Box& b, double distance) {
+  double square = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double apart = larger(0.0, gap(axis(a.lower, k), axis(a.upper, k), axis(b.lower, k), axis(b.upper, k)));
+    square += apart * apart;
+  }
+  return square >= kWider * distance * distance;
+}
+
+/// Any point q outside the box gives a plane: through the box's point p that is nearest to q, at right angles to q - p.
+/// The box lies behind it. So the hull keeps the distance if all points lie so far in front of it. The best q is the
+/// hull's point nearest to the box; it is looked for on the line between the curve's ends.
+bool plane_between(const Vec3* points, int count, const Box& box, double distance) {
+  Vec3 q = 0.5 * (points[0] + points[count - 1]);
+  for (int k = 0; k < kImprovements; ++k) {
+    const Vec3 p = nearest_in(box, q);
+    const Vec3 normal = q - p;
+    const double size = length(normal);
+    if (!(size > 0.0)) return false;
+    double least = dot(normal, points[0] - p);
+    for (int i = 1; i < count; ++i) least = smaller(least, dot(normal, points[i] - p));
+    if (least >= distance * size) return true;
+    q = nearest_on_line(points[0], points[count - 1], p);
+  }
+  return false;
 }
 
 /// What a row is held against.
@@ -57,18 +104,36 @@ struct Hull {
   const Vec3* points;
   int count;
   Box box;
-  double distance;
+  Clearance keeps;
+  IndexRange alone;  ///< voxels along x that may be near the place that is left
 };
 
-/// Obstacles that touch along x are one box: its distance is the least of theirs.
+/// What is to be kept from one box of obstacles.
+double distance_from(const Hull& hull, const Box& box) {
+  if (hull.keeps.left == nullptr) return hull.keeps.distance;
+  const Vec3& place = *hull.keeps.left;
+  return smaller(hull.keeps.distance, length(place - nearest_in(box, place)) - hull.keeps.tolerance);
+}
+
+/// Where the box of obstacles that begins at x ends. Obstacles that touch along x are one box: its distance is the
+/// least of theirs. But near a place that is left each has a distance of its own to keep.
+std::int32_t end_of_box(const Row& row, const IndexRange& xs, const IndexRange& alone, std::int32_t x) {
+  if (x >= alone.begin && x < alone.end) return x + 1;
+  const std::int32_t end = find_bit(row, {x, xs.end}, false);
+  return x < alone.begin && alone.begin < end ? alone.begin : end;
+}
+
 bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::int32_t y, std::int32_t z, Voxel& found) {
   const double cell = grid.spec().cell;
-  const std::uint64_t* const row = grid.obstacle_row(y, z);
+  const Row row = row_of(grid, hull.keeps.pardon, y, z);
   std::int32_t x = find_bit(row, xs, true);
   while (x < xs.end) {
-    const std::int32_t end = find_bit(row, {x, xs.end}, false);
+    const std::int32_t end = end_of_box(row, xs, hull.alone, x);
     const Box box{{x * cell, y * cell, z * cell}, {end * cell, (y + 1) * cell, (z + 1) * cell}};
-    if (!hull_apart(hull.points, hull.count, box, hull.distance)) {
+    const double distance = distance_from(hull, box);
+    const bool apart = !(distance > 0.0) || boxes_apart(hull.box, box, distance) ||
+                       plane_between(hull.points, hull.count, box, distance);
+    if (!apart) {
       found = {x, y, z};
       return false;
     }
@@ -90,42 +155,28 @@ Box box_around(const Vec3* points, int count) noexcept {
   return box;
 }
 
-/// Any point q outside the box gives a plane: through the box's point p that is nearest to q, at right angles to q - p.
-/// The box lies behind it. So the hull keeps the distance if all points lie so far in front of it. The best q is the
-/// hull's point nearest to the box; it is looked for on the line between the curve's ends.
 bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept {
-  const Box around = box_around(points, count);
-  for (int a = 0; a < 3; ++a) {
-    const double apart = gap(axis(around.lower, a), axis(around.upper, a), axis(box.lower, a), axis(box.upper, a));
-    if (apart >= distance) return true;
-  }
-  Vec3 q = 0.5 * (points[0] + points[count - 1]);
-  for (int k = 0; k < kImprovements; ++k) {
-    const Vec3 p = nearest_in(box, q);
-    const Vec3 normal = q - p;
-    const double size = length(normal);
-    if (!(size > 0.0)) return false;
-    double least = dot(normal, points[0] - p);
-    for (int i = 1; i < count; ++i) least = smaller(least, dot(normal, points[i] - p));
-    if (least >= distance * size) return true;
-    q = nearest_on_line(points[0], points[count - 1], p);
-  }
-  return false;
+  return boxes_apart(box_around(points, count), box, distance) || plane_between(points, count, box, distance);
 }
 
-bool hull_clear(const Grid& grid, const Vec3* points, int count, double distance, Voxel& found) noexcept {
+bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept {
   const GridSpec& spec = grid.spec();
-  const Hull hull{points, count, box_around(points, count), distance};
+  const double distance = clearance.distance;
+  Hull hull{points, count, box_around(points, count), clearance, {0, 0}};
+  if (clearance.left != nullptr) {
+    hull.alone = voxels_within(clearance.left->x, clearance.left->x, distance, spec.cell, spec.dims.x);
+  }
   const Vec3& lower = hull.box.lower;
   const Vec3& upper = hull.box.upper;
-  const IndexRange xs = voxels_within(lower.x, upper.x, distance, spec.cell, spec.dims.x);
   const IndexRange ys = voxels_within(lower.y, upper.y, distance, spec.cell, spec.dims.y);
   const IndexRange zs = voxels_within(lower.z, upper.z, distance, spec.cell, spec.dims.z);
   for (std::int32_t z = zs.begin; z < zs.end; ++z) {
     const double apart_z = larger(0.0, gap(lower.z, upper.z, z * spec.cell, (z + 1) * spec.cell));
     for (std::int32_t y = ys.begin; y < ys.end; ++y) {
       const double apart_y = larger(0.0, gap(lower.y, upper.y, y * spec.cell, (y + 1) * spec.cell));
-      if (apart_y * apart_y + apart_z * apart_z >= distance * distance) continue;
+      const double rest = distance * distance - (apart_y * apart_y + apart_z * apart_z);
+      if (rest <= 0.0) continue;
+      const IndexRange xs = voxels_within(lower.x, upper.x, square_root(rest), spec.cell, spec.dims.x);
       if (!row_clear(grid, hull, xs, y, z, found)) return false;
     }
   }

@@ -5,6 +5,7 @@
 #ifndef TERN_PROOF_HULL_CLEAR_HPP
 #define TERN_PROOF_HULL_CLEAR_HPP
 
+#include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
 
@@ -17,9 +18,23 @@ Box box_around(const Vec3* points, int count) noexcept;
 /// the hull keeps it, but hardly where the points lie nearly on a line.
 bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept;
 
+/// Obstacles that do not count: those of a range of voxels that are set in another layer, too.
+struct Pardon {
+  const std::uint64_t* layer = nullptr;  ///< with the rows of the grid's; null: all count
+  IndexRange xs{0, 0}, ys{0, 0}, zs{0, 0};
+};
+
+/// What a hull keeps from obstacles.
+struct Clearance {
+  double distance;   ///< > 0
+  const Vec3* left;  ///< null, or a place: obstacles nearer to it than the distance may stay as near as they are to it,
+  double tolerance;  ///< but for this
+  Pardon pardon;
+};
+
 /// The same for all obstacle cubes. `found` gets the first voxel for which it is false. Reads the voxels within the
 /// distance of the hull's box.
-bool hull_clear(const Grid& grid, const Vec3* points, int count, double distance, Voxel& found) noexcept;
+bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept;
 
 }  // namespace tern
 

@@ -3,6 +3,8 @@
 #include "tern/proof.hpp"
 
 #include "base/math.hpp"
+#include "grid/lattice.hpp"
+#include "proof/fence_clear.hpp"
 #include "proof/hull_clear.hpp"
 #include "proof/proven_limits.hpp"
 
@@ -64,6 +66,14 @@ bool is_wide(const Box& box, double cell) {
   return false;
 }
 
+/// True where the boxes are at least this far apart along some axis.
+bool are_apart(const Box& a, const Box& b, double distance) {
+  for (int k = 0; k < 3; ++k) {
+    if (axis(b.lower, k) - axis(a.upper, k) >= distance || axis(a.lower, k) - axis(b.upper, k) >= distance) return true;
+  }
+  return false;
+}
+
 /// True where every point is inside the box, grown by `margin`.
 bool inside_box(const Box& points, const Box& box, double margin) {
   for (int a = 0; a < 3; ++a) {
@@ -77,17 +87,25 @@ constexpr Voxel kNoVoxel{-1, -1, -1};
 
 }  // namespace
 
-Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
-                    Beyond beyond) noexcept {
+Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+                    const ProofGrounds& grounds) noexcept {
   running_ = false;
   report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0};
-  if (!grid.bound() || !(grid.spec().radius > 0.0)) return Status::kInvalidArgument;
+  if (!grid.bound() || !(grid.spec().clearance() > 0.0)) return Status::kInvalidArgument;
   if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
   grid_ = &grid;
   trajectory_ = &trajectory;
   beyond_ = beyond;
   has_limits_ = limits != nullptr;
   if (has_limits_) limits_ = *limits;
+  has_added_ = grounds.added != nullptr;
+  if (has_added_) added_ = {grid.to_local(grounds.added->lower), grid.to_local(grounds.added->upper)};
+  has_left_ = grounds.left != nullptr;
+  if (has_left_) left_ = grid.to_local(*grounds.left);
+  fences_ = grounds.fences;
+  fence_count_ = grounds.fence_count;
+  pardoned_ = nullptr;
+  if (grounds.alarm != nullptr) pardon(*grounds.alarm);
   segment_ = 0;
   begin_ = 0.0;
   while (segment_ + 1 < trajectory.count && report_.until >= begin_ + trajectory.segments[segment_].duration) {
@@ -100,6 +118,20 @@ Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from,
   first_ = into >= 0.0 ? smaller(into, 1.0) : 0.0;
   enter_segment();
   return Status::kRunning;
+}
+
+/// The voxels whose centres are in the alarm's box.
+void Proof::pardon(const Alarm& alarm) noexcept {
+  const GridSpec& spec = grid_->spec();
+  pardoned_ = alarm.seen;
+  const Vec3 lower = grid_->to_local(alarm.box.lower);
+  const Vec3 upper = grid_->to_local(alarm.box.upper);
+  const auto begin = [&](int a, std::int32_t count) { return ceil_index(axis(lower, a) / spec.cell - 0.5, 0, count); };
+  const auto end = [&](int a, std::int32_t count) {
+    return floor_index(axis(upper, a) / spec.cell - 0.5, -1, count - 1) + 1;
+  };
+  pardon_begin_ = {begin(0, spec.dims.x), begin(1, spec.dims.y), begin(2, spec.dims.z)};
+  pardon_end_ = {end(0, spec.dims.x), end(1, spec.dims.y), end(2, spec.dims.z)};
 }
 
 /// Finite, with a duration, and joined to the segment before.
@@ -144,11 +176,29 @@ bool Proof::keeps_clear(const Piece& piece, ProofEnd& end) noexcept {
   const double tolerance = place_tolerance(*grid_, *trajectory_);
   const Box box = box_around(piece.c, kControlPoints);
   end = ProofEnd::kOutside;
-  const double margin = beyond_ == Beyond::kSolid ? -spec.radius : 0.0;
+  const double margin = beyond_ == Beyond::kSolid ? -spec.clearance() : 0.0;
   if (!inside_box(box, grid_->local_boundary(), margin + tolerance)) return false;
+  if (has_added_ && are_apart(box, added_, spec.clearance())) return true;
+  end = ProofEnd::kFence;
+  if (!keeps_fences(piece, tolerance)) {
+    report_.voxel = kNoVoxel;
+    return false;
+  }
   end = ProofEnd::kObstacle;
   if (is_wide(box, spec.cell)) return false;
-  return hull_clear(*grid_, piece.c, kControlPoints, spec.radius - tolerance, report_.voxel);
+  const Pardon pardon{
+      pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
+  const Clearance clearance{spec.clearance() - tolerance, has_left_ ? &left_ : nullptr, tolerance, pardon};
+  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel);
+}
+
+bool Proof::keeps_fences(const Piece& piece, double tolerance) const noexcept {
+  const GridSpec& spec = grid_->spec();
+  const FenceRule rule{spec.origin, spec.clearance() - tolerance, tolerance};
+  for (int32_t k = 0; k < fence_count_; ++k) {
+    if (!fence_clear(fences_[k], rule, piece.c, kControlPoints)) return false;
+  }
+  return true;
 }
 
 bool Proof::keeps_limit(const Piece& piece, int count) const noexcept {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proof/proven_limits.hpp"
 
+#include "base/bounds.hpp"
 #include "base/math.hpp"
 #include "tern/proof.hpp"
 
@@ -40,17 +41,12 @@ Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept {
 }
 
 Allowed allowed_jerk(const Limits& limits, double rounding) noexcept {
-  constexpr double kAny = 1e300;
-  Vec3 most = limits.j_max;
-  for (int a = 0; a < 3; ++a) {
-    if (!(axis(most, a) > 0.0)) axis(most, a) = kAny;
-  }
-  return widened(kZero, most, limits.j_horizontal, rounding);
+  const Bounds bounds = make_optional_bounds(limits.j_max, limits.j_horizontal);
+  return widened(bounds.lower, bounds.upper, bounds.horizontal, rounding);
 }
 
 bool limits_jerk(const Limits& limits) noexcept {
-  const Vec3& most = limits.j_max;
-  return most.x > 0.0 || most.y > 0.0 || most.z > 0.0 || limits.j_horizontal > 0.0;
+  return limits_anything(make_optional_bounds(limits.j_max, limits.j_horizontal));
 }
 
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept {

@@ -46,14 +46,42 @@ Pair combine(const Pair* c, const double* q, int stride) {
   return (c[0] * pair(q) + c[1] * pair(q + stride)) + (c[2] * pair(q + 2 * stride) + c[3] * pair(q + 3 * stride));
 }
 
-void subtract_block(const QpSolver& solver, int j, const double* coordinates, double* v) {
-  const Pair c[kBlock] = {both(coordinates[j]), both(coordinates[j + 1]), both(coordinates[j + 2]),
-                          both(coordinates[j + 3])};
+/// Subtracts kBlocks blocks of columns, each times its coordinate, in one pass over the vector.
+template <int kBlocks>
+void subtract_blocks(const QpSolver& solver, int j, const double* coordinates, double* v) {
+  Pair c[kBlocks * kBlock];
+  for (int b = 0; b < kBlocks * kBlock; ++b) c[b] = both(coordinates[j + b]);
   const double* q = column(solver, j);
   const int stride = solver.stride;
+  const double* const far = q + (kBlocks - 1) * kBlock * stride;
   for (int i = 0; i < stride; i += kPad) {
-    pair(v + i) -= combine(c, q + i, stride);
-    pair(v + i + kPair) -= combine(c, q + i + kPair, stride);
+    Pair low = pair(v + i) - combine(c, q + i, stride);
+    Pair high = pair(v + i + kPair) - combine(c, q + i + kPair, stride);
+    if (kBlocks == 2) {
+      low -= combine(c + kBlock, far + i, stride);
+      high -= combine(c + kBlock, far + i + kPair, stride);
+    }
+    pair(v + i) = low;
+    pair(v + i + kPair) = high;
+  }
+}
+
+/// Subtracts kColumns < kBlock columns, one after the other, in one pass over the vector.
+template <int kColumns>
+void subtract_columns(const QpSolver& solver, int j, const double* coordinates, double* v) {
+  const double* q = column(solver, j);
+  const int stride = solver.stride;
+  Pair c[kColumns];
+  for (int b = 0; b < kColumns; ++b) c[b] = both(-coordinates[j + b]);
+  for (int i = 0; i < stride; i += kPad) {
+    Pair low = pair(v + i);
+    Pair high = pair(v + i + kPair);
+    for (int b = 0; b < kColumns; ++b) {
+      low += c[b] * pair(q + b * stride + i);
+      high += c[b] * pair(q + b * stride + i + kPair);
+    }
+    pair(v + i) = low;
+    pair(v + i + kPair) = high;
   }
 }
 
@@ -132,8 +160,11 @@ void project(const QpSolver& solver, int begin, const double* v, double* out) {
 void subtract(const QpSolver& solver, const double* coordinates, double* v) {
   const int k = solver.active_count;
   int j = 0;
-  for (; j + kBlock <= k; j += kBlock) subtract_block(solver, j, coordinates, v);
-  for (; j < k; ++j) add_scaled(-coordinates[j], column(solver, j), v, 0, solver.stride);
+  for (; j + 2 * kBlock <= k; j += 2 * kBlock) subtract_blocks<2>(solver, j, coordinates, v);
+  for (; j + kBlock <= k; j += kBlock) subtract_blocks<1>(solver, j, coordinates, v);
+  if (k - j == 1) subtract_columns<1>(solver, j, coordinates, v);
+  if (k - j == 2) subtract_columns<2>(solver, j, coordinates, v);
+  if (k - j == 3) subtract_columns<3>(solver, j, coordinates, v);
 }
 
 void split_row(QpSolver& solver, int begin) {

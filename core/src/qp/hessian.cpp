@@ -123,19 +123,35 @@ void forward(const QpSolver& solver, const double* in, double* out) {
   }
 }
 
+namespace {
+
+/// Column i of the factor times the `reach` unknowns after i, taken from an unknown's 3-vector. The nearest unknown
+/// comes last, because it was computed just before.
+inline void subtract_later(const QpSolver& solver, int i, int reach, Pair& low, Pair& high) {
+  const double* const column = solver.factor[i];
+  const double(*const later)[4] = solver.x + i;
+  for (int d = reach; d >= 1; --d) {
+    low -= both(column[d]) * pair(later[d]);
+    high -= both(column[d]) * pair(later[d] + kPair);
+  }
+}
+
+}  // namespace
+
 void unknowns_from(QpSolver& solver, const double* z) {
   const int n = solver.unknowns;
   for (int i = n - 1; i >= 0; --i) {
-    const double* column = solver.factor[i];
     Pair low = {z[kQpAxes * i], z[kQpAxes * i + 1]};
     Pair high = {z[kQpAxes * i + 2], 0.0};
-    // The nearest unknown comes last, because it was computed just before.
-    for (int d = reach_of(i, n); d >= 1; --d) {
-      low -= both(column[d]) * pair(solver.x[i + d]);
-      high -= both(column[d]) * pair(solver.x[i + d] + kPair);
+    // Nearly all columns have the whole band: with a constant, the loop is unrolled.
+    if (n - 1 - i >= kQpBand) {
+      subtract_later(solver, i, kQpBand, low, high);
+    } else {
+      subtract_later(solver, i, n - 1 - i, low, high);
     }
-    low *= both(column[0]);
-    high *= both(column[0]);
+    const double inverse = solver.factor[i][0];
+    low *= both(inverse);
+    high *= both(inverse);
     pair(solver.x[i]) = low;
     pair(solver.x[i] + kPair) = high;
     pair(solver.spread[i]) = both(low[0]);

@@ -28,9 +28,10 @@ constexpr int kQpMaxUnknowns = 4 * (kMaxSegments - 1) + 2;  ///< per axis; 2 for
 constexpr int kQpPointTerms = 8;                            ///< unknowns that one point may depend on
 /// Positions, velocities on halves, accelerations on quarters, jerks on halves.
 constexpr int kQpPointsPerSegment = 8 + 13 + 21 + 9;
-constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment;
-constexpr int kQpMaxGroups = 4 * kMaxSegments;
-constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 3 * 22;  ///< polyhedra; velocity, acceleration and jerk limits
+constexpr int kQpMaxPoints = kMaxSegments * kQpPointsPerSegment + kMaxVias;
+constexpr int kQpMaxGroups = 4 * kMaxSegments + kMaxVias;
+/// Polyhedra; velocity, acceleration and jerk limits; cubes around vias.
+constexpr int kQpMaxPlanes = kMaxSegments * kMaxPlanes + 3 * 22 + 6 * kMaxVias;
 
 /// An affine function of the unknowns with values in R^3: offset + sum_i coefficient[i] * x_(first + i), i < terms.
 /// terms = 0 makes a constant point, whose rows can only be checked.

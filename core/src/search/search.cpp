@@ -70,6 +70,7 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
   search.nodes_full = false;
   search.open_full = false;
   search.expanded = 0;
+  search.jumped = 0;
   search.units = 0;
   store_reset(search.store, grid.spec().dims);
   search.jumps = false;
@@ -94,6 +95,7 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   if (same(at, search.goal)) return Status::kOk;
   if (f - node.g < search.least_h) search.least_h = f - node.g;
   if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid);
+  if (search.jumps) ++search.jumped;
   if (search.jumps && dominated_else_record(search.dominance, grid, at, node.g)) return end_or_running(search);
   const CellMask free = free_cells(grid, at);
   const CellMask moves = moves_to_follow(node, free);

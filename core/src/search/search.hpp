@@ -39,6 +39,7 @@ struct Search {
   bool jumps;              ///< false while the search goes step by step
   std::uint32_t steps;     ///< expansions that go step by step at least
   std::uint32_t expanded;  ///< nodes so far
+  std::uint32_t jumped;    ///< those of them that jumped
   std::uint32_t units;     ///< of work so far, <= kExpansionBound
   Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;

@@ -10,6 +10,23 @@
 
 namespace tern {
 
+/// What holds at the joint of the chain where it passes a via. Local frame.
+struct Hold {
+  int polyhedron;     ///< the one that begins there
+  int segment;        ///< of the chain, the one that begins there
+  Vec3 position;      ///< the via's
+  double reach;       ///< half the edge of the cube around it that holds the joint, metres; 0: exactly there
+  bool stop;          ///< velocity, acceleration and jerk are zero
+  bool has_velocity;  ///< the velocity is given
+  Vec3 velocity;
+};
+
+/// The holds of a way, in its order, increasing in polyhedra. A view.
+struct Holds {
+  const Hold* list = nullptr;
+  int count = 0;
+};
+
 /// The segments that a quadratic programme is about, each inside a polyhedron, with their durations. A polyhedron may
 /// hold several segments in a row. Local frame.
 struct Chain {
@@ -19,6 +36,8 @@ struct Chain {
   double length[kMaxSegments];    ///< metres of the way that each is for
   JointState start;               ///< jerk zero
   JointState goal;
+  int hold_count;
+  Hold holds[kMaxVias];
   Vec3 center;  ///< what the programme's positions are relative to
 };
 
@@ -29,6 +48,32 @@ inline void append_pieces(double length, int polyhedron, int pieces, Chain& chai
     chain.length[chain.count] = length;
     ++chain.count;
   }
+}
+
+/// Derivative `k` (0: position) is given at the hold's joint.
+inline bool gives(const Hold& hold, int k) noexcept {
+  if (k == 0) return !(hold.reach > 0.0);
+  return hold.stop || (k == 1 && hold.has_velocity);
+}
+
+/// The hold at the joint where the segment begins; null if there is none.
+inline const Hold* hold_at(const Chain& chain, int segment) noexcept {
+  for (int i = 0; i < chain.hold_count; ++i) {
+    if (chain.holds[i].segment == segment) return &chain.holds[i];
+  }
+  return nullptr;
+}
+
+/// Finds the segment where each hold's polyhedron begins. False if one has no segment.
+inline bool place_holds(Chain& chain) noexcept {
+  int segment = 0;
+  for (int i = 0; i < chain.hold_count; ++i) {
+    Hold& hold = chain.holds[i];
+    while (segment < chain.count && chain.polyhedron[segment] < hold.polyhedron) ++segment;
+    if (segment == chain.count || chain.polyhedron[segment] != hold.polyhedron) return false;
+    hold.segment = segment;
+  }
+  return true;
 }
 
 /// Sum of the durations, in order, seconds.

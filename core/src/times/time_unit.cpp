@@ -38,18 +38,36 @@ void add_stop(const Vec3& velocity, const MotionLimits& limits, Way& way) {
   add((0.5 * speed / limits_along(velocity, limits).acceleration) * velocity, limits, way);
 }
 
-}  // namespace
-
-LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
+Way way_of(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) {
   Way way{};
   for (int i = 0; i < corridor.count; ++i) add(corridor.polyhedra[i].to - corridor.polyhedra[i].from, limits, way);
   add_stop(chain.start.d[1], limits, way);
   add_stop(chain.goal.d[1], limits, way);
   if (!(way.length > 0.0)) add({kLeastWay, 0.0, 0.0}, limits, way);
+  return way;
+}
+
+/// The mean over the way, not over the legs.
+double mean_leg(const Way& way) {
+  return way.squares / way.length;
+}
+
+LineLimits reachable(const Way& way) {
   const double a = way.length / way.push;
-  const double leg = way.squares / way.length;  // the mean over the way, not over the legs
-  const double room = smaller(kWholeWay * square_root(a * way.length), square_root(a * leg));
+  const double room = smaller(kWholeWay * square_root(a * way.length), square_root(a * mean_leg(way)));
   return LineLimits{smaller(way.length / way.cruise, larger(room, kMinDuration * a)), a};
+}
+
+}  // namespace
+
+LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
+  return reachable(way_of(chain, corridor, limits));
+}
+
+double agility(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {
+  const Way way = way_of(chain, corridor, limits);
+  const LineLimits line = reachable(way);
+  return line.acceleration / line.speed * (mean_leg(way) / line.speed);
 }
 
 double time_unit(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept {

@@ -17,6 +17,10 @@ namespace tern {
 /// the whole peak of that along a leg of mean length. A moving end counts as the way that it takes to stop. Both > 0.
 LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
 
+/// The length of a mean leg over the way that it takes to reach that speed and to stop again, > 0: at large values it
+/// is the speed limit that decides how long a flight takes, and the acceleration limit hardly matters.
+double agility(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
+
 /// The unit of Request::time_weight for this flight, m^2/s^8, > 0: a^6 / v^4 of what is reachable, so that limits have
 /// no say that the flight cannot reach.
 double time_unit(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;

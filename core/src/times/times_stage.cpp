@@ -12,12 +12,24 @@ namespace {
 /// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
 /// below what is feasible costs more than to begin above.
 constexpr double kFirstSlack = 1.5;
-/// What a segment beside a moving end takes at least, in times that braking takes.
-constexpr double kEndPart = 0.4;
 
-/// A segment's way at most: this part of the whole way, and this many times the way to the limit speed and back.
-constexpr double kLongestPart = 0.5;
+/// Segments that a straight flight needs to come near the trapezoid's duration: two to gain speed, one to hold it, two
+/// to lose it. Each polyhedron gets its part of them.
+constexpr double kFlightSplit = kMaxSplit;
+/// As many more for each via that is flown through.
+constexpr double kViaSplit = 2.0;
+/// Segments of a polyhedron around a moving end, at least; fewer where its way takes less than kEndPiece seconds each
+/// at the end's speed. Segments of that kind cannot get shorter, and the flight would have to brake to stay in them.
+constexpr int kEndSplit = 3;
+constexpr double kEndPiece = 0.15;
+/// A segment is at most this many times the way to the limit speed and back, but no polyhedron is split into more than
+/// kRunSplit for that.
 constexpr double kLongestRun = 2.5;
+constexpr int kRunSplit = 3;
+/// Cosine of the angle between two pieces of one leg, at least.
+constexpr double kStraight = 1.0 - 1e-9;
+
+constexpr JointState kAtRest{};
 
 bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
@@ -34,30 +46,95 @@ double comfortable_length(const TimesStage& stage, const Polyhedron& polyhedron)
   return speed * speed / line.acceleration;
 }
 
-int split_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int index, double whole) {
+int most(int a, int b) {
+  return a < b ? b : a;
+}
+
+/// The way from stop to stop that a polyhedron is part of: the whole one, without stops.
+struct Run {
+  double length;    ///< metres
+  double segments;  ///< that it is split into, but for rounding
+};
+
+/// Its part of the segments of a flight, rounded.
+int split_by_part(const Polyhedron& polyhedron, const Run& run) {
+  const double part = run.segments * (way(polyhedron) / run.length);
+  const int floor = static_cast<int>(part);
+  return part - floor < 0.5 ? floor : floor + 1;
+}
+
+/// True where the way runs straight through the polyhedron and both of its neighbours: a piece of a long leg, along
+/// which a flight cruises.
+bool runs_straight(const Corridor& corridor, int index) {
+  if (index == 0 || index + 1 == corridor.count) return false;
+  const Vec3 before = corridor.polyhedra[index - 1].to - corridor.polyhedra[index - 1].from;
+  const Vec3 along = corridor.polyhedra[index].to - corridor.polyhedra[index].from;
+  const Vec3 after = corridor.polyhedra[index + 1].to - corridor.polyhedra[index + 1].from;
+  return dot(before, along) >= kStraight * length(before) * length(along) &&
+         dot(along, after) >= kStraight * length(along) * length(after);
+}
+
+int split_by_run(const TimesStage& stage, const Polyhedron& polyhedron) {
+  const double runs = way(polyhedron) / (kLongestRun * comfortable_length(stage, polyhedron));
+  return runs > 2.0 ? kRunSplit : (runs > 1.0 ? 2 : 1);
+}
+
+int split_at_end(const JointState& end, const Polyhedron& polyhedron) {
+  if (!moves(end)) return 1;
+  int split = kEndSplit;
+  while (split > 1 && way(polyhedron) < split * kEndPiece * length(end.d[1])) --split;
+  return split;
+}
+
+int split_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int index, const Run* runs) {
   const Polyhedron& polyhedron = corridor.polyhedra[index];
-  const double length = way(polyhedron);
-  const bool at_moving_end = (index == 0 && moves(chain.start)) || (index + 1 == corridor.count && moves(chain.goal));
-  if (at_moving_end) return kMaxSplit;
-  if (!(length > 0.0)) return 1;
-  if (corridor.count == 1) return kMaxSplit;
-  const double piece = smaller(kLongestPart * whole, kLongestRun * comfortable_length(stage, polyhedron));
-  // A little less than the quotient, so that halves stay halves.
-  const double pieces = length / piece - 1e-6;
-  return pieces > 2.0 ? kMaxSplit : (pieces > 1.0 ? 2 : 1);
+  int least = 1;
+  if (index == 0) least = split_at_end(chain.start, polyhedron);
+  if (index + 1 == corridor.count) least = most(least, split_at_end(chain.goal, polyhedron));
+  if (!(way(polyhedron) > 0.0)) return least;
+  const int by_run = runs_straight(corridor, index) ? 1 : split_by_run(stage, polyhedron);
+  return most(least, most(split_by_part(polyhedron, runs[index]), by_run));
 }
 
 /// The most that each polyhedron may be split for the sum to fit.
-int fitting_split(const TimesStage& stage, const Chain& chain, const Corridor& corridor, double whole) {
+int fitting_split(const TimesStage& stage, const Chain& chain, const Corridor& corridor, const Run* runs) {
   for (int most = kMaxSplit; most > 1; --most) {
     int sum = 0;
     for (int i = 0; i < corridor.count; ++i) {
-      const int split = split_of(stage, chain, corridor, i, whole);
+      const int split = split_of(stage, chain, corridor, i, runs);
       sum += split < most ? split : most;
     }
     if (sum <= kMaxSegments) return most;
   }
   return 1;
+}
+
+/// The run of each polyhedron.
+void measure_runs(const TimesStage& stage, const Chain& chain, const Corridor& corridor, Run* runs) {
+  int begin = 0;
+  for (int end = 1; end <= corridor.count; ++end) {
+    if (end < corridor.count && !stage.after_stop[end]) continue;
+    Run run{0.0, kFlightSplit};
+    for (int i = begin; i < end; ++i) run.length += way(corridor.polyhedra[i]);
+    for (int v = 0; v < chain.hold_count; ++v) {
+      if (begin < chain.holds[v].polyhedron && chain.holds[v].polyhedron < end) run.segments += kViaSplit;
+    }
+    for (int i = begin; i < end; ++i) runs[i] = run;
+    begin = end;
+  }
+}
+
+/// Part of the speed that the flight loses at the beginning of the segment, which is not the first.
+double slowing_at(const TimesStage& stage, const Chain& chain, int i) {
+  return chain.polyhedron[i] != chain.polyhedron[i - 1] ? stage.slowing[chain.polyhedron[i]] : 0.0;
+}
+
+/// Part of the speed that is lost where the way turns: none straight on, all of it where it goes back.
+double turn_at(const Corridor& corridor, int index) {
+  const Vec3 before = corridor.polyhedra[index - 1].to - corridor.polyhedra[index - 1].from;
+  const Vec3 after = corridor.polyhedra[index].to - corridor.polyhedra[index].from;
+  const double lengths = length(before) * length(after);
+  return lengths > 0.0 ? 0.5 * (1.0 - dot(before, after) / lengths) : 1.0;
 }
 
 /// Seconds that gaining (or losing) the cruising speed at an end of the chain takes beyond cruising the same way.
@@ -66,17 +143,21 @@ double ramp_time(const JointState& end, const LineLimits& line) {
   return missing * missing / (2.0 * line.speed * line.acceleration);
 }
 
-/// Seconds that a segment of the polyhedron around a moving end takes at least: a part of braking.
-double least_end_time(const Chain& chain, const Bounds& acceleration, int i) {
-  double time = 0.0;
-  if (chain.polyhedron[i] == 0) time = gauge(acceleration, kZero - chain.start.d[1]);
-  if (chain.polyhedron[i] == chain.polyhedron[chain.count - 1]) {
-    time = larger(time, gauge(acceleration, chain.goal.d[1]));
+void take_holds(TimesStage& stage, const Holds& holds, const Corridor& corridor, Chain& chain) {
+  chain.hold_count = holds.count;
+  for (int i = 0; i < corridor.count; ++i) {
+    stage.after_stop[i] = false;
+    stage.slowing[i] = 0.0;
   }
-  return kEndPart * time;
+  for (int i = 0; i < holds.count; ++i) {
+    const Hold& hold = holds.list[i];
+    chain.holds[i] = hold;
+    stage.after_stop[hold.polyhedron] = hold.stop;
+    stage.slowing[hold.polyhedron] = hold.stop ? 1.0 : turn_at(corridor, hold.polyhedron);
+  }
 }
 
-/// Cruising along the segment's way, with the trapezoid's ramps at the chain's ends only.
+/// Cruising along the segment's way, with the trapezoid's ramps only where the chain or a stop begins or ends.
 double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
   const MotionLimits& limits = stage.limits;
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
@@ -84,12 +165,14 @@ double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corr
   if (chain.length[i] > 0.0) {
     LineLimits line = limits_along(polyhedron.to - polyhedron.from, limits);
     line.speed = smaller(line.speed, stage.speed);
+    line.acceleration = ramp_acceleration(polyhedron.to - polyhedron.from, limits, line);
     time = chain.length[i] / line.speed;
     if (i == 0) time += ramp_time(chain.start, line);
+    if (i > 0) time += slowing_at(stage, chain, i) * ramp_time(kAtRest, line);
     if (i + 1 == chain.count) time += ramp_time(chain.goal, line);
+    if (i + 1 < chain.count) time += slowing_at(stage, chain, i + 1) * ramp_time(kAtRest, line);
     time = smaller(time, trapezoid_time(chain.length[i], line));
   }
-  time = larger(time, least_end_time(chain, limits.acceleration, i));
   return larger(kMinDuration, kFirstSlack * time);
 }
 
@@ -102,14 +185,16 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
   chain.center = 0.5 * (query.start.position + query.goal.position);
   stage.limits = query.limits;
   stage.speed = reachable(chain, corridor, query.limits).speed;
-  double length = 0.0;
-  for (int i = 0; i < corridor.count; ++i) length += way(corridor.polyhedra[i]);
-  const int most = fitting_split(stage, chain, corridor, length);
+  take_holds(stage, query.holds, corridor, chain);
+  Run runs[kMaxSegments];
+  measure_runs(stage, chain, corridor, runs);
+  const int most = fitting_split(stage, chain, corridor, runs);
   for (int i = 0; i < corridor.count; ++i) {
-    const int wanted = split_of(stage, chain, corridor, i, length);
+    const int wanted = split_of(stage, chain, corridor, i, runs);
     const int pieces = wanted < most ? wanted : most;
     append_pieces(way(corridor.polyhedra[i]) / pieces, i, pieces, chain);
   }
+  place_holds(chain);
   stage.timed = 0;
 }
 

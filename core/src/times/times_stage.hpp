@@ -15,8 +15,8 @@
 
 namespace tern {
 
-/// Segments that one polyhedron is split into at most: to gain speed, to keep it, to lose it.
-constexpr int kMaxSplit = 3;
+/// Segments that one polyhedron is split into at most.
+constexpr int kMaxSplit = 5;
 
 /// Units of one run: a segment each.
 constexpr std::uint32_t kTimesBound = static_cast<std::uint32_t>(kMaxSegments);
@@ -26,21 +26,24 @@ struct TimesQuery {
   State start;
   State goal;
   MotionLimits limits;
+  Holds holds{};  ///< at the vias
 };
 
 /// Plain data; needs no initialisation before times_begin.
 struct TimesStage {
   MotionLimits limits;
-  double speed;        ///< m/s that the flight has room to reach
-  std::int32_t timed;  ///< segments that have a duration: the work done
+  bool after_stop[kMaxSegments];  ///< the polyhedron begins at a via at which the flight stops
+  double slowing[kMaxSegments];   ///< part of the speed that is lost where the polyhedron begins
+  double speed;                   ///< m/s that the flight has room to reach
+  std::int32_t timed;             ///< segments that have a duration: the work done
 };
 
 /// Cuts the corridor into a chain, which times_advance gives its durations: each segment the time of a trapezoidal
-/// profile (Section 3.3.2) along the whole way: cruising speed, with ramps at the ends that are at rest, and some
-/// slack. One segment of degree 7 between given states has no freedom, and between two joints cannot hold a speed: a
-/// polyhedron longer than half of the way, or than some times what it takes to reach the limit speed and stop again,
-/// becomes up to kMaxSplit segments, as far as kMaxSegments allows. Where start or goal move, so do the polyhedra
-/// around them.
+/// profile (Section 3.3.2) along the whole way: cruising speed, with ramps at the ends that are at rest, at
+/// vias with a stop too, and some slack. One segment of degree 7 between given states has no freedom, and between two
+/// joints cannot hold a speed. So a polyhedron becomes several if it is a large part of the way, if it is longer than
+/// some times what it takes to reach the limit speed and stop again, or if it is around a moving start or goal: at most
+/// kMaxSplit, as far as kMaxSegments allows.
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
 
 /// One unit is one segment. kDone with all durations set; this stage cannot fail.

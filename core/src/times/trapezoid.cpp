@@ -15,6 +15,15 @@ LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept 
   return LineLimits{1.0 / gauge(limits.velocity, direction), 2.0 / sluggishness};
 }
 
+double ramp_acceleration(const Vec3& delta, const MotionLimits& limits, const LineLimits& line) noexcept {
+  const Vec3 direction = (1.0 / length(delta)) * delta;
+  const double stiffness = 0.5 * (gauge(limits.jerk, direction) + gauge(limits.jerk, -1.0 * direction));
+  const double rise = line.acceleration * stiffness;  // seconds to full acceleration
+  if (!(rise > 0.0)) return line.acceleration;
+  const double seconds = line.speed / line.acceleration;
+  return line.speed / (rise < seconds ? seconds + rise : 2.0 * square_root(line.speed * stiffness));
+}
+
 double trapezoid_time(double length, const LineLimits& limits) noexcept {
   const double v = limits.speed;
   const double a = limits.acceleration;

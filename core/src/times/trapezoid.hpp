@@ -21,6 +21,10 @@ struct LineLimits {
 /// to rest the same duration.
 LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept;
 
+/// The mean acceleration along `delta` from rest to line.speed, at most line.acceleration: less where a limit on jerk
+/// makes it rise and fall gradually.
+double ramp_acceleration(const Vec3& delta, const MotionLimits& limits, const LineLimits& line) noexcept;
+
 /// Seconds of the trapezoidal velocity profile over `length` metres from rest to rest, x / v + v / a; triangular,
 /// 2 sqrt(x / a), where the segment is too short to reach v. kMinDuration at least.
 double trapezoid_time(double length, const LineLimits& limits) noexcept;

@@ -10,7 +10,7 @@ namespace tern {
 namespace {
 
 Segment segment_of(const Candidate& candidate, int index) {
-  Segment segment{};
+  Segment segment;
   segment.duration = candidate.chain.duration[index];
   segment.polyhedron = candidate.chain.polyhedron[index];
   for (int k = 0; k < kControlPoints; ++k) segment.points[k] = candidate.points[index][k];

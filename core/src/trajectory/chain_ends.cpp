@@ -53,6 +53,19 @@ double fitting_duration(const JointState& end, const Polyhedron& polyhedron, con
   return larger(duration, kMinDuration);
 }
 
+/// Shortens a segment that leaves a point with a given velocity until the control point that follows from both is in
+/// the polyhedron.
+double fitting_lead(const Vec3& from, const Vec3& velocity, const Polyhedron& polyhedron, double duration) {
+  Segment segment{};
+  for (Vec3& point : segment.points) point = from;
+  for (int i = 0; i < kEndTries && duration > kMinDuration; ++i) {
+    segment.points[1] = from + (duration / kDegree) * velocity;
+    if (inside(segment, polyhedron)) return duration;
+    duration *= kEndStep;
+  }
+  return larger(duration, kMinDuration);
+}
+
 bool goes_from_rest_to_rest(const Segment& segment) {
   for (int k = 1; k < kJointOrder; ++k) {
     if (distance(segment.points[0], segment.points[k]) > 0.0) return false;
@@ -66,6 +79,14 @@ JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }
 
+void fit_hold(const Corridor& corridor, const Hold& hold, Chain& chain) {
+  if (!hold.has_velocity) return;
+  const Vec3 before = kZero - hold.velocity;
+  double* const duration = chain.duration + hold.segment;
+  duration[0] = fitting_lead(hold.position, hold.velocity, corridor.polyhedra[hold.polyhedron], duration[0]);
+  duration[-1] = fitting_lead(hold.position, before, corridor.polyhedra[hold.polyhedron - 1], duration[-1]);
+}
+
 }  // namespace
 
 void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept {
@@ -73,6 +94,7 @@ void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain
   chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
   chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
                                           backwards(limits), chain.duration[last]);
+  for (int i = 0; i < chain.hold_count; ++i) fit_hold(corridor, chain.holds[i], chain);
 }
 
 void follow(const Trajectory& plan, Chain& chain) noexcept {

@@ -4,28 +4,19 @@
 
 #include "base/math.hpp"
 #include "curve/motion_limits.hpp"
-#include "trajectory/hodograph_rows.hpp"
+#include "tern/fence.hpp"
+#include "trajectory/end_weights.hpp"
 #include "trajectory/limit_planes.hpp"
+#include "trajectory/piece.hpp"
 
 namespace tern {
 namespace {
 
-/// Brings the scaled Hessian's unknowns to metres or so; of no influence on the minimum.
-constexpr double kCostScale = 1e-5;
-constexpr int kEnds = 2 * kJointOrder;
+/// Of the springs at vias, over the Hessian's diagonal. Its part of the cost is below the solver's tolerance.
+constexpr double kSpring = 1e-10;
 
 static_assert(kControlPoints + kVelocityRows + kAccelerationRows + kJerkRows <= kQpPointsPerSegment,
               "room for a segment's points");
-
-/// One segment as the programme sees it.
-struct Piece {
-  int index;
-  double t;              ///< duration over the mean
-  double cost;           ///< kCostScale / t^7
-  bool free[2];          ///< whether its first and second end are unknown
-  double factor[kEnds];  ///< normalised derivative = factor * unknown, of free ends
-  Vec3 fixed[kEnds];     ///< normalised derivative of ends that are given
-};
 
 double mean_duration(const Chain& chain) {
   double sum = 0.0;
@@ -48,46 +39,6 @@ void scale_joints(const Chain& chain, ProgrammeScale& scale) {
   }
 }
 
-void fix_end(const JointState& state, const Vec3& center, double duration, Vec3* fixed) {
-  fixed[0] = state.d[0] - center;
-  double power = duration;
-  for (int k = 1; k < kJointOrder; ++k) {
-    fixed[k] = power * state.d[k];
-    power *= duration;
-  }
-}
-
-void free_end(const double* joint, double t, double* factor) {
-  double power = 1.0;
-  for (int k = 0; k < kJointOrder; ++k) {
-    factor[k] = power * joint[k];
-    power *= t;
-  }
-}
-
-Piece piece_of(const Chain& chain, const ProgrammeScale& scale, int index) {
-  Piece piece{};
-  piece.index = index;
-  piece.t = chain.duration[index] / scale.tau;
-  piece.cost = kCostScale / seventh_power(piece.t);
-  piece.free[0] = index > 0;
-  piece.free[1] = index + 1 < chain.count;
-  for (int end = 0; end < 2; ++end) {
-    const int at = end * kJointOrder;
-    if (piece.free[end]) {
-      free_end(scale.joint[index - 1 + end], piece.t, piece.factor + at);
-    } else {
-      fix_end(end == 0 ? chain.start : chain.goal, chain.center, chain.duration[index], piece.fixed + at);
-    }
-  }
-  return piece;
-}
-
-/// The unknown that derivative e (of both ends, 0 .. 7) of a piece is, per axis.
-int unknown_of(const Piece& piece, int e) {
-  return kJointOrder * (piece.index - 1) + e;
-}
-
 void add_linear(const Piece& piece, int row, int given, QpProblem& problem) {
   const double weight = piece.cost * kSnapForm[row][given] * piece.factor[row];
   for (int a = 0; a < kQpAxes; ++a) problem.linear[a][unknown_of(piece, row)] += weight * axis(piece.fixed[given], a);
@@ -97,7 +48,7 @@ void add_cost(const Piece& piece, QpProblem& problem) {
   for (int row = 0; row < kEnds; ++row) {
     if (!piece.free[row / kJointOrder]) continue;
     for (int column = 0; column < kEnds; ++column) {
-      if (!piece.free[column / kJointOrder]) {
+      if (!piece.free[column / kJointOrder] || (piece.held && piece.given[column])) {
         add_linear(piece, row, column, problem);
       } else if (column <= row) {
         problem.hessian[unknown_of(piece, row)][row - column] +=
@@ -107,42 +58,66 @@ void add_cost(const Piece& piece, QpProblem& problem) {
   }
 }
 
-bool touches(const double* weights, int end) {
-  for (int k = end * kJointOrder; k < (end + 1) * kJointOrder; ++k) {
-    if (weights[k] < 0.0 || weights[k] > 0.0) return true;
+/// A weak spring from the joint to its via: without it the Hessian of a long chain is too nearly singular to be
+/// factored.
+void add_spring(const Hold& hold, const Vec3& center, const ProgrammeScale& scale, QpProblem& problem) {
+  const int unknown = kJointOrder * (hold.segment - 1);
+  const Vec3 at = (kSpring / scale.joint[hold.segment - 1][0]) * (hold.position - center);
+  problem.hessian[unknown][0] += kSpring;
+  for (int a = 0; a < kQpAxes; ++a) problem.linear[a][unknown] -= axis(at, a);
+}
+
+/// At the joints of vias: a unit diagonal for unknowns that are none, which stay 0, and springs.
+void add_holds(const Chain& chain, const ProgrammeScale& scale, QpProblem& problem) {
+  for (int i = 0; i < chain.hold_count; ++i) {
+    const Hold& hold = chain.holds[i];
+    for (int k = 0; k < kJointOrder; ++k) {
+      if (gives(hold, k)) problem.hessian[kJointOrder * (hold.segment - 1) + k][0] = 1.0;
+    }
+    if (!gives(hold, 0)) add_spring(hold, chain.center, scale, problem);
+  }
+}
+
+/// True where the point depends on an unknown of that end.
+bool depends_on(const Piece& piece, int end, const EndWeights& weights) {
+  if (!weights.touches[end] || !piece.free[end]) return false;
+  if (!piece.held) return true;
+  for (int e = end * kJointOrder; e < (end + 1) * kJointOrder; ++e) {
+    if (!piece.given[e] && absolute(weights.of[e]) > 0.0) return true;
   }
   return false;
 }
 
-/// What derivative j of an end counts for in the weighted sum of its four control points.
-double end_weight(const double* weights, int end, int j) {
-  double sum = 0.0;
-  for (int k = j; k < kJointOrder; ++k) {
-    sum += weights[end == 0 ? k : kDegree - k] * kFirstEnd[k][j];
+void add_given(const Piece& piece, int end, const EndWeights& weights, double multiplier, QpPoint& point) {
+  for (int e = end * kJointOrder; e < (end + 1) * kJointOrder; ++e) {
+    point.offset = point.offset + (multiplier * weights.of[e]) * piece.fixed[e];
   }
-  return end == 1 && (j % 2) == 1 ? -sum : sum;
 }
 
-/// Appends the point multiplier * sum_k weights[k] c[k]; not where it is constant.
-void add_point(const Piece& piece, const double* weights, double multiplier, const PointOrigin& origin,
+/// Adds what one end counts for to the point.
+void add_end(const Piece& piece, int end, const EndWeights& weights, double multiplier, QpPoint& point) {
+  if (!piece.free[end] || piece.held) add_given(piece, end, weights, multiplier, point);
+  if (!depends_on(piece, end, weights)) return;
+  if (point.terms == 0) point.first = static_cast<std::int16_t>(unknown_of(piece, end * kJointOrder));
+  double* const coefficient = point.coefficient + point.terms;
+  for (int j = 0; j < kJointOrder; ++j) {
+    const int e = end * kJointOrder + j;
+    coefficient[j] = (multiplier * weights.of[e]) * piece.factor[e];
+  }
+  point.terms = static_cast<std::int16_t>(point.terms + kJointOrder);
+}
+
+/// Appends a point times the multiplier; not where it is constant.
+void add_point(const Piece& piece, const EndWeights& weights, double multiplier, const PointOrigin& origin,
                ProgrammeScale& scale, QpProblem& problem) {
-  QpPoint point{};
+  QpPoint& point = problem.points[problem.point_count];
+  point.offset = kZero;
+  point.first = point.terms = 0;
   for (int end = 0; end < 2; ++end) {
-    if (!touches(weights, end)) continue;
-    for (int j = 0; j < kJointOrder; ++j) {
-      const int e = end * kJointOrder + j;
-      const double weight = multiplier * end_weight(weights, end, j);
-      if (piece.free[end]) {
-        if (point.terms == 0) point.first = static_cast<std::int16_t>(unknown_of(piece, e));
-        point.coefficient[point.terms] = weight * piece.factor[e];
-        ++point.terms;
-      } else {
-        point.offset = point.offset + weight * piece.fixed[e];
-      }
-    }
+    if (weights.touches[end]) add_end(piece, end, weights, multiplier, point);
   }
   if (point.terms == 0) return;
-  problem.points[problem.point_count] = point;
+  for (int k = point.terms; k < kQpPointTerms; ++k) point.coefficient[k] = 0.0;
   scale.origin[problem.point_count] = origin;
   ++problem.point_count;
 }
@@ -167,6 +142,7 @@ PointOrigin origin_of(int segment, int order, int row) {
 }
 
 void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& scale, QpProblem& problem) {
+  const EndWeightRows points = end_weights_of(0);
   int plane_begin = 0;
   for (int i = 0; i < chain.count; ++i) {
     if (i == 0 || chain.polyhedron[i] != chain.polyhedron[i - 1]) {
@@ -176,9 +152,7 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
     const Piece piece = piece_of(chain, scale, i);
     const int point_begin = problem.point_count;
     for (int k = 0; k < kControlPoints; ++k) {
-      double weights[kControlPoints] = {};
-      weights[k] = 1.0;
-      add_point(piece, weights, 1.0, origin_of(i, 0, k), scale, problem);
+      add_point(piece, points.rows[k], 1.0, origin_of(i, 0, k), scale, problem);
     }
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
@@ -187,7 +161,7 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
 /// One kind of limit for every segment. The first row of a segment is the last one of the segment before.
 void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
                     QpProblem& problem) {
-  const OrderRows rows = rows_of(order);
+  const EndWeightRows points = end_weights_of(order);
   const int plane_begin = problem.plane_count;
   scale.unit[order] = limit.unit;
   for (int p = 0; p < limit.count; ++p) problem.planes[problem.plane_count + p] = limit.planes[p];
@@ -196,9 +170,27 @@ void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes
     const Piece piece = piece_of(chain, scale, i);
     const double multiplier = 1.0 / (power_of(chain.duration[i], order) * limit.unit);
     const int point_begin = problem.point_count;
-    for (int r = i == 0 ? 0 : 1; r < rows.count; ++r) {
-      add_point(piece, rows.weights[r], multiplier, origin_of(i, order, r), scale, problem);
+    for (int r = i == 0 ? 0 : 1; r < points.count; ++r) {
+      add_point(piece, points.rows[r], multiplier, origin_of(i, order, r), scale, problem);
     }
+    add_group(point_begin, plane_begin, problem.plane_count, problem);
+  }
+}
+
+/// Keeps the joints at vias with a tolerance in their cubes.
+void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem) {
+  for (int i = 0; i < chain.hold_count; ++i) {
+    const Hold& hold = chain.holds[i];
+    if (gives(hold, 0)) continue;
+    const int point_begin = problem.point_count;
+    const int plane_begin = problem.plane_count;
+    const Vec3 edge{hold.reach, hold.reach, hold.reach};
+    const Vec3 at = hold.position - chain.center;
+    Halfspace faces[kBoxPlanes];
+    box_planes({at - edge, at + edge}, faces);
+    for (const Halfspace& face : faces) problem.planes[problem.plane_count++] = face;
+    add_point(piece_of(chain, scale, hold.segment), end_weights_of(0).rows[0], 1.0, origin_of(hold.segment, 0, 0),
+              scale, problem);
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
@@ -221,7 +213,7 @@ void clear(int unknowns, QpProblem& problem) {
 
 /// The state of interior joint `joint` (0 .. count - 2) that x stands for, local frame, seconds.
 JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution, int joint) {
-  JointState state{};
+  JointState state;
   double power = 1.0;
   for (int k = 0; k < kJointOrder; ++k) {
     for (int a = 0; a < kQpAxes; ++a) {
@@ -230,6 +222,11 @@ JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpS
     power *= scale.tau;
   }
   state.d[0] = state.d[0] + chain.center;
+  const Hold* const hold = hold_at(chain, joint + 1);
+  if (hold == nullptr) return state;
+  for (int k = 0; k < kJointOrder; ++k) {
+    if (gives(*hold, k)) state.d[k] = k == 0 ? hold->position : held_value(*hold, chain.center, k);
+  }
   return state;
 }
 
@@ -243,13 +240,16 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   scale.snap_per_cost = 2.0 / (kCostScale * seventh_power(scale.tau));
   scale_joints(chain, scale);
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
+  add_holds(chain, scale, problem);
   add_corridor(chain, corridor, scale, problem);
   const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
   const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));
   add_limit_rows(chain, scale, velocity, 1, problem);
   add_limit_rows(chain, scale, acceleration, 2, problem);
-  if (!limits_anything(limits.jerk)) return;
-  add_limit_rows(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
+  if (limits_anything(limits.jerk)) {
+    add_limit_rows(chain, scale, limit_planes(limits.jerk, kept_direction(chain, 3), kJerkMargin), 3, problem);
+  }
+  add_via_rows(chain, scale, problem);
 }
 
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

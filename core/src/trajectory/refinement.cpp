@@ -11,6 +11,8 @@ namespace {
 
 /// Above any cost: that of no plan.
 constexpr double kNoPlan = 1e300;
+/// A step of this part of the radius is as long as the radius.
+constexpr double kAlmost = 0.99;
 /// A stretch that is to reach a duration stays this much below it, lest rounding carry it beyond.
 constexpr double kJustBelow = 1.0 - 1e-12;
 
@@ -20,14 +22,39 @@ int rung_of(double weight) {
   return rung;
 }
 
-const Effort& effort(const Refinement& refinement) {
-  return refinement.rung == 0 ? kFirstRung : kNextRungs;
+double weight_of(const Refinement& refinement, int rung) {
+  if (rung > 0) return kRungs[rung - 1];
+  double weight = smaller(refinement.weight, kDefaultTimeWeight);
+  for (int i = rung; i < 0; ++i) weight *= 0.1;
+  return weight;
+}
+
+/// Rungs below the first that the flight needs: a tenth of the weight each.
+int rungs_below(double agility) {
+  int rungs = 0;
+  for (double rest = agility; rungs < kRungsBelow && rest > kAgile; rest /= kAgilityPerRung) ++rungs;
+  return rungs;
+}
+
+/// Rungs that take no plan that lasts longer than the last one.
+bool bounded(const Refinement& refinement) {
+  return refinement.first_rung < 0 || refinement.rung > 0;
 }
 
 void enter(Refinement& refinement, RefinementPhase phase) {
   refinement.phase = phase;
   refinement.round = 0;
   refinement.failures = 0;
+  refinement.spent = 0;
+  refinement.radius = 1.0;
+}
+
+/// The limits that stopped long steps on a rung stop them on the next one, too. Not from the first: it had its own.
+void enter_rung(Refinement& refinement) {
+  const double carried = refinement.rung == refinement.first_rung ? 1.0 : larger(refinement.radius, kLeastRadius);
+  ++refinement.rung;
+  enter(refinement, RefinementPhase::kDescent);
+  refinement.radius = carried;
 }
 
 double eighth_root(double x) {
@@ -44,26 +71,76 @@ double cheapest_stretch(const Offer& offer, double rate) {
   return eighth_root(7.0 * offer.snap / (rate * offer.duration));
 }
 
-/// Prices fall with the seventh power of the stretch, as snap does.
-void keep(Refinement& refinement, const Round& round, const Chain& chain) {
-  const double stretch = round.offer.stretch;
-  refinement.best = round.offer;
-  for (int i = 0; i < chain.count; ++i) {
-    refinement.base[i] = stretch * chain.duration[i];
-    refinement.prices[i] = round.prices[i] / seventh_power(stretch);
-  }
+/// e^x for a step of the search, to 1e-4.
+double exponential(double x) {
+  return (1.0 + x * (0.5 + x / 12.0)) / (1.0 - x * (0.5 - x / 12.0));
 }
 
-/// Snap alone falls with the seventh power of a duration, and so does its price: it is in balance at T' where
-/// price (T / T')^7 = rate T'.
-void retime(const Refinement& refinement, Chain& chain) {
-  for (int i = 0; i < chain.count; ++i) {
-    const double base = refinement.base[i];
-    const double worth = larger(refinement.prices[i], 0.0) / (refinement.rate * base);
-    double factor = clamp(eighth_root(worth), kShortest, kLongest);
-    for (int k = 0; k < refinement.failures; ++k) factor = square_root(factor);
-    chain.duration[i] = larger(kMinDuration, factor * base);
+/// The inverse.
+double logarithm(double x) {
+  const double z = (x - 1.0) / (x + 1.0);
+  const double square = z * z;
+  return 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0)));
+}
+
+/// Before anything is learned: snap alone falls with the seventh power of a duration, and so does its price.
+void guess_curvature(Refinement& refinement, int count) {
+  double diagonal[kMaxSegments];
+  for (int i = 0; i < count; ++i) {
+    const double least = kLeastPrice * refinement.rate * refinement.base[i];
+    diagonal[i] = 7.0 * larger(refinement.prices[i], least);
   }
+  curvature_begin(refinement.curvature, diagonal, count);
+}
+
+/// Prices fall with the seventh power of the stretch, as snap does. What they changed by since the last plan tells of
+/// the curvature.
+void keep(Refinement& refinement, const Round& round, const Chain& chain) {
+  const bool first = !(refinement.best.cost < kNoPlan);
+  const double stretch = round.offer.stretch;
+  double step[kMaxSegments];
+  double change[kMaxSegments];
+  for (int i = 0; i < chain.count; ++i) {
+    const double duration = stretch * chain.duration[i];
+    const double price = round.prices[i] / seventh_power(stretch);
+    step[i] = logarithm(duration / refinement.base[i]);
+    change[i] = refinement.prices[i] - price;
+    refinement.base[i] = duration;
+    refinement.prices[i] = price;
+  }
+  refinement.best = round.offer;
+  refinement.spent = 0;
+  if (first) return guess_curvature(refinement, chain.count);
+  curvature_learn(refinement.curvature, step, change, chain.count);
+}
+
+/// By how much the step goes beyond the longest ones, as a factor.
+double excess(const double* step, int count) {
+  double most = 0.0;
+  for (int i = 0; i < count; ++i) most = larger(most, larger(step[i] / kLongestStep, -step[i] / kShortestStep));
+  return most;
+}
+
+/// Newton's step from the best plan to where each segment's price would equal the cost of its time, or as much of it as
+/// the radius allows. The gain that the whole step promises.
+double retime(Refinement& refinement, Chain& chain) {
+  double extra[kMaxSegments];
+  double descent[kMaxSegments];
+  double step[kMaxSegments];
+  for (int i = 0; i < chain.count; ++i) {
+    extra[i] = refinement.rate * refinement.base[i];
+    descent[i] = refinement.prices[i] - extra[i];
+  }
+  newton_step(refinement.curvature, extra, descent, chain.count, step);
+  const double beyond = excess(step, chain.count);
+  const double scale = beyond > refinement.radius ? refinement.radius / beyond : 1.0;
+  refinement.reach = scale * beyond;
+  double promise = 0.0;
+  for (int i = 0; i < chain.count; ++i) {
+    promise += 0.5 * step[i] * descent[i];
+    chain.duration[i] = larger(kMinDuration, exponential(scale * step[i]) * refinement.base[i]);
+  }
+  return promise;
 }
 
 /// The best plan at a higher rate: as much shorter as that makes cheaper and the limits allow.
@@ -78,6 +155,7 @@ void raise_rate(Refinement& refinement, const Chain& chain, double rate) {
     refinement.base[i] = factor * refinement.base[i];
     refinement.prices[i] = refinement.prices[i] / seventh_power(factor);
   }
+  curvature_scale(refinement.curvature, 1.0 / seventh_power(factor), chain.count);
 }
 
 /// Above the last rung only the stretch answers to the weight, which no search can make longer.
@@ -86,9 +164,8 @@ void next_rung(Refinement& refinement, Chain& chain) {
     raise_rate(refinement, chain, refinement.unit * refinement.weight);
     return enter(refinement, RefinementPhase::kDone);
   }
-  raise_rate(refinement, chain, refinement.unit * kRungs[refinement.rung]);
-  ++refinement.rung;
-  enter(refinement, RefinementPhase::kDescent);
+  raise_rate(refinement, chain, refinement.unit * weight_of(refinement, refinement.rung + 1));
+  enter_rung(refinement);
   retime(refinement, chain);
 }
 
@@ -97,7 +174,8 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.better) {
     keep(refinement, round, chain);
     enter(refinement, RefinementPhase::kDescent);
-    return retime(refinement, chain);
+    retime(refinement, chain);
+    return;
   }
   if (refinement.round == kFeasibilityRounds) return enter(refinement, RefinementPhase::kDone);
   for (int i = 0; i < chain.count; ++i) {
@@ -106,48 +184,61 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   }
 }
 
-/// Halfway back to the best plan.
+/// Halfway back to the best plan, and no further until a step succeeds.
 void retreat(Refinement& refinement, Chain& chain) {
   ++refinement.failures;
-  if (refinement.failures > effort(refinement).failures) return next_rung(refinement, chain);
+  if (refinement.failures > kRungFailures) return next_rung(refinement, chain);
+  refinement.reach *= 0.5;
+  refinement.radius = refinement.reach;
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = square_root(chain.duration[i] * refinement.base[i]);
 }
 
+/// The gain that so many iterations should bring.
+double worth(const Refinement& refinement, int iterations) {
+  return larger(kLeastGain, kGainPerIteration * iterations) * refinement.best.cost;
+}
+
+/// From a better plan on: further where its gain was worth the iterations, and the next one's would be.
+void advance(Refinement& refinement, const Round& round, Chain& chain) {
+  const double enough = refinement.best.cost - worth(refinement, refinement.spent);
+  keep(refinement, round, chain);
+  if (refinement.reach > kAlmost * refinement.radius) refinement.radius = smaller(1.0, 2.0 * refinement.radius);
+  if (refinement.round == kRungRounds || round.offer.cost > enough) return next_rung(refinement, chain);
+  if (retime(refinement, chain) < worth(refinement, round.iterations)) next_rung(refinement, chain);
+}
+
 void descend(Refinement& refinement, const Round& round, Chain& chain) {
-  const double enough = refinement.best.cost * (1.0 - effort(refinement).least_gain);
-  if (round.better) keep(refinement, round, chain);
-  if (refinement.round == effort(refinement).rounds) return next_rung(refinement, chain);
-  if (!round.better) return retreat(refinement, chain);
-  if (round.offer.cost > enough) return next_rung(refinement, chain);
-  retime(refinement, chain);
+  refinement.spent += round.iterations;
+  if (round.better) return advance(refinement, round, chain);
+  if (refinement.round == kRungRounds) return next_rung(refinement, chain);
+  retreat(refinement, chain);
 }
 
 }  // namespace
 
-void refinement_begin(Refinement& refinement, const Chain& chain, double unit, double weight, bool elastic) noexcept {
+void refinement_begin(Refinement& refinement, const Chain& chain, const Question& question) noexcept {
   enter(refinement, RefinementPhase::kFeasibility);
-  refinement.elastic = elastic;
-  refinement.rung = 0;
-  refinement.last_rung = rung_of(weight);
-  refinement.unit = unit;
-  refinement.weight = weight;
-  refinement.rate = unit * smaller(weight, kDefaultTimeWeight);
-  refinement.best = Offer{0.0, 0.0, 1.0, 1.0, kNoPlan};
+  refinement.elastic = question.elastic;
+  refinement.first_rung = -rungs_below(question.agility);
+  refinement.rung = refinement.first_rung;
+  refinement.last_rung = rung_of(question.weight);
+  refinement.unit = question.unit;
+  refinement.weight = question.weight;
+  refinement.rate = question.unit * weight_of(refinement, refinement.rung);
+  refinement.best = Offer{0.0, kNoPlan, 1.0, 1.0, kNoPlan};
   for (int i = 0; i < chain.count; ++i) refinement.base[i] = chain.duration[i];
 }
 
 bool improves(const Refinement& refinement, Offer& offer) noexcept {
   const Offer& best = refinement.best;
-  const double longest = best.stretch * best.duration;
-  const bool bounded = refinement.rung > 0;
+  const double longest = bounded(refinement) ? best.stretch * best.duration : kNoPlan;
   offer.stretch = 1.0;
   if (refinement.elastic) {
     const double wish = cheapest_stretch(offer, refinement.rate);
-    offer.stretch = larger(offer.least, bounded ? smaller(wish, kJustBelow * longest / offer.duration) : wish);
+    offer.stretch = larger(offer.least, smaller(wish, kJustBelow * longest / offer.duration));
   }
   offer.cost = cost_of(offer, refinement.rate);
-  if (bounded && offer.stretch * offer.duration > longest) return false;
-  return offer.cost < best.cost;
+  return offer.cost < best.cost && offer.stretch * offer.duration <= longest;
 }
 
 void refinement_next(Refinement& refinement, const Round& round, Chain& chain) noexcept {

@@ -13,10 +13,25 @@ Halfspace relative_plane(const Halfspace& plane, const Vec3& origin, const Vec3&
   return {plane.normal, larger(far, offset - kCorridorReserve)};
 }
 
+/// The holds' positions, where polyhedra meet there.
+void set_joints(const Holds& holds, Corridor& out) {
+  for (int i = 0; i < holds.count; ++i) {
+    const int after = holds.list[i].polyhedron;
+    out.polyhedra[after - 1].to = holds.list[i].position;
+    out.polyhedra[after].from = holds.list[i].position;
+  }
+}
+
+void set_planes(const Polyhedron& in, const Vec3& origin, Polyhedron& relative) {
+  for (int p = 0; p < in.count; ++p) {
+    relative.planes[p] = relative_plane(in.planes[p], origin, relative.from, relative.to);
+  }
+}
+
 }  // namespace
 
 void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3& start, const Vec3& goal,
-                       Corridor& out) noexcept {
+                       const Holds& holds, Corridor& out) noexcept {
   out.count = corridor.count;
   for (int i = 0; i < corridor.count; ++i) {
     const Polyhedron& in = corridor.polyhedra[i];
@@ -25,10 +40,9 @@ void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3&
     relative.redundant = 0;
     relative.from = i == 0 ? start : in.from - origin;
     relative.to = i + 1 == corridor.count ? goal : in.to - origin;
-    for (int p = 0; p < in.count; ++p) {
-      relative.planes[p] = relative_plane(in.planes[p], origin, relative.from, relative.to);
-    }
   }
+  set_joints(holds, out);
+  for (int i = 0; i < corridor.count; ++i) set_planes(corridor.polyhedra[i], origin, out.polyhedra[i]);
 }
 
 }  // namespace tern

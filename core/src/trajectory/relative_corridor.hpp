@@ -7,6 +7,7 @@
 #define TERN_TRAJECTORY_RELATIVE_CORRIDOR_HPP
 
 #include "tern/corridor.hpp"
+#include "times/chain.hpp"
 
 namespace tern {
 
@@ -17,10 +18,10 @@ constexpr double kCorridorReserve = 1e-9;
 
 /// Fills `out` with the half-spaces and segment ends of `corridor` (local frame of the grid) relative to `origin`, a
 /// point in the same frame. The first segment begins at `start` and the last ends at `goal`, both relative to `origin`
-/// already, bit for bit. Each half-space holds the ends of its segment exactly. Sets no redundant half-spaces and no
-/// ellipsoids.
+/// already, bit for bit; so do those that meet at a hold, with its position. Each half-space holds the ends of its
+/// segment exactly. Sets no redundant half-spaces and no ellipsoids.
 void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3& start, const Vec3& goal,
-                       Corridor& out) noexcept;
+                       const Holds& holds, Corridor& out) noexcept;
 
 }  // namespace tern
 

@@ -20,7 +20,8 @@ void drift_of(const Vec3* points, Vec3* drift) {
 
 /// -T d/dT of the integral of squared snap. The form is homogeneous: of degree 2 in the points and -7 in T.
 double snap_price(const Vec3* points, const Vec3* drift, double duration) {
-  Segment segment{};
+  Segment segment;
+  segment.polyhedron = 0;
   segment.duration = duration;
   for (int k = 0; k < kControlPoints; ++k) segment.points[k] = points[k];
   const Curve snap = snap_of(segment);

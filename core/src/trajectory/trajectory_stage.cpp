@@ -15,11 +15,26 @@ namespace {
 /// Passes of the stage's loop at most: three a programme, and the last ones.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
+/// Shortest segment of a chain with vias, in parts of the mean.
+constexpr double kShortestPart = 1.0 / 16.0;
+
 /// Iterations of a programme after which its bound is looked at, again and again.
 constexpr std::uint32_t kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
+}
+
+/// True where the chain passes a via with a given velocity: there is no stop-and-go, and no stretch in time.
+bool hurries(const Chain& chain) {
+  for (int i = 0; i < chain.hold_count; ++i) {
+    if (chain.holds[i].has_velocity) return true;
+  }
+  return false;
+}
+
+bool is_elastic(const TrajectoryStage& stage) {
+  return rests(stage.query) && !hurries(stage.chain);
 }
 
 bool stays(const Corridor& corridor) {
@@ -56,12 +71,19 @@ double fixed_snap(TrajectoryStage& stage) {
   return snap_of(candidate_of(stage));
 }
 
+/// Lengthens what is much shorter than the mean: the Hessian of a long chain is too nearly singular otherwise.
+void even_out(Chain& chain) {
+  const double least = kShortestPart * chain_duration(chain) / chain.count;
+  for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(chain.duration[i], least);
+}
+
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
   if (stage.refinement.phase == RefinementPhase::kDone || stage.solves == kMaxQpSolves) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
   fit_ends(corridor, stage.query.limits, stage.chain);
+  if (stage.chain.hold_count > 0) even_out(stage.chain);
   assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
@@ -146,21 +168,45 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
+Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
+  const TrajectoryQuery& query = stage.query;
+  return Question{time_unit(stage.chain, corridor, query.limits), query.time_weight,
+                  agility(stage.chain, corridor, query.limits), is_elastic(stage)};
+}
+
 /// Where no programme had a solution: starts again from stop-and-go, along whose segments there is one.
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor) {
   const TrajectoryQuery& query = stage.query;
-  if (stage.best.found || stage.has_fallback) return;
+  if (stage.best.found || stage.has_fallback || hurries(stage.chain)) return;
   if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
   stage.has_fallback = true;
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
-  refinement_begin(stage.refinement, stage.chain, stage.refinement.unit, query.time_weight, rests(query));
+  if (!place_holds(stage.chain)) return;  // the way stays where it is from one via to the next
+  refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
+}
+
+/// Where a programme was too ill-conditioned: from now on the chain goes through its vias exactly, which conditions it
+/// better. False where it does already.
+bool give_up_tolerances(TrajectoryStage& stage) {
+  bool had_some = false;
+  for (int i = 0; i < stage.chain.hold_count; ++i) {
+    had_some = had_some || stage.chain.holds[i].reach > 0.0;
+    stage.chain.holds[i].reach = 0.0;
+  }
+  if (had_some) stage.warm_count = 0;
+  return had_some;
 }
 
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
+  if (stage.solve_status == Status::kNumerical && give_up_tolerances(stage)) {
+    stage.phase = TrajectoryPhase::kPropose;
+    return;
+  }
   stage.round.better = false;
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
+  stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
   refinement_next(stage.refinement, stage.round, stage.chain);
   if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor);
   stage.phase = TrajectoryPhase::kPropose;
@@ -169,13 +215,14 @@ void judge(TrajectoryStage& stage, const Corridor& corridor) {
 /// Where there is nothing better, from stop to stop.
 Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
   const TrajectoryQuery& query = stage.query;
-  const Status status = stop_and_go(corridor, query.start, query.goal, query.limits, out);
+  const Status status =
+      hurries(stage.chain) ? Status::kNoTrajectory : stop_and_go(corridor, query.start, query.goal, query.limits, out);
   stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
   return conclude(status, stage.status);
 }
 
 Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
-  if (stays(corridor) && rests(stage.query)) {
+  if (stays(corridor) && is_elastic(stage)) {
     stage.quality = Quality::kHover;
     hover(stage.query.start.position, out);
     return Progress::kDone;
@@ -212,14 +259,13 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.has_fallback = false;
   stage.warm_count = 0;
   stage.phase = TrajectoryPhase::kFinish;
-  if (stays(corridor) && rests(query)) return;
+  stage.chain = chain;
+  if (stays(corridor) && is_elastic(stage)) return;
   if (query.max_iterations == 0) {
     stage.optimiser = Status::kBudgetOptimise;
     return;
   }
-  stage.chain = chain;
-  refinement_begin(stage.refinement, stage.chain, time_unit(chain, corridor, query.limits), query.time_weight,
-                   rests(query));
+  refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
   stage.phase = TrajectoryPhase::kPropose;
 }
 

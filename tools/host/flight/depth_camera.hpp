@@ -4,26 +4,13 @@
 #define TERN_HOST_FLIGHT_DEPTH_CAMERA_HPP
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "host/flight/flight_world.hpp"
+#include "host/flight/noise.hpp"
 #include "tern/map.hpp"
 
 namespace tern_host {
-
-/// Uniform numbers that are the same on every platform.
-class Noise {
- public:
-  explicit Noise(std::uint64_t seed) : engine_(seed) {}
-  double within(double lower, double upper) {
-    return lower + (upper - lower) * (static_cast<double>(engine_() >> 11) * (1.0 / 9007199254740992.0));
-  }
-  bool chance(double part) { return within(0.0, 1.0) < part; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// One image, with the pose that it was taken at. The view points into `depths`.
 struct DepthFrame {
@@ -33,7 +20,8 @@ struct DepthFrame {
   std::int64_t taken = 0;
 };
 
-/// What a level camera at `eye` sees that looks along `yaw`, with noise and outliers. A pixel has its centre's depth.
+/// What a level camera at `eye` sees that looks along `yaw`, with noise and outliers. A pixel has the least depth of
+/// its four corners, as the map demands: what is nearest in it counts.
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise);
 
 }  // namespace tern_host

@@ -26,16 +26,21 @@ Json settings_json(const FlightSettings& s) {
           {"depth_noise", s.depth_noise},
           {"dropout", s.dropout},
           {"outliers", s.outliers},
+          {"speckle_filter", s.speckle_filter},
           {"hits", s.hits},
+          {"support", s.support},
           {"v_max", s.v_max},
           {"a_max", s.a_max},
           {"j_max", s.j_max},
           {"yaw_rate", s.yaw_rate},
+          {"yaw_acceleration", s.yaw_acceleration},
+          {"yaw", s.yaw},
           {"tick_hz", s.tick_hz},
           {"work_per_tick", s.work_per_tick},
           {"time_limit", s.time_limit},
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
+          {"wind", s.wind},
           {"seed", s.seed}};
 }
 
@@ -44,28 +49,48 @@ Json states_json(const FlightResult& result) {
   return {{"rest", s[0]}, {"look", s[1]}, {"fly", s[2]}, {"stop", s[3]}, {"threat", s[4]}};
 }
 
+Json watched_json(const WatchTotals& w) {
+  return {{"ticks", w.ticks}, {"commits", w.commits}, {"points", w.points}, {"voxels", w.voxels}, {"hits", w.hits}};
+}
+
+Json mission_json(const std::vector<MissionPoint>& points) {
+  Json all = Json::array();
+  for (const MissionPoint& p : points) {
+    Json point = {{"position", {p.position.x, p.position.y, p.position.z}}, {"state", p.state}};
+    if (p.state == "passed") point.update({{"time_s", p.time}, {"distance", p.distance}, {"speed", p.speed}});
+    all.push_back(point);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string flight_json(const FlightWorld& world, const FlightResult& result) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016" PRIx64, result.commands_hash);
-  const Json json = {{"format", "tern-flight/1"},
-                     {"status", result.status},
-                     {"world", world.name},
-                     {"goal", {world.goal.x, world.goal.y, world.goal.z}},
-                     {"settings", settings_json(world.settings)},
-                     {"time_s", result.time},
-                     {"length_m", result.length},
-                     {"mean_speed", result.time > 0.0 ? result.length / result.time : 0.0},
-                     {"min_clearance", result.min_clearance},
-                     {"plans",
-                      {{"asked", result.asked},
-                       {"committed", result.committed},
-                       {"dropped", result.dropped},
-                       {"failed", result.failed}}},
-                     {"states", states_json(result)},
-                     {"work", {{"max", result.work_max}, {"p99", result.work_p99}}},
-                     {"commands_hash", hash}};
+  Json json = {{"format", "tern-flight/1"},
+               {"status", result.status},
+               {"reason", result.reason},
+               {"world", world.name},
+               {"goal", {world.goal.x, world.goal.y, world.goal.z}},
+               {"mission", mission_json(result.mission)},
+               {"settings", settings_json(world.settings)},
+               {"time_s", result.time},
+               {"length_m", result.length},
+               {"mean_speed", result.time > 0.0 ? result.length / result.time : 0.0},
+               {"min_clearance", result.min_clearance},
+               {"tracking_error", {{"max", result.tracking_max}, {"rms", result.tracking_rms}}},
+               {"plans",
+                {{"asked", result.asked},
+                 {"committed", result.committed},
+                 {"dropped", result.dropped},
+                 {"failed", result.failed}}},
+               {"states", states_json(result)},
+               {"view_wait_s", result.view_wait},
+               {"work", {{"max", result.work_max}, {"p99", result.work_p99}, {"total", result.work_total}}},
+               {"watched", watched_json(result.watched)},
+               {"commands_hash", hash}};
+  if (result.full_knowledge > 0.0) json["full_knowledge_s"] = result.full_knowledge;
   return json.dump(2) + "\n";
 }
 

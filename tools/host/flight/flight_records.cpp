@@ -1,11 +1,15 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 
 #include "host/flight/flight_world.hpp"
+#include "host/flight/world_family.hpp"
 #include "host/text_records.hpp"
+#include "host/vehicle/vehicle.hpp"
+#include "host/via_record.hpp"
 
 namespace tern_host {
 namespace {
@@ -66,10 +70,26 @@ void set_window(FlightSettings& s, const Words& words, const Place& place) {
 }
 
 void set_tracking(FlightSettings& s, const Words& words, const Place& place) {
-  if (words.size() != 2 || (words[1] != "perfect" && words[1] != "bounded")) {
-    throw RecordError(place, "tracking is perfect or bounded");
+  const std::vector<std::string>& kinds = vehicle_kinds();
+  if (words.size() != 2 || std::find(kinds.begin(), kinds.end(), words[1]) == kinds.end()) {
+    throw RecordError(place, "tracking is perfect, bounded, quadrotor or px4");
   }
   s.tracking = words[1];
+}
+
+void set_yaw(FlightSettings& s, const Words& words, const Place& place) {
+  const std::vector<std::string> kinds = {"gimbal", "unseen", "motion", "point", "heading"};
+  if (words.size() < 2 || std::find(kinds.begin(), kinds.end(), words[1]) == kinds.end()) {
+    throw RecordError(place, "yaw is gimbal, unseen, motion, point x y z, or heading DEGREES");
+  }
+  const Words rest(words.begin() + 1, words.end());
+  const std::vector<double> values = numbers(rest, place);
+  const std::size_t needed = words[1] == "point" ? 3 : (words[1] == "heading" ? 1 : 0);
+  if (values.size() != needed)
+    throw_count("yaw " + words[1], std::to_string(needed) + " numbers", values.size(), place);
+  s.yaw = words[1];
+  if (needed == 3) s.yaw_point = {values[0], values[1], values[2]};
+  if (needed == 1) s.yaw_heading = values[0];
 }
 
 const std::map<std::string, Setter>& setters() {
@@ -86,13 +106,18 @@ const std::map<std::string, Setter>& setters() {
       {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
       {"dropout", real(&S::dropout, 0.0, 1.0)},
       {"outliers", real(&S::outliers, 0.0, 1.0)},
+      {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
       {"hits", whole(&S::hits, 1.0, 4.0)},
+      {"support", whole(&S::support, 0.0, 8.0)},
       {"v_max", real(&S::v_max, 0.01, 100.0)},
       {"a_max", real(&S::a_max, 0.01, 100.0)},
       {"j_max", real(&S::j_max, 0.0, 1e6)},
+      {"wind", real(&S::wind, 0.0, 100.0)},
       {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
+      {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
+      {"yaw", set_yaw},
       {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
-      {"work_per_tick", whole(&S::work_per_tick, 128.0, 1e8)},
+      {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
       {"time_limit", real(&S::time_limit, 0.1, 1e4)},
       {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
       {"sensor_fov", set_fov},
@@ -119,6 +144,19 @@ Cylinder cylinder_of(const Words& words, const Place& place) {
   return {v[0], v[1], v[2], v[3], v[4]};
 }
 
+tern::Via flown_via(const Words& words, const FlightWorld& world, const Place& place) {
+  const tern::Via via = read_via(words, place);
+  if (via.has_velocity) throw RecordError(place, "a flight promises no velocity at a via");
+  if (world.vias.size() + 1 == std::size_t{tern::kMaxMissionPoints}) throw RecordError(place, "too many vias");
+  return via;
+}
+
+tern::ViaPolicy policy_of(const Words& words, const Place& place) {
+  const bool is_known = words.size() == 2 && (words[1] == "end" || words[1] == "skip");
+  if (!is_known) throw RecordError(place, "via_policy is end or skip");
+  return words[1] == "end" ? tern::ViaPolicy::kEnd : tern::ViaPolicy::kSkip;
+}
+
 void add_record(const Words& words, const Place& place, FlightWorld& world) {
   const std::string& key = words[0];
   const auto setter = setters().find(key);
@@ -133,6 +171,10 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     world.start = vector(words, place);
   } else if (key == "goal") {
     world.goal = vector(words, place);
+  } else if (key == "via") {
+    world.vias.push_back(flown_via(words, world, place));
+  } else if (key == "via_policy") {
+    world.via_policy = policy_of(words, place);
   } else {
     throw RecordError(place, "there is no record " + quote(key) + " for flights");
   }
@@ -156,24 +198,45 @@ void choose_voxels(FlightWorld& world) {
   if (!(s.window.x > 0.0)) s.window = indoors ? tern::Vec3{25.6, 20.0, 8.0} : tern::Vec3{51.2, 30.0, 8.0};
 }
 
+void choose_evidence(FlightSettings& s) {
+  if (s.speckle_filter < 0) s.speckle_filter = s.outliers > 0.0 ? 1 : 0;
+  const bool errs = s.outliers > 0.0 && s.speckle_filter == 0;
+  if (s.hits == 0) s.hits = errs ? 2 : 1;
+  if (s.support < 0) s.support = errs ? 1 : 0;
+}
+
+void replace_settings(const std::vector<std::string>& overrides, FlightWorld& world) {
+  for (const std::string& setting : overrides) {
+    const Place place{"--set", 0};
+    const Words words = words_of(setting, place);
+    if (setters().count(words[0]) == 0) throw RecordError(place, "there is no setting " + quote(words[0]));
+    add_record(words, place, world);
+  }
+}
+
 }  // namespace
+
+FlightSettings flight_settings(const std::vector<std::string>& overrides, const FlightSettings& defaults) {
+  FlightWorld world;
+  world.settings = defaults;
+  replace_settings(overrides, world);
+  return world.settings;
+}
 
 FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides) {
   FlightWorld world;
   world.name = path;
-  const Place end = for_each_record(read_text(path), path,
-                                    [&](const Words& words, const Place& place) { add_record(words, place, world); });
-  for (const std::string& text : overrides) {
-    const Place place{"--set", 0};
-    const Words words = words_of(text, place);
-    if (setters().count(words[0]) == 0) throw RecordError(place, "there is no setting " + quote(words[0]));
-    add_record(words, place, world);
-  }
+  FamilyMember member;
+  const std::string text = parse_member(path, member) ? world_text(member) : read_text(path);
+  const Place end =
+      for_each_record(text, path, [&](const Words& words, const Place& place) { add_record(words, place, world); });
+  replace_settings(overrides, world);
   const tern::Box& b = world.boundary;
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
     throw RecordError(end, "there is no boundary");
   }
   choose_voxels(world);
+  choose_evidence(world.settings);
   return world;
 }
 

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "tern/flight.hpp"
 #include "tern/vec3.hpp"
+#include "tern/via.hpp"
 
 namespace tern_host {
 
@@ -36,16 +38,23 @@ struct FlightSettings {
   double depth_noise = 0.0;  ///< largest error, metres a metre of depth
   double dropout = 0.0;      ///< part of the frames that are lost
   double outliers = 0.0;     ///< part of the pixels with a random depth
-  int hits = 1;              ///< as MapSpec::hits
+  int hits = 0;              ///< as MapSpec::hits; 0 in a file that does not say: 2 with outliers, unfiltered, else 1
+  int support = -1;          ///< as MapSpec::support; negative in a file that does not say: likewise 1, else 0
+  int speckle_filter = -1;   ///< 1: the camera's driver takes lone pixels out; negative: with outliers
   double v_max = 3.0;
   double a_max = 6.0;
   double j_max = 0.0;  ///< 0: no limit
   double yaw_rate = 2.5;
+  double yaw_acceleration = 8.0;  ///< rad/s^2; only where the flight plans its yaw
+  std::string yaw = "gimbal";     ///< or the flight's own plan: unseen, motion, point or heading
+  tern::Vec3 yaw_point{};
+  double yaw_heading = 0.0;  ///< degrees
   double tick_hz = 100.0;
   int work_per_tick = 4000;
   double time_limit = 120.0;
   double goal_tolerance = 0.01;
-  std::string tracking = "bounded";  ///< or "perfect"
+  std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
+  double wind = 0.0;                 ///< mean speed, m/s; for rigid bodies
   std::uint64_t seed = 1;
 };
 
@@ -56,17 +65,23 @@ struct FlightWorld {
   tern::Box boundary{};  ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};
+  std::vector<tern::Via> vias;  ///< points to pass on the way to the goal
+  tern::ViaPolicy via_policy = tern::ViaPolicy::kEnd;
   FlightSettings settings;
 };
 
-/// Reads a world. `overrides` are `key=value` with commas between numbers, and win. Throws RecordError.
+/// The vias, and the goal as the last one.
+std::vector<tern::Via> mission_of(const FlightWorld& world);
+
+/// Reads a world's file, or makes the world that `path` names (world_family.hpp). `overrides` are `key=value` with
+/// commas between numbers, and win. Throws RecordError.
 FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides);
+
+/// `defaults` with `overrides`, for what has no world. Throws RecordError.
+FlightSettings flight_settings(const std::vector<std::string>& overrides, const FlightSettings& defaults = {});
 
 /// Distance of a point from the nearest block, cylinder or wall, metres; negative outside the boundary.
 double clearance(const FlightWorld& world, const tern::Vec3& point);
-
-/// The least t in (0, most) at which from + t * along meets a block, a cylinder or a wall; `most` where there is none.
-double first_hit(const FlightWorld& world, const tern::Vec3& from, const tern::Vec3& along, double most);
 
 }  // namespace tern_host
 

@@ -7,28 +7,79 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "host/flight/flight_world.hpp"
+#include "host/vehicle/vehicle.hpp"
+#include "tern/flight.hpp"
+
+namespace tern {
+class FlightState;
+}
 
 namespace tern_host {
 
+/// Where the vehicle truly was at one tick.
+struct TrackPoint {
+  tern::Vec3 position;
+  double speed;
+  bool committed;  ///< a plan was committed in this tick
+};
+
+/// What was looked at to hold the flight to its invariants.
+struct WatchTotals {
+  std::uint64_t ticks = 0, commits = 0, points = 0, voxels = 0, hits = 0;
+};
+
+/// What became of a point of the mission; the goal is the last one.
+struct MissionPoint {
+  tern::Vec3 position;
+  double tolerance;
+  std::string state;             ///< ahead, passed or skipped
+  double time, distance, speed;  ///< where the commands came nearest to it while it was ahead
+};
+
 struct FlightResult {
-  std::string status;  ///< reached, stuck, timeout, threat or collision
+  std::string status;  ///< reached, stuck, timeout, threat, collision or invariant
+  std::string reason;  ///< in words
   double time = 0.0;   ///< seconds
   double length = 0.0;
   double min_clearance = 0.0;
+  double tracking_max = 0.0, tracking_rms = 0.0;  ///< of where the vehicle believes to be, off the command, metres
+  double full_knowledge = 0.0;                    ///< full_knowledge_time(), where it was asked for
   std::uint32_t asked = 0, committed = 0, dropped = 0, failed = 0;
   std::array<double, 5> seconds_in{};  ///< of each tern::FlightMode
+  double view_wait = 0.0;              ///< seconds in which the field of view slowed the flight
   std::uint32_t work_max = 0, work_p99 = 0;
+  std::uint64_t work_total = 0;
   std::uint64_t commands_hash = 0;
-  std::string samples;  ///< CSV, one row a tick
+  WatchTotals watched;
+  std::vector<MissionPoint> mission;
+  std::vector<TrackPoint> track;  ///< one a tick
+  std::string samples;            ///< CSV, one row a tick
 
   bool reached() const { return status == "reached"; }
 };
 
-/// Flies it. Throws std::runtime_error where the flight cannot begin.
-FlightResult simulate_flight(const FlightWorld& world);
+/// What an onlooker sees in each tick, after the flight has done its part of it.
+struct FlightMoment {
+  std::int64_t t;  ///< nanoseconds
+  const tern::FlightReport& report;
+  const tern::Command& command;
+  const Vehicle& vehicle;
+  double yaw;        ///< of the camera, rad
+  double clearance;  ///< of the vehicle's centre, metres
+  const tern::RollingMap& map;
+  const tern::Flight& flight;
+  const tern::Planner& planner;
+  const tern::FlightState& state;  ///< the flight's own, for displays
+};
+using FlightOnlooker = std::function<void(const FlightMoment&)>;
+
+/// Flies it; `onlooker` may be empty, and changes nothing. Throws std::runtime_error where the flight cannot begin.
+FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker = {});
 
 /// The log, as JSON (docs/formats.md).
 std::string flight_json(const FlightWorld& world, const FlightResult& result);

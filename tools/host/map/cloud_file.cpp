@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/map/cloud_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/map/byte_reader.hpp"
@@ -184,6 +185,18 @@ std::vector<tern::Vec3> read_points(ByteReader& reader, const Table& table, cons
   return points;
 }
 
+/// True if the first line that is neither empty nor a comment is one of a PCD header.
+bool is_pcd(const std::string& bytes) {
+  std::size_t begin = 0;
+  for (int i = 0; i < kMaxHeaderLines && begin < bytes.size(); ++i) {
+    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+    const Words words = split_words(bytes.substr(begin, end - begin), false);
+    if (!words.empty() && words[0][0] != '#') return words[0] == "VERSION" || words[0] == "FIELDS";
+    begin = end + 1;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<tern::Vec3> parse_cloud(const std::string& bytes, const Place& place) {
@@ -192,9 +205,7 @@ std::vector<tern::Vec3> parse_cloud(const std::string& bytes, const Place& place
     reader.line();
     return read_points(reader, read_ply_header(reader, place), place);
   }
-  if (bytes.compare(0, 5, "# .PC") != 0 && bytes.compare(0, 7, "VERSION") != 0) {
-    throw RecordError(place, "neither a PCD file nor a PLY file");
-  }
+  if (!is_pcd(bytes)) throw RecordError(place, "neither a PCD file nor a PLY file");
   return read_points(reader, read_pcd_header(reader, place), place);
 }
 

@@ -24,7 +24,7 @@ std::string beside(const std::string& scenario, const std::string& file) {
 
 /// The boundary, and as far around it as an obstacle can matter.
 Box reach_of(const Scenario& scenario) {
-  const double margin = scenario.radius + 2.0 * scenario.resolution;
+  const double margin = scenario.clearance() + 2.0 * scenario.resolution;
   const Box& b = scenario.boundary;
   return {{b.lower.x - margin, b.lower.y - margin, b.lower.z - margin},
           {b.upper.x + margin, b.upper.y + margin, b.upper.z + margin}};

@@ -64,11 +64,15 @@ std::string style_sheet() {
 .flight-halo { stroke: #ffffff; stroke-width: 8; stroke-linejoin: round }
 .behind { stroke-width: 2.6; stroke-dasharray: 4 3; stroke-opacity: 0.75 }
 .shadow { stroke: #1f2733; stroke-opacity: 0.22; stroke-width: 3; stroke-linejoin: round }
+.via { fill: #ffffff; stroke: #1f2733; stroke-width: 1.4 }
+.via-number { font-size: 10px; text-anchor: middle }
 .robot { fill: #1f2733; fill-opacity: 0.16; stroke: #1f2733; stroke-width: 1.4 }
 .curve { stroke-width: 1.9; stroke-linejoin: round }
 .norm { stroke: #1f2733; stroke-width: 1.1; stroke-opacity: 0.55 }
 .limit { stroke-width: 1.3; stroke-dasharray: 7 4 }
 .joint { stroke: #cdd3db; stroke-width: 1; stroke-dasharray: 1 3 }
+.nose { stroke: #1f2733; stroke-width: 1.5; stroke-linecap: round }
+.nose-root { fill: #1f2733 }
 .zero { stroke: #b9c0ca; stroke-width: 1 }
 )";
 }

@@ -14,10 +14,12 @@ namespace tern_host {
 namespace {
 
 constexpr double kEndRadius = 7.0;
-constexpr double kSame = 2.0;        // pixels within which both ends are one
-constexpr double kStep = 4.0;        // pixels between the points of a way that a name is kept off
-constexpr double kOutside = 1000.0;  // what leaving the frame costs, in points covered
-constexpr int kRings = 4;            // distances tried
+constexpr double kViaRadius = 7.5;
+constexpr double kViaBaseline = 3.5;  ///< of its number, below its centre
+constexpr double kSame = 2.0;         // pixels within which both ends are one
+constexpr double kStep = 4.0;         // pixels between the points of a way that a name is kept off
+constexpr double kOutside = 1000.0;   // what leaving the frame costs, in points covered
+constexpr int kRings = 4;             // distances tried
 constexpr const char* kStartColour = "#2f8f5b";
 constexpr const char* kGoalColour = "#c23b3b";
 
@@ -111,6 +113,14 @@ void draw_end_marks(Canvas& canvas, const Rect& frame, Pixel start, Pixel goal, 
   if (same) return draw_name(canvas, frame, points, from.at, from.name + ", " + to.name);
   draw_name(canvas, frame, points, from.at, from.name);
   draw_name(canvas, frame, points, to.at, to.name);
+}
+
+void draw_via_marks(Canvas& canvas, const Rect& frame, const std::vector<Pixel>& vias) {
+  for (std::size_t v = 0; v < vias.size(); ++v) {
+    if (!frame.holds(vias[v])) continue;
+    canvas.circle(vias[v], kViaRadius, "class=\"via\"");
+    canvas.text({vias[v].x, vias[v].y + kViaBaseline}, std::to_string(v + 1), "class=\"via-number\"");
+  }
 }
 
 }  // namespace tern_host

@@ -13,6 +13,9 @@ namespace tern_host {
 /// `frame` where that can be, and clear of all text drawn so far. Ends in one place share a mark and a name.
 void draw_end_marks(Canvas& canvas, const Rect& frame, Pixel start, Pixel goal, const std::vector<Pixel>& way);
 
+/// Marks those vias that the frame shows with their numbers, from 1.
+void draw_via_marks(Canvas& canvas, const Rect& frame, const std::vector<Pixel>& vias);
+
 }  // namespace tern_host
 
 #endif

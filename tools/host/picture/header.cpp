@@ -36,9 +36,11 @@ std::string limit_text(const LimitRange& limit) {
 }
 
 std::string settings_text(const Scenario& scenario) {
+  const std::string margin =
+      scenario.tracking_margin > 0.0 ? kDot + ("tracking margin " + fixed(scenario.tracking_margin, 2) + " m") : "";
   return "resolution " + fixed(scenario.resolution, 3) + " m" + kDot + "robot radius " + fixed(scenario.radius, 2) +
-         " m" + kDot + "velocity limit per axis " + limit_text(velocity_range(scenario.limits)) + " m/s" + kDot +
-         "acceleration limit per axis " + limit_text(acceleration_range(scenario.limits)) + " m/s\u00b2";
+         " m" + margin + kDot + "velocity limit per axis " + limit_text(velocity_range(scenario.limits)) + " m/s" +
+         kDot + "acceleration limit per axis " + limit_text(acceleration_range(scenario.limits)) + " m/s\u00b2";
 }
 
 /// Returns the next line's baseline.
@@ -124,6 +126,7 @@ std::vector<LegendEntry> legend_entries(const PlanResult& result, const Figures&
     entries.push_back(shortcut_entry());
   }
   if (result.ok()) {
+    if (result.yaw != nullptr) entries.push_back(line_entry("where the nose points", "class=\"nose\""));
     entries.push_back(speed_entry("trajectory, speed |v| from 0 to " + fixed(speed_scale(figures), 2) + " m/s"));
   }
   return entries;
@@ -150,6 +153,7 @@ std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend leg
   if (has_fence(scenario, tern::FenceKind::kKeepIn)) {
     entries.push_back(area_entry("keep-in fence", "class=\"keepin\""));
   }
+  if (!scenario.vias.empty()) entries.push_back(dot_entry("vias", 6.0, "class=\"via\""));
   return entries;
 }
 

@@ -11,6 +11,7 @@ constexpr double kLeft = 62.0;     // tick labels and title of a vertical axis
 constexpr double kBelow = 48.0;    // those of a horizontal axis
 constexpr double kHeading = 34.0;  // a panel's title
 constexpr double kProfileHeight = 280.0;
+constexpr double kYawHeight = 220.0;
 constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
 constexpr double kColumn = 0.53 * kContent;
 constexpr double kMaxViews = 690.0;  // height of both views of a long map
@@ -55,6 +56,14 @@ void lay_out_views_only(PageLayout& page, const Extents& map, double y) {
   page.height = stack_views(page, map, scale, y);
 }
 
+void lay_out_yaw(PageLayout& page) {
+  const double y = page.height + kHeading + 8.0;
+  const double width = 0.5 * (kContent - 24.0) - kLeft;
+  page.yaw_frame = {kPageMargin + kLeft, y, width, kYawHeight};
+  page.turning_frame = {kPageMargin + kContent - width, y, width, kYawHeight};
+  page.height = y + kYawHeight + kBelow;
+}
+
 }  // namespace
 
 PageLayout lay_out_page(const PlanResult& result, double y) {
@@ -75,6 +84,7 @@ PageLayout lay_out_page(const PlanResult& result, double y) {
   } else {
     lay_out_columns(page, map, column, y);
   }
+  if (result.yaw != nullptr) lay_out_yaw(page);
   page.height += 12.0;
   return page;
 }

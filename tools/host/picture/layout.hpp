@@ -18,12 +18,14 @@ struct PageLayout {
   Rect side_frame;
   Rect velocity_frame;
   Rect acceleration_frame;
+  Rect yaw_frame;  ///< with a yaw plan only, as the next one
+  Rect turning_frame;
   double height;
 };
 
 /// Lays the page out below `y`. The longer horizontal axis of the map runs across the page, both views share it and
 /// one scale. A long map's views take the whole width, with the profiles below; other maps leave them the right half. A
-/// failed plan has no profiles.
+/// failed plan has no profiles. The profiles of a yaw plan stand below everything else.
 PageLayout lay_out_page(const PlanResult& result, double y);
 
 }  // namespace tern_host

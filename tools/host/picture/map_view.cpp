@@ -8,6 +8,7 @@
 #include "host/number.hpp"
 #include "host/picture/colours.hpp"
 #include "host/picture/ends.hpp"
+#include "host/picture/heading_view.hpp"
 #include "host/picture/merged_blocks.hpp"
 #include "host/picture/outline.hpp"
 
@@ -72,7 +73,7 @@ void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario, ter
 
 /// The space that the radius takes around the keep-outs: a stroke of that width.
 void draw_fence_margins(Canvas& canvas, const View& view, const Scenario& scenario) {
-  const std::string width = fixed(2.0 * scenario.radius * view.scale(), 2);
+  const std::string width = fixed(2.0 * scenario.clearance() * view.scale(), 2);
   draw_fences(canvas, view, scenario, tern::FenceKind::kKeepOut,
               "class=\"inflated\" stroke=\"#e9ebef\" stroke-linejoin=\"round\" stroke-width=\"" + width + "\"");
 }
@@ -119,7 +120,7 @@ constexpr double kDepthSpan = 0.65;
 
 void draw_blocks(Canvas& canvas, const View& view, const Scenario& scenario) {
   for (const Block& block : scenario.blocks) {
-    canvas.rect(view.box(block.box, scenario.radius), "class=\"inflated\"", scenario.radius * view.scale());
+    canvas.rect(view.box(block.box, scenario.clearance()), "class=\"inflated\"", scenario.clearance() * view.scale());
   }
   for (const Block& block : scenario.blocks) {
     const double part = depth_part(block.box, scenario.boundary, view.depth());
@@ -144,7 +145,7 @@ void draw_merged_blocks(Canvas& canvas, const Rect& frame, const View& view, con
   MergedBlocks matter(frame);
   MergedBlocks keepouts(frame);
   for (const Block& block : scenario.blocks) {
-    add_inflated(inflated, view, block.box, scenario.radius);
+    add_inflated(inflated, view, block.box, scenario.clearance());
     const double part = depth_part(block.box, scenario.boundary, view.depth());
     (block.keepout ? keepouts : matter).add(view.box(block.box, 0.0), part);
   }
@@ -195,6 +196,9 @@ void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projecti
 
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,
                const std::vector<Pixel>& way) {
+  std::vector<Pixel> vias;
+  for (const tern::Via& via : scenario.vias) vias.push_back(project(axes, projection, via.position));
+  draw_via_marks(canvas, axes.frame, vias);
   draw_end_marks(canvas, axes.frame, project(axes, projection, scenario.start.position),
                  project(axes, projection, scenario.goal.position), way);
 }
@@ -233,6 +237,7 @@ void draw_map_view(Canvas& canvas, const Axes& axes, const Projection& projectio
     draw_waypoints(canvas, waypoints);
     way.insert(way.end(), waypoints.rbegin(), waypoints.rend());  // there and back: one chain
   }
+  if (projection.depth == 2) draw_noses(canvas, axes, projection, result);
   draw_ends(canvas, axes, projection, result.scenario, way);
 }
 

@@ -159,6 +159,9 @@ void draw_plan(Canvas& canvas, const PlanResult& result, const ObliqueScene& sce
     draw_robots(canvas, result, scene, camera, scale);
   }
   const std::vector<Pixel> way = points.empty() ? std::vector<Pixel>{} : pixels(points, 0, points.size() - 1, camera);
+  std::vector<Pixel> vias;
+  for (const tern::Via& via : result.scenario.vias) vias.push_back(camera.project(via.position));
+  draw_via_marks(canvas, frame, vias);
   draw_end_marks(canvas, frame, camera.project(result.scenario.start.position),
                  camera.project(result.scenario.goal.position), way);
 }

@@ -5,6 +5,7 @@
 #include "host/figures.hpp"
 #include "host/picture/colours.hpp"
 #include "host/picture/header.hpp"
+#include "host/picture/heading_view.hpp"
 #include "host/picture/layout.hpp"
 #include "host/picture/profile_view.hpp"
 
@@ -28,6 +29,10 @@ std::string plan_svg(const PlanResult& result) {
   if (result.ok()) {
     draw_profile(page, layout.velocity_frame, Profile::kVelocity, result, figures);
     draw_profile(page, layout.acceleration_frame, Profile::kAcceleration, result, figures);
+  }
+  if (result.yaw != nullptr) {
+    draw_heading_profile(page, layout.yaw_frame, result);
+    draw_turning_profile(page, layout.turning_frame, result);
   }
   // After the profiles, whose text the names of start and goal keep off.
   draw_panel(page, result, layout.top, layout.top_frame, "Top view", speed_scale(figures));

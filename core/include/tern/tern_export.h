@@ -1,0 +1,68 @@
+/* Copyright (c) 2026, the Tern authors
+ * SPDX-License-Identifier: BSD-3-Clause
+ *
+ * Plans for flight stacks, in C99: tern/export.hpp under C names, which explains every field and answer. */
+#ifndef TERN_TERN_EXPORT_H
+#define TERN_TERN_EXPORT_H
+
+#include "tern/tern_yaw.h"
+
+#ifdef __cplusplus
+#include "tern/export.hpp"
+typedef tern::SetpointNed tern_setpoint;
+typedef tern::MavlinkHeader tern_mavlink_header;
+typedef tern::Poly4d tern_crazyflie_piece;
+typedef tern::Px4Limits tern_px4_parameters;
+typedef tern::ArdupilotLimits tern_ardupilot_parameters;
+extern "C" {
+#else
+/* clang-format off */
+/* North, east, down; yaw clockwise from north: tern::SetpointNed. */
+typedef struct { float position[3], velocity[3], acceleration[3], jerk[3], yaw, yaw_rate; } tern_setpoint;
+/* Sender, receiver and time of a MAVLink frame: tern::MavlinkHeader. */
+typedef struct {
+  uint8_t system, component, target_system, target_component, sequence; uint32_t time_boot_ms;
+} tern_mavlink_header;
+/* A piece of a Crazyflie's trajectory in raw form: tern::Poly4d. */
+typedef struct { float p[4][8]; float duration; } tern_crazyflie_piece;
+/* Parameters of PX4 and of ArduPilot, in metres: tern::Px4Limits, tern::ArdupilotLimits. */
+typedef struct {
+  double mpc_xy_vel_max, mpc_z_vel_max_up, mpc_z_vel_max_dn, mpc_acc_hor, mpc_acc_up_max, mpc_acc_down_max,
+         mpc_jerk_auto;
+} tern_px4_parameters;
+typedef struct {
+  double wpnav_speed, wpnav_speed_up, wpnav_speed_dn, wpnav_accel, wpnav_accel_z, psc_jerk_xy, psc_jerk_z;
+} tern_ardupilot_parameters;
+/* clang-format on */
+#endif
+
+/* Room for one MAVLink frame, and for a compressed plan of so many segments. */
+#define TERN_MAVLINK_SETPOINT_BYTES 65
+#define TERN_CRAZYFLIE_COMPRESSED_BYTES(segments) (8 + 59 * (segments) + 3)
+
+/* The setpoint of a sample and a yaw, relative to `origin`. A null pointer counts as zeros, a null yaw as yaw 0. */
+void tern_setpoint_ned(const tern_sample* sample, const tern_yaw_sample* yaw, const tern_vec3* origin,
+                       tern_setpoint* setpoint);
+/* The attitude of a tern_flat_state for an autopilot: (w, x, y, z), forward-right-down to north-east-down. */
+void tern_attitude_ned(const double enu[4], double ned[4]);
+/* Writes SET_POSITION_TARGET_LOCAL_NED; returns its bytes, 0 for a null pointer. */
+int32_t tern_mavlink_setpoint(const tern_setpoint* setpoint, const tern_mavlink_header* header, uint8_t* frame);
+/* Segment number `segment`, from 0 on, as a piece. ok or invalid_argument. `yaw` may be null: yaw 0. */
+uint8_t tern_poly4d(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, int32_t segment,
+                    tern_crazyflie_piece* piece);
+/* The Crazyflie's compressed form, and back. ok or invalid_argument. */
+uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, uint8_t* bytes,
+                                  int32_t room, int32_t* used);
+uint8_t tern_crazyflie_decompressed(const uint8_t* bytes, int32_t count, const tern_trajectory* original,
+                                    tern_trajectory* trajectory);
+/* The firmwares' default parameters, and limits of plans that the autopilot can follow. */
+void tern_px4_defaults(tern_px4_parameters* parameters);
+void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters);
+void tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits);
+void tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif
+
+#endif

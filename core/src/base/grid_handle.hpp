@@ -1,0 +1,34 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The grid behind a handle of the C interface.
+#ifndef TERN_BASE_GRID_HANDLE_HPP
+#define TERN_BASE_GRID_HANDLE_HPP
+
+#include <cstdint>
+#include <new>
+
+#include "base/grid_tag.hpp"
+#include "tern/tern.h"
+
+namespace tern {
+
+/// Stands in for a grid that was never bound.
+constexpr Grid kNoGrid{};
+
+/// True if there is a grid. The memory may be uninitialised. A volatile read gives the word one definite value.
+inline bool holds_grid(const tern_grid* grid) {
+  return *static_cast<const volatile std::uint64_t*>(grid->opaque) == kGridTag;
+}
+/// Null if there is none.
+inline Grid* object(tern_grid* grid) {
+  if (grid == nullptr || !holds_grid(grid)) return nullptr;
+  return std::launder(reinterpret_cast<Grid*>(grid->opaque + 1));
+}
+inline const Grid& object(const tern_grid* grid) {
+  return holds_grid(grid) ? *std::launder(reinterpret_cast<const Grid*>(grid->opaque + 1)) : kNoGrid;
+}
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,126 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which voxels of a block of rows the half-spaces of a polyhedron cut off.
+#ifndef TERN_CHECK_CUTS_HPP
+#define TERN_CHECK_CUTS_HPP
+
+#include <cstdint>
+
+#include "base/math.hpp"
+#include "tern/config.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// A block of rows along x: voxels lo to hi, both included.
+struct RowBlock {
+  Voxel lo;
+  Voxel hi;
+};
+
+/// A half-space as a row of voxels along x meets it: which of the row's voxels it cuts off from the polyhedron, as
+/// closed cubes with the radius to spare.
+struct PlaneCut {
+  double y;  ///< of the normal
+  double z;
+  int far_y;  ///< which end of a row of cubes it cuts off last: 0 the lower, 1 the upper
+  int far_z;
+  double reach;  ///< metres along the normal from which on a cube is cut off
+  double per_x;  ///< 1 / (normal.x * cell): voxels of x a metre along the normal; 0: all voxels of a row alike
+};
+
+/// Cuts by the sign of per_x: none, negative, positive.
+struct PlaneCuts {
+  PlaneCut cut[kMaxPlanes];
+  int end[3];  ///< of each sign's cuts
+};
+
+/// Voxels [begin, end) of x.
+struct RowSpan {
+  std::int32_t begin;
+  std::int32_t end;
+};
+
+/// Where a block of rows lies: its lower and its upper end of y and z, metres.
+struct BlockEnds {
+  double y[2];
+  double z[2];
+
+  BlockEnds(double cell, const RowBlock& block)
+      : y{block.lo.y * cell, (block.hi.y + 1) * cell}, z{block.lo.z * cell, (block.hi.z + 1) * cell} {}
+
+  /// Metres along the half-space's normal that the nearest cubes of the block are too near, apart from their x.
+  double missing(const PlaneCut& cut) const { return cut.reach - (cut.y * y[cut.far_y] + cut.z * z[cut.far_z]); }
+  /// The same at the block's opposite edge: no row of the block has less.
+  double least_missing(const PlaneCut& cut) const {
+    return cut.reach - (cut.y * y[1 - cut.far_y] + cut.z * z[1 - cut.far_z]);
+  }
+};
+
+/// Metres along each cut's normal to the z of a layer of blocks: the same for all of the layer.
+struct LayerDepths {
+  double of[kMaxPlanes];
+
+  LayerDepths(const PlaneCuts& cuts, double lower, double upper) {
+    for (int p = 0; p < cuts.end[2]; ++p) of[p] = cuts.cut[p].z * (cuts.cut[p].far_z == 0 ? lower : upper);
+  }
+};
+
+/// Of the rows in a block of y and z: voxels that no half-space cuts off in all of them. One that cuts off a voxel
+/// towards larger x cuts off all that follow, so that what is left is one span; empty where begin >= end.
+/// `missing(p)` is BlockEnds::missing of cut p.
+template <typename Missing>
+RowSpan uncut(const PlaneCuts& cuts, const RowBlock& block, const Missing& missing) {
+  double begin = block.lo.x;
+  double end = block.hi.x + 1.0;
+  int p = 0;
+  for (; p < cuts.end[0]; ++p) {
+    if (missing(p) <= 0.0) return {0, 0};
+  }
+  for (; p < cuts.end[1]; ++p) begin = larger(begin, missing(p) * cuts.cut[p].per_x);
+  for (; p < cuts.end[2]; ++p) end = smaller(end, missing(p) * cuts.cut[p].per_x);
+  if (begin >= end) return {0, 0};
+  // A voxel is cut off from above where it begins at `end` or later, from below where it ends at `begin` or earlier.
+  const auto last = static_cast<std::int32_t>(end);
+  return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
+}
+
+/// The same with what is known about the layer.
+inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& block, const LayerDepths& depths) {
+  const double y[2] = {block.lo.y * cell, (block.hi.y + 1) * cell};
+  return uncut(cuts, block, [&](int p) {
+    const PlaneCut& cut = cuts.cut[p];
+    return cut.reach - (cut.y * y[cut.far_y] + depths.of[p]);
+  });
+}
+
+/// The same for a single row.
+inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& row) {
+  const BlockEnds ends(cell, row);
+  return uncut(cuts, row, [&](int p) { return ends.missing(cuts.cut[p]); });
+}
+
+/// The cuts that can take voxels of the span from some row of the block: few, along a face of the polyhedron.
+inline PlaneCuts cuts_within(double cell, const PlaneCuts& cuts, const RowBlock& block, const RowSpan& span) {
+  const BlockEnds ends(cell, block);
+  PlaneCuts few;
+  int count = 0;
+  int p = 0;
+  for (int sign = 0; sign < 3; ++sign) {
+    for (; p < cuts.end[sign]; ++p) {
+      const PlaneCut& cut = cuts.cut[p];
+      const double missing = ends.least_missing(cut);
+      const bool cuts_none = sign == 0   ? missing > 0.0
+                             : sign == 1 ? missing * cut.per_x <= span.begin
+                                         : missing * cut.per_x >= span.end;
+      if (!cuts_none) few.cut[count++] = cut;
+    }
+    few.end[sign] = count;
+  }
+  return few;
+}
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,74 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/math.hpp"
+#include "check/check_stage.hpp"
+#include "check/hodograph.hpp"
+
+namespace tern {
+namespace {
+
+using checked::Jet;
+using checked::jet;
+
+/// A plan's state where it passes a via, and the rounding of its derivatives.
+struct Passage {
+  Jet state;
+  const Segment& segment;
+};
+
+Passage passage_at(const Trajectory& trajectory, std::int32_t joint) {
+  const bool at_end = joint == trajectory.count;
+  const Segment& segment = trajectory.segments[at_end ? joint - 1 : joint];
+  return {jet(segment, at_end), segment};
+}
+
+bool refuse_excess(double excess, int derivative, CheckReport& found) {
+  found.derivative = derivative;
+  found.excess = excess;
+  return refuse(Finding::kVia, found);
+}
+
+/// True where derivative k is `asked`, but for rounding.
+bool gives(const Passage& passage, const Vec3& asked, int k, CheckReport& found) {
+  const Vec3 gap = passage.state.d[k] - asked;
+  const double tolerance = derivative_rounding(passage.segment, k);
+  for (int a = 0; a < 3; ++a) {
+    if (absolute(axis(gap, a)) <= tolerance) continue;
+    found.axis = a;
+    return refuse_excess(absolute(axis(gap, a)) - tolerance, k, found);
+  }
+  return true;
+}
+
+bool is_near(const Passage& passage, const Via& via, const Vec3& origin, double tolerance, CheckReport& found) {
+  const Vec3 gap = passage.state.d[0] - (via.position - origin);
+  const double excess = length(gap) - (via.tolerance + tolerance);
+  return !(excess > 0.0) || refuse_excess(excess, 0, found);
+}
+
+bool via_met(const Passage& passage, const Via& via, CheckReport& found) {
+  constexpr Vec3 kRest{0.0, 0.0, 0.0};
+  if (via.has_velocity && !gives(passage, via.velocity, 1, found)) return false;
+  return !via.stop ||
+         (gives(passage, kRest, 1, found) && gives(passage, kRest, 2, found) && gives(passage, kRest, 3, found));
+}
+
+}  // namespace
+
+bool vias_met(const Grid& grid, const Trajectory& trajectory, const CheckQuery& query, CheckReport& found) noexcept {
+  const double tolerance = check_distance(grid) + place_rounding(grid, trajectory);
+  std::int32_t least = 0;
+  for (std::int32_t v = 0; v < query.via_count; ++v) {
+    const std::int32_t joint = query.joints[v];
+    found.via = v;
+    if (joint < least || joint > trajectory.count) return refuse(Finding::kVia, found);
+    const Passage passage = passage_at(trajectory, joint);
+    if (!is_near(passage, query.vias[v], trajectory.origin, tolerance, found)) return false;
+    if (!via_met(passage, query.vias[v], found)) return false;
+    least = joint;
+  }
+  found.via = -1;
+  return true;
+}
+
+}  // namespace tern

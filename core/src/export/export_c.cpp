@@ -1,0 +1,76 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdint>
+
+#include "tern/tern_export.h"
+
+namespace {
+
+using tern::Status;
+
+constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
+
+static_assert(TERN_MAVLINK_SETPOINT_BYTES == tern::kMavlinkSetpointBytes, "the C header's numbers are the core's");
+static_assert(TERN_CRAZYFLIE_COMPRESSED_BYTES(7) == tern::crazyflie_compressed_bytes(7), "likewise");
+
+std::uint8_t code(Status status) {
+  return static_cast<std::uint8_t>(status);
+}
+
+}  // namespace
+
+extern "C" {
+
+void tern_setpoint_ned(const tern_sample* sample, const tern_yaw_sample* yaw, const tern_vec3* origin,
+                       tern_setpoint* setpoint) {
+  if (setpoint == nullptr) return;
+  const tern::YawSample east{{1.0, 0.0, 0.0}, 0.0, 0.0};
+  *setpoint = tern::setpoint_ned(sample == nullptr ? tern::Sample{} : *sample, yaw == nullptr ? east : *yaw,
+                                 origin == nullptr ? tern::Vec3{0.0, 0.0, 0.0} : *origin);
+}
+
+void tern_attitude_ned(const double enu[4], double ned[4]) {
+  if (enu != nullptr && ned != nullptr) tern::attitude_ned(enu, ned);
+}
+
+std::int32_t tern_mavlink_setpoint(const tern_setpoint* setpoint, const tern_mavlink_header* header,
+                                   std::uint8_t* frame) {
+  if (setpoint == nullptr || header == nullptr || frame == nullptr) return 0;
+  return tern::mavlink_setpoint(*setpoint, *header, frame);
+}
+
+std::uint8_t tern_poly4d(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, std::int32_t segment,
+                         tern_crazyflie_piece* piece) {
+  if (trajectory == nullptr || piece == nullptr) return kInvalid;
+  return code(tern::poly4d(*trajectory, yaw, segment, *piece));
+}
+
+std::uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, std::uint8_t* bytes,
+                                       std::int32_t room, std::int32_t* used) {
+  if (trajectory == nullptr || used == nullptr) return kInvalid;
+  return code(tern::crazyflie_compressed(*trajectory, yaw, bytes, room, *used));
+}
+
+std::uint8_t tern_crazyflie_decompressed(const std::uint8_t* bytes, std::int32_t count, const tern_trajectory* original,
+                                         tern_trajectory* trajectory) {
+  if (original == nullptr || trajectory == nullptr) return kInvalid;
+  return code(tern::crazyflie_decompressed(bytes, count, *original, *trajectory));
+}
+
+void tern_px4_defaults(tern_px4_parameters* parameters) {
+  if (parameters != nullptr) *parameters = tern::px4_limits();
+}
+
+void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters) {
+  if (parameters != nullptr) *parameters = tern::ardupilot_limits();
+}
+
+void tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits) {
+  if (parameters != nullptr && limits != nullptr) *limits = tern::limits_from_px4(*parameters);
+}
+
+void tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits) {
+  if (parameters != nullptr && limits != nullptr) *limits = tern::limits_from_ardupilot(*parameters);
+}
+
+}  // extern "C"

@@ -1,0 +1,47 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a flight does, and why it rests, in words.
+#include "tern/flight.hpp"
+
+namespace tern {
+
+const char* flight_mode_name(FlightMode mode) noexcept {
+  switch (mode) {
+    case FlightMode::kRest:
+      return "rest";
+    case FlightMode::kLook:
+      return "look";
+    case FlightMode::kFly:
+      return "fly";
+    case FlightMode::kStop:
+      return "stop";
+    case FlightMode::kThreat:
+      return "threat";
+  }
+  return "unknown";
+}
+
+const char* flight_reason_text(FlightReason reason) noexcept {
+  switch (reason) {
+    case FlightReason::kNone:
+      return "it goes on";
+    case FlightReason::kNoGoal:
+      return "there is no goal";
+    case FlightReason::kArrived:
+      return "it is at the goal";
+    case FlightReason::kNearest:
+      return "the goal is occupied, and there is no free point nearer to it";
+    case FlightReason::kNoProgress:
+      return "there is no way that can be proven free, or none that leads nearer to the goal";
+    case FlightReason::kHemmedIn:
+      return "something is nearer to the vehicle than the radius, and no way leads away from it";
+    case FlightReason::kViaBlocked:
+      return "the next point of the mission is occupied or fenced";
+    case FlightReason::kViaUnreachable:
+      return "there is no way to the next point of the mission that can be proven free";
+  }
+  return "unknown";
+}
+
+}  // namespace tern

@@ -1,0 +1,279 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The points of a mission: which of them the next plan passes, when one was passed, and what happens to one that
+// cannot be reached.
+#include "base/math.hpp"
+#include "flight/branch.hpp"
+#include "flight/flight_state.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+/// A new plan may pass the next point so many seconds later than the one that is flown.
+constexpr double kLaterAtPoint = 0.25;
+/// Later than any plan passes a point, seconds.
+constexpr double kNever = 1e9;
+
+/// When a plan passes the point; kNever if it does not.
+double time_of(const Commitment& plan, std::int32_t point) {
+  for (std::int32_t i = 0; i < plan.passages; ++i) {
+    if (plan.passage[i].point == point) return plan.passage[i].time;
+  }
+  return kNever;
+}
+
+/// What is wrong with a point of a mission; kOk where nothing is. A velocity cannot be promised in unknown space.
+Status check_point(const Via& point) {
+  if (!finite(point.position) || !finite(point.tolerance)) return Status::kNonFiniteInput;
+  return point.tolerance < 0.0 || point.has_velocity ? Status::kInvalidArgument : Status::kOk;
+}
+
+}  // namespace
+
+Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
+  if (points == nullptr || count < 1) return Status::kInvalidArgument;
+  if (policy != ViaPolicy::kEnd && policy != ViaPolicy::kSkip) return Status::kInvalidArgument;
+  if (count > kMaxMissionPoints) return Status::kViasFull;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const Status status = check_point(points[i]);
+    if (status != Status::kOk) return status;
+  }
+  return Status::kOk;
+}
+
+void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    itinerary.points[i] = points[i];
+    itinerary.state[i] = PointState::kAhead;
+  }
+  itinerary.count = count;
+  itinerary.leg = itinerary.suspicions = 0;
+  itinerary.policy = policy;
+  goal = points[0].position;
+  has_goal = true;
+  ++goal_number;
+  stopping = false;
+  try_anew();
+}
+
+/// Whatever made the vehicle give up is forgotten.
+void FlightState::try_anew() noexcept {
+  parked = is_looking = false;
+  idle_cycles = fruitless = wandering = 0;
+  nearest = -1.0;
+  reason = FlightReason::kNone;
+}
+
+/// The next point at that time, if nothing else is committed before.
+std::int32_t FlightState::leg_at(std::int64_t t) const noexcept {
+  std::int32_t leg = itinerary.leg;
+  if (now.goal != goal_number) return leg;
+  const double flown = smaller(seconds_between(now.begin, t), now.branch);
+  for (std::int32_t i = 0; i < now.passages; ++i) {
+    const Passage& passage = now.passage[i];
+    if (passage.point == leg && passage.time <= flown && leg < itinerary.last()) leg = itinerary.after(leg);
+  }
+  return leg;
+}
+
+/// Notes what was passed until now: what the plan that is flown says, and a point that is within its tolerance.
+void FlightState::pass_points() noexcept {
+  if (!has_goal) return;
+  const std::int32_t leg = leg_at(has_next && next.begin < time ? next.begin : time);
+  while (itinerary.leg != leg) pass_point();
+  const Via& point = itinerary.points[itinerary.leg];
+  const bool is_near =
+      point.tolerance > 0.0 && !point.stop && distance(sample_at(time).position, point.position) <= point.tolerance;
+  if (is_near && itinerary.leg != itinerary.last()) pass_point();
+}
+
+void FlightState::pass_point() noexcept {
+  itinerary.state[itinerary.leg] = PointState::kPassed;
+  go_on_from(itinerary.leg);
+}
+
+void FlightState::go_on_from(std::int32_t point) noexcept {
+  itinerary.leg = itinerary.after(point);
+  try_anew();
+}
+
+bool FlightState::in_window(const Vec3& place) const noexcept {
+  const GridSpec& window = map.safe().spec();
+  const double margin = window.clearance() + kAimVoxels * window.cell;
+  for (int a = 0; a < 3; ++a) {
+    if (axis(place, a) < axis(window.boundary.lower, a) + margin) return false;
+    if (axis(place, a) > axis(window.boundary.upper, a) - margin) return false;
+  }
+  return true;
+}
+
+/// The next plan passes all points that are less than a horizon away, along straight lines, and then leads towards the
+/// target: the first one that is further away, or the goal.
+void FlightState::choose_points(const Vec3& from) noexcept {
+  const Grid& seen = map.route();
+  const bool is_clear = itinerary.suspicions > 0 && seen.bound() && !is_blocked(itinerary.suspect);
+  if (is_clear) itinerary.suspicions = 0;
+  asked_count = 0;
+  target = leg_at(takeover);
+  double way = distance(from, itinerary.points[target].position);
+  while (target != itinerary.last() && way <= spec.horizon && in_window(itinerary.points[target].position)) {
+    const Vec3& place = itinerary.points[target].position;
+    ask_for(target);
+    target = itinerary.after(target);
+    way += distance(place, itinerary.points[target].position);
+  }
+  goal = itinerary.points[target].position;
+}
+
+void FlightState::ask_for(std::int32_t point) noexcept {
+  asked_point[asked_count] = point;
+  asked[asked_count++] = itinerary.points[point];
+}
+
+/// What the plan that is flown still passes, for a plan to the same aim.
+void FlightState::keep_points() noexcept {
+  const std::int32_t leg = leg_at(takeover);
+  asked_count = 0;
+  for (std::int32_t i = 0; i < now.passages; ++i) {
+    const std::int32_t point = now.passage[i].point;
+    if (point >= leg && !(now.to_goal && point == now.target)) ask_for(point);
+  }
+  target = now.target;
+  goal = itinerary.points[target].position;
+}
+
+/// No point that is ahead of the plan that is flown was skipped since.
+bool FlightState::still_fits() const noexcept {
+  for (std::int32_t i = 0; i < now.passages; ++i) {
+    if (itinerary.state[now.passage[i].point] == PointState::kSkipped) return false;
+  }
+  return itinerary.state[now.target] == PointState::kAhead;
+}
+
+/// Metres along straight lines from a place past the points that are asked for to another.
+double FlightState::way_length(const Vec3& from, const Vec3& to) const noexcept {
+  double sum = 0.0;
+  Vec3 place = from;
+  for (std::int32_t i = 0; i < asked_count; ++i) {
+    sum += distance(place, asked[i].position);
+    place = asked[i].position;
+  }
+  return asked_count > 0 ? sum + distance(place, to) : distance(from, to);
+}
+
+Vec3 FlightState::place_before_target(const Vec3& from) const noexcept {
+  return asked_count > 0 ? asked[asked_count - 1].position : from;
+}
+
+/// A plan that passes all points that were asked for failed: the next one ends at rest at the last point that may be
+/// reached. False where there is none to leave out, and where the plan that is flown goes on anyway.
+bool FlightState::ask_for_less(const Report& found) noexcept {
+  if (asked_count == 0 || keeps) return false;
+  const bool on_way = found.status == Status::kNoPath || found.status == Status::kViaOccupied ||
+                      found.status == Status::kViaFenced || found.status == Status::kGoalOccupied ||
+                      found.status == Status::kGoalFenced;
+  const std::int32_t reached_points = !on_way ? 0 : (found.via == kNoVia ? asked_count : found.via);
+  end_at_point(reached_points > 1 ? reached_points - 1 : 0);
+  ask_planner();
+  return true;
+}
+
+/// Something that was seen is nearer to the point than the radius.
+bool FlightState::is_blocked(std::int32_t point) const noexcept {
+  const Grid& seen = map.route();
+  const Vec3& place = itinerary.points[point].position;
+  return in_window(place) && !point_clear(seen, seen.to_local(place), seen.spec().clearance());
+}
+
+/// The point at which a plan failed, where it may be left out; otherwise negative.
+std::int32_t FlightState::point_at_fault(const Report& found) const noexcept {
+  const bool at_via = found.status == Status::kViaOccupied || found.status == Status::kViaFenced;
+  const bool at_aim = found.status == Status::kGoalOccupied || found.status == Status::kGoalFenced;
+  if (at_via && found.via != kNoVia) return asked_point[found.via];
+  return at_aim && aims_at_goal && target != itinerary.last() ? target : -1;
+}
+
+/// True if a point was left out: the plan at hand is for another mission.
+bool FlightState::note_fault(const Report& found) noexcept {
+  const std::int32_t point = point_at_fault(found);
+  if (point < 0) return false;
+  const bool is_fenced = found.status == Status::kViaFenced || found.status == Status::kGoalFenced;
+  if (!is_fenced && (!map.route().bound() || !is_blocked(point))) return false;
+  itinerary.suspicions = itinerary.suspect == point ? itinerary.suspicions + 1 : 1;
+  itinerary.suspect = point;
+  if (!is_fenced && itinerary.suspicions < kBlockedPlans) return false;
+  return leave_out(point, FlightReason::kViaBlocked);
+}
+
+/// As the mission's policy says. A mission ends before a point only once that is the next one.
+bool FlightState::leave_out(std::int32_t point, FlightReason why) noexcept {
+  if (itinerary.policy == ViaPolicy::kSkip) {
+    itinerary.state[point] = PointState::kSkipped;
+    itinerary.suspicions = 0;
+    if (point == itinerary.leg) go_on_from(point);
+    return true;
+  }
+  if (point != itinerary.leg) return false;
+  has_goal = is_looking = false;
+  parked = stopping = true;
+  reason = why;
+  return true;
+}
+
+/// Only so many points are passed; the next one becomes the target.
+void FlightState::ask_for_first(std::int32_t points) noexcept {
+  if (points < asked_count) target = asked_point[points];
+  asked_count = points;
+  goal = itinerary.points[target].position;
+  const bool ends_beside = points > 0 && distance(aim, asked[points - 1].position) < route.grid().spec().cell;
+  if (ends_beside) end_at_point(points - 1);
+}
+
+/// The plan ends at rest at that point of those that are asked for.
+void FlightState::end_at_point(std::int32_t number) noexcept {
+  asked_count = number;
+  target = asked_point[number];
+  goal = aim = itinerary.points[target].position;
+  aims_at_goal = true;
+  moved_aim = beside_goal = false;
+}
+
+/// The way past the points that are asked for and on to the aim: where a horizon of it ends, so does the plan.
+void FlightState::shorten_way(const Path& way) noexcept {
+  const Vec3& origin = route.grid().spec().origin;
+  double left = spec.horizon;
+  std::int32_t passed = 0;
+  for (int i = 1; i < way.count; ++i) {
+    const double leg = distance(way.points[i - 1], way.points[i]);
+    if (leg > left) {
+      aim = origin + way.points[i - 1] + (left / leg) * (way.points[i] - way.points[i - 1]);
+      aims_at_goal = beside_goal = moved_aim = false;
+      ask_for_first(passed);
+      return;
+    }
+    left -= leg;
+    const Vec3 place = origin + way.points[i];
+    while (passed < asked_count && distance(place, asked[passed].position) < kSamePlace) ++passed;
+  }
+}
+
+/// When the planner's trajectory passes the points that it was asked for, and the target where it ends there.
+void FlightState::list_passages(const Report& found) noexcept {
+  draft.passages = asked_count;
+  for (std::int32_t i = 0; i < asked_count; ++i) draft.passage[i] = {asked_point[i], found.vias[i].time};
+  draft.target = target;
+  if (aims_at_goal) draft.passage[draft.passages++] = {target, duration(plan)};
+}
+
+/// The plan at hand passes the next point much later than the plan that is flown: right before a point, the planner may
+/// find no way through it but to stop and come back.
+bool FlightState::passes_later() const noexcept {
+  const std::int32_t leg = leg_at(takeover);
+  if (leg == itinerary.last()) return false;
+  const double flown = seconds_between(now.begin, takeover);
+  return time_of(now, leg) - flown + kLaterAtPoint < time_of(draft, leg);
+}
+
+}  // namespace tern

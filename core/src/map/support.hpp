@@ -1,0 +1,46 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Pixels that no pixel around them agrees with. A real surface nearly always covers more than one pixel; a pixel of its
+// own is an error of the sensor much more often than a thing. Its depth may not block a voxel, nor free one.
+#ifndef TERN_MAP_SUPPORT_HPP
+#define TERN_MAP_SUPPORT_HPP
+
+#include <cstdint>
+
+namespace tern {
+
+/// Pixels around one.
+constexpr std::int32_t kNeighbours = 8;
+
+/// Two depths agree if they differ by at most a voxel and both of their errors.
+struct Support {
+  float cell, margin, margin_square;
+  std::int32_t least;  ///< pixels that must agree
+
+  float tolerance(float z) const noexcept { return cell + 2.0f * (margin + margin_square * z * z); }
+};
+
+/// What a pixel says: the depth up to which it sees, and the depth that it hits; 0 for none.
+struct Judged {
+  float sees, hits;
+};
+
+/// The rows above, at and below a pixel, each from the pixel to its left on. NaN beyond the image's edges.
+inline Judged judge_pixel(const Support& support, const float* above, const float* at, const float* below) noexcept {
+  const float z = at[1];
+  const float around[kNeighbours] = {above[0], above[1], above[2], at[0], at[2], below[0], below[1], below[2]};
+  const float tolerance = support.tolerance(z);
+  std::int32_t agreeing = 0;
+  float nearest = z;
+  for (const float n : around) {
+    const float off = n - z;
+    agreeing += (off <= tolerance && -off <= tolerance) ? 1 : 0;
+    nearest = n < nearest ? n : nearest;
+  }
+  return agreeing >= support.least ? Judged{z, z} : Judged{nearest, 0.0f};
+}
+
+}  // namespace tern
+
+#endif

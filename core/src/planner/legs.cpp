@@ -1,0 +1,119 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The way through the vias. Each leg, from a via to the next, is searched for and shortened by itself. The whole way
+// then gets one corridor, one chain and one trajectory.
+#include "base/math.hpp"
+#include "path/way.hpp"
+#include "planner/layout.hpp"
+#include "planner/plan.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// Half the edge of the cube in the ball of a via's tolerance. The solver may leave the cube by a nanometre.
+double reach_of(const Via& via) {
+  constexpr double kRootThree = 1.7320508075688774;
+  constexpr double kSolverReserve = 2e-9;
+  return via.tolerance < kLeastTolerance ? 0.0 : via.tolerance / kRootThree - kSolverReserve;
+}
+
+Hold hold_of(const Via& via, const Vec3& origin, std::int32_t polyhedron, double reach) {
+  return Hold{polyhedron, 0, via.position - origin, reach, via.stop, via.has_velocity, via.velocity};
+}
+
+}  // namespace
+
+std::int32_t Plan::via_count() const noexcept {
+  return memory_->mission.marks.count;
+}
+
+/// Begins the search for the first leg.
+void Plan::begin_way() noexcept {
+  leg_ = 0;
+  has_path_ = false;
+  if (via_count() > 0) clear_way(memory_->path);
+  enter(Stage::kSearch);
+}
+
+/// Both ends of the current leg, local frame.
+Vec3 Plan::leg_from() const noexcept {
+  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(*grid_, memory_->mission.vias[leg_ - 1].position);
+}
+
+Vec3 Plan::leg_to() const noexcept {
+  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(*grid_, memory_->mission.vias[leg_].position);
+}
+
+/// Without vias, the path's only leg is the path.
+Path& Plan::leg_path() noexcept {
+  return via_count() > 0 ? memory_->mission.leg : memory_->path;
+}
+
+/// Appends the leg that is finished to the path.
+Status Plan::join_leg() noexcept {
+  if (via_count() == 0) return Status::kOk;
+  Layout& memory = *memory_;
+  const Status status = append_to_way(memory.mission.leg, memory.path);
+  if (status == Status::kJumpPointsFull) raise(report_.high_water.jump_points, kMaxJumpPoints);
+  if (status == Status::kSegmentsFull) raise(report_.high_water.segments, kMaxSegments);
+  if (status != Status::kOk) return status;
+  raise(report_.high_water.jump_points, memory.path.raw_count);
+  raise(report_.high_water.segments, memory.path.count - 1);
+  if (leg_ < via_count()) memory.mission.marks.waypoint[leg_] = memory.path.count - 1;
+  return Status::kOk;
+}
+
+/// An end of a leg that is a via is no start and no goal.
+Status Plan::status_of_leg(Status status) const noexcept {
+  const bool via_at_start = status == Status::kStartOccupied && leg_ > 0;
+  const bool via_at_goal = status == Status::kGoalOccupied && leg_ < via_count();
+  return via_at_start || via_at_goal ? Status::kViaOccupied : status;
+}
+
+/// The via that the failed part of the way leads to.
+std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
+  const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
+  const std::int32_t via = on_leg ? leg_ : (stage == Stage::kCorridor ? memory_->stage.corridor.passed : via_count());
+  return via < via_count() ? via : kNoVia;
+}
+
+/// A via whose voxel is not free is flown through exactly: the legs that join it to the grid are short, and a
+/// programme in which such a leg has free ends is too ill-conditioned.
+void Plan::make_holds() noexcept {
+  Mission& mission = memory_->mission;
+  for (std::int32_t v = 0; v < mission.marks.count; ++v) {
+    const Via& via = mission.vias[v];
+    const bool free = world().free(world().voxel_of(to_local(*grid_, via.position)));
+    mission.holds[v] = hold_of(via, asked_.start.position, mission.marks.polyhedron[v], free ? reach_of(via) : 0.0);
+  }
+}
+
+/// Finds the joints where the finished trajectory passes the vias. A stop before the way comes with polyhedra of its
+/// own.
+void Plan::locate_vias() noexcept {
+  Layout& memory = *memory_;
+  const Trajectory& trajectory = memory.trajectory;
+  int joint = 0;
+  for (std::int32_t v = 0; v < via_count(); ++v) {
+    const int polyhedron = memory.mission.marks.polyhedron[v] + memory.escapes[0].count;
+    while (joint < trajectory.count && trajectory.segments[joint].polyhedron < polyhedron) ++joint;
+    memory.mission.joint[v] = joint;
+  }
+}
+
+void Plan::report_vias() noexcept {
+  const Mission& mission = memory_->mission;
+  const Trajectory& trajectory = memory_->trajectory;
+  double time = 0.0;
+  int joint = 0;
+  for (std::int32_t v = 0; v < via_count(); ++v) {
+    for (; joint < mission.joint[v]; ++joint) time += trajectory.segments[joint].duration;
+    const Vec3& point = joint < trajectory.count ? trajectory.segments[joint].points[0]
+                                                 : trajectory.segments[joint - 1].points[kDegree];
+    report_.vias[v] = {time, distance(point, mission.vias[v].position - trajectory.origin)};
+  }
+}
+
+}  // namespace tern

@@ -1,0 +1,26 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether the hull of a few points respects a fence.
+#ifndef TERN_PROOF_FENCE_CLEAR_HPP
+#define TERN_PROOF_FENCE_CLEAR_HPP
+
+#include "tern/fence.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// What a hull keeps from fences.
+struct FenceRule {
+  Vec3 frame;        ///< of the points, in the world, metres
+  double distance;   ///< from keep-outs, metres, > 0
+  double tolerance;  ///< by which points may lie outside a keep-in, metres, >= 0
+};
+
+/// True only where the hull of the points lies in the keep-in, or keeps the distance from the keep-out. For a keep-out,
+/// the answer may be false although the hull keeps it: where three of its faces meet, and where it is empty.
+bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
+
+}  // namespace tern
+
+#endif

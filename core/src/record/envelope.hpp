@@ -1,0 +1,37 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What stands around a record's content: a head that says what it is and how long, and a checksum at its end.
+#ifndef TERN_RECORD_ENVELOPE_HPP
+#define TERN_RECORD_ENVELOPE_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "record/words.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Words of the head: tag, version, kind, words in all, configuration.
+constexpr std::size_t kHeadWords = 5;
+/// Words besides the content.
+constexpr std::size_t kEnvelopeWords = kHeadWords + 1;
+
+enum class RecordKind : std::uint64_t { kPlan = 1 };
+
+/// Writes the head. The number of words is not known yet.
+void open_envelope(RecordKind kind, WordWriter& words) noexcept;
+/// Completes the head and writes the checksum of `bytes`, which the words were written to. kOk or kRecordFull; `used`
+/// then gets the record's bytes.
+Status close_envelope(const std::uint8_t* bytes, WordWriter& words, std::size_t& used) noexcept;
+
+/// Checks the head and the checksum. kOk, kRecordDamaged or kRecordVersion; `configuration` gets that of the head.
+Status check_envelope(RecordKind kind, const std::uint8_t* bytes, std::size_t count,
+                      std::uint64_t& configuration) noexcept;
+/// The content of a record that was checked.
+WordReader content_of(const std::uint8_t* bytes, std::size_t count) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,194 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/envelope.hpp"
+#include "record/fields.hpp"
+#include "record/obstacles.hpp"
+#include "tern/record.hpp"
+
+namespace tern {
+namespace {
+
+constexpr std::size_t kTrajectoryFields = 4 + kSegmentFields * static_cast<std::size_t>(kMaxSegments);
+
+constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettingFields + 1 +
+                                       2 * static_cast<std::size_t>(kMaxFences) +
+                                       kPlaneFields * static_cast<std::size_t>(kMaxFencePlanes) + 1 +
+                                       kViaFields * static_cast<std::size_t>(kMaxVias) + 1 + kTrajectoryFields;
+/// Of a whole record, but for the obstacles: the status and the plan come last.
+constexpr std::size_t kFields = kEnvelopeWords + kGridFields + kRequestFields + 1 + kTrajectoryFields;
+
+void write_trajectory(const Trajectory& trajectory, WordWriter& words) {
+  words(trajectory.count);
+  words(trajectory.origin);
+  for (int i = 0; i < trajectory.count; ++i) list_segment(words, trajectory.segments[i]);
+}
+
+bool is_count(std::int32_t count, std::int32_t most, const void* items) {
+  return count >= 0 && count <= most && (count == 0 || items != nullptr);
+}
+
+bool trajectory_fits(const Trajectory& trajectory) {
+  return trajectory.count >= 0 && trajectory.count <= kMaxSegments;
+}
+
+bool fences_fit(const Request& request) {
+  if (!is_count(request.fence_count, kMaxFences, request.fences)) return false;
+  std::int32_t planes = 0;
+  for (std::int32_t f = 0; f < request.fence_count; ++f) {
+    const Fence& fence = request.fences[f];
+    if (!is_count(fence.count, kMaxFencePlanes - planes, fence.planes)) return false;
+    planes += fence.count;
+  }
+  return true;
+}
+
+bool can_be_written(const Request& request) {
+  return fences_fit(request) && is_count(request.via_count, kMaxVias, request.vias) &&
+         (request.previous == nullptr || trajectory_fits(*request.previous));
+}
+
+void write_request(const Request& request, WordWriter& words) {
+  list_state(words, request.start);
+  list_state(words, request.goal);
+  list_limits(words, request.limits);
+  list_settings(words, request);
+  words(request.fence_count);
+  for (std::int32_t f = 0; f < request.fence_count; ++f) {
+    const Fence& fence = request.fences[f];
+    words(fence.kind);
+    words(fence.count);
+    for (std::int32_t p = 0; p < fence.count; ++p) list_plane(words, fence.planes[p]);
+  }
+  words(request.via_count);
+  for (std::int32_t v = 0; v < request.via_count; ++v) list_via(words, request.vias[v]);
+  words(request.previous != nullptr);
+  if (request.previous != nullptr) write_trajectory(*request.previous, words);
+}
+
+/// A count that is at most `most`; `full` is the answer where it is more. Whoever altered a record may also have made
+/// its checksum, so no count is trusted.
+Status read_count(WordReader& words, std::int32_t most, Status full, std::int32_t& count) {
+  const std::uint64_t read = words.word();
+  if (read > words.left()) return Status::kRecordDamaged;
+  if (read > static_cast<std::uint64_t>(most)) return full;
+  count = static_cast<std::int32_t>(read);
+  return Status::kOk;
+}
+
+Status read_trajectory(WordReader& words, Trajectory& trajectory) {
+  trajectory = Trajectory{};
+  std::int32_t count = 0;
+  const Status status = read_count(words, kMaxSegments, Status::kSegmentsFull, count);
+  if (status != Status::kOk) return status;
+  trajectory.count = count;
+  words(trajectory.origin);
+  for (int i = 0; i < count; ++i) list_segment(words, trajectory.segments[i]);
+  return Status::kOk;
+}
+
+Status read_fences(WordReader& words, PlanRecord& record) {
+  std::int32_t planes = 0;
+  Status status = read_count(words, kMaxFences, Status::kFencesFull, record.request.fence_count);
+  record.request.fences = record.fences;
+  for (std::int32_t f = 0; status == Status::kOk && f < record.request.fence_count; ++f) {
+    Fence& fence = record.fences[f];
+    words(fence.kind);
+    status = read_count(words, kMaxFencePlanes - planes, Status::kFencePlanesFull, fence.count);
+    if (status != Status::kOk) break;
+    fence.planes = record.planes + planes;
+    for (std::int32_t p = 0; p < fence.count; ++p) list_plane(words, record.planes[planes + p]);
+    planes += fence.count;
+  }
+  return status;
+}
+
+Status read_vias(WordReader& words, PlanRecord& record) {
+  const Status status = read_count(words, kMaxVias, Status::kViasFull, record.request.via_count);
+  if (status != Status::kOk) return status;
+  record.request.vias = record.vias;
+  for (std::int32_t v = 0; v < record.request.via_count; ++v) list_via(words, record.vias[v]);
+  return status;
+}
+
+Status read_previous(WordReader& words, PlanRecord& record) {
+  bool is_there = false;
+  words(is_there);
+  record.request.previous = is_there ? &record.previous : nullptr;
+  return is_there ? read_trajectory(words, record.previous) : Status::kOk;
+}
+
+Status read_request(WordReader& words, PlanRecord& record) {
+  record.request = Request{};
+  list_state(words, record.request.start);
+  list_state(words, record.request.goal);
+  list_limits(words, record.request.limits);
+  list_settings(words, record.request);
+  Status status = read_fences(words, record);
+  if (status == Status::kOk) status = read_vias(words, record);
+  if (status == Status::kOk) status = read_previous(words, record);
+  return status;
+}
+
+/// Everything before the obstacles.
+Status read_content(WordReader& words, PlanRecord& record) {
+  list_grid(words, record.grid);
+  Status status = read_request(words, record);
+  if (status != Status::kOk) return status;
+  words(record.status);
+  status = read_trajectory(words, record.plan);
+  return status == Status::kOk && words.past_end() ? Status::kRecordDamaged : status;
+}
+
+/// Reads all but the obstacles; `content` is then where these begin.
+Status open_record(const std::uint8_t* bytes, std::size_t count, PlanRecord& record, WordReader& content) {
+  if (bytes == nullptr) return Status::kInvalidArgument;
+  const Status status = check_envelope(RecordKind::kPlan, bytes, count, record.configuration);
+  if (status != Status::kOk) return status;
+  content = content_of(bytes, count);
+  return read_content(content, record);
+}
+
+}  // namespace
+
+std::size_t plan_record_bytes(const Voxel& dims) noexcept {
+  if (grid_words(dims) == 0) return 0;
+  const std::size_t layer = static_cast<std::size_t>((dims.x + 63) / 64) * static_cast<std::size_t>(dims.y) *
+                            static_cast<std::size_t>(dims.z);
+  return kWordBytes * (kFields + most_obstacle_words(layer));
+}
+
+Status record_plan(const Grid& grid, const Request& request, Status status, const Trajectory& plan, std::uint8_t* bytes,
+                   std::size_t room, std::size_t* used) noexcept {
+  if (!grid.bound() || bytes == nullptr || used == nullptr) return Status::kInvalidArgument;
+  if (!can_be_written(request) || (status == Status::kOk && !trajectory_fits(plan))) return Status::kInvalidArgument;
+  WordWriter words(bytes, room);
+  open_envelope(RecordKind::kPlan, words);
+  list_grid(words, grid.spec());
+  write_request(request, words);
+  words(status);
+  if (status == Status::kOk) {
+    write_trajectory(plan, words);
+  } else {
+    words(0);
+    words(Vec3{});
+  }
+  write_obstacles(grid, words);
+  return close_envelope(bytes, words, *used);
+}
+
+Status read_plan_record(const std::uint8_t* bytes, std::size_t count, PlanRecord& record) noexcept {
+  WordReader content(nullptr, 0);
+  return open_record(bytes, count, record, content);
+}
+
+Status read_plan_record(const std::uint8_t* bytes, std::size_t count, PlanRecord& record, Grid& grid,
+                        std::uint64_t* words, std::size_t word_count) noexcept {
+  WordReader content(nullptr, 0);
+  Status status = open_record(bytes, count, record, content);
+  if (status == Status::kOk) status = grid.bind(record.grid, words, word_count);
+  if (status == Status::kOk) status = read_obstacles(content, grid);
+  if (status == Status::kOk) grid.inflate();
+  return status;
+}
+
+}  // namespace tern

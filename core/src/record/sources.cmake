@@ -1,0 +1,3 @@
+#Copyright(c) 2026, the Tern authors
+#SPDX - License - Identifier : BSD - 3 - Clause
+set(TERN_STAGE_SOURCES envelope.cpp obstacles.cpp plan_record.cpp record_c.cpp)

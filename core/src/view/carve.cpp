@@ -1,0 +1,117 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/carve.hpp"
+
+#include "base/math.hpp"
+#include "view/projector.hpp"
+
+namespace tern {
+namespace {
+
+/// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
+struct Cube {
+  std::int32_t x, y, z;
+};
+
+template <std::int32_t kSize>
+std::uint64_t bits_of(const Cube& cube) {
+  return ((std::uint64_t{1} << kSize) - 1) << cube.x;
+}
+
+/// True if the cube has a wanted voxel.
+template <std::int32_t kSize>
+bool any(const BlockWords& wanted, const Cube& cube) {
+  std::uint64_t sum = 0;
+  for (std::int32_t z = 0; z < kSize; ++z) {
+    for (std::int32_t y = 0; y < kSize; ++y) sum |= wanted.words[cube.z + z][cube.y + y];
+  }
+  return (sum & bits_of<kSize>(cube)) != 0;
+}
+
+template <std::int32_t kSize>
+void add(BlockWords& words, const Cube& cube) {
+  for (std::int32_t z = 0; z < kSize; ++z) {
+    for (std::int32_t y = 0; y < kSize; ++y) words.words[cube.z + z][cube.y + y] |= bits_of<kSize>(cube);
+  }
+}
+
+/// True if the view sees no voxel of cube k of eight whole.
+bool hidden(const DepthPyramid& pyramid, const Cores& cores, int k) {
+  if (cores.beside[k / 4][k % 4] != 0) return true;
+  if (cores.ahead[k / 4][k % 4] == 0) return false;
+  const PixelBox box = cores.pixels.at(k);
+  const std::int32_t level = pyramid.level_for(box);
+  return level < pyramid.levels() && pyramid.most(box, level) < cores.far[k / 4][k % 4];
+}
+
+/// True if every pixel that covers cube k of eight measured a depth behind it.
+bool clear(const DepthPyramid& pyramid, const Footprints& feet, int k) {
+  if (feet.inside[k / 4][k % 4] == 0) return false;
+  const PixelBox box = feet.pixels.at(k);
+  // Usually, one pixel in the middle decides.
+  if (pyramid.row((box.v0 + box.v1) >> 1)[(box.u0 + box.u1) >> 1] < feet.far[k / 4][k % 4]) return false;
+  const std::int32_t level = pyramid.level_for(box);
+  return level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4];
+}
+
+/// A block and the view that carves it.
+struct Carving {
+  const View& view;
+  const Projector& projector;
+  const BlockWords& wanted;
+  BlockWords& free;
+
+  /// Marks the cubes of eight that may have a wanted voxel which is seen whole.
+  template <std::int32_t kSize>
+  bool choose(const Centers& centers, const Cube* cubes, bool* chosen) const {
+    Cores cores;
+    if constexpr (kSize > 1) cores = projector.cores(centers, kSize);
+    bool one = false;
+    for (int k = 0; k < 8; ++k) {
+      chosen[k] = any<kSize>(wanted, cubes[k]);
+      if constexpr (kSize > 1) chosen[k] = chosen[k] && !hidden(view.pyramid, cores, k);
+      one = one || chosen[k];
+    }
+    return one;
+  }
+
+  /// Decides eight cubes, or divides them into eight each.
+  template <std::int32_t kSize>
+  void decide(const Centers& centers, const Cube* cubes) const {
+    bool chosen[8];
+    if (!choose<kSize>(centers, cubes, chosen)) return;
+    const Footprints feet = projector.footprints(centers, kSize);
+    for (int k = 0; k < 8; ++k) {
+      if (!chosen[k]) continue;
+      if (clear(view.pyramid, feet, k)) {
+        add<kSize>(free, cubes[k]);
+      } else if constexpr (kSize > 1) {
+        divide<kSize>(centers.at(k), cubes[k]);
+      }
+    }
+  }
+
+  template <std::int32_t kSize>
+  void divide(const Point& center, const Cube& cube) const {
+    constexpr std::int32_t kHalf = kSize / 2;
+    Cube cubes[8];
+    for (int k = 0; k < 8; ++k) {
+      cubes[k] = {cube.x + (k & 1) * kHalf, cube.y + (k >> 1 & 1) * kHalf, cube.z + (k >> 2) * kHalf};
+    }
+    decide<kHalf>(projector.parts(center, kHalf), cubes);
+  }
+};
+
+}  // namespace
+
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
+           BlockWords& free) noexcept {
+  const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
+  const Centers centers =
+      projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
+  Cube cubes[8];
+  for (int k = 0; k < 8; ++k) cubes[k] = {kBlock * k, 0, 0};
+  Carving{view, projector, wanted, free}.decide<kBlock>(centers, cubes);
+}
+
+}  // namespace tern

@@ -1,0 +1,28 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the voxels of a block that a view sees whole.
+#ifndef TERN_VIEW_CARVE_HPP
+#define TERN_VIEW_CARVE_HPP
+
+#include <cstdint>
+
+#include "view/projector.hpp"
+
+namespace tern {
+
+/// Rows and planes of a block. Along x, a block is one word long.
+constexpr std::int32_t kBlock = 8;
+
+/// A word for each row of a block: [plane][row].
+struct BlockWords {
+  std::uint64_t words[kBlock][kBlock];
+};
+
+/// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
+/// the block's lowest voxel. Begins with cubes of 8 voxels and divides only those that cannot be decided as a whole.
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
+           BlockWords& free) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,65 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/depth_pyramid.hpp"
+
+namespace tern {
+namespace {
+
+Depth lesser(Depth a, Depth b) {
+  return b < a ? b : a;
+}
+Depth greater(Depth a, Depth b) {
+  return a < b ? b : a;
+}
+
+/// Number of levels until the shorter side has one entry left.
+std::int32_t count_levels(std::int32_t width, std::int32_t height) {
+  const std::int32_t side = width < height ? width : height;
+  std::int32_t levels = 1;
+  while (levels < kPyramidLevels && (side >> levels) > 0) ++levels;
+  return levels;
+}
+
+/// Combines each pair of columns of two rows into one entry; an odd last column is combined alone.
+template <typename Pick>
+void halve(const Depth* upper, const Depth* lower, std::int32_t width, Depth* __restrict to, Pick pick) {
+  for (std::int32_t u = 0; u < width / 2; ++u) {
+    to[u] = pick(pick(upper[2 * u], upper[2 * u + 1]), pick(lower[2 * u], lower[2 * u + 1]));
+  }
+  if (width % 2 != 0) to[width / 2] = pick(upper[width - 1], lower[width - 1]);
+}
+
+}  // namespace
+
+DepthPyramid::DepthPyramid(std::int32_t width, std::int32_t height, Depth* entries) noexcept
+    : width_(width), height_(height), levels_(count_levels(width, height)) {
+  least_[0] = entries;
+  most_[0] = entries;
+  for (std::int32_t level = 1; level < levels_; ++level) {
+    const std::ptrdiff_t below = static_cast<std::ptrdiff_t>(this->width(level - 1)) * this->height(level - 1);
+    least_[level] = level == 1 ? entries + below : most_[level - 1] + below;
+    most_[level] = least_[level] + static_cast<std::ptrdiff_t>(this->width(level)) * this->height(level);
+  }
+}
+
+std::int64_t DepthPyramid::entries(std::int32_t width, std::int32_t height) noexcept {
+  std::int64_t sum = std::int64_t{width} * height;
+  for (std::int32_t level = 1; level < count_levels(width, height); ++level) {
+    const std::int64_t round = (std::int64_t{1} << level) - 1;
+    sum += 2 * ((width + round) >> level) * ((height + round) >> level);
+  }
+  return sum;
+}
+
+void DepthPyramid::make_row(std::int32_t level, std::int32_t row) const noexcept {
+  const std::int32_t below = width(level - 1);
+  const std::int32_t next = 2 * row + 1 < height(level - 1) ? below : 0;
+  const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(2 * row) * below;
+  const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(row) * width(level);
+  const Depth* least = least_[level - 1] + from;
+  const Depth* most = most_[level - 1] + from;
+  halve(least, least + next, below, least_[level] + to, lesser);
+  halve(most, most + next, below, most_[level] + to, greater);
+}
+
+}  // namespace tern

@@ -1,0 +1,44 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A pinhole view of the window.
+#ifndef TERN_VIEW_VIEW_HPP
+#define TERN_VIEW_VIEW_HPP
+
+#include <cstdint>
+
+#include "grid/lattice.hpp"
+#include "tern/map.hpp"
+#include "tern/vec3.hpp"
+#include "view/depth_pyramid.hpp"
+
+namespace tern {
+
+/// A camera with axes x, y across and z ahead. All lengths in metres; `steps` and `corner` in the camera's frame.
+struct View {
+  Vec3 steps[3];  ///< from one voxel to the next along the window's x, y and z
+  Vec3 corner;    ///< lower corner of the window's voxel (0, 0, 0)
+  double fx, fy, cx, cy;
+  std::int32_t width, height;
+  double growth;        ///< added to every cube on all sides for the pose's error,
+  double growth_ahead;  ///< and for each metre of depth, for the error of the angle
+  double units;         ///< depth units per metre
+  DepthPyramid pyramid;
+
+  /// Transforms a point of the window, in voxels, into the camera's frame.
+  Vec3 at(double x, double y, double z) const noexcept;
+};
+
+/// Sets the view's geometry from camera axes in the world (unit vectors) and the centre in the window's local frame.
+void place(View& view, const Vec3 (&axes)[3], const Vec3& local_center, double cell) noexcept;
+
+/// The window's voxels that a view to depth `range` can reach, including the camera's own and one more on each side;
+/// empty ranges if there are none.
+struct VoxelBox {
+  IndexRange x, y, z;
+};
+VoxelBox reach(const View& view, double range, const GridSpec& window) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,158 @@
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Flights through a world that is discovered: a rolling map, and a flight over it and a planner."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from tern._library import ffi, lib, points, require, triple, vector, voxel, words
+from tern.planner import Planner
+from tern.request import Fence, Limits, c_fences
+
+_MODES = ("rest", "look", "fly", "stop", "threat")
+
+
+class RollingMap:
+    """A window of voxels that follows the vehicle: tern::RollingMap. World frame, metres, nanoseconds.
+
+    settings: further fields of tern::MapSpec by name, such as range=6.0 or support=1.
+    """
+
+    def __init__(self, origin: Sequence[float], cell: float, dims: Sequence[int], radius: float,
+                 **settings: float) -> None:
+        spec = ffi.new("tern_map_spec*")
+        lib.tern_map_spec_init(spec, ffi.new("tern_vec3*", vector(origin)), cell, voxel(dims), radius)
+        for name, value in settings.items():
+            setattr(spec, name, value)
+        self.dims = tuple(int(n) for n in dims)
+        self.struct = ffi.new("tern_map*")
+        count = lib.tern_map_words(spec)
+        self._memory, pointer = words(max(count, 1))
+        require(lib.tern_map_bind(self.struct, spec, pointer, count, ffi.NULL), "map")
+
+    def assume_free(self, center: Sequence[float], radius: float) -> None:
+        """States, before take-off, that a ball is free."""
+        require(lib.tern_map_assume_free(self.struct, ffi.new("tern_vec3*", vector(center)), radius), "ball")
+
+    @property
+    def busy(self) -> bool:
+        """Is a job in work? Then it takes no frame; a flight's tick() goes on with the job, or finish() does."""
+        return _is_running(lib.tern_map_step(self.struct, 0))
+
+    def begin_depth(self, depth: npt.ArrayLike, camera: Sequence[float], position: Sequence[float],
+                    quaternion: Sequence[float], t: int, nearest: float = 0.1, furthest: float = 10.0) -> None:
+        """Begins to enter a depth image in metres, shape (height, width); NaN and 0 are no measurement.
+
+        camera: fx, fy, cx, cy in pixels. position, quaternion (w, x, y, z): the camera's, from its axes (right, down,
+        ahead) to the world's. t: nanoseconds. nearest, furthest: what the camera measures, metres. Raises TernError,
+        also while the map is busy.
+        """
+        image = np.ascontiguousarray(depth, dtype=np.float32)
+        height, width = image.shape
+        fx, fy, cx, cy = camera
+        frame = ffi.new("tern_depth_view*", {
+            "z32": ffi.cast("float*", image.ctypes.data), "width": width, "height": height, "stride": width,
+            "fx": fx, "fy": fy, "cx": cx, "cy": cy, "scale": 1.0, "min": nearest, "max": furthest})
+        pose = ffi.new("tern_pose*", {"position": vector(position), "quaternion": list(quaternion)})
+        self._begin(lib.tern_map_begin_frame(self.struct, frame, pose, t), image)
+
+    def begin_scan(self, world: npt.ArrayLike, origin: Sequence[float], t: int) -> None:
+        """Begins to enter a scan: points of shape (n, 3), measured from origin. World frame, metres; t in nanoseconds.
+        The map needs the setting scan_pixel."""
+        memory, pointer = points(world)
+        sensor = ffi.new("tern_vec3*", vector(origin))
+        self._begin(lib.tern_map_begin_scan(self.struct, pointer, len(memory), sensor, t), memory)
+
+    def finish(self) -> None:
+        """Ends the job in work. For maps that no flight uses."""
+        while _is_running(lib.tern_map_step(self.struct, 1 << 20)):
+            pass
+
+    def seen(self, index: Sequence[int]) -> bool:
+        """Was the voxel seen free?"""
+        return bool(lib.tern_map_seen(self.struct, voxel(index)))
+
+    def _begin(self, status, data):
+        if not _is_running(status):
+            require(status, "frame")
+        self._entered = data  # the map reads it until the job is done
+
+
+def _is_running(status):
+    return ffi.string(lib.tern_status_name(status)) == b"running"
+
+
+@dataclass(frozen=True)
+class Command:
+    """What to fly at one time: position to snap, shape (3,) each, and where to point the sensor. World frame."""
+    position: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    jerk: np.ndarray
+    snap: np.ndarray
+    look_at: np.ndarray
+
+
+@dataclass(frozen=True)
+class Tick:
+    """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, and counts of plans."""
+    mode: str
+    reason: str
+    arrived: bool
+    asked: int
+    committed: int
+    dropped: int
+    failed: int
+    work: int
+
+
+class Flight:
+    """Flies to a goal and commits only to what is proven: tern::Flight. Times are nanoseconds of a clock of yours.
+
+    settings: further fields of tern::FlightSpec by name, such as horizon=6.0 or tick=10_000_000. Raises TernError where
+    tern_flight_start() refuses, for example if the surroundings of `position` were not seen or assumed free.
+    """
+
+    def __init__(self, limits: Limits, rolling_map: RollingMap, planner: Planner, position: Sequence[float], t: int,
+                 fences: Sequence[Fence] = (), **settings: float) -> None:
+        self._kept = [rolling_map, planner]
+        spec = ffi.new("tern_flight_spec*")
+        lib.tern_flight_spec_init(spec, ffi.new("tern_limits*", limits.fields()))
+        for name, value in settings.items():
+            setattr(spec, name, value)
+        spec.fences, spec.fence_count = c_fences(fences, self._kept), len(fences)
+        self.tick_ns = spec.tick
+        self.struct = ffi.new("tern_flight*")
+        count = lib.tern_flight_words(voxel(rolling_map.dims))
+        self._memory, pointer = words(count)
+        start = ffi.new("tern_vec3*", vector(position))
+        require(lib.tern_flight_start(self.struct, spec, rolling_map.struct, planner.struct, pointer, count, start, t),
+                "flight")
+
+    def set_goal(self, goal: Sequence[float]) -> None:
+        """Sets the goal, wherever it is."""
+        require(lib.tern_flight_set_goal(self.struct, ffi.new("tern_vec3*", vector(goal))), "goal")
+
+    def stop(self) -> None:
+        """Comes to rest soon and forgets the goal."""
+        require(lib.tern_flight_stop(self.struct))
+
+    def tick(self, t: int) -> Tick:
+        """Does one tick's work. Call it every `tick_ns`."""
+        report = ffi.new("tern_flight_report*")
+        require(lib.tern_flight_tick(self.struct, t, report))
+        reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
+        return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
+                    report.committed, report.dropped, report.failed, report.work)
+
+    def command(self, t: int) -> Command:
+        """What to fly at a time."""
+        command = ffi.new("tern_command*")
+        lib.tern_flight_command(self.struct, t, command)
+        sample = command.sample
+        parts = (sample.position, sample.velocity, sample.acceleration, sample.jerk, sample.snap, command.look_at)
+        return Command(*(np.array(triple(v)) for v in parts))

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""runner.py CAMPAIGN FOLDER: the campaign's runner with a program in place of `tern` that pretends to fly: a killed run
+goes on, a crash costs one flight, failures are named with the command that repeats them."""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+CALLS = "calls"
+PRETENDER = """#!/bin/sh
+echo "$2" >>"{folder}/calls"
+while [ "$1" != --json ]; do world=${{world:-$2}}; shift; done
+status=reached
+case $world in
+  P25:3) kill -SEGV $$ ;;
+  P25:4) status=stuck ;;
+  C@8:2) status=collision ;;
+esac
+cat >"$2" <<EOF
+{{"status": "$status", "reason": "as told", "time_s": 12.0, "length_m": 60.0, "mean_speed": 5.0, "min_clearance": 0.4,
+ "tracking_error": {{"max": 0.1}}, "full_knowledge_s": 10.0, "states": {{"threat": 0.0}},
+ "plans": {{"asked": 10, "committed": 9, "dropped": 0, "failed": 1}}, "work": {{"max": 4000, "total": 50000}},
+ "watched": {{"points": 7, "voxels": 7}}, "commands_hash": "0"}}
+EOF
+[ $status = reached ] || exit 3
+"""
+
+failures = 0
+
+
+def expect(what, held):
+    global failures
+    failures += not held
+    print(f"{'ok' if held else 'FAILED'}: {what}")
+
+
+def main():
+    campaign, folder = sys.argv[1], pathlib.Path(sys.argv[2], "pretended")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    program = folder / "tern"
+    program.write_text(PRETENDER.format(folder=folder))
+    program.chmod(0o755)
+
+    def run(*arguments):
+        return subprocess.run([sys.executable, campaign, "--tern", str(program), "--folder", str(folder), "--name", "t",
+                               *arguments], capture_output=True, text=True)
+
+    calls = lambda: (folder / CALLS).read_text().split()
+    done = run("P25", "--flights", "2")
+    expect("flights that all reach: status 0", done.returncode == 0 and len(calls()) == 2)
+    expect("time over full knowledge", "| P25 | 2 | 2 | 0 | 0 | 5.00 | 1.200 |" in done.stdout)
+    done = run("P25", "--flights", "5")
+    expect("a further run flies what is missing", calls()[2:] and sorted(calls()) == [f"P25:{k}" for k in range(1, 6)])
+    expect("a crash costs one flight, and the status is 1", done.returncode == 1 and "crash: " in done.stdout)
+    expect("a failure comes with its command", f"{program} fly P25:4 --compare" in done.stdout)
+    expect("the row counts what reached", "| P25 | 5 | 3 | 0 | 0 |" in done.stdout)
+    state = folder / "t.csv"
+    state.write_text(state.read_text()[:-20])
+    done = run("P25", "--flights", "5")
+    expect("a line that was cut off is flown again", len(calls()) == 6)
+    expect("what is kept is reported again", "stuck: as told" in done.stdout)
+    done = run("P25", "--flights", "5", "--fresh", "--least", "0.9")
+    expect("--fresh flies all again", len(calls()) == 11 and done.returncode == 1)
+    done = run("C@8", "--flights", "2", "--set", "v_max=4")
+    expect("other settings begin anew, a contact is status 1", len(calls()) == 13 and done.returncode == 1)
+    expect("settings are passed on", "--set v_max=4" in done.stdout and "| C@8 | 2 | 1 | 1 | 0 |" in done.stdout)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

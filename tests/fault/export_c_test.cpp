@@ -1,0 +1,72 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The C interface of exports: null pointers and bytes that are none of a plan.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/random.hpp"
+#include "tern/tern_export.h"
+
+namespace {
+
+constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(tern::Status::kInvalidArgument);
+
+tern_trajectory hover() {
+  tern_trajectory plan{};
+  plan.count = 1;
+  plan.segments[0].duration = 1.0;
+  return plan;
+}
+
+TEST(ExportC, NullPointersHaveAnswers) {
+  tern_setpoint setpoint{};
+  setpoint.yaw = 7.0f;
+  tern_setpoint_ned(nullptr, nullptr, nullptr, &setpoint);
+  EXPECT_EQ(setpoint.position[0], 0.0f);
+  EXPECT_NEAR(setpoint.yaw, 1.5707964f, 1e-6f);
+  tern_setpoint_ned(nullptr, nullptr, nullptr, nullptr);
+  tern_attitude_ned(nullptr, nullptr);
+  std::uint8_t frame[TERN_MAVLINK_SETPOINT_BYTES];
+  const tern_mavlink_header header{};
+  EXPECT_EQ(tern_mavlink_setpoint(nullptr, &header, frame), 0);
+  EXPECT_EQ(tern_mavlink_setpoint(&setpoint, nullptr, frame), 0);
+  EXPECT_EQ(tern_mavlink_setpoint(&setpoint, &header, nullptr), 0);
+  EXPECT_GT(tern_mavlink_setpoint(&setpoint, &header, frame), 12);
+  const tern_trajectory plan = hover();
+  tern_crazyflie_piece piece;
+  EXPECT_EQ(tern_poly4d(nullptr, nullptr, 0, &piece), kInvalid);
+  EXPECT_EQ(tern_poly4d(&plan, nullptr, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_poly4d(&plan, nullptr, 0, &piece), 0);
+  std::uint8_t bytes[TERN_CRAZYFLIE_COMPRESSED_BYTES(1)];
+  std::int32_t used = 0;
+  EXPECT_EQ(tern_crazyflie_compressed(nullptr, nullptr, bytes, sizeof bytes, &used), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, sizeof bytes, &used), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, bytes, sizeof bytes, nullptr), kInvalid);
+  tern_trajectory read;
+  EXPECT_EQ(tern_crazyflie_decompressed(nullptr, 100, &plan, &read), kInvalid);
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, 100, nullptr, &read), kInvalid);
+  tern_px4_defaults(nullptr);
+  tern_ardupilot_defaults(nullptr);
+  tern_limits_from_px4(nullptr, nullptr);
+  tern_limits_from_ardupilot(nullptr, nullptr);
+}
+
+TEST(ExportC, HostileBytesAreReadWithinTheirLengthAndRefusedOrAPlan) {
+  tern_test::Random random(11);
+  const tern_trajectory original = hover();
+  for (int i = 0; i < tern_test::scaled(20000); ++i) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.integer(0, 400)));
+    for (std::uint8_t& byte : bytes) {
+      byte = static_cast<std::uint8_t>(random.chance(0.3) ? 0x3F : random.chance(0.3) ? 0 : random.integer(0, 255));
+    }
+    tern_trajectory read;
+    const auto count = static_cast<std::int32_t>(bytes.size());
+    if (tern_crazyflie_decompressed(bytes.data(), count, &original, &read) != 0) continue;
+    ASSERT_GT(read.count, 0);
+    ASSERT_LE(read.count, tern::kMaxSegments);
+  }
+}
+
+}  // namespace

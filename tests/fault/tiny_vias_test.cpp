@@ -1,0 +1,57 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Ways through vias that exceed a capacity of the tiny profile.
+#include <gtest/gtest.h>
+
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Status;
+using tern::Via;
+
+class TinyVias : public testing::Test {
+ protected:
+  Status plan(int count) {
+    world_.request.vias = vias_;
+    world_.request.via_count = count;
+    return world_.plan();
+  }
+
+  World world_ = open_world();
+  Via vias_[tern::kMaxVias + 1] = {};
+};
+
+TEST_F(TinyVias, MoreThanFitAreRefused) {
+  EXPECT_EQ(plan(tern::kMaxVias + 1), Status::kViasFull);
+  EXPECT_EQ(world_.report.field, tern::Field::kVias);
+  EXPECT_EQ(world_.report.via, tern::kNoVia);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(TinyVias, AsManyAsFitHaveAPlan) {
+  vias_[0].position = {1.05, 2.05, 1.05};
+  vias_[1].position = {2.45, 1.55, 1.05};
+  ASSERT_EQ(plan(tern::kMaxVias), Status::kOk);
+  EXPECT_GT(world_.report.vias[1].time, world_.report.vias[0].time);
+}
+
+TEST_F(TinyVias, AWayOfTooManyLegsIsFull) {
+  // To and fro around the end of a wall: each of three legs turns there, and four segments do not suffice.
+  World plane({20, 12, 1}, 0.25, 0.0);
+  plane.block({2.5, 0.0, 0.0}, {2.6, 2.1, 0.25}).from({0.375, 0.375, 0.125}).to({4.375, 0.625, 0.125});
+  vias_[0].position = {4.375, 0.375, 0.125};
+  vias_[1].position = {0.625, 0.375, 0.125};
+  plane.request.vias = vias_;
+  plane.request.via_count = tern::kMaxVias;
+  EXPECT_EQ(plane.plan(), Status::kSegmentsFull);
+  EXPECT_EQ(plane.report.high_water.segments, tern::kMaxSegments);
+  EXPECT_TRUE(plane.trajectory_untouched());
+  plane.request.via_count = 1;
+  EXPECT_EQ(plane.plan(), Status::kOk);
+}
+
+}  // namespace
+}  // namespace tern_test

@@ -1,0 +1,90 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Replans along a plan of one's own, on the map that it was made on: none arrives later than the rest of that plan.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "golden/corpus_run.hpp"
+
+namespace {
+
+using namespace tern;
+
+/// What replans along plans did.
+struct Replans {
+  int asked = 0;
+  int found = 0;
+  int sooner = 0;
+  double latest = -1e9;  ///< later than the rest, s
+  double jumps[3] = {};  ///< of velocity, acceleration and jerk where the new plan begins
+};
+
+double apart(const Vec3& a, const Vec3& b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+/// What is left of the segment that is flown at t. Less than a millisecond of it cannot be cut off.
+double left_of_segment(const Trajectory& plan, double t) {
+  double end = 0.0;
+  for (int i = 0; i < plan.count && end <= t; ++i) end += plan.segments[i].duration;
+  return end - t;
+}
+
+/// Flies a plan and asks for a new one every 0.3 s, always to the same goal. `chained`: goes on along the new plan.
+void replan_along(const Grid& grid, Planner& planner, Request request, bool chained, Replans& out) {
+  constexpr double kEvery = 0.3;
+  Trajectory flown{};
+  Report report{};
+  if (planner.plan(grid, request, flown, report) != Status::kOk) return;
+  Trajectory next{};
+  for (double t = kEvery; t < duration(flown) - 0.01; t += kEvery) {
+    if (left_of_segment(flown, t) < 1.1e-3) continue;
+    const Sample now = evaluate(flown, t);
+    request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+    request.previous = &flown;
+    request.previous_time = t;
+    const double rest = duration(flown) - t;
+    ++out.asked;
+    const Status status = planner.plan(grid, request, next, report);
+    EXPECT_EQ(status, Status::kOk) << t;
+    if (status != Status::kOk) continue;
+    ++out.found;
+    for (const StageReport& stage : report.stages) EXPECT_LE(stage.work, stage.bound);
+    out.latest = std::max(out.latest, duration(next) - rest);
+    out.sooner += duration(next) < rest - 1e-6 ? 1 : 0;
+    EXPECT_LE(duration(next), rest + 1e-6) << t;
+    const Sample first = evaluate(next, 0.0);
+    EXPECT_EQ(apart(first.position, now.position), 0.0);
+    out.jumps[0] = std::max(out.jumps[0], apart(first.velocity, now.velocity));
+    out.jumps[1] = std::max(out.jumps[1], apart(first.acceleration, now.acceleration));
+    out.jumps[2] = std::max(out.jumps[2], apart(first.jerk, now.jerk));
+    if (!chained) continue;
+    flown = next;
+    t = 0.0;
+  }
+}
+
+TEST(Replans, NeverArriveLaterThanTheRest) {
+  const auto memory = std::make_unique<tern_golden::Memory>();
+  Planner planner(&memory->workspace, sizeof memory->workspace);
+  Replans replans;
+  for (int i = 0; i < tern_golden::kScenarioCount; i += i < tern_golden::kMapCount ? 1 : 5) {
+    Grid grid;
+    ASSERT_TRUE(tern_golden::scenario(i, memory->scenario));
+    ASSERT_EQ(tern_golden::build_grid(memory->scenario, memory->words, tern_golden::kGridWords, grid), Status::kOk);
+    replan_along(grid, planner, memory->scenario.request, false, replans);
+    replan_along(grid, planner, memory->scenario.request, true, replans);
+  }
+  EXPECT_GT(replans.asked, 500);
+  EXPECT_EQ(replans.found, replans.asked);
+  EXPECT_GT(replans.sooner, 0);
+  EXPECT_LE(replans.jumps[0], 1e-13);
+  EXPECT_LE(replans.jumps[1], 1e-10);
+  EXPECT_LE(replans.jumps[2], 1e-5);
+}
+
+}  // namespace

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""demo_test.py DEMO FOLDER: the demo in headless Chromium, from a file:// address. What is dragged or set is planned anew.
+Leaves screenshots in FOLDER. Exit status 77 without a browser."""
+import pathlib
+import sys
+
+import browser
+
+SKIPPED = 77
+DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+# Where a point of the world is on the screen.
+ON_SCREEN = """((x, y, z) => {
+  const {stage, views: [view]} = page;
+  const p = new THREE.Vector3(x, y, z).applyMatrix4(view.root.matrixWorld).project(stage.camera);
+  const {left, top, width, height} = stage.canvas.getBoundingClientRect();
+  return [left + (p.x + 1) / 2 * width, top + (1 - p.y) / 2 * height];
+})"""
+
+failures = []
+
+
+def check(condition, text):
+    if not condition:
+        failures.append(text)
+        print("FAILED:", text)
+
+
+def result(tab):
+    tab.run(DRAWN)
+    return tab.run("document.getElementById('result').textContent")
+
+
+def drag(tab, start, end):
+    """Drags what is at a point of the world over to another one."""
+    tab.drag(*tab.run(f"{ON_SCREEN}(...{start})"), *tab.run(f"{ON_SCREEN}(...{end})"))
+    return result(tab)
+
+
+def touch_drag(tab, start, end):
+    """The same with a finger."""
+    ends = [tab.run(f"{ON_SCREEN}(...{point})") for point in (start, end)]
+    for kind, point in (("touchStart", ends[0]), ("touchMove", ends[1]), ("touchEnd", None)):
+        points = [{"x": point[0], "y": point[1]}] if point else []
+        tab.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+    return result(tab)
+
+
+def set_limit(tab, key, value):
+    tab.run(f"""(() => {{
+      const input = document.querySelector("[data-setting={key}]");
+      input.value = {value};
+      input.dispatchEvent(new Event("input"));
+    }})()""")
+    return result(tab)
+
+
+def main():
+    demo, folder = map(pathlib.Path, sys.argv[1:])
+    path = browser.find()
+    if path is None:
+        print("SKIPPED: there is no Chromium; tools/setup installs it")
+        sys.exit(SKIPPED)
+    with browser.Browser(path) as tab:
+        tab.screen(width=1280, height=800)
+        tab.open(demo.as_uri(), "window.demo")
+        tab.run("page.player.toggle()")
+        check(result(tab).startswith("ok: planned in "), f"there is a plan: {result(tab)}")
+        tab.picture(folder / "demo.png")
+        print(f"{demo.stat().st_size} bytes; {result(tab)}")
+        before, plans = tab.run("page.views[0].end"), tab.run("demo.plans")
+        set_limit(tab, "v_max", 1)
+        check(tab.run("page.views[0].end") > before, "a lower limit of speed makes a longer plan")
+        goal = tab.run("demo.scenario.records.goal")
+        drag(tab, goal, [goal[0] - 1.0, goal[1] - 2.0, goal[2]])
+        moved = tab.run("demo.scenario.records.goal")
+        check(abs(moved[0] - goal[0] + 1.0) < 0.1 and abs(moved[1] - goal[1] + 2.0) < 0.1, f"the goal moved to {moved}")
+        end = tab.run("[...'xyz'].map((axis) => page.views[0].motion.columns['p' + axis].slice(-1)[0])")
+        check(all(abs(a - b) < 2e-3 for a, b in zip(end, moved)), f"the plan ends at {end}")
+        check(tab.run("demo.plans") > plans + 1, "each step was planned")
+        touch_drag(tab, tab.run("demo.scenario.records.start"), [1.0, 3.0, 1.5])
+        start = tab.run("demo.scenario.records.start")
+        check(abs(start[1] - 3.0) < 0.1, f"a finger moved the start to {start}")
+        x0, y0, _, x1, y1, top = tab.run("demo.scenario.blocks[5]")
+        middle = [(x0 + x1) / 2, (y0 + y1) / 2, top]
+        text = drag(tab, middle, [moved[0], moved[1], top])
+        check(text.startswith("goal_occupied"), f"a block on the goal: {text}")
+        tab.run("document.getElementById('remove').click()")
+        check(result(tab).startswith("ok"), "without the block there is a plan again")
+        tab.screen(width=390, height=844, phone=True, dark=True)
+        tab.run(DRAWN)
+        tab.picture(folder / "demo_phone.png")
+        check(tab.run("document.documentElement.scrollWidth") <= 390, "the page is as wide as the phone")
+        check(not tab.faults, f"errors in the browser: {tab.faults}")
+    sys.exit(1 if failures else 0)
+
+
+main()

@@ -1,0 +1,254 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Flights with faults: frames that are lost or late, poses that jump, ticks that are skipped, pixels that are wrong,
+// and things that appear. Where the theorem's assumptions hold there is no contact; Flown asserts that at every tick.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "curve/stopping.hpp"
+#include "flight/branch.hpp"
+#include "support/flown.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightSettings;
+using tern_test::Flown;
+using tern_test::forest;
+using tern_test::Random;
+using tern_test::Scene;
+
+std::string story(const Flown& flown) {
+  char text[200];
+  std::snprintf(text, sizeof text, "t %.2f at (%.2f %.2f %.2f), reason %d, mode %d",
+                1e-9 * static_cast<double>(flown.time), flown.position().x, flown.position().y, flown.position().z,
+                static_cast<int>(flown.report.reason), static_cast<int>(flown.report.mode));
+  return text;
+}
+
+/// A flight of 20 m through a forest.
+std::unique_ptr<Flown> begin(std::uint64_t seed, const FlightSettings& settings, double density = 1.0 / 30.0) {
+  Random random(seed);
+  auto flown = std::make_unique<Flown>(forest(random, 20.0, 20.0, density), settings);
+  EXPECT_EQ(flown->started, Status::kOk);
+  EXPECT_EQ(flown->flight.set_goal({20.0, 0.0, 1.5}), Status::kOk);
+  return flown;
+}
+
+FlightSettings fast() {
+  FlightSettings settings;
+  settings.v = 5.0;
+  settings.a = 8.0;
+  return settings;
+}
+
+TEST(FlightFaults, LostAndLateFramesCostOnlyTime) {
+  for (int k = 0; k < tern_test::scaled(6); ++k) {
+    const double drops[] = {0.1, 0.5, 0.9, 0.0, 0.0, 0.5};
+    const int late[] = {0, 0, 0, 15, 30, 30};
+    const auto flown = begin(static_cast<std::uint64_t>(1000 + k), fast());
+    flown->drop = drops[k % 6];
+    flown->late = late[k % 6];
+    EXPECT_EQ(flown->fly(120.0), FlightReason::kArrived) << k << ": " << story(*flown);
+  }
+}
+
+TEST(FlightFaults, ReasonsHaveWords) {
+  for (int k = 0; k < 9; ++k) {
+    const std::string mode = flight_mode_name(static_cast<FlightMode>(k));
+    const std::string reason = flight_reason_text(static_cast<FlightReason>(k));
+    EXPECT_EQ(mode == "unknown", k > static_cast<int>(FlightMode::kThreat)) << k;
+    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kViaUnreachable)) << k;
+  }
+}
+
+/// The map ends at some instant; the vehicle ends at rest, and says so.
+TEST(FlightFaults, WithoutFramesItComesToRest) {
+  for (int k = 0; k < tern_test::scaled(2); ++k) {
+    const auto flown = begin(static_cast<std::uint64_t>(1020 + k), fast());
+    flown->fly(0.3 + 0.8 * k);
+    flown->frames = false;
+    const FlightReason reason = flown->fly(60.0);
+    EXPECT_TRUE(reason == FlightReason::kNoProgress || reason == FlightReason::kArrived) << k << ": " << story(*flown);
+  }
+}
+
+/// The pose jumps by 0.2 m again and again, within its margin.
+TEST(FlightFaults, PosesMayJumpWithinTheirMargin) {
+  for (int k = 0; k < tern_test::scaled(4); ++k) {
+    FlightSettings settings = fast();
+    settings.pose_margin = 0.1;
+    settings.radius = settings.body + 2.0 * settings.pose_margin;  // the map's pose and the vehicle's, either way
+    const auto flown = begin(static_cast<std::uint64_t>(1040 + k), settings, 1.0 / 60.0);
+    Random random(static_cast<std::uint64_t>(k));
+    while (flown->time < 40000000000 && flown->report.reason == FlightReason::kNone && !HasFatalFailure()) {
+      const double angle = random.real(0.0, 6.28);
+      flown->pose_error = {0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.0};
+      flown->fly(0.1 * random.integer(1, 20));
+      const Vec3 e = flown->pose_error;
+      flown->pose_error = {-e.x, -e.y, 0.0};  // 0.2 m
+      flown->fly(0.5);
+    }
+    EXPECT_NE(flown->report.reason, FlightReason::kNone) << k << ": " << story(*flown);
+  }
+}
+
+/// Beyond the margin nothing is promised but an end: no tick fails, and the vehicle rests at last.
+TEST(FlightFaults, PosesThatJumpTooFarDoNotHang) {
+  const auto flown = begin(1060, fast());
+  flown->may_touch = true;
+  flown->fly(2.0);
+  flown->pose_error = {0.0, 0.2, 0.0};
+  flown->fly(90.0);
+  EXPECT_EQ(flown->report.mode, FlightMode::kRest) << story(*flown);
+  EXPECT_NE(flown->report.reason, FlightReason::kNone) << story(*flown);
+}
+
+TEST(FlightFaults, TicksMayBeSkipped) {
+  for (int k = 0; k < tern_test::scaled(4); ++k) {
+    const auto flown = begin(static_cast<std::uint64_t>(1080 + k), fast());
+    Random random(static_cast<std::uint64_t>(k));
+    while (flown->time < 90000000000 && flown->report.reason == FlightReason::kNone && !HasFatalFailure()) {
+      flown->fly(0.01 * random.integer(1, 60));
+      if (flown->report.reason == FlightReason::kNone) flown->skip(random.integer(1, 50));
+    }
+    EXPECT_EQ(flown->report.reason, FlightReason::kArrived) << k << ": " << story(*flown);
+  }
+}
+
+/// One pixel in a hundred shows anything.
+TEST(FlightFaults, WrongPixelsCostOnlyTime) {
+  for (int k = 0; k < tern_test::scaled(6); ++k) {
+    FlightSettings settings = fast();
+    settings.v = k % 2 == 0 ? 5.0 : 8.0;
+    settings.outliers = 0.01;
+    settings.noise = 0.01;
+    settings.hits = 2;
+    settings.support = 1;
+    const auto flown = begin(static_cast<std::uint64_t>(1100 + k), settings, 1.0 / 25.0);
+    EXPECT_EQ(flown->fly(60.0), FlightReason::kArrived) << k << ": " << story(*flown);
+  }
+}
+
+double size(const Vec3& v) {
+  return std::hypot(v.x, std::hypot(v.y, v.z));
+}
+
+/// What is flown from now on, before a tick changes it.
+struct Ahead {
+  static constexpr int kTicks = 3;  ///< after which a brake may begin
+  static constexpr int kParts = 10;
+  Sample samples[kTicks * kParts + 1];
+
+  explicit Ahead(const Flown& flown) {
+    for (int k = 0; k <= kTicks * kParts; ++k) samples[k] = flown.flight.command(flown.time + k * 1000000).sample;
+  }
+};
+
+bool touches(const Flown& flown, const Sample& sample) {
+  return flown.solid_distance(sample.position) < flown.settings.radius - 1e-6;
+}
+
+bool within_limits(const Flown& flown, const Trajectory& brake) {
+  const Limits& limits = flown.spec.limits;
+  for (double t = 0.0; t < duration(brake); t += 0.001) {
+    const Sample s = evaluate(brake, t);
+    if (std::hypot(s.velocity.x, s.velocity.y) > limits.v_horizontal + 1e-6) return false;
+    if (std::hypot(s.acceleration.x, s.acceleration.y) > limits.a_horizontal + 1e-6) return false;
+    if (std::abs(s.velocity.z) > limits.v_max.z + 1e-6 || std::abs(s.acceleration.z) > limits.a_max.z + 1e-6)
+      return false;
+  }
+  return true;
+}
+
+/// The speed at the first instant at which the vehicle is nearer to what the map holds than the radius, if it brakes as
+/// soon as brakes begin: the slowest of all brakes. 0 where one of them stays clear.
+double immediate_brake(const Flown& flown, const Ahead& ahead) {
+  for (const Sample& s : ahead.samples) {
+    if (touches(flown, s)) return size(s.velocity);
+  }
+  const Sample& s = ahead.samples[Ahead::kTicks * Ahead::kParts];
+  auto scratch = std::make_unique<Stopping>();
+  double best = 1e9;
+  for (int way = 0; way < kStops; ++way) {
+    Trajectory brake{};
+    brake.origin = s.position;
+    if (!append_stop({{kZero, s.velocity, s.acceleration, s.jerk}}, MotionLimits(flown.spec.limits), way, *scratch,
+                     brake)) {
+      continue;
+    }
+    if (!within_limits(flown, brake)) continue;
+    double speed = 0.0;
+    for (double t = 0.0; t < 4.0 && !(speed > 0.0); t += 0.001) {
+      if (touches(flown, evaluate(brake, t))) speed = size(evaluate(brake, t).velocity);
+    }
+    best = std::min(best, speed);
+  }
+  return best;
+}
+
+/// Flies on with the map as it is. The speed at the first instant that is too near, or 0.
+double flown_contact(Flown& flown) {
+  for (int t = 0; t < 300; ++t) {
+    for (const Sample& s : Ahead(flown).samples) {
+      if (touches(flown, s)) return size(s.velocity);
+    }
+    flown.tick();
+  }
+  return 0.0;
+}
+
+/// Something appears in the tube, too near to brake for or not: the contact is no faster than after an immediate brake.
+TEST(FlightFaults, WhatAppearsIsMetNoFasterThanByAnImmediateBrake) {
+  int threats = 0;
+  int hard = 0;
+  for (int k = 0; k < tern_test::scaled(40) && !HasFatalFailure(); ++k) {
+    Random random(static_cast<std::uint64_t>(1200 + k));
+    FlightSettings settings = fast();
+    settings.v = random.real(2.0, 8.0);
+    Flown flown(Scene{}, settings);
+    flown.flight.set_goal({40.0, random.real(-3.0, 3.0), 1.5});
+    flown.fly(random.real(1.0, 2.5));
+    const Vec3 p = flown.position();
+    const Vec3 v = flown.flight.command(flown.time).sample.velocity;
+    const double ahead = random.real(0.8, 4.0) / size(v);
+    flown.scene.cylinders.push_back({p.x + ahead * v.x, p.y + ahead * v.y + random.real(-0.3, 0.3), 0.3, 5.0});
+    flown.may_touch = true;
+    for (int t = 0; t < 100 && flown.report.mode != FlightMode::kThreat && !HasFatalFailure(); ++t) {
+      const Ahead before(flown);
+      flown.tick();
+      if (flown.report.mode != FlightMode::kThreat) continue;
+      flown.frames = false;
+      EXPECT_GE(flown.report.contact_time, flown.time - flown.spec.tick);
+      const double brake = immediate_brake(flown, before);
+      const double contact = flown_contact(flown);
+      EXPECT_LE(contact, brake + 0.02) << k << ": " << story(flown);
+      ++threats;
+      hard += brake > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(threats, tern_test::scaled(40) / 4);
+  EXPECT_GT(hard, tern_test::scaled(40) / 13);
+  RecordProperty("threats", threats);
+  RecordProperty("hard", hard);
+}
+
+TEST(FlightFaults, GoalsOutOfReachEndWithAReason) {
+  for (const Vec3& goal : {Vec3{1e6, 0.0, 1.5}, Vec3{5.0, 0.0, -40.0}, Vec3{-1e9, 1e9, 1e9}}) {
+    const auto flown = begin(1300, fast());
+    EXPECT_EQ(flown->flight.set_goal(goal), Status::kOk);
+    flown->fly(12.0);
+    EXPECT_EQ(flown->flight.set_goal({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}), Status::kNonFiniteInput);
+    EXPECT_EQ(flown->flight.set_goal({20.0, 0.0, 1.5}), Status::kOk);
+    flown->fly(90.0);
+    EXPECT_NE(flown->report.reason, FlightReason::kNone) << story(*flown);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,85 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/page/flight_film.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host/flight/flight_world.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A short flight through a forest, filmed.
+class FlightFilmTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    result_ = tern_host::simulate_flight(world_, [this](const tern_host::FlightMoment& m) { film_.note(m); });
+    run_ = Json::parse(film_.run(result_));
+  }
+
+  const Json& film(const char* part) const { return run_.at("film").at(part); }
+
+  tern_host::FlightWorld world_ = tern_host::read_flight_world("P36@3:2", {"time_limit=3"});
+  tern_host::FlightFilm film_{world_};
+  tern_host::FlightResult result_;
+  Json run_;
+};
+
+TEST_F(FlightFilmTest, TheFilmChangesNothing) {
+  EXPECT_EQ(tern_host::simulate_flight(world_).commands_hash, result_.commands_hash);
+}
+
+TEST_F(FlightFilmTest, TheMotionIsTheTrack) {
+  const Json& columns = run_.at("motion").at("columns");
+  EXPECT_DOUBLE_EQ(run_.at("motion").at("step").get<double>(), 0.01);
+  ASSERT_EQ(columns.at("px").size(), result_.track.size());
+  for (std::size_t i = 0; i < result_.track.size(); i += 50) {
+    EXPECT_NEAR(columns.at("px")[i].get<double>(), result_.track[i].position.x, 5.1e-4);
+    double norm = 0.0;
+    for (const char* const name : {"qw", "qx", "qy", "qz"}) norm += std::pow(columns.at(name)[i].get<double>(), 2);
+    EXPECT_NEAR(norm, 1.0, 1e-3);
+    EXPECT_NEAR(columns.at("clearance")[i].get<double>(), tern_host::clearance(world_, result_.track[i].position),
+                5.1e-4);
+  }
+}
+
+/// A commit's points begin within the tracking error of the vehicle, and end slowly: at rest.
+TEST_F(FlightFilmTest, CommitsLeadFromTheVehicleToARest) {
+  ASSERT_EQ(film("commits").size(), result_.committed);
+  ASSERT_GT(result_.committed, 5u);
+  for (const Json& commit : film("commits")) {
+    const auto tick = static_cast<std::size_t>(std::lround(100.0 * commit.at("t").get<double>()));
+    const Json& points = commit.at("points");
+    const tern::Vec3& at = result_.track[tick].position;
+    const double off = std::hypot(points[0].get<double>() - at.x, points[1].get<double>() - at.y);
+    EXPECT_LE(off, world_.settings.tracking_margin + 1e-3);
+    const std::size_t n = points.size();
+    ASSERT_GE(n, 6u);
+    EXPECT_LT(std::hypot(points[n - 3].get<double>() - points[n - 6].get<double>(),
+                         points[n - 2].get<double>() - points[n - 5].get<double>()),
+              0.1);
+  }
+}
+
+/// Every voxel that is known lies beside a tree or a wall.
+TEST_F(FlightFilmTest, WhatIsKnownIsThere) {
+  const Json& known = film("known");
+  const double cell = known.at("cell").get<double>();
+  const Json& origin = known.at("origin");
+  ASSERT_GT(known.at("blocks").size(), 7u);
+  for (std::size_t i = 0; i < known.at("blocks").size(); i += 7) {
+    const auto number = [&](std::size_t k) { return known.at("blocks")[i + k].get<double>(); };
+    for (double row = 0.0; row < number(3); row += 1.0) {
+      const tern::Vec3 middle{origin[0].get<double>() + cell * (number(0) + 0.5),
+                              origin[1].get<double>() + cell * (number(1) + row + 0.5),
+                              origin[2].get<double>() + cell * (number(2) + 0.5)};
+      EXPECT_LT(tern_host::clearance(world_, middle), 2.0 * cell);
+    }
+  }
+}
+
+}  // namespace

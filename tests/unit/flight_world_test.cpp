@@ -1,0 +1,179 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The simulator's world: families, what the camera sees of it, and what its driver makes of that.
+#include "host/flight/flight_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "host/flight/depth_camera.hpp"
+#include "host/flight/full_knowledge.hpp"
+#include "host/flight/speckle_filter.hpp"
+#include "host/flight/world_family.hpp"
+
+namespace {
+
+using tern_host::DepthFrame;
+using tern_host::FamilyMember;
+using tern_host::FlightWorld;
+using tern_host::Noise;
+using tern_host::read_flight_world;
+
+FlightWorld member(const std::string& name) {
+  return read_flight_world(name, {});
+}
+
+TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {
+  FamilyMember m;
+  ASSERT_TRUE(tern_host::parse_member("P25@8:17", m));
+  EXPECT_EQ(m.family, "P25");
+  EXPECT_EQ(m.speed, 8.0);
+  EXPECT_EQ(m.seed, 17u);
+  for (const char* const none : {"P25", "P25:", "P25@:1", "P26:1", "P25@-1:1", "P25:1x", "worlds/P25:1", ":1"}) {
+    EXPECT_FALSE(tern_host::parse_member(none, m)) << none;
+  }
+}
+
+TEST(WorldFamily, EveryMemberIsAWorldWithClearEnds) {
+  for (const std::string& family : tern_host::family_names()) {
+    for (int seed = 1; seed <= 20; ++seed) {
+      const std::string name = family + ":" + std::to_string(seed);
+      const FlightWorld world = member(name);
+      EXPECT_GT(clearance(world, world.start), 0.6) << name;
+      EXPECT_GT(clearance(world, world.goal), 0.6) << name;
+      EXPECT_EQ(world.settings.seed, static_cast<std::uint64_t>(seed)) << name;
+    }
+  }
+}
+
+TEST(WorldFamily, SeedsGiveOtherWorldsAndSpeedsTheSame) {
+  const FlightWorld one = member("P25:1");
+  const FlightWorld two = member("P25:2");
+  const FlightWorld fast = member("P25@12:1");
+  EXPECT_NE(one.cylinders[0].x, two.cylinders[0].x);
+  ASSERT_EQ(one.cylinders.size(), fast.cylinders.size());
+  EXPECT_EQ(one.cylinders.back().y, fast.cylinders.back().y);
+  EXPECT_EQ(fast.settings.v_max, 12.0);
+}
+
+/// Mean of a Poisson forest, gaps of a thick one, and the part of the area that it covers.
+TEST(WorldFamily, ForestsAreAsDenseAsTheyClaim) {
+  double trees = 0.0;
+  for (int seed = 1; seed <= 50; ++seed)
+    trees += static_cast<double>(member("P25:" + std::to_string(seed)).cylinders.size());
+  EXPECT_NEAR(trees / 50.0, 1800.0 / 25.0, 4.0);
+  const FlightWorld thick = member("S20:3");
+  double covered = 0.0;
+  for (std::size_t i = 0; i < thick.cylinders.size(); ++i) {
+    const tern_host::Cylinder& a = thick.cylinders[i];
+    covered += M_PI * a.radius * a.radius;
+    for (std::size_t j = 0; j < i; ++j) {
+      const tern_host::Cylinder& b = thick.cylinders[j];
+      EXPECT_GT(std::hypot(a.x - b.x, a.y - b.y), a.radius + b.radius + 1.49);
+    }
+  }
+  EXPECT_NEAR(covered / 4000.0, 0.2, 0.005);
+}
+
+/// Every room of a maze can be reached: a plan that knows it all gets through.
+TEST(WorldFamily, MazesAndStoreysHaveAWay) {
+  for (const char* const name : {"M:1", "M:2", "O:1", "C:1", "B:1"}) {
+    EXPECT_GT(full_knowledge_time(member(name)), 5.0) << name;
+  }
+}
+
+/// How far one can go from `from` along a line before something is met, in steps of the clearance there.
+double march(const FlightWorld& world, const tern::Vec3& from, const tern::Vec3& along, double most) {
+  const double norm = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+  double t = 0.0;
+  for (int k = 0; k < 100000 && t < most; ++k) {
+    const double room = clearance(world, {from.x + t * along.x, from.y + t * along.y, from.z + t * along.z});
+    if (room < 1e-7) break;
+    t += room / norm;
+  }
+  return std::min(t, most);
+}
+
+TEST(DepthCamera, SeesTheNearestOfAPixelsCorners) {
+  Noise random(3);
+  for (const char* const name : {"P12:1", "O:2", "S20:1"}) {
+    FlightWorld world = member(name);
+    world.settings.outliers = world.settings.depth_noise = 0.0;
+    world.settings.speckle_filter = 0;
+    const double yaw = random.within(-3.0, 3.0);
+    const DepthFrame frame = take_frame(world, world.start, yaw, 0, random);
+    const double most = 1.5 * world.settings.sensor_range;
+    for (int k = 0; k < 200; ++k) {
+      const int u = random.below(frame.view.width);
+      const int v = random.below(frame.view.height);
+      double least = most;
+      for (const double du : {-0.5, 0.5}) {
+        for (const double dv : {-0.5, 0.5}) {
+          const double right = (u + du - frame.view.cx) / frame.view.fx;
+          const double down = (v + dv - frame.view.cy) / frame.view.fy;
+          least = std::min(
+              least,
+              march(world, world.start,
+                    {std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw), -down}, most));
+        }
+      }
+      EXPECT_NEAR(static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]), least, 1e-4)
+          << name << " " << u << " " << v;
+    }
+  }
+}
+
+TEST(SpeckleFilter, TakesOutLonePixelsAndKeepsThinThings) {
+  constexpr int kSide = 9;
+  std::vector<float> depths(kSide * kSide, 8.0f);
+  depths[0 * kSide + 0] = 1.0f;                                                        // a lone pixel in the corner
+  depths[4 * kSide + 2] = 2.0f;                                                        // one amid the wall
+  depths[4 * kSide + 7] = 12.0f;                                                       // one that says too far
+  for (int v = 2; v < 7; ++v) depths[static_cast<std::size_t>(v * kSide + 5)] = 3.0f;  // a thin pole
+  tern_host::filter_speckle(depths, kSide, kSide, 0.0);
+  for (int v = 0; v < kSide; ++v) {
+    for (int u = 0; u < kSide; ++u) {
+      const bool pole = u == 5 && v >= 2 && v <= 6;
+      EXPECT_EQ(depths[static_cast<std::size_t>(v * kSide + u)], pole ? 3.0f : 8.0f) << u << " " << v;
+    }
+  }
+}
+
+/// The least depth of a pixel and its neighbours.
+float least_around(const DepthFrame& frame, int u, int v) {
+  float least = 1e9f;
+  for (int y = std::max(0, v - 1); y <= std::min(frame.view.height - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(frame.view.width - 1, u + 1); ++x) {
+      least = std::min(least, frame.depths[static_cast<std::size_t>(y * frame.view.width + x)]);
+    }
+  }
+  return least;
+}
+
+/// One pixel in a hundred: hardly any is left that is off by more than what counts as agreement.
+TEST(SpeckleFilter, LeavesFewOutliers) {
+  FlightWorld world = member("P25:1");
+  world.settings.outliers = 0.0;
+  Noise clean_noise(1);
+  const DepthFrame clean = take_frame(world, world.start, 0.0, 0, clean_noise);
+  world.settings.outliers = 0.01;
+  world.settings.speckle_filter = 1;
+  Noise random(2);
+  int wrong = 0;
+  for (int k = 0; k < 20; ++k) {
+    const DepthFrame frame = take_frame(world, world.start, 0.0, 0, random);
+    for (int v = 0; v < frame.view.height; ++v) {
+      for (int u = 0; u < frame.view.width; ++u) {
+        const float depth = frame.depths[static_cast<std::size_t>(v * frame.view.width + u)];
+        wrong += depth < 0.95f * least_around(clean, u, v) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_LE(wrong, 10);  // of 3840 outliers
+}
+
+}  // namespace

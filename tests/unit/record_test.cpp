@@ -1,0 +1,275 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/record.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "support/random.hpp"
+#include "support/world.hpp"
+
+namespace {
+
+using namespace tern;
+using Bytes = std::vector<std::uint8_t>;
+
+// Where the words of the format are, docs/record.md.
+constexpr std::size_t kVersionWord = 1;
+constexpr std::size_t kFenceCountWord = 5 + 15 + 12 + 12 + 18 + 9;
+
+Bytes record(const tern_test::World& world) {
+  Bytes bytes(plan_record_bytes(world.spec.dims));
+  std::size_t used = 0;
+  EXPECT_EQ(
+      record_plan(world.grid, world.request, world.report.status, world.trajectory, bytes.data(), bytes.size(), &used),
+      Status::kOk);
+  bytes.resize(used);
+  return bytes;
+}
+
+Status read(const Bytes& bytes) {
+  PlanRecord record;
+  return read_plan_record(bytes.data(), bytes.size(), record);
+}
+
+/// Replaces a word, and the checksum, as FNV-1a gives it.
+Bytes altered(Bytes bytes, std::size_t word, std::uint64_t value) {
+  std::memcpy(bytes.data() + 8 * word, &value, sizeof value);
+  std::uint64_t hash = 0xCBF29CE484222325u;
+  for (std::size_t k = 0; k + 8 < bytes.size(); ++k) hash = (hash ^ bytes[k]) * 0x100000001B3u;
+  std::memcpy(bytes.data() + bytes.size() - 8, &hash, sizeof hash);
+  return bytes;
+}
+
+/// Plans what a record asks for, from nothing but its bytes.
+struct Replayed {
+  explicit Replayed(const Bytes& bytes) : planner(memory.get(), sizeof *memory) {
+    EXPECT_EQ(read_plan_record(bytes.data(), bytes.size(), record), Status::kOk);
+    words.resize(grid_words(record.grid.dims));
+    EXPECT_EQ(read_plan_record(bytes.data(), bytes.size(), record, grid, words.data(), words.size()), Status::kOk);
+    status = planner.plan(grid, record.request, plan, report);
+  }
+  PlanRecord record;
+  std::vector<std::uint64_t> words;
+  Grid grid;
+  std::unique_ptr<Workspace> memory = std::make_unique<Workspace>();
+  Planner planner;
+  Trajectory plan{};
+  Report report{};
+  Status status = Status::kRunning;
+};
+
+void expect_same(const Trajectory& a, const Trajectory& b) {
+  ASSERT_EQ(a.count, b.count);
+  EXPECT_EQ(std::memcmp(&a.origin, &b.origin, sizeof a.origin), 0);
+  for (int i = 0; i < a.count; ++i) {
+    EXPECT_EQ(std::memcmp(&a.segments[i].points, &b.segments[i].points, sizeof a.segments[i].points), 0);
+    EXPECT_EQ(std::memcmp(&a.segments[i].duration, &b.segments[i].duration, sizeof(double)), 0);
+    EXPECT_EQ(a.segments[i].polyhedron, b.segments[i].polyhedron);
+  }
+}
+
+void scatter(tern_test::World& world, std::uint64_t seed) {
+  tern_test::Random random(seed);
+  const Voxel dims = world.spec.dims;
+  for (int k = 0; k < 60; ++k) {
+    world.grid.mark_voxel(
+        {random.integer(10, dims.x - 11), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)});
+  }
+}
+
+/// A query with all that a request can hold.
+void ask_for_everything(tern_test::World& world, std::vector<Halfspace>& planes, Fence (&fences)[2], Via (&vias)[2]) {
+  planes.resize(2 * kBoxPlanes);
+  Halfspace box[kBoxPlanes];
+  box_planes({{0.1, 0.1, 0.1}, {6.9, 3.9, 1.9}}, box);
+  std::copy(std::begin(box), std::end(box), planes.begin());
+  box_planes({{3.0, 0.0, 0.0}, {3.3, 0.4, 2.0}}, box);
+  std::copy(std::begin(box), std::end(box), planes.begin() + kBoxPlanes);
+  fences[0] = {planes.data(), kBoxPlanes, FenceKind::kKeepIn};
+  fences[1] = {planes.data() + kBoxPlanes, kBoxPlanes, FenceKind::kKeepOut};
+  vias[0].position = {0.65, 3.05, 1.05};
+  vias[0].tolerance = 0.1;
+  vias[1].position = {0.85, 1.05, 1.35};
+  vias[1].stop = true;
+  world.request.fences = fences;
+  world.request.fence_count = 2;
+  world.request.vias = vias;
+  world.request.via_count = 2;
+  world.request.limits.j_max = {50.0, 50.0, 50.0};
+  world.request.limits.v_horizontal = 1.75;
+  world.request.time_weight = 200.0;
+  world.request.search = SearchMode::kOptimal;
+}
+
+TEST(Record, HoldsAllOfAQuery) {
+  tern_test::World world({70, 40, 20}, 0.1, 0.15);
+  world.from({0.55, 0.55, 1.05}).to({6.45, 3.45, 1.05});
+  std::vector<Halfspace> planes;
+  Fence fences[2];
+  Via vias[2];
+  ask_for_everything(world, planes, fences, vias);
+  scatter(world, 3);
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Bytes bytes = record(world);
+  Replayed again(bytes);
+  EXPECT_EQ(again.record.configuration, kConfigurationHash);
+  EXPECT_EQ(again.record.status, Status::kOk);
+  expect_same(again.record.plan, world.trajectory);
+  EXPECT_EQ(again.status, Status::kOk);
+  expect_same(again.plan, world.trajectory);
+  EXPECT_EQ(again.report.vias[1].time, world.report.vias[1].time);
+  // Reading and writing again gives the same bytes.
+  Bytes twice(bytes.size());
+  std::size_t used = 0;
+  ASSERT_EQ(record_plan(again.grid, again.record.request, again.status, again.plan, twice.data(), twice.size(), &used),
+            Status::kOk);
+  EXPECT_EQ(used, bytes.size());
+  EXPECT_EQ(twice, bytes);
+}
+
+TEST(Record, HoldsThePreviousPlan) {
+  tern_test::World world({70, 40, 20}, 0.1, 0.15);
+  world.from({0.55, 0.55, 1.05}).to({6.45, 3.45, 1.05});
+  scatter(world, 4);
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Trajectory previous = world.trajectory;
+  const Sample sample = evaluate(previous, 1.0);
+  world.request.start = {sample.position, sample.velocity, sample.acceleration, sample.jerk};
+  world.request.previous = &previous;
+  world.request.previous_time = 1.0;
+  ASSERT_EQ(world.replan(), Status::kOk);
+  Replayed again(record(world));
+  EXPECT_EQ(again.status, Status::kOk);
+  expect_same(again.plan, world.trajectory);
+}
+
+TEST(Record, HoldsAnAnswerWithoutAPlan) {
+  tern_test::World world = tern_test::open_world();
+  world.block({2.0, 0.0, 0.0}, {2.3, 4.0, 2.0});
+  ASSERT_EQ(world.plan(), Status::kNoPath);
+  Replayed again(record(world));
+  EXPECT_EQ(again.record.status, Status::kNoPath);
+  EXPECT_EQ(again.record.plan.count, 0);
+  EXPECT_EQ(again.status, Status::kNoPath);
+}
+
+TEST(Record, GivesBackEveryVoxel) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    tern_test::Random random(seed);
+    const Voxel dims{random.integer(1, 200), random.integer(1, 20), random.integer(1, 6)};
+    tern_test::World world(dims, 0.1, 0.0);
+    const int chance = random.integer(0, 4);  // of 4: from empty to full, and half of the rows alike
+    for (int z = 0; z < dims.z; ++z) {
+      for (int y = 0; y < dims.y; ++y) {
+        const bool full = random.chance(0.5);
+        for (int x = 0; x < dims.x; ++x) {
+          if (full ? chance > 1 : random.integer(1, 4) <= chance) world.grid.mark_voxel({x, y, z});
+        }
+      }
+    }
+    const Bytes bytes = record(world);
+    PlanRecord out;
+    std::vector<std::uint64_t> words(grid_words(dims));
+    Grid grid;
+    ASSERT_EQ(read_plan_record(bytes.data(), bytes.size(), out, grid, words.data(), words.size()), Status::kOk);
+    for (int z = 0; z < dims.z; ++z) {
+      for (int y = 0; y < dims.y; ++y) {
+        for (int x = 0; x < dims.x; ++x) {
+          ASSERT_EQ(grid.obstacle({x, y, z}), world.grid.obstacle({x, y, z}))
+              << seed << ": " << x << " " << y << " " << z;
+        }
+      }
+    }
+  }
+}
+
+TEST(Record, RefusesWhatIsTruncatedOrAltered) {
+  tern_test::World world = tern_test::open_world();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Bytes bytes = record(world);
+  for (std::size_t count = 1; count < bytes.size(); ++count) {
+    const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    ASSERT_EQ(read(part), Status::kRecordDamaged) << count;
+  }
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    Bytes wrong = bytes;
+    wrong[k] = static_cast<std::uint8_t>(wrong[k] ^ 0x10u);
+    const bool version = k / 8 == kVersionWord;
+    ASSERT_EQ(read(wrong), version ? Status::kRecordVersion : Status::kRecordDamaged) << k;
+  }
+  Bytes longer = bytes;
+  longer.resize(bytes.size() + 8);
+  EXPECT_EQ(read(longer), Status::kRecordDamaged);
+  PlanRecord out;
+  EXPECT_EQ(read_plan_record(nullptr, 800, out), Status::kInvalidArgument);
+}
+
+// Whoever alters a record can also make its checksum.
+TEST(Record, TrustsNoCount) {
+  tern_test::World world = tern_test::open_world();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Bytes bytes = record(world);
+  ASSERT_EQ(read(altered(bytes, kFenceCountWord, 0)), Status::kOk) << "the word's place is wrong";
+  EXPECT_EQ(read(altered(bytes, kFenceCountWord, kMaxFences + 1)), Status::kFencesFull);
+  EXPECT_EQ(read(altered(bytes, kFenceCountWord, ~std::uint64_t{0})), Status::kRecordDamaged);
+  EXPECT_EQ(read(altered(bytes, kFenceCountWord + 1, kMaxVias + 1)), Status::kViasFull);
+  // The plan's segments stand behind the previous plan, which is not there, and the status.
+  EXPECT_EQ(read(altered(bytes, kFenceCountWord + 4, kMaxSegments + 1)), Status::kSegmentsFull);
+  // One fence with too many planes.
+  EXPECT_EQ(read(altered(altered(bytes, kFenceCountWord, 1), kFenceCountWord + 2, kMaxFencePlanes + 1)),
+            Status::kFencePlanesFull);
+  // Any single word may be anything: an answer, and nothing read or written out of bounds.
+  tern_test::Random random(9);
+  PlanRecord out;
+  std::vector<std::uint64_t> words(grid_words(world.spec.dims));
+  for (std::size_t k = 5; k + 1 < bytes.size() / 8; ++k) {
+    const Bytes wrong = altered(bytes, k, random.chance(0.5) ? random.next() : random.next() >> 56);
+    Grid grid;
+    read_plan_record(wrong.data(), wrong.size(), out, grid, words.data(), words.size());
+  }
+}
+
+TEST(Record, SaysWhenTheRoomDoesNotSuffice) {
+  tern_test::World world = tern_test::open_world();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Bytes bytes = record(world);
+  EXPECT_LE(bytes.size(), plan_record_bytes(world.spec.dims));
+  for (std::size_t room = 0; room < bytes.size(); room += 8) {
+    Bytes small(bytes.size(), 0xAA);
+    std::size_t used = 77;
+    ASSERT_EQ(record_plan(world.grid, world.request, Status::kOk, world.trajectory, small.data(), room, &used),
+              Status::kRecordFull);
+    ASSERT_EQ(used, 77u);
+    for (std::size_t k = room; k < small.size(); ++k) ASSERT_EQ(small[k], 0xAA) << room;
+  }
+  EXPECT_EQ(plan_record_bytes({0, 1, 1}), 0u);
+}
+
+TEST(Record, RefusesWhatIsNoQuery) {
+  tern_test::World world = tern_test::open_world();
+  ASSERT_EQ(world.plan(), Status::kOk);
+  Bytes bytes(plan_record_bytes(world.spec.dims));
+  std::size_t used = 0;
+  const auto write = [&](const Grid& grid, std::size_t* to) {
+    return record_plan(grid, world.request, Status::kOk, world.trajectory, bytes.data(), bytes.size(), to);
+  };
+  EXPECT_EQ(write(Grid(), &used), Status::kInvalidArgument);
+  EXPECT_EQ(write(world.grid, nullptr), Status::kInvalidArgument);
+  world.request.fence_count = 1;
+  EXPECT_EQ(write(world.grid, &used), Status::kInvalidArgument);
+  world.request.fence_count = 0;
+  world.request.via_count = -1;
+  EXPECT_EQ(write(world.grid, &used), Status::kInvalidArgument);
+  world.request.via_count = 0;
+  Trajectory none{};
+  none.count = kMaxSegments + 1;
+  world.request.previous = &none;
+  EXPECT_EQ(write(world.grid, &used), Status::kInvalidArgument);
+}
+
+}  // namespace

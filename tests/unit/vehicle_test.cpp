@@ -1,0 +1,126 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/vehicle/vehicle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tern/vec3.hpp"
+
+namespace {
+
+using tern_host::make_vehicle;
+using tern_host::Setpoint;
+using tern_host::Setpoints;
+using tern_host::VehicleSettings;
+
+double distance(const tern::Vec3& a, const tern::Vec3& b) {
+  return std::hypot(a.x - b.x, std::hypot(a.y - b.y, a.z - b.z));
+}
+
+VehicleSettings settings_of(const char* kind) {
+  VehicleSettings settings;
+  settings.kind = kind;
+  settings.tracking_margin = 0.1;
+  return settings;
+}
+
+/// A circle of 3 m at `speed`, smoothly begun, with all derivatives.
+Setpoint circle(double t, double speed) {
+  constexpr double kRadius = 3.0;
+  constexpr double kBegin = 3.0;  // seconds
+  // The angle's rate grows from 0 over kBegin as a smooth step; derivatives by hand.
+  const double w = speed / kRadius;
+  const double u = std::min(1.0, t / kBegin);
+  const double phi = t < kBegin ? w * kBegin * (2.5 * u * u * u * u - 3.0 * u * u * u * u * u + u * u * u * u * u * u)
+                                : w * (0.5 * kBegin + t - kBegin);
+  const double d1 = w * (10.0 * u * u * u - 15.0 * u * u * u * u + 6.0 * u * u * u * u * u);
+  const double d2 = w / kBegin * (30.0 * u * u - 60.0 * u * u * u + 30.0 * u * u * u * u);
+  const double d3 = w / (kBegin * kBegin) * (60.0 * u - 180.0 * u * u + 120.0 * u * u * u);
+  const double c = kRadius * std::cos(phi);
+  const double s = kRadius * std::sin(phi);
+  tern::Sample sample{};
+  sample.position = {c, s, 2.0};
+  sample.velocity = {-s * d1, c * d1, 0.0};
+  sample.acceleration = {-c * d1 * d1 - s * d2, -s * d1 * d1 + c * d2, 0.0};
+  sample.jerk = {s * d1 * d1 * d1 - 3.0 * c * d1 * d2 - s * d3, -c * d1 * d1 * d1 - 3.0 * s * d1 * d2 + c * d3, 0.0};
+  return {sample, 0.0, 0.0};
+}
+
+/// The largest distance from the command over 15 s of the circle.
+double error_on_circle(const VehicleSettings& settings, double speed) {
+  const Setpoints setpoints = [speed](double t) { return circle(t, speed); };
+  const auto vehicle = make_vehicle(settings, setpoints(0.0));
+  double worst = 0.0;
+  for (int k = 1; k <= 1500; ++k) {
+    vehicle->fly_to(0.01 * k, setpoints);
+    worst = std::max(worst, distance(vehicle->position(), setpoints(0.01 * k).sample.position));
+  }
+  return worst;
+}
+
+TEST(Vehicle, RigidBodiesHoverWhereTheyBegan) {
+  const Setpoints still = [](double) {
+    tern::Sample sample{};
+    sample.position = {1.0, -2.0, 3.0};
+    return Setpoint{sample, 0.7, 0.0};
+  };
+  for (const char* const kind : {"quadrotor", "px4"}) {
+    const auto vehicle = make_vehicle(settings_of(kind), still(0.0));
+    vehicle->fly_to(5.0, still);
+    EXPECT_LT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 1e-6) << kind;
+    EXPECT_LT(distance(vehicle->velocity(), {}), 1e-6) << kind;
+  }
+}
+
+TEST(Vehicle, PerfectAndBoundedKeepTheirWord) {
+  EXPECT_EQ(error_on_circle(settings_of("perfect"), 3.0), 0.0);
+  const double bounded = error_on_circle(settings_of("bounded"), 3.0);
+  EXPECT_LE(bounded, 0.1);
+  EXPECT_GT(bounded, 0.08);
+}
+
+/// 3 m/s on 3 m is 3 m/s^2 across: what PX4's feed-forward cascade follows to some decimetres, and feed-forward of
+/// attitude and rates to centimetres.
+TEST(Vehicle, FeedForwardOfTheFlatStateIsWorthAnOrderOfMagnitude) {
+  const double quadrotor = error_on_circle(settings_of("quadrotor"), 3.0);
+  const double px4 = error_on_circle(settings_of("px4"), 3.0);
+  EXPECT_LT(quadrotor, 0.02);
+  EXPECT_GT(px4, 5.0 * quadrotor);
+  EXPECT_LT(px4, 0.5);
+}
+
+TEST(Vehicle, WindPushesAndEqualSeedsGiveEqualFlights) {
+  VehicleSettings windy = settings_of("quadrotor");
+  const double calm = error_on_circle(windy, 2.0);
+  windy.wind = 5.0;
+  const double pushed = error_on_circle(windy, 2.0);
+  EXPECT_GT(pushed, calm + 0.01);
+  EXPECT_LT(pushed, 0.1);
+  EXPECT_EQ(pushed, error_on_circle(windy, 2.0));
+  windy.seed = 2;
+  EXPECT_NE(pushed, error_on_circle(windy, 2.0));
+}
+
+TEST(Vehicle, EstimateIsOffTheTruthByAtMostItsMargin) {
+  for (const std::string& kind : tern_host::vehicle_kinds()) {
+    VehicleSettings settings = settings_of(kind.c_str());
+    settings.pose_margin = 0.05;
+    const Setpoints setpoints = [](double t) { return circle(t, 1.0); };
+    const auto vehicle = make_vehicle(settings, setpoints(0.0));
+    double worst = 0.0;
+    for (int k = 1; k <= 1000; ++k) {
+      vehicle->fly_to(0.01 * k, setpoints);
+      worst = std::max(worst, distance(vehicle->position(), vehicle->estimate()));
+    }
+    EXPECT_LE(worst, 0.05 + 1e-12) << kind;
+    EXPECT_GT(worst, 0.04) << kind;
+  }
+}
+
+TEST(Vehicle, UnknownKindsAreRefused) {
+  EXPECT_THROW(make_vehicle(settings_of("balloon"), Setpoint{}), std::runtime_error);
+}
+
+}  // namespace

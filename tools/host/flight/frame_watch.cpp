@@ -1,0 +1,150 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/frame_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Vec3;
+using tern::Voxel;
+
+constexpr int kVoxels = 48;  // a frame
+constexpr int kHits = 32;
+constexpr double kFaceRoom = 2e-3;  // metres from a voxel's faces within which a hit may be either side's
+
+/// The camera's axes in the world, from its quaternion.
+struct CameraAxes {
+  explicit CameraAxes(const tern::Pose& pose) {
+    const double w = pose.quaternion[0];
+    const double x = pose.quaternion[1];
+    const double y = pose.quaternion[2];
+    const double z = pose.quaternion[3];
+    right = {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
+    down = {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
+    ahead = {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+  }
+  Vec3 right{}, down{}, ahead{};
+};
+
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// A point at a depth behind a pixel.
+Vec3 point_of(const DepthFrame& frame, double u, double v, double depth) {
+  const CameraAxes axes(frame.pose);
+  const double r = depth * (u - frame.view.cx) / frame.view.fx;
+  const double d = depth * (v - frame.view.cy) / frame.view.fy;
+  const Vec3& p = frame.pose.position;
+  return {p.x + r * axes.right.x + d * axes.down.x + depth * axes.ahead.x,
+          p.y + r * axes.right.y + d * axes.down.y + depth * axes.ahead.y,
+          p.z + r * axes.right.z + d * axes.down.z + depth * axes.ahead.z};
+}
+
+}  // namespace
+
+FrameWatch::FrameWatch(const tern::MapSpec& spec, const tern::RollingMap& map, std::uint64_t seed)
+    : spec_(spec), map_(map), noise_(seed) {}
+
+bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
+  const tern::GridSpec& grid = map_.safe().spec();
+  voxel = {static_cast<int>(std::floor((point.x - grid.origin.x) / grid.cell)),
+           static_cast<int>(std::floor((point.y - grid.origin.y) / grid.cell)),
+           static_cast<int>(std::floor((point.z - grid.origin.z) / grid.cell))};
+  return voxel.x >= 0 && voxel.y >= 0 && voxel.z >= 0 && voxel.x < grid.dims.x && voxel.y < grid.dims.y &&
+         voxel.z < grid.dims.z;
+}
+
+void FrameWatch::before(const DepthFrame& frame) {
+  unseen_.clear();
+  watches_ = map_.safe().bound();
+  if (!watches_) return;
+  const tern::GridSpec& grid = map_.safe().spec();
+  for (int k = 0; k < kVoxels; ++k) {
+    const double u = noise_.within(0.0, frame.view.width - 1.0);
+    const double v = noise_.within(0.0, frame.view.height - 1.0);
+    const Vec3 point = point_of(frame, u, v, noise_.within(0.3, spec_.range));
+    Voxel voxel;
+    if (!voxel_at(point, voxel) || map_.seen(voxel)) continue;
+    unseen_.push_back({grid.origin.x + grid.cell * (voxel.x + 0.5), grid.origin.y + grid.cell * (voxel.y + 0.5),
+                       grid.origin.z + grid.cell * (voxel.z + 0.5)});
+  }
+}
+
+void FrameWatch::after(const DepthFrame& frame) {
+  if (!watches_ || map_.busy() || !map_.safe().bound()) return;
+  watches_ = false;
+  for (const Vec3& center : unseen_) {
+    Voxel voxel;
+    if (!voxel_at(center, voxel) || !map_.seen(voxel)) continue;
+    ++seen_;
+    if (!wholly_in_front(frame, center) && broken_.empty()) {
+      broken_ = "invariant 6: the voxel at (" + fixed(center.x, 2) + ", " + fixed(center.y, 2) + ", " +
+                fixed(center.z, 2) + ") became free, but was not seen whole";
+    }
+  }
+  // With more than one hit, and where lone pixels do not count, a hit need not block.
+  if (spec_.hits > 1 || spec_.support > 0) return;
+  for (int k = 0; k < kHits; ++k) check_hit(frame);
+}
+
+bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) const {
+  const CameraAxes axes(frame.pose);
+  const tern::DepthView& view = frame.view;
+  const double half = 0.5 * spec_.cell;
+  double u[2] = {1e9, -1e9};
+  double v[2] = {1e9, -1e9};
+  double back = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 from{center.x - frame.pose.position.x + ((corner & 1) != 0 ? half : -half),
+                    center.y - frame.pose.position.y + ((corner & 2) != 0 ? half : -half),
+                    center.z - frame.pose.position.z + ((corner & 4) != 0 ? half : -half)};
+    const double depth = dot(from, axes.ahead);
+    if (depth <= 0.0) return false;
+    back = std::max(back, depth);
+    const double at_u = view.cx + view.fx * dot(from, axes.right) / depth;
+    const double at_v = view.cy + view.fy * dot(from, axes.down) / depth;
+    u[0] = std::min(u[0], at_u);
+    u[1] = std::max(u[1], at_u);
+    v[0] = std::min(v[0], at_v);
+    v[1] = std::max(v[1], at_v);
+  }
+  const auto pixel = [](double x) { return static_cast<int>(std::floor(x + 0.5)); };
+  if (pixel(u[0]) < 0 || pixel(v[0]) < 0 || pixel(u[1]) >= view.width || pixel(v[1]) >= view.height) return false;
+  for (int y = pixel(v[0]); y <= pixel(v[1]); ++y) {
+    for (int x = pixel(u[0]); x <= pixel(u[1]); ++x) {
+      const double z = view.scale * static_cast<double>(view.z32[y * view.stride + x]);
+      const bool measured = z > 0.0 && z >= view.min && z < view.max;
+      if (!measured || z - spec_.depth_margin - spec_.depth_margin_square * z * z < back) return false;
+    }
+  }
+  return back <= spec_.range;
+}
+
+/// A random pixel's point, where it is clear in which voxel that is.
+void FrameWatch::check_hit(const DepthFrame& frame) {
+  const int x = noise_.below(frame.view.width);
+  const int y = noise_.below(frame.view.height);
+  const double z = static_cast<double>(frame.view.z32[y * frame.view.stride + x]);
+  if (!(z >= frame.view.min) || z >= 0.999 * spec_.range) return;
+  const Vec3 point = point_of(frame, x, y, z);
+  Voxel voxel;
+  if (!voxel_at(point, voxel)) return;
+  const tern::GridSpec& grid = map_.safe().spec();
+  const double from[3] = {point.x - grid.origin.x, point.y - grid.origin.y, point.z - grid.origin.z};
+  for (const double f : from) {
+    if (std::abs(std::remainder(f, grid.cell)) < kFaceRoom) return;
+  }
+  ++hits_;
+  if (!map_.safe().obstacle(voxel) && broken_.empty()) {
+    broken_ = "invariant 6: the voxel at (" + fixed(point.x, 2) + ", " + fixed(point.y, 2) + ", " + fixed(point.z, 2) +
+              ") was hit and is free";
+  }
+}
+
+}  // namespace tern_host

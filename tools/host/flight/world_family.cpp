@@ -1,0 +1,86 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/world_family.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "host/flight/family_worlds.hpp"
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+/// How a family is flown.
+struct Flown {
+  const char* name;
+  double speed;  ///< where none is given, m/s
+  double range;  ///< of the sensor, m
+};
+
+constexpr Flown kFamilies[] = {{"P49", 5.0, 10.0}, {"P36", 5.0, 10.0}, {"P25", 5.0, 10.0}, {"P12", 5.0, 10.0},
+                               {"S05", 5.0, 10.0}, {"S10", 5.0, 10.0}, {"S20", 5.0, 10.0}, {"C", 6.0, 10.0},
+                               {"B", 5.0, 8.0},    {"O", 3.0, 8.0},    {"M", 3.0, 8.0},    {"L", 4.0, 10.0},
+                               {"G", 4.0, 10.0},   {"I", 3.0, 10.0},   {"D", 5.0, 10.0}};
+
+const Flown* find_family(const std::string& name) {
+  for (const Flown& family : kFamilies) {
+    if (name == family.name) return &family;
+  }
+  return nullptr;
+}
+
+/// Acceleration and jerk that go with a speed.
+std::string limits_text(const FamilyMember& member) {
+  const double v = member.speed;
+  double a = v <= 4.0 ? 6.0 : std::max(8.0, v);
+  double j = v <= 5.0 ? 30.0 : (v <= 8.0 ? 40.0 : 60.0);
+  if (member.family[0] == 'S') {
+    a = 15.0;
+    j = 60.0;
+  }
+  return "v_max " + brief(v) + "\na_max " + brief(a) + "\nj_max " + brief(j) + "\n";
+}
+
+bool parse_whole(const std::string& text, std::uint64_t& value) {
+  if (text.empty() || text.size() > 15 || text.find_first_not_of("0123456789") != std::string::npos) return false;
+  value = std::strtoull(text.c_str(), nullptr, 10);
+  return true;
+}
+
+}  // namespace
+
+const std::vector<std::string>& family_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Flown& family : kFamilies) all.push_back(family.name);
+    return all;
+  }();
+  return names;
+}
+
+bool parse_family(const std::string& text, FamilyMember& member) {
+  const std::size_t at = text.find('@');
+  const Flown* const family = find_family(text.substr(0, at));
+  if (family == nullptr) return false;
+  member.family = family->name;
+  member.speed = family->speed;
+  if (at == std::string::npos) return true;
+  return parse_number(text.substr(at + 1), member.speed) == NumberError::kNone && member.speed > 0.0;
+}
+
+bool parse_member(const std::string& text, FamilyMember& member) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos || !parse_whole(text.substr(colon + 1), member.seed)) return false;
+  return parse_family(text.substr(0, colon), member);
+}
+
+std::string world_text(const FamilyMember& member) {
+  Noise random(member.seed * 1000003 + static_cast<std::uint64_t>(find_family(member.family) - kFamilies));
+  return "# " + member.family + ", seed " + std::to_string(member.seed) + "\n" + obstacles_text(member.family, random) +
+         limits_text(member) + "sensor_range " + brief(find_family(member.family)->range) + "\nseed " +
+         std::to_string(member.seed) + "\n";
+}
+
+}  // namespace tern_host

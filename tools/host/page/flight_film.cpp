@@ -1,0 +1,171 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/page/flight_film.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/flight_state.hpp"
+#include "host/flight/full_knowledge.hpp"
+#include "host/number.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr double kPlanStep = 0.1;     ///< seconds between points of a plan
+constexpr int kMostPoints = 1000;     ///< of a plan
+constexpr double kMostRows = 6000.0;  ///< of the motion
+
+double seconds(std::int64_t t) {
+  return 1e-9 * static_cast<double>(t);
+}
+
+/// Points of a trajectory from `from` seconds on to its end.
+RunJson points_of(const tern::Trajectory& plan, double from) {
+  RunJson points = RunJson::array();
+  const double end = tern::duration(plan);
+  for (int i = 0; i < kMostPoints; ++i) {
+    const double t = std::min(from + i * kPlanStep, end);
+    append_point(points, tern::evaluate(plan, t).position);
+    if (t >= end) break;
+  }
+  return points;
+}
+
+/// What is flown from now on, to its end.
+RunJson commands_of(const FlightMoment& moment) {
+  RunJson points = RunJson::array();
+  const tern::Vec3 end = moment.flight.rest_position();
+  for (int i = 0; i < kMostPoints; ++i) {
+    const tern::Sample s = moment.flight.command(moment.t + std::llround(1e9 * kPlanStep * i)).sample;
+    append_point(points, s.position);
+    const bool moves = std::hypot(s.velocity.x, std::hypot(s.velocity.y, s.velocity.z)) > 0.0;
+    if (!moves && s.position.x == end.x && s.position.y == end.y && s.position.z == end.z) break;
+  }
+  return points;
+}
+
+RunJson corridor_of(const FlightMoment& moment) {
+  RunJson polyhedra = RunJson::array();
+  const tern::Corridor* const corridor = moment.planner.corridor();
+  if (corridor == nullptr) return polyhedra;
+  const tern::Vec3& origin = moment.state.route.grid().spec().origin;
+  for (int i = 0; i < corridor->count; ++i) {
+    RunJson planes = RunJson::array();
+    const tern::Polyhedron& polyhedron = corridor->polyhedra[i];
+    for (int k = 0; k < polyhedron.count; ++k) planes.push_back(halfspace_json(polyhedron.planes[k], origin));
+    polyhedra.push_back(planes);
+  }
+  return polyhedra;
+}
+
+/// Without the voxels at the boundary: floor, ceiling and walls would hide all that is between them.
+tern::Box inside_of(const FlightWorld& world) {
+  const double skin = 2.0 * world.settings.cell + world.settings.depth_margin;
+  const auto& [lower, upper] = world.boundary;
+  return {{lower.x + skin, lower.y + skin, lower.z + skin}, {upper.x - skin, upper.y - skin, upper.z - skin}};
+}
+
+}  // namespace
+
+FlightFilm::FlightFilm(const FlightWorld& world)
+    : world_(world),
+      growth_(inside_of(world)),
+      stride_(std::max<std::int64_t>(
+          1, std::llround(std::ceil(world.settings.time_limit * world.settings.tick_hz / kMostRows)))) {}
+
+void FlightFilm::note(const FlightMoment& moment) {
+  if (ticks_ % stride_ == 0) note_motion(moment);
+  growth_.note(seconds(moment.t), moment.map);
+  if (moment.report.committed != before_.committed) note_commit(moment);
+  if (moment.report.dropped != before_.dropped || moment.report.failed != before_.failed) note_lost(moment);
+  before_ = moment.report;
+  ++ticks_;
+}
+
+void FlightFilm::note_motion(const FlightMoment& moment) {
+  tern::Sample sample = moment.command.sample;
+  sample.position = moment.vehicle.position();
+  sample.velocity = moment.vehicle.velocity();
+  motion_.add(sample, moment.vehicle.attitude(), moment.clearance);
+  motion_.add("yaw", rounded(moment.yaw));
+  motion_.add("work", moment.report.work);
+  motion_.add("state", static_cast<int>(moment.report.mode));
+}
+
+void FlightFilm::note_commit(const FlightMoment& moment) {
+  const tern::Commitment& latest = moment.state.latest();
+  RunJson commit = {{"t", rounded(seconds(moment.t))},
+                    {"branch", rounded(seconds(latest.begin) + latest.branch)},
+                    {"step", kPlanStep},
+                    {"points", commands_of(moment)},
+                    {"wished", points_of(latest.wished, latest.branch)}};
+  // Where the plan that is flown goes on, its corridor stays.
+  if (!moment.state.extends && !latest.evades) commit["corridor"] = corridor_of(moment);
+  commits_.push_back(commit);
+}
+
+/// Plans that were too late, or of which nothing could be proven.
+void FlightFilm::note_lost(const FlightMoment& moment) {
+  const tern::Commitment& draft = moment.state.draft;
+  if (moment.state.extends || draft.begin == shown_ || draft.wished.count == 0) return;
+  shown_ = draft.begin;
+  dropped_.push_back({{"t", rounded(seconds(moment.t))}, {"points", points_of(draft.wished, 0.0)}});
+}
+
+RunJson FlightFilm::facts(const FlightResult& result) const {
+  RunJson facts = RunJson::array();
+  const auto add = [&](const char* label, const std::string& text) { facts.push_back({label, text}); };
+  add("status", result.status);
+  if (!result.reached()) add("why", result.reason);
+  add("duration", fixed(result.time, 2) + " s");
+  add("length", fixed(result.length, 2) + " m");
+  add("least clearance",
+      fixed(result.min_clearance, 3) + " m; the body's radius is " + fixed(world_.settings.body_radius, 2) + " m");
+  add("tracking error",
+      fixed(result.tracking_max, 3) + " m at most; margin " + fixed(world_.settings.tracking_margin, 2) + " m");
+  add("plans", std::to_string(result.asked) + " asked, " + std::to_string(result.committed) + " committed, " +
+                   std::to_string(result.dropped) + " dropped, " + std::to_string(result.failed) + " failed");
+  add("work",
+      std::to_string(result.work_max) + " units a tick at most, of " + std::to_string(world_.settings.work_per_tick));
+  return facts;
+}
+
+std::string FlightFilm::run(const FlightResult& result) const {
+  const FlightSettings& s = world_.settings;
+  RunJson boxes = RunJson::array();
+  for (const tern::Box& box : world_.blocks) {
+    append_point(boxes, box.lower);
+    append_point(boxes, box.upper);
+  }
+  RunJson cylinders = RunJson::array();
+  for (const Cylinder& c : world_.cylinders) {
+    for (const double number : {c.x, c.y, c.bottom, c.top, c.radius}) cylinders.push_back(rounded(number));
+  }
+  const RunJson nothing = RunJson::array();
+  const RunJson run = {
+      {"kind", "flight"},
+      {"name", world_.name.substr(world_.name.find_last_of('/') + 1)},
+      {"facts", facts(result)},
+      {"boundary", rounded(world_.boundary)},
+      {"radius", s.body_radius},
+      {"boxes", boxes},
+      {"keepout", nothing},
+      {"cylinders", cylinders},
+      {"fences", nothing},
+      {"start", rounded(world_.start)},
+      {"goal", rounded(world_.goal)},
+      {"vias", nothing},
+      {"limits",
+       {{"v", s.v_max}, {"a", s.a_max}, {"j", s.j_max > 0.0 ? RunJson(s.j_max) : nullptr}, {"work", s.work_per_tick}}},
+      {"motion", motion_.json(static_cast<double>(stride_) / s.tick_hz)},
+      {"film",
+       {{"sensor", {{"range", s.sensor_range}, {"fov", {s.fov_horizontal, s.fov_vertical}}}},
+        {"known", growth_.known_json()},
+        {"seen", growth_.seen_json()},
+        {"commits", commits_},
+        {"dropped", dropped_}}}};
+  return run.dump(-1, ' ', false, RunJson::error_handler_t::replace);
+}
+
+}  // namespace tern_host

@@ -1,0 +1,71 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/vehicle/geometric_controller.hpp"
+
+#include <cmath>
+
+#include "tern/flatness.hpp"
+
+namespace tern_host {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Gains a mass and a moment of inertia: natural frequencies of about 4 and 18 rad/s, of yaw 4.5, damped.
+constexpr double kPosition = 16.0;
+constexpr double kVelocity = 6.4;
+const Vector3d kAttitude(320.0, 320.0, 20.0);
+const Vector3d kRates(30.0, 30.0, 8.0);
+constexpr double kAhead = 1e-3;  // seconds, of the difference quotient
+
+Vector3d eigen(const tern::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+tern::FlatState flat(const Setpoint& setpoint, const Vector3d& acceleration) {
+  tern::Sample sample = setpoint.sample;
+  sample.acceleration = {acceleration.x(), acceleration.y(), acceleration.z()};
+  return tern::flat_state(sample, {std::cos(setpoint.yaw), std::sin(setpoint.yaw), setpoint.yaw_rate});
+}
+
+Matrix3d rotation(const tern::FlatState& state) {
+  Matrix3d r;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) r(row, column) = state.attitude[row][column];
+  }
+  return r;
+}
+
+/// What a motion accelerates its vehicle with, drag included.
+Vector3d effort(const Setpoint& setpoint) {
+  return eigen(setpoint.sample.acceleration) + Body::kDrag * eigen(setpoint.sample.velocity);
+}
+
+Vector3d vee(const Matrix3d& m) {
+  return {m(2, 1), m(0, 2), m(1, 0)};
+}
+
+}  // namespace
+
+Wrench geometric_control(const Believed& state, double t, const Setpoints& setpoints) {
+  const Setpoint now = setpoints(t);
+  const Setpoint soon = setpoints(t + Body::kMotorLag);
+  const Setpoint later = setpoints(t + Body::kMotorLag + kAhead);
+  const Vector3d wanted = effort(soon) - kPosition * (state.position - eigen(now.sample.position)) -
+                          kVelocity * (state.velocity - eigen(now.sample.velocity));
+  const Matrix3d r = state.attitude.toRotationMatrix();
+  const tern::FlatState target = flat(soon, wanted);
+  const Matrix3d back = r.transpose() * rotation(target);
+  const Vector3d turned = 0.5 * vee(back.transpose() - back);
+  const Vector3d planned = eigen(flat(soon, effort(soon)).body_rates);
+  const Vector3d spin_up = (eigen(flat(later, effort(later)).body_rates) - planned) / kAhead;
+  const Vector3d rates_off = state.body_rates - back * eigen(target.body_rates);
+  const Vector3d angular = back * spin_up - kAttitude.cwiseProduct(turned) - kRates.cwiseProduct(rates_off);
+  const Vector3d inertia = Body::inertia();
+  const Vector3d gyroscopic = state.body_rates.cross(Vector3d(inertia.cwiseProduct(state.body_rates)));
+  const double thrust = Body::kMass * (wanted + Vector3d(0.0, 0.0, tern::kGravity)).dot(r.col(2));
+  return {thrust, inertia.cwiseProduct(angular) + gyroscopic};
+}
+
+}  // namespace tern_host

@@ -1,0 +1,133 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/vehicle/vehicle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host/vehicle/geometric_controller.hpp"
+#include "host/vehicle/px4_cascade.hpp"
+#include "host/vehicle/smooth_error.hpp"
+#include "host/vehicle/wind.hpp"
+#include "tern/flatness.hpp"
+
+namespace tern_host {
+namespace {
+
+/// Steps of the rigid body and of the fastest loop.
+constexpr double kStep = 1e-3;
+
+tern::Vec3 vec3(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Eigen::Vector3d eigen(const tern::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+tern::Vec3 sum(const tern::Vec3& a, const tern::Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+tern::Vec3 difference(const tern::Vec3& a, const tern::Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// Where it believes to be is off the command by the tracking error, and off the truth by the estimate's error. It is
+/// turned as the command says.
+class ShiftedVehicle : public Vehicle {
+ public:
+  ShiftedVehicle(const VehicleSettings& s, const Setpoint& start)
+      : noise_(s.seed),
+        tracking_(s.kind == "perfect" ? 0.0 : s.tracking_margin, noise_),
+        estimating_(s.pose_margin, noise_) {
+    place(0.0, start);
+  }
+
+  void fly_to(double t, const Setpoints& setpoints) override { place(t, setpoints(t)); }
+  tern::Vec3 position() const override { return position_; }
+  tern::Vec3 velocity() const override { return velocity_; }
+  std::array<double, 4> attitude() const override { return attitude_; }
+  tern::Vec3 estimate() const override { return estimate_; }
+
+ private:
+  void place(double t, const Setpoint& setpoint) {
+    const tern::Sample& sample = setpoint.sample;
+    estimate_ = sum(sample.position, tracking_.at(t));
+    position_ = difference(estimate_, estimating_.at(t));
+    velocity_ = difference(sum(sample.velocity, tracking_.rate_at(t)), estimating_.rate_at(t));
+    const tern::Yaw yaw{std::cos(setpoint.yaw), std::sin(setpoint.yaw), setpoint.yaw_rate};
+    const tern::FlatState flat = tern::flat_state(sample, yaw);
+    std::copy(std::begin(flat.quaternion), std::end(flat.quaternion), attitude_.begin());
+  }
+
+  Noise noise_;
+  SmoothError tracking_;
+  SmoothError estimating_;
+  std::array<double, 4> attitude_{};
+  tern::Vec3 estimate_{};
+  tern::Vec3 position_{};
+  tern::Vec3 velocity_{};
+};
+
+class FlownBody : public Vehicle {
+ public:
+  FlownBody(const VehicleSettings& s, const Setpoint& start)
+      : noise_(s.seed),
+        estimating_(s.pose_margin, noise_),
+        wind_(s.wind, s.seed),
+        is_px4_(s.kind == "px4"),
+        cascade_(s.tick),
+        body_(eigen(start.sample.position), start.yaw) {}
+
+  void fly_to(double t, const Setpoints& setpoints) override {
+    // The steps' number is fixed by the time, so that rounding does not add one.
+    const auto last = static_cast<std::int64_t>(t / kStep + 0.5);
+    for (; step_ < last; ++step_) {
+      const double now = kStep * static_cast<double>(step_);
+      const Believed state = believed(now);
+      body_.command(is_px4_ ? cascade_.control(state, now, kStep, setpoints)
+                            : geometric_control(state, now, setpoints));
+      body_.advance(kStep, wind_.advance(kStep));
+    }
+  }
+  tern::Vec3 position() const override { return vec3(body_.position()); }
+  tern::Vec3 velocity() const override { return vec3(body_.velocity()); }
+  std::array<double, 4> attitude() const override {
+    const Eigen::Quaterniond q = body_.attitude();
+    return {q.w(), q.x(), q.y(), q.z()};
+  }
+  tern::Vec3 estimate() const override { return vec3(believed(kStep * static_cast<double>(step_)).position); }
+
+ private:
+  Believed believed(double t) const {
+    return {body_.position() + eigen(estimating_.at(t)), body_.velocity() + eigen(estimating_.rate_at(t)),
+            body_.attitude(), body_.body_rates()};
+  }
+
+  Noise noise_;
+  SmoothError estimating_;
+  Wind wind_;
+  bool is_px4_;
+  Px4Cascade cascade_;
+  RigidBody body_;
+  std::int64_t step_ = 0;
+};
+
+}  // namespace
+
+const std::vector<std::string>& vehicle_kinds() {
+  static const std::vector<std::string> kinds{"perfect", "bounded", "quadrotor", "px4"};
+  return kinds;
+}
+
+std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start) {
+  if (settings.kind == "perfect" || settings.kind == "bounded") {
+    return std::make_unique<ShiftedVehicle>(settings, start);
+  }
+  if (settings.kind == "quadrotor" || settings.kind == "px4") return std::make_unique<FlownBody>(settings, start);
+  throw std::runtime_error("there is no vehicle " + settings.kind);
+}
+
+}  // namespace tern_host

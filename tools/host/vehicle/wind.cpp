@@ -1,0 +1,31 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/vehicle/wind.hpp"
+
+#include <boost/random/uniform_real_distribution.hpp>
+#include <cmath>
+
+namespace tern_host {
+namespace {
+
+constexpr double kGustTime = 1.5;  // seconds over which gusts are alike
+constexpr double kTurn = 6.28318530717958648;
+
+}  // namespace
+
+Wind::Wind(double mean, std::uint64_t seed) : engine_(seed) {
+  const double from = boost::random::uniform_real_distribution<double>(0.0, kTurn)(engine_);
+  mean_ = mean * Eigen::Vector3d(std::cos(from), std::sin(from), 0.0);
+  deviation_ = mean * Eigen::Vector3d(1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0);
+}
+
+Eigen::Vector3d Wind::advance(double step) {
+  const double keep = std::exp(-step / kGustTime);
+  const double fresh = std::sqrt(1.0 - keep * keep);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    gust_[axis] = keep * gust_[axis] + fresh * deviation_[axis] * normal_(engine_);
+  }
+  return mean_ + gust_;
+}
+
+}  // namespace tern_host
