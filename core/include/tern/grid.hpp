@@ -177,7 +177,7 @@ class Grid {
   void inflate_planes(int32_t begin, int32_t end) noexcept;
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
-  void set_row(int32_t y, int32_t z, int32_t begin, int32_t end, bool value) noexcept;
+  void set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept;
   bool bit(const uint64_t* layer, const Voxel& v) const noexcept {
     return ((layer[row(v.y, v.z) + static_cast<size_t>(v.x >> 6)] >> (v.x & 63)) & 1u) != 0;
   }

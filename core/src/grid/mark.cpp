@@ -47,30 +47,34 @@ IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bo
   return changed;
 }
 
-/// The content after a box of voxels was set or cleared (grid/regions.hpp).
-std::uint64_t content_with(std::uint64_t content, const IndexRange& x, const IndexRange& y, const IndexRange& z,
-                           bool value) {
-  const auto bits = [](const IndexRange& range) {
-    return static_cast<std::uint64_t>(range.begin) | static_cast<std::uint64_t>(range.end) << 12;
-  };
-  content = content_after(content, bits(x) | bits(y) << 24);
-  return content_after(content, bits(z) | std::uint64_t{value ? 1u : 0u} << 24);
+/// The voxel past the last of a range that holds this one alone.
+Voxel past(const Voxel& voxel) {
+  return {voxel.x + 1, voxel.y + 1, voxel.z + 1};
 }
 
-std::uint64_t content_with(std::uint64_t content, const Voxel& voxel, bool value) {
-  return content_with(content, {voxel.x, voxel.x + 1}, {voxel.y, voxel.y + 1}, {voxel.z, voxel.z + 1}, value);
+/// The content after the voxels [begin, end) were set or cleared (grid/regions.hpp).
+std::uint64_t content_with(std::uint64_t content, const Voxel& begin, const Voxel& end, bool value) {
+  const auto bits = [](std::int32_t first, std::int32_t last) {
+    return static_cast<std::uint64_t>(first) | static_cast<std::uint64_t>(last) << 12;
+  };
+  content = content_after(content, bits(begin.x, end.x) | bits(begin.y, end.y) << 24);
+  return content_after(content, bits(begin.z, end.z) | std::uint64_t{value ? 1u : 0u} << 24);
 }
 
 }  // namespace
 
-/// Sets or clears voxels [begin, end) of a row and notes what that may change in the blocked layer.
-void Grid::set_row(std::int32_t y, std::int32_t z, std::int32_t begin, std::int32_t end, bool value) noexcept {
-  const IndexRange changed = set_bits(obstacles_ + row(y, z), begin, end, value);
-  if (changed.begin >= changed.end) return;
-  const std::int32_t first = changed.begin - reach_x_;
-  const std::int32_t last = changed.end - 1 + reach_x_;
-  Changes(spec_.dims, changes_)
-      .note(y, z, first < 0 ? 0 : first >> 6, last < spec_.dims.x ? last >> 6 : row_words_ - 1);
+/// Sets or clears the voxels from begin to before end on each axis, and notes what that may change in the blocked layer.
+void Grid::set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept {
+  for (std::int32_t z = begin.z; z < end.z; ++z) {
+    for (std::int32_t y = begin.y; y < end.y; ++y) {
+      const IndexRange changed = set_bits(obstacles_ + row(y, z), begin.x, end.x, value);
+      if (changed.begin >= changed.end) continue;
+      const std::int32_t first = changed.begin - reach_x_;
+      const std::int32_t last = changed.end - 1 + reach_x_;
+      Changes(spec_.dims, changes_)
+          .note(y, z, first < 0 ? 0 : first >> 6, last < spec_.dims.x ? last >> 6 : row_words_ - 1);
+    }
+  }
 }
 
 Status Grid::set_box(const Box& world, bool value) noexcept {
@@ -82,10 +86,10 @@ Status Grid::set_box(const Box& world, bool value) noexcept {
   const IndexRange y = voxels_met(spec_, world.lower.y, world.upper.y, 1);
   const IndexRange z = voxels_met(spec_, world.lower.z, world.upper.z, 2);
   if (x.begin >= x.end) return Status::kOk;
-  words_[kContent] = content_with(words_[kContent], x, y, z, value);
-  for (std::int32_t k = z.begin; k < z.end; ++k) {
-    for (std::int32_t j = y.begin; j < y.end; ++j) set_row(j, k, x.begin, x.end, value);
-  }
+  const Voxel begin{x.begin, y.begin, z.begin};
+  const Voxel end{x.end, y.end, z.end};
+  words_[kContent] = content_with(words_[kContent], begin, end, value);
+  set_voxels(begin, end, value);
   return Status::kOk;
 }
 
@@ -104,8 +108,10 @@ Status Grid::mark_cylinder(const Cylinder& world) noexcept {
   ++words_[kRevision];
   const IndexRange z = planes_met(spec_, world);
   visit_rows(spec_, world, [&](std::int32_t y, const IndexRange& x) {
-    words_[kContent] = content_with(words_[kContent], x, {y, y + 1}, z, true);
-    for (std::int32_t k = z.begin; k < z.end; ++k) set_row(y, k, x.begin, x.end, true);
+    const Voxel begin{x.begin, y, z.begin};
+    const Voxel end{x.end, y + 1, z.end};
+    words_[kContent] = content_with(words_[kContent], begin, end, true);
+    set_voxels(begin, end, true);
   });
   return Status::kOk;
 }
@@ -114,8 +120,8 @@ Status Grid::set_voxel(const Voxel& voxel, bool value) noexcept {
   if (!bound()) return Status::kInvalidArgument;
   if (!inside(voxel)) return Status::kOutOfMap;
   ++words_[kRevision];
-  words_[kContent] = content_with(words_[kContent], voxel, value);
-  set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, value);
+  words_[kContent] = content_with(words_[kContent], voxel, past(voxel), value);
+  set_voxels(voxel, past(voxel), value);
   return Status::kOk;
 }
 
@@ -141,8 +147,8 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
     ++hits;
     // Most of a frame was seen before.
     if (bit(obstacles_, voxel)) continue;
-    content = content_with(content, voxel, true);
-    set_row(voxel.y, voxel.z, voxel.x, voxel.x + 1, true);
+    content = content_with(content, voxel, past(voxel), true);
+    set_voxels(voxel, past(voxel), true);
   }
   words_[kContent] = content;
   if (inside_count != nullptr) *inside_count = hits;
