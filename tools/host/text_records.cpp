@@ -134,6 +134,12 @@ tern::Vec3 vector(const Words& words, const Place& place) {
   return {values[0], values[1], values[2]};
 }
 
+std::string record_line(const std::string& key, const std::vector<double>& values, const std::string& end) {
+  std::string line = key;
+  for (const double value : values) line += " " + fixed(value, 4);
+  return line + end + "\n";
+}
+
 void throw_count(const std::string& key, const std::string& wanted, std::size_t found, const Place& place) {
   throw RecordError(place, "'" + key + "' needs " + wanted + ", found " + std::to_string(found));
 }

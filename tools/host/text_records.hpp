@@ -67,6 +67,9 @@ std::vector<double> numbers(const Words& words, const Place& place);
 /// Exactly three numbers after the keyword.
 tern::Vec3 vector(const Words& words, const Place& place);
 
+/// A record's line: the keyword, the values with four decimals, and `end`.
+std::string record_line(const std::string& key, const std::vector<double>& values, const std::string& end = "");
+
 /// Throws: `key` does not have as many numbers as it needs.
 [[noreturn]] void throw_count(const std::string& key, const std::string& wanted, std::size_t found, const Place& place);
 

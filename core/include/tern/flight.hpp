@@ -22,7 +22,8 @@
 
 namespace tern {
 
-/// How to fly. The distance kept from obstacles is the map's radius: body, tracking error and pose error together.
+/// How to fly. The distance kept from obstacles is the map's radius plus its tracking margin; the radius must cover the
+/// body and the error of its pose.
 struct FlightSpec {
   /// Limits of every plan and every brake, as Request::limits.
   Limits limits;

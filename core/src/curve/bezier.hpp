@@ -6,6 +6,7 @@
 #define TERN_CURVE_BEZIER_HPP
 
 #include "base/bounds.hpp"
+#include "base/math.hpp"
 #include "tern/trajectory.hpp"
 
 namespace tern {
@@ -35,6 +36,22 @@ Vec3 value(Curve curve, double u) noexcept;
 
 /// Cuts the curve at u = 1/2 by de Casteljau: `curve` becomes the first half over [0, 1], the second half is returned.
 Curve split(Curve& curve) noexcept;
+
+/// The control points [0 .. kDegree] of the part before u in (0, 1): by de Casteljau.
+template <typename Point>
+void keep_first_part(double u, Point* points) {
+  for (int level = 1; level <= kDegree; ++level) {
+    for (int k = kDegree; k >= level; --k) points[k] = (1.0 - u) * points[k - 1] + u * points[k];
+  }
+}
+
+/// The control points [0 .. kDegree] of the part after u in (0, 1): by de Casteljau.
+template <typename Point>
+void keep_last_part(double u, Point* points) {
+  for (int level = 1; level <= kDegree; ++level) {
+    for (int k = 0; k <= kDegree - level; ++k) points[k] = (1.0 - u) * points[k] + u * points[k + 1];
+  }
+}
 
 /// A bound on the gauge of the curve (see base/bounds.hpp) over the whole of [0, 1] that is tight: at least the
 /// supremum, and at most the larger of `floor` and (1 + tolerance) * supremum. A positive floor says what is small

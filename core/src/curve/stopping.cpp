@@ -3,6 +3,7 @@
 #include "curve/stopping.hpp"
 
 #include "base/bounds.hpp"
+#include "curve/bezier.hpp"
 #include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
@@ -92,16 +93,9 @@ Vec3 turning(const State& state, const MotionLimits& limits, const Turn& turn) {
 
 /// Bernstein coefficients of 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7 over [begin, end] within [0, 1]: from rest to rest.
 void step_between(double begin, double end, double* coefficients) {
-  double* const c = coefficients;
-  for (int k = 0; k <= kDegree; ++k) c[k] = k < kControlPoints / 2 ? 0.0 : 1.0;
-  // de Casteljau at `end` leaves the first piece, then at begin / end its last.
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int k = kDegree; k >= level; --k) c[k] = (1.0 - end) * c[k - 1] + end * c[k];
-  }
-  const double at = begin / end;
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int k = 0; k <= kDegree - level; ++k) c[k] = (1.0 - at) * c[k] + at * c[k + 1];
-  }
+  for (int k = 0; k <= kDegree; ++k) coefficients[k] = k < kControlPoints / 2 ? 0.0 : 1.0;
+  keep_first_part(end, coefficients);
+  keep_last_part(begin / end, coefficients);
 }
 
 /// Moves the braking's end sideways, from its beginning on.

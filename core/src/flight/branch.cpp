@@ -3,31 +3,13 @@
 #include "flight/branch.hpp"
 
 #include "base/math.hpp"
+#include "curve/bezier.hpp"
 
 namespace tern {
 namespace {
 
 /// A stop need not settle a jerk that is only rounding, m/s^3.
 constexpr double kNoJerk = 1e-6;
-
-/// The first part of a segment, up to u in (0, 1): the left edge of de Casteljau's triangle.
-void shorten(double u, Segment& segment) {
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int i = kDegree; i >= level; --i) {
-      segment.points[i] = (1.0 - u) * segment.points[i - 1] + u * segment.points[i];
-    }
-  }
-  segment.duration *= u;
-}
-
-/// The rest of a segment, from u in (0, 1) on: the triangle's right edge.
-void drop_first_part(double u, Segment& segment) {
-  for (int level = 1; level <= kDegree; ++level) {
-    for (int i = 0; i <= kDegree - level; ++i) {
-      segment.points[i] = (1.0 - u) * segment.points[i] + u * segment.points[i + 1];
-    }
-  }
-}
 
 }  // namespace
 
@@ -73,7 +55,11 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
     Segment& segment = out.segments[out.count++];
     segment = plan.segments[i];
     const double end = begin + segment.duration;
-    if (t < end) shorten((t - begin) / segment.duration, segment);
+    if (t < end) {
+      const double u = (t - begin) / segment.duration;
+      keep_first_part(u, segment.points);
+      segment.duration *= u;
+    }
     begin = end;
   }
 }
@@ -88,7 +74,7 @@ void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) 
       Segment& segment = out.segments[out.count++];
       segment = plan.segments[i];
       if (begin < t) {
-        drop_first_part((t - begin) / segment.duration, segment);
+        keep_last_part((t - begin) / segment.duration, segment.points);
         segment.duration = end - t;
       }
     }

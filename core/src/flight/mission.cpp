@@ -160,7 +160,7 @@ double FlightState::way_length(const Vec3& from, const Vec3& to) const noexcept 
     sum += distance(place, asked[i].position);
     place = asked[i].position;
   }
-  return asked_count > 0 ? sum + distance(place, to) : distance(from, to);
+  return sum + distance(place, to);
 }
 
 Vec3 FlightState::place_before_target(const Vec3& from) const noexcept {

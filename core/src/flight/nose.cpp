@@ -9,6 +9,7 @@
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
 #include "yaw/angle.hpp"
+#include "yaw/yaw_check.hpp"
 
 namespace tern {
 namespace {
@@ -30,7 +31,7 @@ constexpr double kSeekPart = 0.5;
 constexpr double kSameWish = 0.1;
 
 bool points_somewhere(const Heading& h) {
-  return finite(h.cosine) && finite(h.sine) && (absolute(h.cosine) > 0.0 || absolute(h.sine) > 0.0);
+  return finite(h) && has_direction(h);
 }
 
 bool headings_fit(const FlightYaw& yaw) {
@@ -56,10 +57,6 @@ bool mode_fits(const FlightYaw& yaw) {
   return false;
 }
 
-bool within(double x, double least, double most) {
-  return x >= least && x <= most;
-}
-
 /// A nose that stays where it is.
 YawPlan at_rest(const Heading& heading) {
   YawPlan plan{};
@@ -71,7 +68,7 @@ YawPlan at_rest(const Heading& heading) {
 }
 
 bool same_heading(const Heading& a, const Heading& b) {
-  return !(absolute(a.cosine - b.cosine) > 0.0) && !(absolute(a.sine - b.sine) > 0.0);
+  return same(a.cosine, b.cosine) && same(a.sine, b.sine);
 }
 
 bool same_wish(const NoseWish& a, const NoseWish& b) {
@@ -90,9 +87,9 @@ std::uint32_t most_pieces(double rate, double acceleration) {
 
 Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept {
   if (!finite(yaw.acceleration_max) || !finite(yaw.view)) return Status::kNonFiniteInput;
-  if (!within(rate, 0.01, 100.0) || !within(yaw.acceleration_max, 0.01, 1000.0)) return Status::kLimitsInvalid;
-  const bool fits = within(yaw.view, 0.0, 2.0 * kPi) && points_somewhere(yaw.start) && mode_fits(yaw);
-  return fits ? Status::kOk : Status::kInvalidArgument;
+  if (!yaw_limits_valid(rate, yaw.acceleration_max)) return Status::kLimitsInvalid;
+  const bool view_fits = yaw.view >= 0.0 && yaw.view <= 2.0 * kPi;
+  return view_fits && points_somewhere(yaw.start) && mode_fits(yaw) ? Status::kOk : Status::kInvalidArgument;
 }
 
 void FlightState::set_yaw(const FlightYaw& yaw) noexcept {

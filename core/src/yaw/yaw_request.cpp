@@ -7,18 +7,6 @@
 namespace tern {
 namespace {
 
-bool finite(const Heading& heading) {
-  return tern::finite(heading.cosine) && tern::finite(heading.sine);
-}
-
-bool has_direction(const Heading& heading) {
-  return absolute(heading.cosine) > 0.0 || absolute(heading.sine) > 0.0;
-}
-
-bool within(double x, double least, double most) {
-  return x >= least && x <= most;
-}
-
 Status check(const Heading& heading) {
   if (!finite(heading)) return Status::kNonFiniteInput;
   return has_direction(heading) ? Status::kOk : Status::kInvalidArgument;
@@ -29,7 +17,7 @@ Status check_timed(const YawRequest& request) {
   double last = 0.0;
   for (int i = 0; i < request.timed_count; ++i) {
     const TimedHeading& next = request.timed[i];
-    if (!tern::finite(next.time)) return Status::kNonFiniteInput;
+    if (!finite(next.time)) return Status::kNonFiniteInput;
     const Status status = check(next.heading);
     if (status != Status::kOk) return status;
     if (next.time < last || (i > 0 && !(next.time > last))) return Status::kInvalidArgument;
@@ -43,10 +31,10 @@ Status check_mode(const YawRequest& request) {
     case YawMode::kFixed:
       return check(request.heading);
     case YawMode::kAlongMotion:
-      if (!tern::finite(request.least_speed)) return Status::kNonFiniteInput;
+      if (!finite(request.least_speed)) return Status::kNonFiniteInput;
       return request.least_speed > 0.0 ? Status::kOk : Status::kInvalidArgument;
     case YawMode::kTowardsPoint:
-      if (!tern::finite(request.point) || !tern::finite(request.least_distance)) return Status::kNonFiniteInput;
+      if (!finite(request.point) || !finite(request.least_distance)) return Status::kNonFiniteInput;
       return request.least_distance > 0.0 ? Status::kOk : Status::kInvalidArgument;
     case YawMode::kTimed:
       return check_timed(request);
@@ -59,13 +47,12 @@ Status check_mode(const YawRequest& request) {
 Status check_yaw(const Trajectory& trajectory, const YawRequest& request) noexcept {
   const double numbers[] = {request.rate_max, request.acceleration_max, request.start_rate, request.start_acceleration};
   for (const double number : numbers) {
-    if (!tern::finite(number)) return Status::kNonFiniteInput;
+    if (!finite(number)) return Status::kNonFiniteInput;
   }
-  if (!within(request.rate_max, 0.01, 100.0)) return Status::kLimitsInvalid;
-  if (!within(request.acceleration_max, 0.01, 1000.0)) return Status::kLimitsInvalid;
+  if (!yaw_limits_valid(request.rate_max, request.acceleration_max)) return Status::kLimitsInvalid;
   if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
   const double length = duration(trajectory);
-  if (!tern::finite(length)) return Status::kNonFiniteInput;
+  if (!finite(length)) return Status::kNonFiniteInput;
   const Status start = check(request.start);
   if (start != Status::kOk) return start;
   const bool is_brisk = absolute(request.start_acceleration) > request.acceleration_max * (1.0 + 1e-9);

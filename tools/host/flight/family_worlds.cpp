@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/flight/mission_worlds.hpp"
-#include "host/number.hpp"
+#include "host/text_records.hpp"
 
 namespace tern_host {
 namespace {
@@ -19,14 +19,8 @@ struct Trunk {
   double x, y, radius;
 };
 
-std::string record(const char* name, const std::vector<double>& values) {
-  std::string line = name;
-  for (const double value : values) line += " " + fixed(value, 4);
-  return line + "\n";
-}
-
 std::string wall(double x0, double y0, double x1, double y1, double height) {
-  return record("block", {x0, y0, 0.0, x1, y1, height});
+  return record_line("block", {x0, y0, 0.0, x1, y1, height});
 }
 
 /// How many of a Poisson process fall into an area where `mean` are expected.
@@ -42,11 +36,11 @@ std::string thin_forest(double area_a_tree, Noise& random) {
   constexpr double kLong = 30.0;
   constexpr double kWide = 15.0;
   constexpr double kClear = 2.0;
-  std::string text = record("boundary", {-33.0, -18.0, 0.0, 33.0, 18.0, 5.0});
+  std::string text = record_line("boundary", {-33.0, -18.0, 0.0, 33.0, 18.0, 5.0});
   for (int k = poisson(4.0 * kLong * kWide / area_a_tree, random); k > 0; --k) {
     const Trunk t{random.within(-kLong, kLong), random.within(-kWide, kWide), random.within(0.2, 0.4)};
     if (std::hypot(std::abs(t.x) - kLong, t.y) < kClear + t.radius) continue;
-    text += record("cylinder", {t.x, t.y, 0.0, 5.0, t.radius});
+    text += record_line("cylinder", {t.x, t.y, 0.0, 5.0, t.radius});
   }
   return text + "start -30 0 1.5\ngoal 30 0 1.5\n";
 }
@@ -57,7 +51,7 @@ std::string thick_forest(double part, Noise& random) {
   constexpr double kGap = 1.5;
   constexpr int kTries = 40000;
   std::vector<Trunk> trunks;
-  std::string text = record("boundary", {-3.0, -23.0, 0.0, 109.0, 23.0, 6.0});
+  std::string text = record_line("boundary", {-3.0, -23.0, 0.0, 109.0, 23.0, 6.0});
   double covered = 0.0;
   for (int k = 0; k < kTries && covered < part * kArea; ++k) {
     const Trunk t{random.within(3.0, 103.0), random.within(-20.0, 20.0),
@@ -69,7 +63,7 @@ std::string thick_forest(double part, Noise& random) {
     if (!fits) continue;
     trunks.push_back(t);
     covered += kPi * t.radius * t.radius;
-    text += record("cylinder", {t.x, t.y, 0.0, 6.0, t.radius});
+    text += record_line("cylinder", {t.x, t.y, 0.0, 6.0, t.radius});
   }
   return text + "start 0 0 2\ngoal 105 0 2\n";
 }
@@ -85,10 +79,11 @@ std::string hidden_corner(Noise& random) {
   const double behind = width + random.within(0.5, 1.5);
   const bool at_outer = random.chance(0.5);
   const double from = at_outer ? outer - block : inner;
-  return record("boundary", {-2.0, -1.0, 0.0, 22.0, 21.0, kHeight}) + wall(0.0, width, inner, width + kWall, kHeight) +
-         wall(0.0, -kWall, outer, 0.0, kHeight) + wall(outer, -kWall, outer + kWall, 20.0, kHeight) +
-         wall(inner - kWall, width, inner, 20.0, kHeight) + wall(from, behind, from + block, behind + 0.6, kHeight) +
-         record("start", {1.0, 0.5 * width, 1.5}) + record("goal", {inner + 0.5 * width, 19.0, 1.5});
+  return record_line("boundary", {-2.0, -1.0, 0.0, 22.0, 21.0, kHeight}) +
+         wall(0.0, width, inner, width + kWall, kHeight) + wall(0.0, -kWall, outer, 0.0, kHeight) +
+         wall(outer, -kWall, outer + kWall, 20.0, kHeight) + wall(inner - kWall, width, inner, 20.0, kHeight) +
+         wall(from, behind, from + block, behind + 0.6, kHeight) + record_line("start", {1.0, 0.5 * width, 1.5}) +
+         record_line("goal", {inner + 0.5 * width, 19.0, 1.5});
 }
 
 /// Three walls of a room that is open towards the start.
@@ -97,7 +92,7 @@ std::string bug_trap(Noise& random) {
   const double deep = random.within(5.0, 9.0);
   const double half = random.within(2.2, 3.5);
   const double back = 10.0 + deep;
-  return record("boundary", {-2.0, -12.0, 0.0, 36.0, 12.0, 4.0}) + wall(back, -half, back + kWall, half, 4.0) +
+  return record_line("boundary", {-2.0, -12.0, 0.0, 36.0, 12.0, 4.0}) + wall(back, -half, back + kWall, half, 4.0) +
          wall(10.0, -half - kWall, back + kWall, -half, 4.0) + wall(10.0, half, back + kWall, half + kWall, 4.0) +
          "start 0 0 1.5\ngoal 34 0 1.5\n";
 }
@@ -107,7 +102,7 @@ std::string storey(Noise& random) {
   constexpr double kDoor = 1.2;
   constexpr double kDepth = 15.0;
   constexpr double kHeight = 3.0;
-  std::string text = record("boundary", {0.0, 0.0, 0.0, 36.0, kDepth, kHeight});
+  std::string text = record_line("boundary", {0.0, 0.0, 0.0, 36.0, kDepth, kHeight});
   for (int k = 1; k <= 5; ++k) {
     const double x = 6.0 * k;
     const double door = random.within(1.0, kDepth - 1.0 - kDoor);
@@ -119,7 +114,7 @@ std::string storey(Noise& random) {
     const double y = random.within(1.0, kDepth - 2.0);
     const bool near_end = (x < 4.0 || x > 32.0) && std::abs(y - 7.5) < 2.5;
     const double size[] = {random.within(0.5, 1.1), random.within(0.5, 1.3), random.within(1.0, 2.6)};
-    if (!near_end) text += record("block", {x, y, 0.0, x + size[0], y + size[1], size[2]});
+    if (!near_end) text += record_line("block", {x, y, 0.0, x + size[0], y + size[1], size[2]});
   }
   return text + "start 1.5 7.5 1.2\ngoal 34.5 7.5 1.2\n";
 }
@@ -130,7 +125,7 @@ class Maze {
   explicit Maze(Noise& random) { carve(random); }
 
   std::string text() const {
-    std::string all = record("boundary", {0.0, 0.0, 0.0, kSide * kColumns, kSide * kRows, kHeight});
+    std::string all = record_line("boundary", {0.0, 0.0, 0.0, kSide * kColumns, kSide * kRows, kHeight});
     for (int y = 0; y < kRows; ++y) {
       for (int x = 0; x < kColumns; ++x) {
         const double right = kSide * (x + 1);
@@ -144,8 +139,8 @@ class Maze {
         }
       }
     }
-    return all + record("start", {0.5 * kSide, 0.5 * kSide, 1.2}) +
-           record("goal", {kSide * (kColumns - 0.5), kSide * (kRows - 0.5), 1.2});
+    return all + record_line("start", {0.5 * kSide, 0.5 * kSide, 1.2}) +
+           record_line("goal", {kSide * (kColumns - 0.5), kSide * (kRows - 0.5), 1.2});
   }
 
  private:

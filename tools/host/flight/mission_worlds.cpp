@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "host/number.hpp"
+#include "host/text_records.hpp"
 
 namespace tern_host {
 namespace {
@@ -17,12 +17,6 @@ struct Place2 {
   double x, y;
 };
 
-std::string record(const std::string& name, const std::vector<double>& values, const std::string& end = "") {
-  std::string line = name;
-  for (const double value : values) line += " " + fixed(value, 4);
-  return line + end + "\n";
-}
-
 /// Trees over a rectangle, none within `clear` of a place or within the radius `kept` of the middle.
 std::string trees(int count, Place2 half, const std::vector<Place2>& places, double clear, double kept, Noise& random) {
   std::string text;
@@ -31,7 +25,7 @@ std::string trees(int count, Place2 half, const std::vector<Place2>& places, dou
     const double radius = random.within(0.2, 0.4);
     bool fits = std::hypot(tree.x, tree.y) > kept;
     for (const Place2& p : places) fits = fits && std::hypot(tree.x - p.x, tree.y - p.y) > clear + radius;
-    if (fits) text += record("cylinder", {tree.x, tree.y, 0.0, 5.0, radius});
+    if (fits) text += record_line("cylinder", {tree.x, tree.y, 0.0, 5.0, radius});
   }
   return text;
 }
@@ -50,10 +44,10 @@ std::string survey(Noise& random) {
   const Place2 home{-kHalf - 3.0, -kApart * 1.5};
   std::vector<Place2> places = ends;
   places.push_back(home);
-  std::string text = record("boundary", {-23.0, -14.0, 0.0, 23.0, 14.0, 5.0}) +
-                     trees(18, {20.0, 11.0}, places, 1.5, 0.0, random) + record("start", {home.x, home.y, 2.0}) +
-                     record("goal", {home.x, home.y, 2.0});
-  for (const Place2& end : ends) text += record("via", {end.x, end.y, 2.0, 0.5});
+  std::string text = record_line("boundary", {-23.0, -14.0, 0.0, 23.0, 14.0, 5.0}) +
+                     trees(18, {20.0, 11.0}, places, 1.5, 0.0, random) + record_line("start", {home.x, home.y, 2.0}) +
+                     record_line("goal", {home.x, home.y, 2.0});
+  for (const Place2& end : ends) text += record_line("via", {end.x, end.y, 2.0, 0.5});
   return text + "yaw unseen\n";
 }
 
@@ -61,7 +55,7 @@ std::string survey(Noise& random) {
 std::string lap(Noise& random) {
   constexpr int kGates = 10;
   constexpr double kHalfGate = 1.2;
-  std::string text = record("boundary", {-20.0, -14.0, 0.0, 20.0, 14.0, 5.0});
+  std::string text = record_line("boundary", {-20.0, -14.0, 0.0, 20.0, 14.0, 5.0});
   std::string vias;
   for (int k = 0; k < kGates; ++k) {
     const double angle = kTurn * (k + random.within(0.3, 0.7)) / kGates;
@@ -69,9 +63,9 @@ std::string lap(Noise& random) {
     const Place2 at{14.0 * wide * std::cos(angle), 9.0 * wide * std::sin(angle)};
     const double ahead = std::atan2(9.0 * std::cos(angle), -14.0 * std::sin(angle)) + random.within(-0.3, 0.3);
     const Place2 side{-kHalfGate * std::sin(ahead), kHalfGate * std::cos(ahead)};
-    text += record("cylinder", {at.x + side.x, at.y + side.y, 0.0, 4.0, 0.1});
-    text += record("cylinder", {at.x - side.x, at.y - side.y, 0.0, 4.0, 0.1});
-    vias += record("via", {at.x, at.y, random.within(1.2, 2.8), 0.3});
+    text += record_line("cylinder", {at.x + side.x, at.y + side.y, 0.0, 4.0, 0.1});
+    text += record_line("cylinder", {at.x - side.x, at.y - side.y, 0.0, 4.0, 0.1});
+    vias += record_line("via", {at.x, at.y, random.within(1.2, 2.8), 0.3});
   }
   return text + "start 14 -1 1.5\ngoal 14 -1 1.5\nyaw unseen\n" + vias;
 }
@@ -88,10 +82,10 @@ std::string inspection(Noise& random) {
     const double angle = 0.5 * kTurn + kTurn * k / kViews;
     const Place2 at{away * std::cos(angle), away * std::sin(angle)};
     places.push_back(at);
-    vias += record("via", {at.x, at.y, random.within(1.5, 3.0), 0.3});
+    vias += record_line("via", {at.x, at.y, random.within(1.5, 3.0), 0.3});
   }
-  return record("boundary", {-18.0, -14.0, 0.0, 18.0, 14.0, 5.0}) +
-         record("block", {-half, -half, 0.0, half, half, 5.0}) +
+  return record_line("boundary", {-18.0, -14.0, 0.0, 18.0, 14.0, 5.0}) +
+         record_line("block", {-half, -half, 0.0, half, half, 5.0}) +
          trees(25, {16.0, 12.0}, places, 1.5, away + 1.2, random) + "start -14 0 1.5\ngoal -14 0 1.5\n" + vias +
          "sensor_fov 140 74\nyaw point 0 0 1.5\n";
 }
@@ -99,9 +93,9 @@ std::string inspection(Noise& random) {
 /// Through a forest to a place, a stop there, and back.
 std::string delivery(Noise& random) {
   const Place2 there{20.0, random.within(-6.0, 6.0)};
-  return record("boundary", {-23.0, -14.0, 0.0, 23.0, 14.0, 5.0}) +
+  return record_line("boundary", {-23.0, -14.0, 0.0, 23.0, 14.0, 5.0}) +
          trees(34, {20.0, 12.0}, {{-20.0, 0.0}, there}, 2.0, 0.0, random) +
-         "start -20 0 1.5\ngoal -20 0 1.5\nyaw unseen\n" + record("via", {there.x, there.y, 1.0, 0.0}, " stop");
+         "start -20 0 1.5\ngoal -20 0 1.5\nyaw unseen\n" + record_line("via", {there.x, there.y, 1.0, 0.0}, " stop");
 }
 
 }  // namespace

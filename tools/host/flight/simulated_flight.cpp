@@ -138,8 +138,10 @@ class Simulation {
 
   Setpoint setpoint(double t) const {
     const std::int64_t at = std::llround(1e9 * t);
-    if (plans_yaw_) return {flight_.command(at).sample, flight_.yaw(at).angle, flight_.yaw(at).yaw.rate};
-    return {flight_.command(std::llround(1e9 * t)).sample, yaw_ + yaw_rate_ * (t - seconds()), yaw_rate_};
+    const tern::Sample sample = flight_.command(at).sample;
+    if (!plans_yaw_) return {sample, yaw_ + yaw_rate_ * (t - seconds()), yaw_rate_};
+    const auto nose = flight_.yaw(at);
+    return {sample, nose.angle, nose.yaw.rate};
   }
 
   /// True where the flight is over.

@@ -46,17 +46,9 @@ RunJson commands_of(const FlightMoment& moment) {
 }
 
 RunJson corridor_of(const FlightMoment& moment) {
-  RunJson polyhedra = RunJson::array();
   const tern::Corridor* const corridor = moment.planner.corridor();
-  if (corridor == nullptr) return polyhedra;
-  const tern::Vec3& origin = moment.state.route.grid().spec().origin;
-  for (int i = 0; i < corridor->count; ++i) {
-    RunJson planes = RunJson::array();
-    const tern::Polyhedron& polyhedron = corridor->polyhedra[i];
-    for (int k = 0; k < polyhedron.count; ++k) planes.push_back(halfspace_json(polyhedron.planes[k], origin));
-    polyhedra.push_back(planes);
-  }
-  return polyhedra;
+  if (corridor == nullptr) return RunJson::array();
+  return corridor_json(*corridor, moment.state.route.grid().spec().origin);
 }
 
 /// Without the voxels at the boundary: floor, ceiling and walls would hide all that is between them.

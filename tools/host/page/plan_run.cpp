@@ -73,17 +73,6 @@ RunJson points_json(const Vec3* points, int count, const Vec3& origin) {
   return list;
 }
 
-RunJson corridor_json(const tern::Corridor& corridor, const Vec3& origin) {
-  RunJson polyhedra = RunJson::array();
-  for (int i = 0; i < corridor.count; ++i) {
-    RunJson planes = RunJson::array();
-    const tern::Polyhedron& polyhedron = corridor.polyhedra[i];
-    for (int k = 0; k < polyhedron.count; ++k) planes.push_back(halfspace_json(polyhedron.planes[k], origin));
-    polyhedra.push_back(planes);
-  }
-  return polyhedra;
-}
-
 RunJson fences_json(const Scenario& scenario) {
   RunJson fences = RunJson::array();
   for (const FenceRecord& fence : scenario.fences) {

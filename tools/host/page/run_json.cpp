@@ -41,6 +41,17 @@ void MotionColumns::append(const char* first, const tern::Vec3& v) {
   columns_[name + "z"].push_back(rounded(v.z));
 }
 
+RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin) {
+  RunJson polyhedra = RunJson::array();
+  for (int i = 0; i < corridor.count; ++i) {
+    RunJson planes = RunJson::array();
+    const tern::Polyhedron& polyhedron = corridor.polyhedra[i];
+    for (int k = 0; k < polyhedron.count; ++k) planes.push_back(halfspace_json(polyhedron.planes[k], origin));
+    polyhedra.push_back(planes);
+  }
+  return polyhedra;
+}
+
 void MotionColumns::add(const tern::Sample& sample, const std::array<double, 4>& quaternion, double clearance) {
   append("p", sample.position);
   append("v", sample.velocity);

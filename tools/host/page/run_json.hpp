@@ -9,6 +9,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "tern/corridor.hpp"
 #include "tern/flatness.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/trajectory.hpp"
@@ -27,6 +28,9 @@ void append_point(RunJson& list, const tern::Vec3& v);
 
 /// [nx, ny, nz, offset] for a half-space of the frame whose origin is at `origin`: n . x <= offset in the world.
 RunJson halfspace_json(const tern::Halfspace& plane, const tern::Vec3& origin);
+
+/// The half-spaces of each polyhedron.
+RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin);
 
 /// The vehicle's motion, one row after the other, `step` seconds apart. World frame, SI units.
 class MotionColumns {
