@@ -48,6 +48,16 @@ TEST(TinyMap, PriorBoxes) {
   expect_bind(spec, Status::kPriorFull, Field::kPrior);
 }
 
+TEST(TinyMap, PriorCylinders) {
+  const std::vector<tern::Cylinder> cylinders(tern::kMaxPriorBoxes + 1, tern::Cylinder{{0.0, 0.0, 0.0}, 0.5, 1.0});
+  MapSpec spec = small_spec();
+  spec.prior_cylinders = cylinders.data();
+  spec.prior_cylinder_count = tern::kMaxPriorBoxes;
+  expect_bind(spec, Status::kOk, Field::kNone);
+  ++spec.prior_cylinder_count;
+  expect_bind(spec, Status::kPriorFull, Field::kPrior);
+}
+
 TEST(TinyMap, Cells) {
   MapSpec spec = small_spec();
   spec.dims = {64, 64, 64};

@@ -109,7 +109,28 @@ void learn(Random& random, OwnedMap& owned, std::uint32_t slice) {
   }
 }
 
-MapSpec random_spec(Random& random, const Box* prior, int count) {
+/// Obstacles known beforehand: boxes and cylinders of which some are in the window, and some come into it later.
+struct Prior {
+  Box boxes[3];
+  tern::Cylinder cylinders[2];
+
+  explicit Prior(Random& random) {
+    const auto place = [&] { return Vec3{random.real(-15.0, 15.0), random.real(-4.0, 8.0), random.real(-4.0, 2.0)}; };
+    for (Box& box : boxes) {
+      const Vec3 a = place();
+      box = {a, {a.x + random.real(0.0, 5.0), a.y + random.real(0.0, 2.0), a.z + random.real(0.0, 1.0)}};
+    }
+    for (tern::Cylinder& cylinder : cylinders) cylinder = {place(), random.real(0.0, 2.0), random.real(0.0, 1.0)};
+  }
+  void add_to(MapSpec& spec, Random& random) const {
+    spec.prior = boxes;
+    spec.prior_count = random.integer(0, 3);
+    spec.prior_cylinders = cylinders;
+    spec.prior_cylinder_count = random.integer(0, 2);
+  }
+};
+
+MapSpec random_spec(Random& random) {
   const Voxel dims{random.chance(0.3) ? 64 * random.integer(1, 3) : random.integer(60, 260), random.integer(5, 70),
                    random.integer(5, 20)};
   MapSpec spec = tern::map_spec({random.real(-5.0, 5.0), 1.0, -2.0}, 0.1, dims, random.real(0.0, 0.35));
@@ -121,8 +142,6 @@ MapSpec random_spec(Random& random, const Box* prior, int count) {
   spec.pixels = 8000;
   spec.scan_pixel = 0.07;
   spec.depth_margin = spec.pose_margin = 0.0;
-  spec.prior = prior;
-  spec.prior_count = count;
   return spec;
 }
 
@@ -147,12 +166,10 @@ Voxel moved(const tern::GridSpec& from, const tern::GridSpec& to, const Voxel& v
 TEST(MapSlide, EqualsAMapMadeAnew) {
   Random random(321);
   for (int k = 0; k < scaled(60); ++k) {
-    Box prior[3];
-    for (Box& box : prior) {
-      const Vec3 a{random.real(-15.0, 15.0), random.real(-4.0, 8.0), random.real(-4.0, 2.0)};
-      box = {a, {a.x + random.real(0.0, 5.0), a.y + random.real(0.0, 2.0), a.z + random.real(0.0, 1.0)}};
-    }
-    OwnedMap owned(random_spec(random, prior, random.integer(0, 3)));
+    const Prior prior(random);
+    MapSpec spec = random_spec(random);
+    prior.add_to(spec, random);
+    OwnedMap owned(spec);
     ASSERT_EQ(owned.status, Status::kOk);
     for (int round = 0; round < 5; ++round) {
       ASSERT_NO_FATAL_FAILURE(learn(random, owned, 1u << 30));
@@ -171,9 +188,8 @@ TEST(MapSlide, EqualsAMapMadeAnew) {
       EXPECT_GT(owned.map.revision(), revision);
       EXPECT_FALSE(copy.bound());
       // A new map has only the prior, in the same place.
-      MapSpec at_new_place = random_spec(random, prior, 0);
       const MapState& state = *reinterpret_cast<const MapState*>(owned.words.data());
-      at_new_place = state.spec;
+      MapSpec at_new_place = state.spec;
       at_new_place.origin = now.origin;
       const OwnedMap fresh(at_new_place);
       ASSERT_EQ(fresh.status, Status::kOk);
@@ -205,8 +221,8 @@ TEST(MapSlide, TheSameBitsInSlicesOfAnySize) {
   for (const std::uint32_t slice : {1u, 2u, 7u, 64u, 1000u}) {
     Random random(322), same(322);
     for (int k = 0; k < scaled(6); ++k) {
-      OwnedMap whole(random_spec(random, nullptr, 0));
-      OwnedMap sliced(random_spec(same, nullptr, 0));
+      OwnedMap whole(random_spec(random));
+      OwnedMap sliced(random_spec(same));
       for (int round = 0; round < 4; ++round) {
         ASSERT_NO_FATAL_FAILURE(learn(random, whole, 1u << 30));
         ASSERT_NO_FATAL_FAILURE(learn(same, sliced, slice));
@@ -225,7 +241,7 @@ TEST(MapSlide, TheSameBitsInSlicesOfAnySize) {
 /// Between two slices of a frame, the safe grid shows no voxel free that was solid before and is after.
 TEST(MapSlide, ObstaclesBetweenSlicesAreThoseBeforeOrAfter) {
   Random random(323);
-  MapSpec spec = random_spec(random, nullptr, 0);
+  MapSpec spec = random_spec(random);
   spec.dims = {100, 20, 12};
   OwnedMap owned(spec);
   ASSERT_EQ(owned.map.assume_free(inside(random, owned), 0.8), Status::kOk);

@@ -85,6 +85,18 @@ TEST(MapRefused, PriorBoxesThatAreNone) {
   }
 }
 
+TEST(MapRefused, PriorCylindersThatAreNone) {
+  static const tern::Cylinder kCylinders[] = {
+      {{0.0, 0.0, 0.0}, -0.1, 1.0}, {{0.0, 0.0, 0.0}, 0.1, -1.0}, {{0.0, kNan, 0.0}, 0.1, 1.0}};
+  for (const tern::Cylinder& cylinder : kCylinders) {
+    expect_refused(Field::kPrior, Status::kInvalidArgument, [&cylinder](MapSpec& s) {
+      s.prior_cylinders = &cylinder;
+      s.prior_cylinder_count = 1;
+    });
+  }
+  expect_refused(Field::kPrior, Status::kInvalidArgument, [](MapSpec& s) { s.prior_cylinder_count = 1; });
+}
+
 class MapFrames : public ::testing::Test {
  protected:
   MapFrames() : owned(small_spec()), image(20, 10, 10.0) {

@@ -7,7 +7,6 @@
 
 #include <limits>
 
-#include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 
 namespace {
@@ -205,15 +204,6 @@ TEST_F(MapRules, WhatAgesIsForgotten) {
   EXPECT_FALSE(ageing.map.safe().free(ahead(10)));
 }
 
-TEST_F(MapRules, ABallIsTakenForFree) {
-  ASSERT_EQ(owned.map.assume_free({1.0, 1.0, 1.0}, 0.26), Status::kOk);
-  EXPECT_TRUE(owned.map.seen({10, 10, 10}));
-  EXPECT_TRUE(owned.map.seen({11, 10, 10}));   // its farthest corner is 0.245 m away
-  EXPECT_FALSE(owned.map.seen({12, 10, 10}));  // 0.332 m
-  EXPECT_FALSE(owned.map.seen({11, 11, 10}));  // 0.3 m
-  EXPECT_TRUE(owned.map.safe().free({9, 9, 9}));
-}
-
 TEST_F(MapRules, MarksBlockUntilMissesClearThem) {
   const Vec3 point{1.55, 1.05, 1.05};
   ASSERT_EQ(owned.map.mark_points(&point, 1), Status::kOk);
@@ -242,41 +232,6 @@ TEST_F(MapRules, AFrameThatShowsNothingNewKeepsTheVersion) {
   wall(4.05);
   frame();
   EXPECT_FALSE(owned.map.safe().version().equals(safe));
-  EXPECT_GT(owned.map.revision(), revision);
-}
-
-TEST_F(MapRules, ACylinderIsSolidInBothGrids) {
-  const tern::GridSpec window = owned.map.route().spec();
-  const tern::Vec3 corner = window.origin;
-  const tern::Vec3 middle{corner.x + 0.5 * window.dims.x * window.cell, corner.y + 0.5 * window.dims.y * window.cell,
-                          corner.z + 0.5 * window.dims.z * window.cell};
-  const tern::Cylinder trunk{middle, 2.6 * window.cell, 1.2 * window.cell};
-  ASSERT_EQ(owned.map.assume_free(middle, 100.0 * window.cell), tern::Status::kOk);
-  ASSERT_EQ(owned.map.mark_cylinder(trunk), tern::Status::kOk);
-  tern_test::OwnedGrid grid(window);
-  ASSERT_EQ(grid.grid.mark_cylinder(trunk), tern::Status::kOk);
-  EXPECT_GT(tern_test::count_obstacles(grid.grid), 20);
-  for (int z = 0; z < window.dims.z; ++z) {
-    for (int y = 0; y < window.dims.y; ++y) {
-      for (int x = 0; x < window.dims.x; ++x) {
-        const bool marked = grid.grid.obstacle({x, y, z});
-        ASSERT_EQ(owned.map.route().obstacle({x, y, z}), marked) << x << ' ' << y << ' ' << z;
-        ASSERT_TRUE(!marked || owned.map.safe().obstacle({x, y, z}));
-      }
-    }
-  }
-}
-
-// What nobody has seen is solid in the safe grid already, but not in the route grid.
-TEST_F(MapRules, TheRevisionGrowsWithEitherGrid) {
-  const tern::GridVersion safe = owned.map.safe().version();
-  const std::uint64_t revision = owned.map.revision();
-  ASSERT_FALSE(seen(7));
-  const tern::GridSpec& window = owned.map.safe().spec();
-  const tern::Vec3 upper = window.boundary.upper;
-  ASSERT_EQ(owned.map.mark_box({{upper.x - window.cell, upper.y - window.cell, upper.z - window.cell}, upper}),
-            tern::Status::kOk);
-  EXPECT_TRUE(owned.map.safe().version().equals(safe));
   EXPECT_GT(owned.map.revision(), revision);
 }
 

@@ -124,8 +124,8 @@
 #define TERN_MAX_PIXELS TERN_DEFAULT(4096, 320 * 240, 2 * 1024 * 1024)
 #endif
 
-/// Boxes known beforehand to a rolling map (MapSpec::prior). They cost no memory of the map's, but time in every slide.
-/// Beyond it: kPriorFull.
+/// Boxes, and cylinders, known beforehand to a rolling map (MapSpec::prior, prior_cylinders): so many of each. They
+/// cost no memory of the map's, but time in every slide. Beyond it: kPriorFull.
 #ifndef TERN_MAX_PRIOR_BOXES
 #define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 256, 4096)
 #endif

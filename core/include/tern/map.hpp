@@ -60,11 +60,13 @@ struct MapSpec {
   /// Pixels of the largest image: width * height. With scans, at least 6 * (2.5 / scan_pixel)^2.
   int32_t pixels;
 
-  /// Obstacles known before the flight: `prior_count` boxes of yours, which must outlive the map and not change. The
-  /// map marks the part of each box that is in the window, at bind() and after every slide. Misses clear these voxels
-  /// like any others.
+  /// Obstacles known before the flight: boxes and upright cylinders of yours, which must outlive the map and not
+  /// change. The map marks the part of each that is in the window, at bind() and after every slide. Misses clear these
+  /// voxels like any others.
   const Box* prior;
   int32_t prior_count;
+  const Cylinder* prior_cylinders;
+  int32_t prior_cylinder_count;
 };
 
 /// Largest value of MapSpec::hits and misses.
@@ -113,8 +115,8 @@ class MapState;
 /// begin_snapshot() begins it, and step() does it in slices. The result does not depend on the slices (contract C3).
 class RollingMap {
  public:
-  /// Binds the map to `words`, at least map_words(spec) of them with any content. Nothing is seen, and the prior's
-  /// boxes are obstacles. kOk, kNonFiniteInput, kInvalidArgument, kPixelsFull or kPriorFull; `field` receives the field
+  /// Binds the map to `words`, at least map_words(spec) of them with any content. Nothing is seen, and the prior
+  /// is solid. kOk, kNonFiniteInput, kInvalidArgument, kPixelsFull or kPriorFull; `field` receives the field
   /// that is wrong; it may be null. A call that is refused changes nothing.
   Status bind(const MapSpec& spec, uint64_t* words, size_t word_count, Field* field = nullptr) noexcept;
   /// False before the first bind.

@@ -99,7 +99,7 @@ enum class Status : uint8_t {
 
   /// MapSpec::pixels, or TERN_MAX_PIXELS: the image is larger. Only from a RollingMap.
   kPixelsFull = 63,
-  kPriorFull = 64,   ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes
+  kPriorFull = 64,   ///< TERN_MAX_PRIOR_BOXES: the map's prior has more boxes, or more cylinders
   kRecordFull = 65,  ///< The room for a record does not suffice. plan_record_bytes() says how much always does.
 
   // 70 .. 89: the solver or the machine did not hold up.
@@ -195,7 +195,7 @@ enum class Field : uint8_t {
   kAge,                ///< MapSpec::age
   kSlack,              ///< MapSpec::slack
   kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
-  kPrior,              ///< MapSpec::prior: too many, null, or a box that is none
+  kPrior,              ///< MapSpec::prior: too many, null, or a box or cylinder that is none
   kStartJerk,          ///< Request::start.jerk
   kGoalJerk,           ///< Request::goal.jerk
   kJMax,               ///< Limits::j_max

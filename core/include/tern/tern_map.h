@@ -23,7 +23,7 @@ typedef struct {
   tern_vec3 origin; double cell; tern_voxel dims; double radius, tracking_margin;
   double range, depth_margin, depth_margin_square, pose_margin, angle_margin, scan_pixel;
   int32_t hits, misses, support; int64_t age; int32_t slack, pixels;
-  const tern_box* prior; int32_t prior_count;
+  const tern_box* prior; int32_t prior_count; const tern_cylinder* prior_cylinders; int32_t prior_cylinder_count;
 } tern_map_spec;
 /* A camera's pose: its centre, and the quaternion (w, x, y, z) from its axes (right, down, ahead) to the world's. */
 typedef struct { tern_vec3 position; double quaternion[4]; } tern_pose;

@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "base/verdict.hpp"
+#include "grid/cylinder.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 #include "map/support.hpp"
@@ -58,7 +59,16 @@ bool thresholds_fit(const MapSpec& spec) {
          spec.support >= 0 && spec.support <= kNeighbours;
 }
 
-bool prior_fits(const MapSpec& spec) {
+bool cylinders_fit(const MapSpec& spec) {
+  const std::int32_t count = spec.prior_cylinder_count;
+  if (count < 0 || (spec.prior_cylinders == nullptr && count > 0)) return false;
+  for (std::int32_t k = 0; k < count; ++k) {
+    if (check(spec.prior_cylinders[k]) != Status::kOk) return false;
+  }
+  return true;
+}
+
+bool boxes_fit(const MapSpec& spec) {
   if (spec.prior_count < 0 || (spec.prior == nullptr && spec.prior_count > 0)) return false;
   for (std::int32_t k = 0; k < spec.prior_count; ++k) {
     const Box& box = spec.prior[k];
@@ -80,8 +90,10 @@ Verdict check(const MapSpec& spec) {
   if (spec.slack < 0 || spec.slack > kMaxDimension) return invalid(Field::kSlack);
   if (spec.pixels < 1) return invalid(Field::kPixels);
   if (spec.pixels > kMaxPixels || !scans_fit(spec)) return {Status::kPixelsFull, Field::kPixels};
-  if (spec.prior_count > kMaxPriorBoxes) return {Status::kPriorFull, Field::kPrior};
-  if (!prior_fits(spec)) return invalid(Field::kPrior);
+  if (spec.prior_count > kMaxPriorBoxes || spec.prior_cylinder_count > kMaxPriorBoxes) {
+    return {Status::kPriorFull, Field::kPrior};
+  }
+  if (!boxes_fit(spec) || !cylinders_fit(spec)) return invalid(Field::kPrior);
   return kAccepted;
 }
 

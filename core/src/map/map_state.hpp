@@ -128,7 +128,7 @@ class MapState {
   /// grid.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
   void note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept;
-  /// Marks the prior's boxes in plane z of the route grid, except in voxels that stayed in the window.
+  /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window.
   void mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
   /// Prepares the projectors of the frame's views.
   void prepare_views() noexcept;

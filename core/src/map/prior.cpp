@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the map is told rather than sees: prior boxes, boxes, cylinders and points to mark, and a ball that is free.
+// What the map is told rather than sees: the prior, boxes, cylinders and points to mark, and a ball that is free.
 #include "base/math.hpp"
 #include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
@@ -66,15 +66,21 @@ std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first,
 
 void MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
   const bool plane_kept = contains(kept.z, z);
-  for (std::int32_t p = 0; p < spec.prior_count; ++p) {
-    VoxelBox met = voxels_met(route.spec(), spec.prior[p]);
-    if (z < met.z.begin || z >= met.z.end) continue;
-    met.z = {z, z + 1};
-    visit_words(met, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
+  const auto mark = [&](const IndexRange& met_x, const IndexRange& met_y) {
+    visit_words({met_x, met_y, {z, z + 1}}, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
       const bool row_kept = plane_kept && contains(kept.y, y);
       if (row_kept) bits &= ~bits_met(kept.x, k);
       GridWords(route).store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)] | bits);
     });
+  };
+  for (std::int32_t p = 0; p < spec.prior_count; ++p) {
+    const VoxelBox met = voxels_met(route.spec(), spec.prior[p]);
+    if (contains(met.z, z)) mark(met.x, met.y);
+  }
+  for (std::int32_t p = 0; p < spec.prior_cylinder_count; ++p) {
+    const Cylinder& cylinder = spec.prior_cylinders[p];
+    if (!contains(planes_met(route.spec(), cylinder), z)) continue;
+    visit_rows(route.spec(), cylinder, [&](std::int32_t y, const IndexRange& x) { mark(x, {y, y + 1}); });
   }
 }
 

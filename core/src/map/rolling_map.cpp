@@ -70,7 +70,8 @@ Task task_after(Task task) {
 
 /// Units for moving a plane and going through the prior.
 std::uint32_t slide_price(const MapState& state) {
-  return plane_units(state, 1) + units(static_cast<std::size_t>(state.spec.prior_count), kUnitWords);
+  const auto prior = static_cast<std::size_t>(state.spec.prior_count + state.spec.prior_cylinder_count);
+  return plane_units(state, 1) + units(prior, kUnitWords);
 }
 
 void inflate_piece(Grid& grid, std::int64_t piece, bool last) {

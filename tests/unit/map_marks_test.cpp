@@ -1,0 +1,81 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a rolling map is told: balls that are free, cylinders, and obstacles known beforehand. Voxels of 0.1 m.
+#include <gtest/gtest.h>
+
+#include "support/grid_storage.hpp"
+#include "support/owned_map.hpp"
+
+namespace {
+
+using tern::MapSpec;
+using tern::Status;
+using tern::Vec3;
+using tern_test::OwnedMap;
+
+constexpr Vec3 kMiddle{3.2, 1.0, 1.0};
+constexpr tern::Cylinder kTrunk{kMiddle, 0.26, 0.12};
+
+MapSpec small_window() {
+  return tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 20, 20}, 0.0);
+}
+
+class MapMarks : public ::testing::Test {
+ protected:
+  OwnedMap owned{small_window()};
+};
+
+/// The route grid has the obstacles of a grid in which the trunk alone was marked, and the safe grid has them too.
+void expect_trunk(const OwnedMap& owned) {
+  tern_test::OwnedGrid marked(owned.map.route().spec());
+  ASSERT_EQ(marked.grid.mark_cylinder(kTrunk), Status::kOk);
+  EXPECT_GT(tern_test::count_obstacles(marked.grid), 20);
+  const tern::Voxel dims = owned.map.route().spec().dims;
+  for (int z = 0; z < dims.z; ++z) {
+    for (int y = 0; y < dims.y; ++y) {
+      for (int x = 0; x < dims.x; ++x) {
+        const bool solid = marked.grid.obstacle({x, y, z});
+        ASSERT_EQ(owned.map.route().obstacle({x, y, z}), solid) << x << ' ' << y << ' ' << z;
+        ASSERT_TRUE(!solid || owned.map.safe().obstacle({x, y, z}));
+      }
+    }
+  }
+}
+
+TEST_F(MapMarks, ABallIsTakenForFree) {
+  ASSERT_EQ(owned.map.assume_free({1.0, 1.0, 1.0}, 0.26), Status::kOk);
+  EXPECT_TRUE(owned.map.seen({10, 10, 10}));
+  EXPECT_TRUE(owned.map.seen({11, 10, 10}));   // its farthest corner is 0.245 m away
+  EXPECT_FALSE(owned.map.seen({12, 10, 10}));  // 0.332 m
+  EXPECT_FALSE(owned.map.seen({11, 11, 10}));  // 0.3 m
+  EXPECT_TRUE(owned.map.safe().free({9, 9, 9}));
+}
+
+TEST_F(MapMarks, ACylinderIsSolidInBothGrids) {
+  ASSERT_EQ(owned.map.assume_free(kMiddle, 10.0), Status::kOk);
+  ASSERT_EQ(owned.map.mark_cylinder(kTrunk), Status::kOk);
+  expect_trunk(owned);
+}
+
+TEST(MapPrior, ACylinderIsSolidFromTheBeginning) {
+  MapSpec spec = small_window();
+  spec.prior_cylinders = &kTrunk;
+  spec.prior_cylinder_count = 1;
+  expect_trunk(OwnedMap(spec));
+}
+
+// What nobody has seen is solid in the safe grid already, but not in the route grid.
+TEST_F(MapMarks, TheRevisionGrowsWithEitherGrid) {
+  const tern::GridVersion safe = owned.map.safe().version();
+  const std::uint64_t revision = owned.map.revision();
+  ASSERT_FALSE(owned.map.seen({17, 10, 10}));
+  const tern::GridSpec& window = owned.map.safe().spec();
+  const Vec3 upper = window.boundary.upper;
+  ASSERT_EQ(owned.map.mark_box({{upper.x - window.cell, upper.y - window.cell, upper.z - window.cell}, upper}),
+            Status::kOk);
+  EXPECT_TRUE(owned.map.safe().version().equals(safe));
+  EXPECT_GT(owned.map.revision(), revision);
+}
+
+}  // namespace
