@@ -81,6 +81,19 @@ TEST_F(ReachPlan, GoesAsNearAsItCanToAnOccupiedGoal) {
   EXPECT_FALSE(report().has_nearest_free);
 }
 
+// The goal touches the lower face of a block, so the planner tries to arrive there from a point before it. What counts
+// is how near the robot comes to the goal, not to that point.
+TEST(ReachGoalInMotion, TheNearestPointIsTheOneNearestToTheGoal) {
+  World world({80, 40, 20}, 0.1, 0.0);
+  world.block({5.0, 1.8, 0.0}, {6.2, 2.2, 0.1}).from({1.0, 1.0, 1.0}).to({6.02, 1.99, 0.0});
+  world.request.goal.velocity = {1.0, 0.0, 0.0};
+  EXPECT_EQ(world.plan(), Status::kGoalOccupied);
+  EXPECT_FALSE(world.report.raw_occupied);
+  ASSERT_TRUE(world.report.has_reachable);
+  // Above the block; beside it, centres are 0.24 m away.
+  EXPECT_LE(tern::distance(world.report.reachable, {6.05, 1.95, 0.15}), 1e-12);
+}
+
 TEST_F(ReachPlan, GoesAsNearAsItCanToAFencedGoal) {
   tern::Halfspace planes[tern::kBoxPlanes];
   tern::box_planes({{15.0, -30.0, 0.0}, {30.0, 0.0, 10.0}}, planes);  // beyond 5 m from the grid's origin

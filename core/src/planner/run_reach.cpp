@@ -32,10 +32,12 @@ void Plan::give_up() noexcept {
   end(failed_stage_, failed_status_);
 }
 
+/// Near the goal itself, not the point from which the last attempt was to arrive there.
 void Plan::begin_reach() noexcept {
   const Request local = to_local(*grid_, asked_);
+  const Vec3 target = leg_ == via_count() ? local.goal.position : leg_to();
   reach_begin(memory_->stage.reach, world(),
-              {local.start.position, leg_to(), expansions_left(), fences(), !at_rest(asked_.start)});
+              {local.start.position, target, expansions_left(), fences(), !at_rest(asked_.start)});
 }
 
 Progress Plan::run_reach(Work& work) noexcept {
@@ -51,7 +53,7 @@ Progress Plan::run_reach(Work& work) noexcept {
   }
   report_.has_reachable = true;
   report_.reachable = reachable_point(stage.nearest);
-  const bool at_goal = same(world().voxel_of(memory_->ends.goal_in_grid), stage.nearest);
+  const bool at_goal = same(world().voxel_of(stage.query.goal), stage.nearest);
   if (go_there && !(at_goal && lacks_nodes(failed_status_))) {
     plan_to_reachable();
   } else {
