@@ -104,16 +104,9 @@ double before_goal(const Ask& ask, const tern::Trajectory& plan, double t) {
   return goal_moves(ask) ? std::max(0.0, std::min(t, tern::duration(plan) - kShortestPlan)) : t;
 }
 
-/// True where `previous` has a millisecond left of its segment at hand, from which on the planner promises a plan.
+/// True where a millisecond of the plan is left: the planner then promises a plan.
 bool proves(const tern::Trajectory& plan, double t) {
-  constexpr double kLeastRest = 1e-3;
-  double begin = 0.0;
-  for (int s = 0; s < plan.count; ++s) {
-    const double end = begin + plan.segments[s].duration;
-    if (t < end) return plan.segments[s].duration - (t - begin) >= kLeastRest;
-    begin = end;
-  }
-  return false;
+  return tern::duration(plan) - t >= 1e-3;
 }
 
 /// Whether the grid promises a plan to the new goal by way of the first one. From rest it promises no more than to any

@@ -27,11 +27,30 @@ double apart(const Vec3& a, const Vec3& b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
-/// What is left of the segment that is flown at t. Less than a millisecond of it cannot be cut off.
-double left_of_segment(const Trajectory& plan, double t) {
-  double end = 0.0;
-  for (int i = 0; i < plan.count && end <= t; ++i) end += plan.segments[i].duration;
-  return end - t;
+/// Asks for a new plan at time t of the one that is flown; true if there is one.
+bool replan(const Grid& grid, Planner& planner, Request& request, const Trajectory& flown, double t, Trajectory& next,
+            Replans& out) {
+  Report report{};
+  const Sample now = evaluate(flown, t);
+  request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+  request.previous = &flown;
+  request.previous_time = t;
+  const double rest = duration(flown) - t;
+  ++out.asked;
+  const Status status = planner.plan(grid, request, next, report);
+  EXPECT_EQ(status, Status::kOk) << t;
+  if (status != Status::kOk) return false;
+  ++out.found;
+  for (const StageReport& stage : report.stages) EXPECT_LE(stage.work, stage.bound);
+  out.latest = std::max(out.latest, duration(next) - rest);
+  out.sooner += duration(next) < rest - 1e-6 ? 1 : 0;
+  EXPECT_LE(duration(next), rest + 1e-6) << t;
+  const Sample first = evaluate(next, 0.0);
+  EXPECT_EQ(apart(first.position, now.position), 0.0);
+  out.jumps[0] = std::max(out.jumps[0], apart(first.velocity, now.velocity));
+  out.jumps[1] = std::max(out.jumps[1], apart(first.acceleration, now.acceleration));
+  out.jumps[2] = std::max(out.jumps[2], apart(first.jerk, now.jerk));
+  return true;
 }
 
 /// Flies a plan and asks for a new one every 0.3 s, always to the same goal. `chained`: goes on along the new plan.
@@ -42,29 +61,23 @@ void replan_along(const Grid& grid, Planner& planner, Request request, bool chai
   if (planner.plan(grid, request, flown, report) != Status::kOk) return;
   Trajectory next{};
   for (double t = kEvery; t < duration(flown) - 0.01; t += kEvery) {
-    if (left_of_segment(flown, t) < 1.1e-3) continue;
-    const Sample now = evaluate(flown, t);
-    request.start = {now.position, now.velocity, now.acceleration, now.jerk};
-    request.previous = &flown;
-    request.previous_time = t;
-    const double rest = duration(flown) - t;
-    ++out.asked;
-    const Status status = planner.plan(grid, request, next, report);
-    EXPECT_EQ(status, Status::kOk) << t;
-    if (status != Status::kOk) continue;
-    ++out.found;
-    for (const StageReport& stage : report.stages) EXPECT_LE(stage.work, stage.bound);
-    out.latest = std::max(out.latest, duration(next) - rest);
-    out.sooner += duration(next) < rest - 1e-6 ? 1 : 0;
-    EXPECT_LE(duration(next), rest + 1e-6) << t;
-    const Sample first = evaluate(next, 0.0);
-    EXPECT_EQ(apart(first.position, now.position), 0.0);
-    out.jumps[0] = std::max(out.jumps[0], apart(first.velocity, now.velocity));
-    out.jumps[1] = std::max(out.jumps[1], apart(first.acceleration, now.acceleration));
-    out.jumps[2] = std::max(out.jumps[2], apart(first.jerk, now.jerk));
-    if (!chained) continue;
+    if (!replan(grid, planner, request, flown, t, next, out) || !chained) continue;
     flown = next;
     t = 0.0;
+  }
+}
+
+/// Asks for a new plan right before each joint, where too little is left of a segment to cut it off.
+void replan_before_joints(const Grid& grid, Planner& planner, Request request, Replans& out) {
+  Trajectory flown{};
+  Report report{};
+  if (planner.plan(grid, request, flown, report) != Status::kOk) return;
+  Trajectory next{};
+  double joint = 0.0;
+  for (int i = 0; i + 1 < flown.count; ++i) {
+    joint += flown.segments[i].duration;
+    for (const double before : {1.1e-3, 9e-4, 2e-4, 3e-5, 1e-6, 1e-9})
+      replan(grid, planner, request, flown, joint - before, next, out);
   }
 }
 
@@ -72,13 +85,17 @@ TEST(Replans, NeverArriveLaterThanTheRest) {
   const auto memory = std::make_unique<tern_golden::Memory>();
   Planner planner(&memory->workspace, sizeof memory->workspace);
   Replans replans;
+  Replans before_joints;
   for (int i = 0; i < tern_golden::kScenarioCount; i += i < tern_golden::kMapCount ? 1 : 5) {
     Grid grid;
     ASSERT_TRUE(tern_golden::scenario(i, memory->scenario));
     ASSERT_EQ(tern_golden::build_grid(memory->scenario, memory->words, tern_golden::kGridWords, grid), Status::kOk);
     replan_along(grid, planner, memory->scenario.request, false, replans);
     replan_along(grid, planner, memory->scenario.request, true, replans);
+    replan_before_joints(grid, planner, memory->scenario.request, before_joints);
   }
+  EXPECT_GT(before_joints.asked, 500);
+  EXPECT_EQ(before_joints.found, before_joints.asked);
   EXPECT_GT(replans.asked, 500);
   EXPECT_EQ(replans.found, replans.asked);
   EXPECT_GT(replans.sooner, 0);

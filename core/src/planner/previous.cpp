@@ -18,6 +18,9 @@ bool is_sound(const Segment& segment) {
   return true;
 }
 
+/// How much of the next segment is joined to a remainder that is too short, seconds: less than any segment lasts.
+constexpr double kJoined = 2e-3;
+
 /// The state at the segment's end.
 JointState end_state(const Segment& segment) {
   JointState state;
@@ -46,22 +49,40 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
-/// The state at a cut.
+Segment first_part(Segment segment, double time) {
+  keep_first_part(time / segment.duration, segment.points);
+  segment.duration = time;
+  return segment;
+}
+
+Segment last_part(Segment segment, double from) {
+  keep_last_part(from / segment.duration, segment.points);
+  segment.duration -= from;
+  return segment;
+}
+
+/// Where a plan is cut.
 struct Cut {
   Sample now;
-  int first;    ///< the segment that is being flown; plan.count if nothing is left to fly
-  double time;  ///< since the beginning of that segment
-  Vec3 begin;   ///< the position in the plan's frame
+  Vec3 begin;     ///< the position in the plan's frame
+  int segment;    ///< the one in which the first piece of the rest ends; plan.count if nothing is left to fly
+  double joined;  ///< how much of its beginning belongs to that piece, seconds; 0: all that is left of it
+  double left;    ///< the duration of the piece, seconds
 };
 
+/// A remainder that is too short to be cut off is joined to the beginning of the next segment.
 Cut cut_at(const Trajectory& plan, double time) {
-  Cut cut{evaluate(plan, time), 0, time, {0.0, 0.0, 0.0}};
-  cut.first = segment_at(plan, cut.time);
-  if (cut.first == plan.count || plan.segments[cut.first].duration - cut.time < kLeastRest) {
-    cut.first = plan.count;
-  } else {
-    cut.begin = value(curve_of(plan.segments[cut.first]), cut.time / plan.segments[cut.first].duration);
-  }
+  Cut cut{evaluate(plan, time), kZero, 0, 0.0, 0.0};
+  double flown = time;
+  cut.segment = segment_at(plan, flown);
+  if (cut.segment == plan.count) return cut;
+  const Segment& segment = plan.segments[cut.segment];
+  cut.begin = value(curve_of(segment), flown / segment.duration);
+  cut.left = segment.duration - flown;
+  if (cut.left >= kLeastRest) return cut;
+  cut.joined = kJoined;
+  cut.left += kJoined;
+  ++cut.segment;
   return cut;
 }
 
@@ -96,13 +117,22 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   rest.jerk = cut.now.jerk;
   const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
-  JointState from{{{0.0, 0.0, 0.0}, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
-  for (int i = cut.first; i < plan.count; ++i) {
-    JointState to = end_state(plan.segments[i]);
+  JointState from{{kZero, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
+  const auto fly_to_end = [&](const Segment& segment, double duration, bool is_last) {
+    JointState to = end_state(segment);
     to.d[0] = to.d[0] - cut.begin;
-    if (i + 1 == plan.count && rest.meets_goal) to = as_asked(request.goal, to);
-    append(from, to, plan.segments[i].duration - (i == cut.first ? cut.time : 0.0), rest);
+    if (is_last && rest.meets_goal) to = as_asked(request.goal, to);
+    append(from, to, duration, rest);
     from = to;
+  };
+  if (cut.segment == plan.count) return;
+  const Segment& first = plan.segments[cut.segment];
+  const bool joins = cut.joined > 0.0;
+  if (joins) fly_to_end(first_part(first, cut.joined), cut.left, false);
+  for (int i = cut.segment; i < plan.count; ++i) {
+    const double whole = plan.segments[i].duration;
+    const double part = joins ? whole - cut.joined : cut.left;
+    fly_to_end(plan.segments[i], i == cut.segment ? part : whole, i + 1 == plan.count);
   }
 }
 
@@ -111,14 +141,13 @@ void cut_in_place(double time, Previous& rest) noexcept {
   const Cut cut = cut_at(plan, time);
   rest.count = rest.next = rest.enclosed = 0;
   rest.origin = plan.origin;
-  for (int i = cut.first; i < plan.count; ++i) {
-    if (i > cut.first) {
-      rest.segments[rest.count++] = plan.segments[i];
-      continue;
-    }
-    const JointState from{{cut.begin, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
-    append(from, end_state(plan.segments[i]), plan.segments[i].duration - cut.time, rest);
-  }
+  if (cut.segment == plan.count) return;
+  const JointState from{{cut.begin, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
+  const Segment& first = plan.segments[cut.segment];
+  const bool joins = cut.joined > 0.0;
+  append(from, end_state(joins ? first_part(first, cut.joined) : first), cut.left, rest);
+  if (joins) rest.segments[rest.count++] = last_part(first, cut.joined);
+  for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
 }
 
 }  // namespace tern

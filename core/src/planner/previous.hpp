@@ -22,8 +22,8 @@ constexpr std::int32_t kFollowed = 3;
 /// for all segments but the first.
 constexpr int kPreviousTries = 2;
 
-/// If less than this is left of the segment that is being flown, in seconds, cutting it rounds its derivatives too
-/// much.
+/// If less than this is left of the segment that is being flown, in seconds, cutting it off would round its derivatives
+/// too much.
 constexpr double kLeastRest = 1e-3;
 
 /// The most half-spaces for enclosing the rest, before a new plan is looked for and after it. The last factor 2 is for
@@ -52,7 +52,7 @@ bool previous_fits(const Request& request) noexcept;
 /// anew from the states at their joints, so they are rounded like any other plan from this start. Tries nothing yet.
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
-/// The same in the frame of the previous plan. All segments but the first are copied bit for bit.
+/// The same in the frame of the previous plan. All whole segments but the first are copied bit for bit.
 void cut_in_place(double time, Previous& rest) noexcept;
 
 /// The end of the rest, relative to `origin`. The rest must not be empty.
