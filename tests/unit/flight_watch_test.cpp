@@ -83,6 +83,13 @@ TEST(FlightWatch, NoticesWhatTheMapDoesNotShow) {
   EXPECT_NE(w.watch().find("too near to the true world"), std::string::npos);
 }
 
+/// A fence that the flight was not told of.
+TEST(FlightWatch, NoticesFences) {
+  Watched w;
+  tern_host::add_fence({"keepout", "3", "0.3", "0", "4", "1", "4"}, {"", 0}, w.world.fences);
+  EXPECT_NE(w.watch().find("into a fence"), std::string::npos);
+}
+
 /// A map that turns solid behind the flight's back.
 TEST(FlightWatch, NoticesPlansThroughUnprovenSpace) {
   Watched w;

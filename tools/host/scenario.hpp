@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/fence_record.hpp"
 #include "host/text_records.hpp"
 #include "host/yaw/yaw_wish.hpp"
 #include "tern/request.hpp"
@@ -26,12 +27,6 @@ using ScenarioError = RecordError;
 struct Block {
   tern::Box box;
   bool keepout;  ///< a geofence rather than matter; the planner treats both alike
-};
-
-/// A convex geofence; world frame, metres.
-struct FenceRecord {
-  tern::FenceKind kind;
-  std::vector<tern::Halfspace> planes;
 };
 
 class KnownSpace;

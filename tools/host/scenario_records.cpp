@@ -9,29 +9,6 @@
 namespace tern_host {
 namespace {
 
-tern::Box box(const std::vector<double>& v, const std::string& key, const Place& place) {
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (v[a] <= v[a + 3]) continue;
-    throw ScenarioError(place, "'" + key + "' has its corners the wrong way round in " + "xyz"[a] + ": " + brief(v[a]) +
-                                   " > " + brief(v[a + 3]));
-  }
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-}
-
-/// Groups of four numbers a, b, c, d: a x + b y + c z <= d.
-std::vector<tern::Halfspace> halfspaces(const std::vector<double>& v, const std::string& key, const Place& place) {
-  if (v.empty() || v.size() % 4 != 0) throw_count(key, "4 numbers a half-space", v.size(), place);
-  std::vector<tern::Halfspace> planes;
-  for (std::size_t i = 0; i < v.size(); i += 4) {
-    const double square = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2];
-    const bool usable = square >= tern::kMinFenceNormal * tern::kMinFenceNormal &&
-                        square <= tern::kMaxFenceNormal * tern::kMaxFenceNormal;
-    if (!usable) throw ScenarioError(place, "'" + key + "' has a normal that is no direction");
-    planes.push_back({{v[i], v[i + 1], v[i + 2]}, v[i + 3]});
-  }
-  return planes;
-}
-
 std::string first_given(const Place& place) {
   return place.line > 0 ? " (first in line " + std::to_string(place.line) + ")" : std::string();
 }
@@ -91,7 +68,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
-  if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") return add_fence(words, place);
+  if (is_fence(key)) return add_fence(words, place, scenario_.fences);
   if (key == "via") return add_via(words, place);
   if (key == "octomap" || key == "cloud") return add_map_file(words, place);
   if (key == "yaw") {
@@ -127,7 +104,7 @@ void ScenarioBuilder::add_boundary(const std::vector<std::string>& words, const 
   }
   const std::vector<double> values = numbers(words, place);
   if (values.size() != 6) throw_count(words.front(), "6 numbers", values.size(), place);
-  scenario_.boundary = box(values, words.front(), place);
+  scenario_.boundary = box_of(values, words.front(), place);
   scenario_.boundary_place = place;
   has_boundary_ = true;
 }
@@ -194,31 +171,7 @@ void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Pla
   if (scenario_.blocks.size() == kMaxBlocks) {
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
-  scenario_.blocks.push_back({box(values, words.front(), place), keepout});
-}
-
-void ScenarioBuilder::add_fence(const std::vector<std::string>& words, const Place& place) {
-  const std::string& key = words.front();
-  const std::vector<double> values = numbers(words, place);
-  FenceRecord fence{key == "keepout_halfspaces" ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, {}};
-  if (key == "keepin") {
-    if (values.size() != 6) throw_count(key, "6 numbers", values.size(), place);
-    tern::Halfspace planes[tern::kBoxPlanes];
-    tern::box_planes(box(values, key, place), planes);
-    fence.planes.assign(planes, planes + tern::kBoxPlanes);
-  } else {
-    fence.planes = halfspaces(values, key, place);
-  }
-  std::size_t planes = fence.planes.size();
-  for (const FenceRecord& other : scenario_.fences) planes += other.planes.size();
-  if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
-    throw ScenarioError(
-        place, "more than " + std::to_string(tern::kMaxFencePlanes) + " half-spaces in fences (TERN_MAX_FENCE_PLANES)");
-  }
-  if (scenario_.fences.size() == static_cast<std::size_t>(tern::kMaxFences)) {
-    throw ScenarioError(place, "more than " + std::to_string(tern::kMaxFences) + " fences (TERN_MAX_FENCES)");
-  }
-  scenario_.fences.push_back(fence);
+  scenario_.blocks.push_back({box_of(values, words.front(), place), keepout});
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {

@@ -52,7 +52,6 @@ class ScenarioBuilder {
   Setting* find(const std::string& key);
   Choice* find_choice(const std::string& key);
   void add_boundary(const std::vector<std::string>& words, const Place& place);
-  void add_fence(const std::vector<std::string>& words, const Place& place);
   static void choose(Choice& choice, const std::vector<std::string>& words, const Place& place);
   void set_yaw(const std::vector<std::string>& words, const Place& place);
   void add_map_file(const std::vector<std::string>& words, const Place& place);

@@ -14,15 +14,6 @@
 namespace tern_host {
 namespace {
 
-/// The fences as the core takes them: views of the scenario's.
-std::vector<tern::Fence> fences_of(const Scenario& scenario) {
-  std::vector<tern::Fence> fences;
-  for (const FenceRecord& fence : scenario.fences) {
-    fences.push_back({fence.planes.data(), static_cast<std::int32_t>(fence.planes.size()), fence.kind});
-  }
-  return fences;
-}
-
 tern::Request request_of(const Scenario& scenario, const std::vector<tern::Fence>& fences) {
   tern::Request request{};
   request.fences = fences.data();
@@ -104,7 +95,7 @@ PlanResult Session::plan(const Scenario& scenario) {
     return result;
   }
   if (build_grid(result) != tern::Status::kOk) return result;
-  const std::vector<tern::Fence> fences = fences_of(scenario);
+  const std::vector<tern::Fence> fences = fences_of(scenario.fences);
   planner_.plan(grid_, request_of(scenario, fences), result.trajectory, result.report);
   for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
   if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
@@ -114,7 +105,7 @@ PlanResult Session::plan(const Scenario& scenario) {
 }
 
 std::string Session::record(const PlanResult& result) const {
-  const std::vector<tern::Fence> fences = fences_of(result.scenario);
+  const std::vector<tern::Fence> fences = fences_of(result.scenario.fences);
   std::string bytes(tern::plan_record_bytes(result.grid.dims), '\0');
   std::size_t used = 0;
   const tern::Status status =

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "host/fence_record.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/text_records.hpp"
@@ -130,13 +131,6 @@ const std::map<std::string, Setter>& setters() {
   return all;
 }
 
-tern::Box box_of(const Words& words, const Place& place) {
-  const std::vector<double> v = numbers(words, place);
-  if (v.size() != 6) throw_count(words[0], "six numbers", v.size(), place);
-  if (v[0] > v[3] || v[1] > v[4] || v[2] > v[5]) throw RecordError(place, words[0] + ": lower corner above the upper");
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-}
-
 Cylinder cylinder_of(const Words& words, const Place& place) {
   const std::vector<double> v = numbers(words, place);
   if (v.size() != 5) throw_count(words[0], "x y z0 z1 r", v.size(), place);
@@ -162,11 +156,13 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   const auto setter = setters().find(key);
   if (setter != setters().end()) return setter->second(world.settings, words, place);
   if (key == "boundary") {
-    world.boundary = box_of(words, place);
+    world.boundary = box_of(numbers(words, place), key, place);
   } else if (key == "block") {
-    world.blocks.push_back(box_of(words, place));
+    world.blocks.push_back(box_of(numbers(words, place), key, place));
   } else if (key == "cylinder") {
     world.cylinders.push_back(cylinder_of(words, place));
+  } else if (is_fence(key)) {
+    add_fence(words, place, world.fences);
   } else if (key == "start") {
     world.start = vector(words, place);
   } else if (key == "goal") {

@@ -244,8 +244,19 @@ void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_
     const std::string when = fixed(1e-9 * static_cast<double>(t - from), 3) + " s after its commit";
     if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + when, from);
     if (real < -kDistanceError) fail(6, fixed(-real, 4) + " m too near to the true world, " + when, from);
-    t += std::max(kLeastStep, static_cast<std::int64_t>(1e9 * std::min(solid, real) / speed_));
+    const double fenced = fence_room(p);
+    if (fenced < -kDistanceError) fail(2, fixed(-fenced, 4) + " m into a fence, " + when, from);
+    t += std::max(kLeastStep, static_cast<std::int64_t>(1e9 * std::min({solid, real, fenced}) / speed_));
   }
+}
+
+/// From where the fences allow the centre to be; keep-outs are left alone by the radius.
+double FlightWatch::fence_room(const Vec3& p) const {
+  double room = std::numeric_limits<double>::infinity();
+  for (const FenceRecord& fence : world_.fences) {
+    room = std::min(room, fence_gap(fence, p) - (fence.kind == tern::FenceKind::kKeepOut ? radius_ : 0.0));
+  }
+  return room;
 }
 
 void FlightWatch::check_window(std::int64_t t) {

@@ -48,6 +48,7 @@ class FlightWatch {
   void note_place();
   std::size_t lead_ticks() const;
   double solid_room(const tern::Vec3& p) const;
+  double fence_room(const tern::Vec3& p) const;
 
   const FlightWorld& world_;
   const tern::FlightSpec& spec_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/fence_record.hpp"
 #include "tern/flight.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
@@ -65,6 +66,7 @@ struct FlightWorld {
   tern::Box boundary{};  ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};
+  std::vector<FenceRecord> fences;
   std::vector<tern::Via> vias;  ///< points to pass on the way to the goal
   tern::ViaPolicy via_policy = tern::ViaPolicy::kEnd;
   FlightSettings settings;

@@ -16,30 +16,6 @@ namespace {
 constexpr double kSlowest = 2.0;   ///< m/s and
 constexpr double kGentlest = 6.0;  ///< m/s^2 up and down at most
 
-/// The least distance of a point from a square.
-double distance_to_square(double x, double y, double left, double lower, double side) {
-  return std::hypot(std::max({left - x, x - left - side, 0.0}), std::max({lower - y, y - lower - side, 0.0}));
-}
-
-/// Marks every column of voxels that an upright cylinder touches.
-void mark(const Cylinder& c, tern::Grid& grid) {
-  const tern::GridSpec& spec = grid.spec();
-  const auto first = [&](double low, double origin) {
-    return std::max(0, static_cast<int>((low - origin) / spec.cell));
-  };
-  const int last_x = std::min(spec.dims.x - 1, static_cast<int>((c.x + c.radius - spec.origin.x) / spec.cell));
-  const int last_y = std::min(spec.dims.y - 1, static_cast<int>((c.y + c.radius - spec.origin.y) / spec.cell));
-  const int last_z = std::min(spec.dims.z - 1, static_cast<int>((c.top - spec.origin.z) / spec.cell));
-  for (int y = first(c.y - c.radius, spec.origin.y); y <= last_y; ++y) {
-    for (int x = first(c.x - c.radius, spec.origin.x); x <= last_x; ++x) {
-      const double left = spec.origin.x + spec.cell * x;
-      const double lower = spec.origin.y + spec.cell * y;
-      if (distance_to_square(c.x, c.y, left, lower, spec.cell) >= c.radius) continue;
-      for (int z = first(c.bottom, spec.origin.z); z <= last_z; ++z) grid.mark_voxel({x, y, z});
-    }
-  }
-}
-
 tern::GridSpec spec_of(const FlightWorld& world) {
   const tern::Box& b = world.boundary;
   const double cell = world.settings.cell;
@@ -79,11 +55,14 @@ double full_knowledge_time(const FlightWorld& world) {
   tern::Grid grid;
   if (words.empty() || grid.bind(spec, words.data(), words.size()) != tern::Status::kOk) return 0.0;
   for (const tern::Box& block : world.blocks) grid.mark_box(block);
-  for (const Cylinder& cylinder : world.cylinders) mark(cylinder, grid);
+  for (const Cylinder& c : world.cylinders) grid.mark_cylinder({{c.x, c.y, c.bottom}, c.radius, c.top - c.bottom});
   grid.inflate();
   const auto memory = std::make_unique<tern::Workspace>();
   tern::Planner planner(memory.get(), sizeof *memory);
+  const std::vector<tern::Fence> fences = fences_of(world.fences);
   tern::Request request{};
+  request.fences = fences.data();
+  request.fence_count = static_cast<std::int32_t>(fences.size());
   request.start.position = world.start;
   request.goal.position = world.goal;
   request.vias = world.vias.data();

@@ -87,6 +87,7 @@ class Simulation {
         memory_(new tern::Workspace),
         planner_(memory_.get(), sizeof *memory_),
         map_spec_(map_spec_of(world)),
+        fences_(fences_of(world.fences)),
         spec_(flight_spec_of(world.settings)),
         recorder_(world),
         frames_(map_spec_, map_, world.settings.seed) {
@@ -109,6 +110,8 @@ class Simulation {
 
  private:
   void start() {
+    spec_.fences = fences_.data();
+    spec_.fence_count = static_cast<std::int32_t>(fences_.size());
     map_words_.resize(tern::map_words(map_spec_));
     words_.resize(tern::flight_words(map_spec_.dims));
     if (map_.bind(map_spec_, map_words_.data(), map_words_.size()) != tern::Status::kOk) {
@@ -246,6 +249,7 @@ class Simulation {
   std::unique_ptr<tern::Workspace> memory_;
   tern::Planner planner_;
   tern::MapSpec map_spec_;
+  std::vector<tern::Fence> fences_;
   tern::FlightSpec spec_;
   std::vector<std::uint64_t> map_words_;
   std::vector<std::uint64_t> words_;

@@ -73,26 +73,6 @@ RunJson points_json(const Vec3* points, int count, const Vec3& origin) {
   return list;
 }
 
-RunJson fences_json(const Scenario& scenario) {
-  RunJson fences = RunJson::array();
-  for (const FenceRecord& fence : scenario.fences) {
-    RunJson planes = RunJson::array();
-    for (const tern::Halfspace& plane : fence.planes) planes.push_back(halfspace_json(plane, {}));
-    fences.push_back({{"keep_in", fence.kind == tern::FenceKind::kKeepIn}, {"halfspaces", planes}});
-  }
-  return fences;
-}
-
-RunJson vias_json(const Scenario& scenario) {
-  RunJson vias = RunJson::array();
-  for (const tern::Via& via : scenario.vias) {
-    RunJson entry = rounded(via.position);
-    entry.push_back(rounded(via.tolerance));
-    vias.push_back(entry);
-  }
-  return vias;
-}
-
 /// One number for the three axes and both ways where they have the same limit; otherwise null.
 RunJson common_limit(const LimitRange& limit) {
   const double most = limit.upper.x;
@@ -146,10 +126,10 @@ std::string plan_run(const PlanResult& result) {
                  {"boxes", boxes_json(scenario, false)},
                  {"keepout", boxes_json(scenario, true)},
                  {"cylinders", RunJson::array()},
-                 {"fences", fences_json(scenario)},
+                 {"fences", fences_json(scenario.fences)},
                  {"start", rounded(scenario.start.position)},
                  {"goal", rounded(scenario.goal.position)},
-                 {"vias", vias_json(scenario)},
+                 {"vias", vias_json(scenario.vias)},
                  {"limits",
                   {{"v", common_limit(velocity_range(scenario.limits))},
                    {"a", common_limit(acceleration_range(scenario.limits))},

@@ -41,6 +41,26 @@ void MotionColumns::append(const char* first, const tern::Vec3& v) {
   columns_[name + "z"].push_back(rounded(v.z));
 }
 
+RunJson fences_json(const std::vector<FenceRecord>& records) {
+  RunJson fences = RunJson::array();
+  for (const FenceRecord& fence : records) {
+    RunJson planes = RunJson::array();
+    for (const tern::Halfspace& plane : fence.planes) planes.push_back(halfspace_json(plane, {}));
+    fences.push_back({{"keep_in", fence.kind == tern::FenceKind::kKeepIn}, {"halfspaces", planes}});
+  }
+  return fences;
+}
+
+RunJson vias_json(const std::vector<tern::Via>& list) {
+  RunJson vias = RunJson::array();
+  for (const tern::Via& via : list) {
+    RunJson entry = rounded(via.position);
+    entry.push_back(rounded(via.tolerance));
+    vias.push_back(entry);
+  }
+  return vias;
+}
+
 RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin) {
   RunJson polyhedra = RunJson::array();
   for (int i = 0; i < corridor.count; ++i) {

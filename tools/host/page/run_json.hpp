@@ -8,11 +8,14 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "host/fence_record.hpp"
 #include "tern/corridor.hpp"
 #include "tern/flatness.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/trajectory.hpp"
+#include "tern/via.hpp"
 
 namespace tern_host {
 
@@ -28,6 +31,10 @@ void append_point(RunJson& list, const tern::Vec3& v);
 
 /// [nx, ny, nz, offset] for a half-space of the frame whose origin is at `origin`: n . x <= offset in the world.
 RunJson halfspace_json(const tern::Halfspace& plane, const tern::Vec3& origin);
+
+RunJson fences_json(const std::vector<FenceRecord>& records);
+/// x, y, z and the tolerance of each.
+RunJson vias_json(const std::vector<tern::Via>& list);
 
 /// The half-spaces of each polyhedron.
 RunJson corridor_json(const tern::Corridor& corridor, const tern::Vec3& origin);

@@ -105,6 +105,7 @@ void draw_view(Canvas& canvas, const Axes& axes, const Projection& view, const F
   canvas.begin_clipped(axes.frame);
   draw_grid(canvas, axes);
   draw_world(canvas, axes, view, world);
+  draw_fences(canvas, axes, view, world.fences, world.boundary);
   canvas.end_group();
   draw_frame(canvas, axes, axis_name(view.horizontal), axis_name(view.vertical));
   const std::vector<Pixel> way = draw_way(canvas, axes, view, result, fastest);
@@ -133,9 +134,11 @@ double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r
     canvas.text({kPageMargin, y}, line, "class=\"subtitle\"");
     y += 20.0;
   }
-  const std::vector<LegendEntry> legend{area_entry("obstacle of the true world", "class=\"block\" opacity=\"0.85\""),
-                                        speed_entry("way flown, speed from 0 to " + fixed(fastest, 1) + " m/s"),
-                                        dot_entry("where a plan was committed", 2.6, kCommit)};
+  std::vector<LegendEntry> legend{area_entry("obstacle of the true world", "class=\"block\" opacity=\"0.85\""),
+                                  speed_entry("way flown, speed from 0 to " + fixed(fastest, 1) + " m/s"),
+                                  dot_entry("where a plan was committed", 2.6, kCommit)};
+  if (has_fence(world.fences, tern::FenceKind::kKeepOut)) legend.push_back(keepout_entry());
+  if (has_fence(world.fences, tern::FenceKind::kKeepIn)) legend.push_back(keepin_entry());
   draw_legend(canvas, legend, {kPageMargin, y}, kWidth);
   return y + 30.0 + kLegendRow * legend_rows(legend, kWidth);
 }

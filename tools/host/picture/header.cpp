@@ -100,11 +100,6 @@ double draw_failure(Canvas& canvas, const PlanResult& result, double y) {
   return draw_lines(canvas, describe_status(result.report), kFigureName, y + kLine) - 4.0;
 }
 
-bool has_fence(const Scenario& scenario, tern::FenceKind kind) {
-  return std::any_of(scenario.fences.begin(), scenario.fences.end(),
-                     [kind](const FenceRecord& fence) { return fence.kind == kind; });
-}
-
 bool has_block(const Scenario& scenario, bool keepout) {
   return std::any_of(scenario.blocks.begin(), scenario.blocks.end(),
                      [keepout](const Block& block) { return block.keepout == keepout; });
@@ -142,17 +137,15 @@ std::string obstacle_name(const Scenario& scenario, bool oblique) {
 
 std::vector<LegendEntry> world_entries(const Scenario& scenario, WorldLegend legend) {
   const bool oblique = legend == WorldLegend::kOblique;
-  const bool keepout = has_block(scenario, true) || has_fence(scenario, tern::FenceKind::kKeepOut);
+  const bool keepout = has_block(scenario, true) || has_fence(scenario.fences, tern::FenceKind::kKeepOut);
   const std::string block = oblique ? "class=\"block-front\"" : "class=\"block\" opacity=\"0.8\"";
   std::vector<LegendEntry> entries;
   if (has_block(scenario, false)) entries.push_back(area_entry(obstacle_name(scenario, oblique), block));
-  if (keepout) entries.push_back(area_entry("keep-out fence", "class=\"keepout\" opacity=\"0.6\""));
+  if (keepout) entries.push_back(keepout_entry());
   if (!oblique && (!scenario.blocks.empty() || keepout)) {
     entries.push_back(area_entry("inflated by the radius", "class=\"inflated\"", 7.0));
   }
-  if (has_fence(scenario, tern::FenceKind::kKeepIn)) {
-    entries.push_back(area_entry("keep-in fence", "class=\"keepin\""));
-  }
+  if (has_fence(scenario.fences, tern::FenceKind::kKeepIn)) entries.push_back(keepin_entry());
   if (!scenario.vias.empty()) entries.push_back(dot_entry("vias", 6.0, "class=\"via\""));
   return entries;
 }

@@ -65,6 +65,14 @@ LegendEntry dot_entry(const std::string& name, double radius, const std::string&
           2.0 * radius};
 }
 
+LegendEntry keepout_entry() {
+  return area_entry("keep-out fence", kKeepoutStyle);
+}
+
+LegendEntry keepin_entry() {
+  return area_entry("keep-in fence", kKeepinStyle);
+}
+
 LegendEntry speed_entry(const std::string& name) {
   return {name,
           [](Canvas& canvas, const Rect& r) {

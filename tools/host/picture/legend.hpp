@@ -18,11 +18,17 @@ struct LegendEntry {
   double sample_width = 28.0;
 };
 
+/// How fences look.
+constexpr const char* kKeepoutStyle = "class=\"keepout\" opacity=\"0.6\"";
+constexpr const char* kKeepinStyle = "class=\"keepin\"";
+
 constexpr double kLegendRow = 22.0;  ///< pixels from one row to the next
 
 LegendEntry area_entry(const std::string& name, const std::string& style, double corner_radius = 0.0);
 LegendEntry line_entry(const std::string& name, const std::string& style);
 LegendEntry dot_entry(const std::string& name, double radius, const std::string& style);
+LegendEntry keepout_entry();
+LegendEntry keepin_entry();
 /// A bar of the speed colours. Defines the gradient that it is filled with.
 LegendEntry speed_entry(const std::string& name);
 

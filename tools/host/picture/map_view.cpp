@@ -9,6 +9,7 @@
 #include "host/picture/colours.hpp"
 #include "host/picture/ends.hpp"
 #include "host/picture/heading_view.hpp"
+#include "host/picture/legend.hpp"
 #include "host/picture/merged_blocks.hpp"
 #include "host/picture/outline.hpp"
 
@@ -63,10 +64,10 @@ std::vector<Pixel> fence_outline(const View& view, const FenceRecord& fence, con
   return convex_hull(corners);
 }
 
-void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario, tern::FenceKind kind,
-                 const std::string& style) {
-  for (const FenceRecord& fence : scenario.fences) {
-    const std::vector<Pixel> outline = fence_outline(view, fence, scenario.boundary);
+void draw_kind(Canvas& canvas, const View& view, const std::vector<FenceRecord>& fences, const tern::Box& boundary,
+               tern::FenceKind kind, const std::string& style) {
+  for (const FenceRecord& fence : fences) {
+    const std::vector<Pixel> outline = fence_outline(view, fence, boundary);
     if (fence.kind == kind && !outline.empty()) canvas.polygon(outline, style);
   }
 }
@@ -74,8 +75,8 @@ void draw_fences(Canvas& canvas, const View& view, const Scenario& scenario, ter
 /// The space that the radius takes around the keep-outs: a stroke of that width.
 void draw_fence_margins(Canvas& canvas, const View& view, const Scenario& scenario) {
   const std::string width = fixed(2.0 * scenario.clearance() * view.scale(), 2);
-  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepOut,
-              "class=\"inflated\" stroke=\"#e9ebef\" stroke-linejoin=\"round\" stroke-width=\"" + width + "\"");
+  draw_kind(canvas, view, scenario.fences, scenario.boundary, tern::FenceKind::kKeepOut,
+            "class=\"inflated\" stroke=\"#e9ebef\" stroke-linejoin=\"round\" stroke-width=\"" + width + "\"");
 }
 
 std::vector<Pixel> chain(const View& view, const Vec3* local, int count, const Vec3& origin) {
@@ -190,8 +191,14 @@ void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projecti
   } else {
     draw_blocks(canvas, view, scenario);
   }
-  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepOut, "class=\"keepout\" opacity=\"0.6\"");
-  draw_fences(canvas, view, scenario, tern::FenceKind::kKeepIn, "class=\"keepin\"");
+  draw_fences(canvas, axes, projection, scenario.fences, scenario.boundary);
+}
+
+void draw_fences(Canvas& canvas, const Axes& axes, const Projection& projection, const std::vector<FenceRecord>& fences,
+                 const tern::Box& boundary) {
+  const View view(axes, projection);
+  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepOut, kKeepoutStyle);
+  draw_kind(canvas, view, fences, boundary, tern::FenceKind::kKeepIn, kKeepinStyle);
 }
 
 void draw_ends(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario,

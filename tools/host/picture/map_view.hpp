@@ -33,6 +33,10 @@ Pixel project(const Axes& axes, const Projection& projection, const tern::Vec3& 
 /// The blocks, with the space that the radius takes around them below; merged where there are many.
 void draw_obstacles(Canvas& canvas, const Axes& axes, const Projection& projection, const Scenario& scenario);
 
+/// Keep-outs and keep-ins, as far as they lie within the boundary.
+void draw_fences(Canvas& canvas, const Axes& axes, const Projection& projection, const std::vector<FenceRecord>& fences,
+                 const tern::Box& boundary);
+
 /// The outlines of the corridor's polyhedra, where there is a corridor.
 void draw_corridor(Canvas& canvas, const Axes& axes, const Projection& projection, const PlanResult& result);
 

@@ -1,0 +1,120 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/fence_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/number.hpp"
+#include "tern/config.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Halfspace;
+using tern::Vec3;
+
+/// Rounds of Dykstra's method; its steps shrink fast where few planes meet.
+constexpr int kRounds = 200;
+
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Groups of four numbers a, b, c, d: a x + b y + c z <= d.
+std::vector<Halfspace> halfspaces(const std::vector<double>& v, const std::string& key, const Place& place) {
+  if (v.empty() || v.size() % 4 != 0) throw_count(key, "4 numbers a half-space", v.size(), place);
+  std::vector<Halfspace> planes;
+  for (std::size_t i = 0; i < v.size(); i += 4) {
+    const double square = v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2];
+    const bool usable = square >= tern::kMinFenceNormal * tern::kMinFenceNormal &&
+                        square <= tern::kMaxFenceNormal * tern::kMaxFenceNormal;
+    if (!usable) throw RecordError(place, "'" + key + "' has a normal that is no direction");
+    planes.push_back({{v[i], v[i + 1], v[i + 2]}, v[i + 3]});
+  }
+  return planes;
+}
+
+std::vector<Halfspace> planes_of(const Words& words, const Place& place) {
+  const std::string& key = words.front();
+  const std::vector<double> values = numbers(words, place);
+  if (key == "keepin_halfspaces" || key == "keepout_halfspaces") return halfspaces(values, key, place);
+  Halfspace planes[tern::kBoxPlanes];
+  tern::box_planes(box_of(values, key, place), planes);
+  return {planes, planes + tern::kBoxPlanes};
+}
+
+/// Beyond a plane, metres; negative behind it.
+double beyond(const Halfspace& plane, const Vec3& point) {
+  return (dot(plane.normal, point) - plane.offset) / std::sqrt(dot(plane.normal, plane.normal));
+}
+
+/// Distance of a point from the polyhedron by Dykstra's alternating projections; 0 inside.
+double distance_from(const std::vector<Halfspace>& planes, const Vec3& point) {
+  std::vector<double> pushed(planes.size(), 0.0);
+  Vec3 at = point;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      const double norm = std::sqrt(dot(planes[k].normal, planes[k].normal));
+      const Vec3 n{planes[k].normal.x / norm, planes[k].normal.y / norm, planes[k].normal.z / norm};
+      const double before = pushed[k];
+      pushed[k] = std::max(0.0, beyond(planes[k], at) + before);
+      const double step = before - pushed[k];
+      at = {at.x + step * n.x, at.y + step * n.y, at.z + step * n.z};
+    }
+  }
+  return std::hypot(at.x - point.x, at.y - point.y, at.z - point.z);
+}
+
+}  // namespace
+
+tern::Box box_of(const std::vector<double>& v, const std::string& key, const Place& place) {
+  if (v.size() != 6) throw_count(key, "6 numbers", v.size(), place);
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (v[a] <= v[a + 3]) continue;
+    throw RecordError(place, "'" + key + "' has its corners the wrong way round in " + "xyz"[a] + ": " + brief(v[a]) +
+                                 " > " + brief(v[a + 3]));
+  }
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+bool is_fence(const std::string& key) {
+  return key == "keepin" || key == "keepout" || key == "keepin_halfspaces" || key == "keepout_halfspaces";
+}
+
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences) {
+  const bool keeps_out = words.front().rfind("keepout", 0) == 0;
+  FenceRecord fence{keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, planes_of(words, place)};
+  std::size_t planes = fence.planes.size();
+  for (const FenceRecord& other : fences) planes += other.planes.size();
+  if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
+    throw RecordError(
+        place, "more than " + std::to_string(tern::kMaxFencePlanes) + " half-spaces in fences (TERN_MAX_FENCE_PLANES)");
+  }
+  if (fences.size() == static_cast<std::size_t>(tern::kMaxFences)) {
+    throw RecordError(place, "more than " + std::to_string(tern::kMaxFences) + " fences (TERN_MAX_FENCES)");
+  }
+  fences.push_back(fence);
+}
+
+bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind) {
+  return std::any_of(fences.begin(), fences.end(), [kind](const FenceRecord& fence) { return fence.kind == kind; });
+}
+
+std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records) {
+  std::vector<tern::Fence> fences;
+  for (const FenceRecord& fence : records) {
+    fences.push_back({fence.planes.data(), static_cast<std::int32_t>(fence.planes.size()), fence.kind});
+  }
+  return fences;
+}
+
+double fence_gap(const FenceRecord& fence, const Vec3& point) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Halfspace& plane : fence.planes) most = std::max(most, beyond(plane, point));
+  if (fence.kind == tern::FenceKind::kKeepIn) return -most;
+  return most > 0.0 ? distance_from(fence.planes, point) : most;
+}
+
+}  // namespace tern_host

@@ -1,0 +1,40 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Geofences as records of a file: keepin, keepout, keepin_halfspaces and keepout_halfspaces.
+#ifndef TERN_HOST_FENCE_RECORD_HPP
+#define TERN_HOST_FENCE_RECORD_HPP
+
+#include <vector>
+
+#include "host/text_records.hpp"
+#include "tern/fence.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern_host {
+
+/// A convex geofence; world frame, metres.
+struct FenceRecord {
+  tern::FenceKind kind;
+  std::vector<tern::Halfspace> planes;
+};
+
+/// The six numbers of a box, lower corner first. Throws RecordError.
+tern::Box box_of(const std::vector<double>& values, const std::string& key, const Place& place);
+
+bool is_fence(const std::string& key);
+
+/// Appends the fence of a record for which is_fence() holds. Throws RecordError, also where the core takes no more.
+void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences);
+
+bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);
+
+/// The fences as the core takes them: views of these.
+std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records);
+
+/// How far the point is inside a keep-in or outside a keep-out, metres; negative where it breaks the fence.
+double fence_gap(const FenceRecord& fence, const tern::Vec3& point);
+
+}  // namespace tern_host
+
+#endif
