@@ -148,11 +148,12 @@ TEST_F(PreviousPlan, ProvesNothingOutsideANewFence) {
   EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
 }
 
-TEST_F(PreviousPlan, NeedsAMillisecondOfItsSegment) {
-  ask_from(first_.segments[0].duration - 0.9e-3);
-  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
-  ask_from(first_.segments[0].duration - 1.1e-3);
-  EXPECT_EQ(world_.replan(), Status::kOk);
+TEST_F(PreviousPlan, IsFollowedRightBeforeAJoint) {
+  for (const double before : {1.1e-3, 0.9e-3, 1e-6}) {
+    ask_from(first_.segments[0].duration - before);
+    ASSERT_EQ(world_.replan(), Status::kOk) << before;
+    EXPECT_NEAR(duration(world_.trajectory), duration(first_) - world_.request.previous_time, 1e-9);
+  }
 }
 
 TEST_F(PreviousPlan, HasTheStateBitForBit) {

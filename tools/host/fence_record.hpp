@@ -19,7 +19,7 @@ struct FenceRecord {
   std::vector<tern::Halfspace> planes;
 };
 
-/// The six numbers of a box, lower corner first. Throws RecordError.
+/// Of six numbers, the lower corner first. Throws RecordError.
 tern::Box box_of(const std::vector<double>& values, const std::string& key, const Place& place);
 
 bool is_fence(const std::string& key);

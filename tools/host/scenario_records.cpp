@@ -171,7 +171,7 @@ void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Pla
   if (scenario_.blocks.size() == kMaxBlocks) {
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
-  scenario_.blocks.push_back({box_of(values, words.front(), place), keepout});
+  scenario_.blocks.push_back({box_of({values.begin(), values.begin() + 6}, words.front(), place), keepout});
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {

@@ -63,7 +63,8 @@ std::uint64_t content_with(std::uint64_t content, const Voxel& begin, const Voxe
 
 }  // namespace
 
-/// Sets or clears the voxels from begin to before end on each axis, and notes what that may change in the blocked layer.
+/// Sets or clears the voxels from begin to before end on each axis, and notes what that may change in the blocked
+/// layer.
 void Grid::set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept {
   for (std::int32_t z = begin.z; z < end.z; ++z) {
     for (std::int32_t y = begin.y; y < end.y; ++y) {

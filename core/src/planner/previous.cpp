@@ -18,7 +18,7 @@ bool is_sound(const Segment& segment) {
   return true;
 }
 
-/// How much of the next segment is joined to a remainder that is too short, seconds: less than any segment lasts.
+/// How much of the next segment is joined to a remainder that is too short, seconds.
 constexpr double kJoined = 2e-3;
 
 /// The state at the segment's end.
@@ -70,7 +70,8 @@ struct Cut {
   double left;    ///< the duration of the piece, seconds
 };
 
-/// A remainder that is too short to be cut off is joined to the beginning of the next segment.
+/// A remainder that is too short to be cut off is joined to the beginning of the next segment. If that was halved until
+/// it is too short as well, the remainder is cut off nevertheless, and the check decides.
 Cut cut_at(const Trajectory& plan, double time) {
   Cut cut{evaluate(plan, time), kZero, 0, 0.0, 0.0};
   double flown = time;
@@ -80,9 +81,11 @@ Cut cut_at(const Trajectory& plan, double time) {
   cut.begin = value(curve_of(segment), flown / segment.duration);
   cut.left = segment.duration - flown;
   if (cut.left >= kLeastRest) return cut;
+  const int next = cut.segment + 1;
+  if (next < plan.count && plan.segments[next].duration < 2.0 * kJoined) return cut;
   cut.joined = kJoined;
   cut.left += kJoined;
-  ++cut.segment;
+  cut.segment = next;
   return cut;
 }
 
