@@ -37,8 +37,9 @@ class Player {
     FlightEvent event;
     while (!stopped_ && events_.next(event)) {
       const Status answer = perform(event);
-      events_.require_end(event);
+      // A flight that went another way may refuse what it took, unread: from there on it cannot be flown again.
       if (answer != event.answer) stop(event, answer);
+      if (!stopped_) events_.require_end(event);
     }
     return result_;
   }
