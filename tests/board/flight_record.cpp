@@ -28,9 +28,8 @@ int main() {
   tern::FlightRecorder recorder;
   if (recorder.begin(bytes, kRoom) != tern::Status::kOk) return 1;
   const auto look = [](const tern::FlightReport&, const tern::FlightReport&, std::uint64_t) {};
-  const tern_golden::FlightTotals totals =
-      tern_golden::fly(tern_golden::kSmallFlight, memory, camera, camera.world, tern_board::counter, look,
-                       {kRecordedTicks, &recorder});
+  const tern_golden::FlightTotals totals = tern_golden::fly(tern_golden::kSmallFlight, memory, camera, camera.world,
+                                                            tern_board::counter, look, {kRecordedTicks, &recorder});
   std::size_t used = 0;
   if (totals.started != tern::Status::kOk || totals.committed == 0) return 1;
   if (recorder.close(&used) != tern::Status::kOk) return 1;

@@ -33,8 +33,8 @@ void fly_recorded(FlightRecorder& recorder, int ticks, See see) {
   const auto memory = std::make_unique<SmallMemory>();
   PillarCamera camera;
   const auto look = [&see](const tern::FlightReport&, const tern::FlightReport&, std::uint64_t) { see(); };
-  const FlightTotals totals = fly(
-      kSmallFlight, *memory, camera, camera.world, [] { return std::uint64_t{0}; }, look, {ticks, &recorder});
+  const FlightTotals totals =
+      fly(kSmallFlight, *memory, camera, camera.world, [] { return std::uint64_t{0}; }, look, {ticks, &recorder});
   ASSERT_EQ(totals.started, Status::kOk);
   ASSERT_GT(totals.committed, 0u);
 }

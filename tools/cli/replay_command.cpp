@@ -59,8 +59,11 @@ int replay(const std::string& path) {
 
 void add_replay_command(CLI::App& app, int& exit_status) {
   const auto path = std::make_shared<std::string>();
-  CLI::App* const command = app.add_subcommand("replay", "Plan a recorded query or fly a recorded flight again, and compare the bits");
-  command->add_option("RECORD", *path, "Record of `tern plan --record`, `tern fly --record`, tern_record_plan() or a tern_flight_recorder")
+  CLI::App* const command =
+      app.add_subcommand("replay", "Plan a recorded query or fly a recorded flight again, and compare the bits");
+  command
+      ->add_option("RECORD", *path,
+                   "Record of `tern plan --record`, `tern fly --record`, tern_record_plan() or a tern_flight_recorder")
       ->required();
   command->footer("Exit status 3 where the answer differs from the record's.");
   command->callback([path, &exit_status] { exit_status = replay(*path); });

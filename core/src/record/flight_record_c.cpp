@@ -119,8 +119,7 @@ std::uint8_t tern_flight_record_set_goal(tern_flight_recorder* recorder, const t
 std::uint8_t tern_flight_record_set_mission(tern_flight_recorder* recorder, const tern_via* points, std::int32_t count,
                                             std::uint8_t policy, std::uint8_t answer) {
   const auto what = static_cast<tern::ViaPolicy>(policy);
-  return record(recorder, true,
-                [=](FlightRecorder& r) { return r.set_mission(points, count, what, status(answer)); });
+  return record(recorder, true, [=](FlightRecorder& r) { return r.set_mission(points, count, what, status(answer)); });
 }
 
 std::uint8_t tern_flight_record_set_yaw(tern_flight_recorder* recorder, const tern_flight_yaw* yaw,

@@ -26,7 +26,8 @@ std::size_t place(const DepthView& view, std::size_t k) {
 
 void write_depths(const DepthView& view, std::size_t count, WordWriter& words) {
   if (view.z16 != nullptr) {
-    write_runs<std::uint16_t>(count, [&view](std::size_t k) { return view.z16[place(view, k)]; }, words);
+    write_runs<std::uint16_t>(
+        count, [&view](std::size_t k) { return view.z16[place(view, k)]; }, words);
     return;
   }
   const auto bits = [&view](std::size_t k) {

@@ -9,9 +9,9 @@
 namespace tern_host {
 namespace {
 
-constexpr const char* kNames[] = {"none",   "bind", "assume_free", "mark_box", "mark_cylinder", "mark_points",
-                                  "frame",  "scan", "follow",      "step",     "start",         "set_goal",
-                                  "set_mission", "set_yaw", "stop", "tick"};
+constexpr const char* kNames[] = {"none",        "bind",    "assume_free", "mark_box", "mark_cylinder", "mark_points",
+                                  "frame",       "scan",    "follow",      "step",     "start",         "set_goal",
+                                  "set_mission", "set_yaw", "stop",        "tick"};
 
 }  // namespace
 
@@ -22,8 +22,7 @@ const char* event_name(tern::FlightEventKind kind) {
 
 FlightEvents::FlightEvents(const std::string& bytes) {
   const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  const tern::Status status =
-      tern::check_envelope(tern::RecordKind::kFlight, data, bytes.size(), configuration_);
+  const tern::Status status = tern::check_envelope(tern::RecordKind::kFlight, data, bytes.size(), configuration_);
   if (status != tern::Status::kOk) {
     throw std::runtime_error(std::string(tern::status_name(status)) + ": " + tern::status_meaning(status));
   }
