@@ -17,10 +17,10 @@ HEADROOM = 1.10
 SLACK = 0.70
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
-STAGES = ["mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "detour",
-          "previous", "escape", "plan"]
+STAGES = ["grid", "mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check",
+          "detour", "previous", "escape", "plan"]
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
-UNITS = ["path unit", "corridor unit", "trajectory unit"]
+UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
 MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
 
 
