@@ -102,9 +102,8 @@ int main(int argc, char** argv) {
   const bool each = argc > 1 && is_each(argv[1]);
   for (int k = 0; k < kCount; ++k) run(index_of(k), planner, each, totals);
   const bool equal = totals.hash == kHash;
-  print("golden hash ", hex(totals.hash, 16), ", recorded ", hex(kHash, 16),
-        equal ? ": equal; " : ": DIFFERENT; ", totals.plans, " of ", kCount,
-        " scenarios have a plan\n");
+  print("golden hash ", hex(totals.hash, 16), ", recorded ", hex(kHash, 16), equal ? ": equal; " : ": DIFFERENT; ",
+        totals.plans, " of ", kCount, " scenarios have a plan\n");
   print("memory: workspace ", sizeof workspace, ", grid ", sizeof words, ", trajectory ", sizeof trajectory,
         "; stack high water ", totals.stack, " of ", tern_board::stack_size(), " bytes\n");
   print("grid and plan: ", totals.ticks, " ", tern_board::counter_unit(), " in all, ", totals.most_ticks,

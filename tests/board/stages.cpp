@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What each stage of a plan counts with the profile fmu, as CSV for bench/timing/gate.py: the golden scenarios that drive
-// a capacity the furthest, and the paper's first map. The longest units of work are those of slices of one unit.
+// What each stage of a plan counts with the profile fmu, as CSV for bench/timing/gate.py: the golden scenarios that
+// drive a capacity the furthest, and the paper's first map. The longest units of work are those of slices of one unit.
 #include <cstdint>
 
 #include "baremetal/board.hpp"

@@ -15,13 +15,15 @@ namespace tern {
 
 /// The longest run.
 template <typename Number>
-constexpr std::size_t kLongestRun = (std::size_t{1} << (8 * sizeof(Number) - 1)) - 1;
+constexpr std::size_t longest_run() {
+  return (std::size_t{1} << (8 * sizeof(Number) - 1)) - 1;
+}
 
 /// The most words that so many numbers take: a run of equal ones has three at least, so it pays for a run of others
 /// before it; the last run and the ends of the longest ones have nobody to pay for them.
 template <typename Number>
 constexpr std::size_t most_run_words(std::size_t count) {
-  return (count + 2 + 2 * (count / kLongestRun<Number>)) * sizeof(Number) / kWordBytes + 1;
+  return (count + 2 + 2 * (count / longest_run<Number>())) * sizeof(Number) / kWordBytes + 1;
 }
 
 /// Packs numbers into words.
@@ -69,7 +71,7 @@ class RunWriter {
   static constexpr std::size_t kLeastRun = 3;
 
   std::size_t end_of(std::size_t begin) const {
-    return count_ - begin < kLongestRun<Number> ? count_ : begin + kLongestRun<Number>;
+    return count_ - begin < longest_run<Number>() ? count_ : begin + longest_run<Number>();
   }
   /// Equal numbers from `begin` on.
   std::size_t run(std::size_t begin) const {
