@@ -20,7 +20,7 @@ set(CMAKE_CXX_FLAGS_INIT "${tern_bare} -fno-exceptions -fno-rtti -fno-threadsafe
 set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-lgcc")
 
 set(TERN_PORT "cortex-m7" CACHE STRING "Platform folder under port/")
-set(TERN_PROFILE "mcu" CACHE STRING "Capacity profile: tiny, mcu or companion")
+set(TERN_PROFILE "mcu" CACHE STRING "Capacity profile: tiny, fmu, mcu or companion")
 # The image follows as -kernel's argument; whatever follows it goes to QEMU, e.g. -append "--each" for the image.
 set(CMAKE_CROSSCOMPILING_EMULATOR
   "timeout;-k;5;1200;qemu-system-arm;-M;mps2-an500;-icount;shift=6;-nodefaults;-display;none;\

@@ -17,10 +17,10 @@ HEADROOM = 1.10
 SLACK = 0.70
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
-STAGES = ["mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "detour",
-          "previous", "escape", "plan"]
+STAGES = ["grid", "mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check",
+          "detour", "previous", "escape", "plan"]
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
-UNITS = ["path unit", "corridor unit", "trajectory unit"]
+UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
 MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
 
 
@@ -90,7 +90,7 @@ def thousands(count):
 
 
 def print_table(rows, budgets, stages):
-    """Thousands of instructions, a line a scenario; then per stage the worst, its part of its budget, its work and the
+    """Thousands of counts, a line a scenario; then per stage the worst, its part of its budget, its work and the
     bound on that. Stages that no scenario has are left out."""
     stages = [stage for stage in stages if any(stage == of for _, of in rows)]
     names = list(dict.fromkeys(scenario for scenario, of in rows if of in stages))
@@ -168,7 +168,8 @@ def judge(counts, caps, made_with, budgets, notes):
 
 def show(notes, rows, caps, budgets):
     print("\n".join(notes))
-    print("thousands of instructions retired; stages")
+    # The image's first note ends in what it counts.
+    print(f"thousands of {notes[0].rsplit(', ', 1)[-1]}; stages")
     print_table(rows, budgets, STAGES)
     print("and the longest single unit of work, which is the least that a slice can be")
     print_table(rows, budgets, UNITS)

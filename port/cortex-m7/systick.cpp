@@ -10,6 +10,11 @@
 #include "baremetal/board.hpp"
 #include "cortex-m7/registers.hpp"
 
+/// Another board with the same processor core names itself.
+#ifndef TERN_BOARD_NAME
+#define TERN_BOARD_NAME "Cortex-M7 bare metal (QEMU mps2-an500)"
+#endif
+
 namespace {
 
 constexpr std::uint32_t kReload = 0xFFFFFF;
@@ -28,7 +33,7 @@ extern "C" void tern_board_systick() {
 namespace tern_board {
 
 const char* name() noexcept {
-  return "Cortex-M7 bare metal (QEMU mps2-an500)";
+  return TERN_BOARD_NAME;
 }
 const char* counter_unit() noexcept {
   return "SysTick cycles";

@@ -8,6 +8,7 @@
 
 #include "baremetal/board.hpp"
 #include "golden/corpus.hpp"
+#include "golden/fmu_corpus.hpp"
 #include "golden/golden_hash.hpp"
 #include "tern_port/port.hpp"
 
@@ -17,8 +18,27 @@ using tern_board::column;
 using tern_board::hex;
 using tern_board::print;
 
+// The profile fmu plans the part of the corpus that fits it.
+#ifdef TERN_PROFILE_FMU
+constexpr std::size_t kGridWords = tern_golden::kFmuGridWords;
+constexpr int kCount = tern_golden::kFmuScenarioCount;
+constexpr std::uint64_t kHash = tern_golden::kFmuHash;
+constexpr int index_of(int k) {
+  return tern_golden::kFmuScenarios[k];
+}
+static_assert(sizeof(tern::Workspace) + sizeof(std::uint64_t) * kGridWords <= tern_golden::kFmuBytes,
+              "what the profile promises");
+#else
+constexpr std::size_t kGridWords = tern_golden::kGridWords;
+constexpr int kCount = tern_golden::kScenarioCount;
+constexpr std::uint64_t kHash = tern_golden::kGoldenHash;
+constexpr int index_of(int k) {
+  return k;
+}
+#endif
+
 TERN_BOARD_LARGE tern::Workspace workspace;
-TERN_BOARD_LARGE std::uint64_t words[tern_golden::kGridWords];
+TERN_BOARD_LARGE std::uint64_t words[kGridWords];
 tern_golden::Scenario scenario;
 tern::Trajectory trajectory;
 
@@ -35,7 +55,7 @@ struct Totals {
 /// Everything of one plan is on this stack and below it, so its high-water mark is the planner's.
 __attribute__((noinline)) tern::Status plan(tern::Planner& planner, tern::Report& report) {
   tern::Grid grid;
-  const tern::Status status = tern_golden::build_grid(scenario, words, tern_golden::kGridWords, grid);
+  const tern::Status status = tern_golden::build_grid(scenario, words, kGridWords, grid);
   return status == tern::Status::kOk ? planner.plan(grid, scenario.request, trajectory, report) : status;
 }
 
@@ -80,11 +100,10 @@ int main(int argc, char** argv) {
   tern::Planner planner(&workspace, sizeof workspace);
   Totals totals;
   const bool each = argc > 1 && is_each(argv[1]);
-  for (int i = 0; i < tern_golden::kScenarioCount; ++i) run(i, planner, each, totals);
-  const bool equal = totals.hash == tern_golden::kGoldenHash;
-  print("golden hash ", hex(totals.hash, 16), ", recorded ", hex(tern_golden::kGoldenHash, 16),
-        equal ? ": equal; " : ": DIFFERENT; ", totals.plans, " of ", tern_golden::kScenarioCount,
-        " scenarios have a plan\n");
+  for (int k = 0; k < kCount; ++k) run(index_of(k), planner, each, totals);
+  const bool equal = totals.hash == kHash;
+  print("golden hash ", hex(totals.hash, 16), ", recorded ", hex(kHash, 16), equal ? ": equal; " : ": DIFFERENT; ",
+        totals.plans, " of ", kCount, " scenarios have a plan\n");
   print("memory: workspace ", sizeof workspace, ", grid ", sizeof words, ", trajectory ", sizeof trajectory,
         "; stack high water ", totals.stack, " of ", tern_board::stack_size(), " bytes\n");
   print("grid and plan: ", totals.ticks, " ", tern_board::counter_unit(), " in all, ", totals.most_ticks,

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "tern/flight.hpp"
+#include "tern/flight_record.hpp"
 
 namespace tern_golden {
 
@@ -196,40 +197,56 @@ inline tern::DepthView view_of(const FlightSetting& s, const std::uint16_t* dept
           0.001,  0.1,     59.0};
 }
 
+/// How long to fly, and who writes it down, if anybody.
+struct FlightExtent {
+  int ticks = kTicks;
+  tern::FlightRecorder* recorder = nullptr;
+};
+
 /// Flies. `camera` gives the frames, `see(mode, report before, report, counts)` looks at each tick, and `count()` is
 /// what ticks are measured with.
 template <typename Memory, typename Camera, typename Count, typename See>
-FlightTotals fly(const FlightSetting& s, Memory& memory, Camera& camera, PillarWorld& world, Count count, See see) {
+FlightTotals fly(const FlightSetting& s, Memory& memory, Camera& camera, PillarWorld& world, Count count, See see,
+                 const FlightExtent& extent = {}) {
   FlightTotals totals;
+  // Whatever a recorder is told before its begin() goes nowhere.
+  tern::FlightRecorder nobody;
+  tern::FlightRecorder& record = extent.recorder != nullptr ? *extent.recorder : nobody;
   tern::RollingMap map;
   tern::Planner planner(&memory.workspace, sizeof memory.workspace);
   tern::Flight flight;
   const tern::Vec3 start{0.0, 0.0, kEyeHeight};
   totals.started = map.bind(map_spec_of(s), memory.map, sizeof memory.map / sizeof memory.map[0]);
+  record.bind(map_spec_of(s), totals.started);
   if (totals.started != tern::Status::kOk) return totals;
-  map.assume_free(start, kRadius + 6.0 * s.cell);
+  record.assume_free(start, kRadius + 6.0 * s.cell, map.assume_free(start, kRadius + 6.0 * s.cell));
   totals.started = flight.start(flight_spec_of(s), map, planner, memory.flight,
                                 sizeof memory.flight / sizeof memory.flight[0], start, 0);
+  record.start(flight_spec_of(s), start, 0, totals.started);
   if (totals.started != tern::Status::kOk) return totals;
-  flight.set_goal({15.0, 1.0, kEyeHeight});
+  const tern::Vec3 goal{15.0, 1.0, kEyeHeight};
+  record.set_goal(goal, flight.set_goal(goal));
   Heading heading;
   tern::FlightReport before{};
-  for (int k = 0; k < kTicks; ++k) {
+  for (int k = 0; k < extent.ticks; ++k) {
     const std::int64_t t = k * s.tick;
     const tern::Sample now = flight.command(t).sample;
     if (k == kIntrusion) {
       const tern::Vec3 p{now.position.x + 1.1 * now.velocity.x, now.position.y + 1.1 * now.velocity.y, 0.0};
       world.boxes[kIntruder] = {{p.x - 0.2, p.y - 0.2, 0.0}, {p.x + 0.2, p.y + 0.2, 5.0}};
     }
-    if (k == kSecondGoal) flight.set_goal({0.0, 0.0, -40.0});
+    const tern::Vec3 below{0.0, 0.0, -40.0};
+    if (k == kSecondGoal) record.set_goal(below, flight.set_goal(below));
     if (k % 3 == 0 && !map.busy()) {
       camera.take(k, s, now.position, heading, memory.frame);
-      map.begin_frame(view_of(s, memory.frame.depths), memory.frame.pose, t);
+      const tern::DepthView view = view_of(s, memory.frame.depths);
+      record.frame(view, memory.frame.pose, t, map.begin_frame(view, memory.frame.pose, t));
     }
     tern::FlightReport report{};
     const std::uint64_t begun = count();
-    flight.tick(t, report);
+    const tern::Status ticked = flight.tick(t, report);
     const std::uint64_t counted = count() - begun;
+    record.tick(flight, t, report, ticked);
     const tern::Command command = flight.command(t);
     see(before, report, counted);
     turn(heading, command, 2.5e-9 * static_cast<double>(s.tick));

@@ -4,8 +4,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/embed_maps.cmake)
 # Users' projects have the corpus, too: their PROJECT_SOURCE_DIR is another.
 get_filename_component(TERN_GOLDEN_ROOT ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
 
-# tern_add_golden_corpus(TARGET): the corpus, with the maps embedded, becomes part of TARGET, on any platform.
+# tern_add_golden_corpus(TARGET [LIBRARY]): the corpus, with the maps embedded, becomes part of TARGET, on any platform.
+# LIBRARY: the core with other capacities than those of tern.
 function(tern_add_golden_corpus target)
+  set(library tern)
+  if(ARGC GREATER 1)
+    set(library ${ARGV1})
+  endif()
   set(maps "")
   foreach(i RANGE 1 6)
     list(APPEND maps ${TERN_GOLDEN_ROOT}/bench/maps/map${i}.txt)
@@ -20,5 +25,5 @@ function(tern_add_golden_corpus target)
   endif()
   # The corpus must be the same numbers everywhere, too.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  target_link_libraries(${target} PRIVATE tern)
+  target_link_libraries(${target} PRIVATE ${library})
 endfunction()

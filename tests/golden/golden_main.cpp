@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "golden/corpus_run.hpp"
+#include "golden/fmu_corpus.hpp"
 #include "golden/golden_hash.hpp"
 
 namespace {
@@ -29,12 +30,17 @@ int main(int argc, char** argv) {
     return 1;
   }
   const auto memory = std::make_unique<tern_golden::Memory>();
-  const auto see = [each](int index, tern::Status status, const tern::Report& report, std::uint64_t hash) {
+  std::uint64_t fmu_hash = tern_golden::kHashSeed;
+  const auto see = [&](int index, tern::Status status, const tern::Report& report, std::uint64_t hash) {
     if (each) print_scenario(index, status, report, hash);
+    if (tern_golden::is_fmu_scenario(index)) fmu_hash = tern_golden::hash_plan(fmu_hash, status, memory->trajectory);
   };
   const tern_golden::Totals totals = tern_golden::run_corpus(*memory, see);
   const bool equal = totals.hash == tern_golden::kGoldenHash;
   std::printf("golden hash %016" PRIx64 ", recorded %016" PRIx64 ": %s; %d of %d scenarios have a plan\n", totals.hash,
               tern_golden::kGoldenHash, equal ? "equal" : "DIFFERENT", totals.plans, tern_golden::kScenarioCount);
-  return equal ? 0 : 1;
+  const bool fmu_equal = fmu_hash == tern_golden::kFmuHash;
+  std::printf("of the profile fmu's %d scenarios: %016" PRIx64 ", recorded %016" PRIx64 ": %s\n",
+              tern_golden::kFmuScenarioCount, fmu_hash, tern_golden::kFmuHash, fmu_equal ? "equal" : "DIFFERENT");
+  return equal && fmu_equal ? 0 : 1;
 }

@@ -8,10 +8,10 @@ import re
 import sys
 
 ORDER = ["base", "grid", "inflation", "view", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor",
-         "curve", "yaw", "export", "times", "qp", "trajectory", "check", "proof", "planner", "record", "flight"]
+         "curve", "yaw", "export", "times", "qp", "trajectory", "check", "proof", "planner", "flight", "record"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"},
-          "proof": {"base", "grid", "proof"}, "record": {"base", "grid", "record"}}
+          "proof": {"base", "grid", "proof"}, "record": {"base", "grid", "flight", "record"}}
 # From the standard library the core takes types and placement, nothing that runs.
 SYSTEM = {"cstddef", "cstdint", "new", "stddef.h", "stdint.h", "stdbool.h", "Eigen/Core"}
 # The users of a public header may have no C++ library at all, as modules of NuttX.

@@ -27,6 +27,7 @@ struct FlyOptions {
   std::string csv;
   std::string svg;
   std::string html;
+  std::string record;
   bool compare = false;
 };
 
@@ -66,7 +67,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
 /// A finished plan in place of a world.
 int fly_finished_plan(const FlyOptions& options) {
   if (!options.world.empty() || !options.json.empty() || !options.svg.empty() || !options.html.empty() ||
-      options.compare) {
+      !options.record.empty() || options.compare) {
     throw std::runtime_error("--plan goes with --set and --csv alone");
   }
   check_output_paths({options.plan}, {options.csv});
@@ -92,20 +93,23 @@ int fly(const FlyOptions& options) {
   if (options.world.empty()) throw std::runtime_error("fly needs a WORLD, or --plan");
   if (!options.html.empty()) tern_host::check_page(1);
   std::vector<std::string> paths;
-  for (const std::string& path : {options.json, options.csv, options.svg, options.html}) {
+  for (const std::string& path : {options.json, options.csv, options.svg, options.html, options.record}) {
     if (!path.empty()) paths.push_back(path);
   }
   check_output_paths({options.world}, paths);
   const tern_host::FlightWorld world = tern_host::read_flight_world(options.world, options.overrides);
   std::unique_ptr<tern_host::FlightFilm> film;
   if (!options.html.empty()) film = std::make_unique<tern_host::FlightFilm>(world);
-  tern_host::FlightResult result = tern_host::simulate_flight(world, onlooker_of(film.get()));
+  std::string record;
+  tern_host::FlightResult result =
+      tern_host::simulate_flight(world, onlooker_of(film.get()), options.record.empty() ? nullptr : &record);
   if (options.compare) result.full_knowledge = tern_host::full_knowledge_time(world);
   std::vector<tern_host::Output> outputs;
   if (!options.json.empty()) outputs.push_back({options.json, tern_host::flight_json(world, result)});
   if (!options.csv.empty()) outputs.push_back({options.csv, result.samples});
   if (!options.svg.empty()) outputs.push_back({options.svg, tern_host::flight_svg(world, result)});
   if (film != nullptr) outputs.push_back({options.html, tern_host::page_html({film->run(result)})});
+  if (!options.record.empty()) outputs.push_back({options.record, record});
   tern_host::write_files(outputs);
   print(world, result);
   return result.reached() ? kExitOk : kExitNoPlan;
@@ -132,6 +136,8 @@ void add_fly_command(CLI::App& app, int& exit_status) {
       ->add_option(
           "--html", options->html,
           "Write a page to look at the flight in 3D, over time, with what it knew and meant to do (docs/page.md)")
+      ->type_name("FILE");
+  command->add_option("--record", options->record, "Write the flight with its frames, for `tern replay`")
       ->type_name("FILE");
   command->add_flag("--compare", options->compare, "Also plan the flight with full knowledge of the world");
   command->footer(

@@ -6,6 +6,7 @@
 //
 // Choose a profile, or leave the default:
 // - TERN_PROFILE_TINY: for tests. Every capacity is easy to exceed.
+// - TERN_PROFILE_FMU: an autopilot's microcontroller. Workspace and grid take 400 KB together.
 // - TERN_PROFILE_MCU: a Cortex-M7 with 16 MB of memory.
 // - TERN_PROFILE_COMPANION: a Jetson-class computer. The default.
 //
@@ -22,118 +23,120 @@
 #endif
 
 #if defined(TERN_PROFILE_TINY)
-#define TERN_DEFAULT(tiny, mcu, companion) tiny
+#define TERN_DEFAULT(tiny, fmu, mcu, companion) tiny
+#elif defined(TERN_PROFILE_FMU)
+#define TERN_DEFAULT(tiny, fmu, mcu, companion) fmu
 #elif defined(TERN_PROFILE_MCU)
-#define TERN_DEFAULT(tiny, mcu, companion) mcu
+#define TERN_DEFAULT(tiny, fmu, mcu, companion) mcu
 #else
-#define TERN_DEFAULT(tiny, mcu, companion) companion
+#define TERN_DEFAULT(tiny, fmu, mcu, companion) companion
 #endif
 
 /// Voxels in one grid. Each takes two bits of the grid's storage and nearly one byte of the planner's workspace, so
 /// this capacity costs the most memory. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_CELLS
-#define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
+#define TERN_MAX_CELLS TERN_DEFAULT(32 * 1024, 96 * 1024, 2 * 1024 * 1024, 64 * 1024 * 1024)
 #endif
 
 /// Voxels along one axis, 2048 at most. It bounds how far the search scans in one go, and it keeps the cost of any path
 /// inside 64-bit fixed point. Beyond it: kInvalidArgument from Grid::bind, field kDimensions.
 #ifndef TERN_MAX_DIMENSION
-#define TERN_MAX_DIMENSION TERN_DEFAULT(64, 512, 2048)
+#define TERN_MAX_DIMENSION TERN_DEFAULT(64, 128, 512, 2048)
 #endif
 
 /// Jump points that one search may generate, 40 bytes each. The six maps of the paper need some tens of thousands with
 /// voxels of 0.05 m. Beyond it: kNodesFull.
 #ifndef TERN_MAX_NODES
-#define TERN_MAX_NODES TERN_DEFAULT(96, 32 * 1024, 512 * 1024)
+#define TERN_MAX_NODES TERN_DEFAULT(96, 2048, 32 * 1024, 512 * 1024)
 #endif
 
 /// Entries of the search's open list, 24 bytes each. Beyond it: kOpenFull.
 #ifndef TERN_MAX_OPEN
-#define TERN_MAX_OPEN TERN_DEFAULT(48, 32 * 1024, 512 * 1024)
+#define TERN_MAX_OPEN TERN_DEFAULT(48, 1536, 32 * 1024, 512 * 1024)
 #endif
 
 /// Points of a jump-point path before it is shortened, 24 bytes each. Beyond it: kJumpPointsFull.
 #ifndef TERN_MAX_JUMP_POINTS
-#define TERN_MAX_JUMP_POINTS TERN_DEFAULT(16, 256, 2048)
+#define TERN_MAX_JUMP_POINTS TERN_DEFAULT(16, 64, 256, 2048)
 #endif
 
 /// Segments of a trajectory, and polyhedra of a corridor. It also bounds the legs of a path. It determines the size of
 /// Trajectory, 208 bytes a segment. Beyond it: kSegmentsFull.
 #ifndef TERN_MAX_SEGMENTS
-#define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 32, 48)
+#define TERN_MAX_SEGMENTS TERN_DEFAULT(4, 10, 32, 48)
 #endif
 
 /// Half-spaces of one polyhedron, 32 bytes each. Six of them are the faces of the box that the polyhedron is grown in.
 /// If they do not suffice, the planner tries a smaller box, then a shorter segment. Beyond that: kPlanesFull.
 #ifndef TERN_MAX_PLANES
-#define TERN_MAX_PLANES TERN_DEFAULT(10, 24, 40)
+#define TERN_MAX_PLANES TERN_DEFAULT(10, 16, 24, 40)
 #endif
 
 /// Solid boxes into which the obstacle voxels around one segment are merged, 88 bytes each. If they do not suffice, the
 /// planner tries a smaller box around the segment, then a shorter segment. Beyond that: kObstaclesFull.
 #ifndef TERN_MAX_LOCAL_BOXES
-#define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 8192)
+#define TERN_MAX_LOCAL_BOXES TERN_DEFAULT(24, 1024, 1024, 8192)
 #endif
 
 /// Rows that may be active at once in the quadratic programme. The factor of the active set is dense and takes about
 /// (12 * segments + this) * this * 8 bytes. Beyond it the plan falls back to stop-and-go, with Report::optimiser
 /// kWorkingSetFull.
 #ifndef TERN_MAX_ACTIVE
-#define TERN_MAX_ACTIVE TERN_DEFAULT(12, 192, 192)
+#define TERN_MAX_ACTIVE TERN_DEFAULT(12, 64, 192, 192)
 #endif
 
 /// Iterations of one quadratic programme. They cost no memory; they bound the time. Beyond this, the programme counts
 /// as unsolved. If none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
 #ifndef TERN_MAX_QP_ITERATIONS
-#define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 1500)
+#define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 800, 1500)
 #endif
 
 /// Quadratic programmes that may be solved for one corridor, while the planner looks for better durations. They cost no
 /// memory; they bound the time. After the last one, the answer is the best plan so far, or stop-and-go if there is
 /// none.
 #ifndef TERN_MAX_QP_SOLVES
-#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48)
+#define TERN_MAX_QP_SOLVES TERN_DEFAULT(6, 48, 48, 48)
 #endif
 
 /// Geofences of one request. Beyond it: kFencesFull.
 #ifndef TERN_MAX_FENCES
-#define TERN_MAX_FENCES TERN_DEFAULT(2, 16, 16)
+#define TERN_MAX_FENCES TERN_DEFAULT(2, 4, 16, 16)
 #endif
 
 /// Vias of one request. Each takes about 300 bytes of the workspace and 16 of a
 /// Report. A way through vias needs a segment for each, and one more. Beyond it: kViasFull.
 #ifndef TERN_MAX_VIAS
-#define TERN_MAX_VIAS TERN_DEFAULT(2, 16, 16)
+#define TERN_MAX_VIAS TERN_DEFAULT(2, 4, 16, 16)
 #endif
 
 /// Half-spaces of all fences of one request together, 96 at most. The workspace takes 160 + 16 * this bytes for each,
 /// most of them for the corners of keep-out fences. Beyond it: kFencePlanesFull.
 #ifndef TERN_MAX_FENCE_PLANES
-#define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 48, 64)
+#define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 16, 48, 64)
 #endif
 
 /// Words of the blocked layer, for a grid that is planned on with fences, 8 bytes each. A word holds 64 voxels of a row
 /// along x, and each row begins with a new word. 1 is enough if no request has fences. Beyond it: kFenceLayerFull.
 #ifndef TERN_MAX_FENCE_WORDS
-#define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 48 * 1024, 2 * 1024 * 1024)
+#define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
 #endif
 
 /// Pixels of the images that a rolling map takes (MapSpec::pixels), 4 bytes each in the map's words. Beyond it:
 /// kPixelsFull.
 #ifndef TERN_MAX_PIXELS
-#define TERN_MAX_PIXELS TERN_DEFAULT(4096, 320 * 240, 2 * 1024 * 1024)
+#define TERN_MAX_PIXELS TERN_DEFAULT(4096, 160 * 120, 320 * 240, 2 * 1024 * 1024)
 #endif
 
 /// Boxes, and cylinders, known beforehand to a rolling map (MapSpec::prior, prior_cylinders): so many of each. They
 /// cost no memory of the map's, but time in every slide. Beyond it: kPriorFull.
 #ifndef TERN_MAX_PRIOR_BOXES
-#define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 256, 4096)
+#define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 64, 256, 4096)
 #endif
 
 /// Pieces of a yaw plan's spline, 90 bytes each in a YawPlanner and 8 in a YawPlan. Beyond it: longer pieces, never
 /// shorter than a tenth of a second.
 #ifndef TERN_MAX_YAW_PIECES
-#define TERN_MAX_YAW_PIECES TERN_DEFAULT(16, 128, 256)
+#define TERN_MAX_YAW_PIECES TERN_DEFAULT(16, 64, 128, 256)
 #endif
 
 #ifdef __cplusplus

@@ -11,6 +11,7 @@
 
 #include "tern/flatness.hpp"
 #include "tern/flight.hpp"
+#include "tern/flight_record.hpp"
 #include "tern/grid.hpp"
 #include "tern/map.hpp"
 #include "tern/planner.hpp"

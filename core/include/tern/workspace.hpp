@@ -52,9 +52,9 @@ constexpr size_t kResults =
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 131 kB for the profile tiny, 5.1 MB for mcu, 119 MB for companion. Search, corridor and
-/// trajectory share one part of it, one after the other. If the core's assertion fails for capacities of your own,
-/// define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
+/// Bytes that a planner needs: 131 kB for the profile tiny, 360 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
+/// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else

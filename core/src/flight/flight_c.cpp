@@ -5,17 +5,17 @@
 #include <new>
 
 #include "base/grid_tag.hpp"
-#include "tern/tern_flight.h"
+#include "flight/flight_handle.hpp"
 
 namespace {
 
 using tern::Flight;
 using tern::Grid;
+using tern::kFlightTag;
+using tern::object;
 using tern::RollingMap;
 using tern::Status;
 
-/// A tern_flight's first word once a flight was started there; the flight follows it.
-constexpr std::uint64_t kFlightTag = 0x7465726E2D666C79u;
 constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
 
 static_assert(sizeof(std::uint64_t) + sizeof(Flight) <= sizeof(tern_flight) && alignof(Flight) <= alignof(tern_flight),
@@ -28,12 +28,6 @@ std::uint8_t code(Status status) {
 /// The memory may never have been written: read as volatile, the word has one value.
 bool holds(const std::uint64_t* opaque, std::uint64_t tag) {
   return *static_cast<const volatile std::uint64_t*>(opaque) == tag;
-}
-
-/// A flight that was not started where there is none.
-Flight object(const tern_flight* flight) {
-  if (flight == nullptr || !holds(flight->opaque, kFlightTag)) return Flight{};
-  return *std::launder(reinterpret_cast<const Flight*>(flight->opaque + 1));
 }
 
 /// What stands in for a grid that was never bound.

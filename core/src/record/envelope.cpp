@@ -13,14 +13,26 @@ namespace {
 constexpr std::uint64_t kRecordTag = 0x0063'6572'6E72'6574u;
 constexpr std::size_t kLengthWord = 3;
 
-/// FNV-1a, 64 bits.
-std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count) {
-  std::uint64_t hash = 0xCBF2'9CE4'8422'2325u;
-  for (std::size_t k = 0; k < count; ++k) hash = (hash ^ bytes[k]) * 0x100'0000'01B3u;
-  return hash;
+/// What a head must have for the number of words.
+std::uint64_t length_in_head(RecordKind kind, std::size_t words) {
+  return kind == RecordKind::kFlight ? 0 : words;
+}
+
+/// What a flight's record has for it at its end.
+bool length_at_end(RecordKind kind, const std::uint8_t* bytes, std::size_t words) {
+  if (kind != RecordKind::kFlight) return true;
+  if (words < kEnvelopeWords + 1) return false;
+  WordReader at(bytes + kWordBytes * (words - kLengthFromEnd), kWordBytes);
+  return at.word() == words;
 }
 
 }  // namespace
+
+std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count, std::uint64_t before) noexcept {
+  std::uint64_t hash = before;
+  for (std::size_t k = 0; k < count; ++k) hash = (hash ^ bytes[k]) * 0x100'0000'01B3u;
+  return hash;
+}
 
 void open_envelope(RecordKind kind, WordWriter& words) noexcept {
   words.word(kRecordTag);
@@ -40,6 +52,13 @@ Status close_envelope(const std::uint8_t* bytes, WordWriter& words, std::size_t&
   return Status::kOk;
 }
 
+std::uint64_t record_kind(const std::uint8_t* bytes, std::size_t count) noexcept {
+  WordReader words(bytes, count);
+  if (words.left() < kEnvelopeWords || words.word() != kRecordTag) return 0;
+  words.word();
+  return words.word();
+}
+
 Status check_envelope(RecordKind kind, const std::uint8_t* bytes, std::size_t count,
                       std::uint64_t& configuration) noexcept {
   WordReader words(bytes, count);
@@ -48,7 +67,9 @@ Status check_envelope(RecordKind kind, const std::uint8_t* bytes, std::size_t co
   const bool is_kind = words.word() == static_cast<std::uint64_t>(kind);
   const std::uint64_t length = words.word();
   configuration = words.word();
-  if (!is_kind || count % kWordBytes != 0 || length != count / kWordBytes) return Status::kRecordDamaged;
+  const std::size_t all = count / kWordBytes;
+  if (!is_kind || count % kWordBytes != 0 || length != length_in_head(kind, all)) return Status::kRecordDamaged;
+  if (!length_at_end(kind, bytes, all)) return Status::kRecordDamaged;
   WordReader last(bytes + count - kWordBytes, kWordBytes);
   return last.word() == checksum(bytes, count - kWordBytes) ? Status::kOk : Status::kRecordDamaged;
 }

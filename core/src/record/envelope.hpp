@@ -18,7 +18,15 @@ constexpr std::size_t kHeadWords = 5;
 /// Words besides the content.
 constexpr std::size_t kEnvelopeWords = kHeadWords + 1;
 
-enum class RecordKind : std::uint64_t { kPlan = 1 };
+/// The last word of a record of a flight but for the checksum: the number of words in all. The recorder that streams
+/// does not know it when it writes the head, which has a 0 there.
+constexpr std::size_t kLengthFromEnd = 2;
+
+enum class RecordKind : std::uint64_t { kPlan = 1, kFlight = 2 };
+
+/// FNV-1a, 64 bits, of bytes that follow those of `before`.
+constexpr std::uint64_t kChecksumSeed = 0xCBF2'9CE4'8422'2325u;
+std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count, std::uint64_t before = kChecksumSeed) noexcept;
 
 /// Writes the head. The number of words is not known yet.
 void open_envelope(RecordKind kind, WordWriter& words) noexcept;
@@ -26,6 +34,8 @@ void open_envelope(RecordKind kind, WordWriter& words) noexcept;
 /// then gets the record's bytes.
 Status close_envelope(const std::uint8_t* bytes, WordWriter& words, std::size_t& used) noexcept;
 
+/// The kind that a record says it is; 0 for bytes that are no record.
+std::uint64_t record_kind(const std::uint8_t* bytes, std::size_t count) noexcept;
 /// Checks the head and the checksum. kOk, kRecordDamaged or kRecordVersion; `configuration` gets that of the head.
 Status check_envelope(RecordKind kind, const std::uint8_t* bytes, std::size_t count,
                       std::uint64_t& configuration) noexcept;

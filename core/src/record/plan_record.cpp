@@ -1,6 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/envelope.hpp"
+#include "record/fence_words.hpp"
 #include "record/fields.hpp"
 #include "record/obstacles.hpp"
 #include "tern/record.hpp"
@@ -23,27 +24,12 @@ void write_trajectory(const Trajectory& trajectory, WordWriter& words) {
   for (int i = 0; i < trajectory.count; ++i) list_segment(words, trajectory.segments[i]);
 }
 
-bool is_count(std::int32_t count, std::int32_t most, const void* items) {
-  return count >= 0 && count <= most && (count == 0 || items != nullptr);
-}
-
 bool trajectory_fits(const Trajectory& trajectory) {
   return trajectory.count >= 0 && trajectory.count <= kMaxSegments;
 }
 
-bool fences_fit(const Request& request) {
-  if (!is_count(request.fence_count, kMaxFences, request.fences)) return false;
-  std::int32_t planes = 0;
-  for (std::int32_t f = 0; f < request.fence_count; ++f) {
-    const Fence& fence = request.fences[f];
-    if (!is_count(fence.count, kMaxFencePlanes - planes, fence.planes)) return false;
-    planes += fence.count;
-  }
-  return true;
-}
-
 bool can_be_written(const Request& request) {
-  return fences_fit(request) && is_count(request.via_count, kMaxVias, request.vias) &&
+  return fences_fit(request.fences, request.fence_count) && is_count(request.via_count, kMaxVias, request.vias) &&
          (request.previous == nullptr || trajectory_fits(*request.previous));
 }
 
@@ -52,13 +38,7 @@ void write_request(const Request& request, WordWriter& words) {
   list_state(words, request.goal);
   list_limits(words, request.limits);
   list_settings(words, request);
-  words(request.fence_count);
-  for (std::int32_t f = 0; f < request.fence_count; ++f) {
-    const Fence& fence = request.fences[f];
-    words(fence.kind);
-    words(fence.count);
-    for (std::int32_t p = 0; p < fence.count; ++p) list_plane(words, fence.planes[p]);
-  }
+  write_fences(request.fences, request.fence_count, words);
   words(request.via_count);
   for (std::int32_t v = 0; v < request.via_count; ++v) list_via(words, request.vias[v]);
   words(request.previous != nullptr);

@@ -15,7 +15,31 @@ namespace tern {
 
 constexpr std::size_t kWordBytes = 8;
 
-class WordWriter {
+/// What is written of a field, as words of a Sink that derives from this.
+template <typename Sink>
+class FieldWriter {
+ public:
+  void operator()(double value) {
+    std::uint64_t bits = 0;
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    put(bits);
+  }
+  void operator()(const Vec3& v) {
+    (*this)(v.x);
+    (*this)(v.y);
+    (*this)(v.z);
+  }
+  /// Whole numbers, truth values and enumerators. Negative ones keep their sign.
+  template <typename Whole>
+  void operator()(const Whole& value) {
+    put(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
+  }
+
+ private:
+  void put(std::uint64_t word) { static_cast<Sink*>(this)->word(word); }
+};
+
+class WordWriter : public FieldWriter<WordWriter> {
  public:
   WordWriter(std::uint8_t* bytes, std::size_t room) : bytes_(bytes), room_(room / kWordBytes) {}
 
@@ -31,22 +55,6 @@ class WordWriter {
   void replace(std::size_t index, std::uint64_t value) {
     WordWriter at(bytes_ + kWordBytes * index, index < room_ ? kWordBytes : 0);
     at.word(value);
-  }
-
-  void operator()(double value) {
-    std::uint64_t bits = 0;
-    __builtin_memcpy(&bits, &value, sizeof bits);
-    word(bits);
-  }
-  void operator()(const Vec3& v) {
-    (*this)(v.x);
-    (*this)(v.y);
-    (*this)(v.z);
-  }
-  /// Whole numbers, truth values and enumerators. Negative ones keep their sign.
-  template <typename Whole>
-  void operator()(const Whole& value) {
-    word(static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
   }
 
   std::size_t count() const { return count_; }

@@ -12,6 +12,7 @@
 #include "flight/flight_state.hpp"
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/flight_recorder.hpp"
+#include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
 #include "host/flight/frame_watch.hpp"
 #include "host/flight/full_knowledge.hpp"
@@ -80,7 +81,7 @@ tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
 
 class Simulation {
  public:
-  Simulation(const FlightWorld& world, const FlightOnlooker& onlooker)
+  Simulation(const FlightWorld& world, const FlightOnlooker& onlooker, std::string* record)
       : world_(world),
         onlooker_(onlooker),
         noise_(world.settings.seed),
@@ -90,6 +91,7 @@ class Simulation {
         fences_(fences_of(world.fences)),
         spec_(flight_spec_of(world.settings)),
         recorder_(world),
+        tape_(record, map_spec_.pixels),
         frames_(map_spec_, map_, world.settings.seed) {
     start();
   }
@@ -98,6 +100,7 @@ class Simulation {
     const std::int64_t end = std::llround(1e9 * world_.settings.time_limit);
     std::string status = "timeout";
     while (time_ <= end && !tick(status)) move_on();
+    tape_.finish();
     FlightResult result = recorder_.finish();
     result.status = status;
     result.reason = reason_;
@@ -114,27 +117,40 @@ class Simulation {
     spec_.fence_count = static_cast<std::int32_t>(fences_.size());
     map_words_.resize(tern::map_words(map_spec_));
     words_.resize(tern::flight_words(map_spec_.dims));
-    if (map_.bind(map_spec_, map_words_.data(), map_words_.size()) != tern::Status::kOk) {
+    const tern::Status bound = map_.bind(map_spec_, map_words_.data(), map_words_.size());
+    if (bound != tern::Status::kOk) {
       throw std::runtime_error(world_.name + ": no map can be made of this window and cell");
     }
-    map_.assume_free(world_.start, radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell);
+    tern::FlightRecorder& record = tape_.recorder();
+    record.bind(map_spec_, bound);
+    const double free = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
+    record.assume_free(world_.start, free, map_.assume_free(world_.start, free));
     const tern::Status begun = flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0);
+    record.start(spec_, world_.start, 0, begun);
     if (begun != tern::Status::kOk) {
       throw std::runtime_error(world_.name + ": the flight cannot begin: " + tern::status_name(begun));
     }
+    set_wishes();
+    vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
+    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, flight_);
+    mission_ = std::make_unique<MissionWatch>(world_, flight_);
+  }
+
+  /// The mission, and how to turn on it.
+  void set_wishes() {
     const std::vector<tern::Via> mission = mission_of(world_);
-    const tern::Status set =
-        flight_.set_mission(mission.data(), static_cast<std::int32_t>(mission.size()), world_.via_policy);
+    const auto count = static_cast<std::int32_t>(mission.size());
+    const tern::Status set = flight_.set_mission(mission.data(), count, world_.via_policy);
+    tape_.recorder().set_mission(mission.data(), count, world_.via_policy, set);
     if (set != tern::Status::kOk) throw std::runtime_error(world_.name + ": the mission is refused");
     const tern::Vec3& first = mission.front().position;
     yaw_ = std::atan2(first.y - world_.start.y, first.x - world_.start.x);
     plans_yaw_ = world_.settings.yaw != "gimbal";
-    if (plans_yaw_ && flight_.set_yaw(flight_yaw_of(world_.settings, yaw_)) != tern::Status::kOk) {
-      throw std::runtime_error(world_.name + ": the yaw is refused");
-    }
-    vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
-    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, flight_);
-    mission_ = std::make_unique<MissionWatch>(world_, flight_);
+    if (!plans_yaw_) return;
+    const tern::FlightYaw yaw = flight_yaw_of(world_.settings, yaw_);
+    const tern::Status turned = flight_.set_yaw(yaw);
+    tape_.recorder().set_yaw(yaw, turned);
+    if (turned != tern::Status::kOk) throw std::runtime_error(world_.name + ": the yaw is refused");
   }
 
   double seconds() const { return 1e-9 * static_cast<double>(time_); }
@@ -150,7 +166,9 @@ class Simulation {
   /// True where the flight is over.
   bool tick(std::string& status) {
     sense();
-    flight_.tick(time_, report_);
+    const tern::Status ticked = flight_.tick(time_, report_);
+    tape_.recorder().tick(flight_, time_, report_, ticked);
+    tape_.save();
     const tern::Command command = flight_.command(time_);
     recorder_.note(time_, command, *vehicle_, yaw_, report_);
     watch_->look(time_, report_);
@@ -205,7 +223,8 @@ class Simulation {
     entered_ = std::move(waiting_.front());
     waiting_.pop_front();
     frames_.before(entered_);
-    map_.begin_frame(entered_.view, entered_.pose, entered_.taken);
+    const tern::Status begun = map_.begin_frame(entered_.view, entered_.pose, entered_.taken);
+    tape_.recorder().frame(entered_.view, entered_.pose, entered_.taken, begun);
   }
 
   /// The image is of what is, the pose what the vehicle believes.
@@ -258,6 +277,7 @@ class Simulation {
   tern::FlightReport report_{};
   std::unique_ptr<Vehicle> vehicle_;
   FlightRecorder recorder_;
+  FlightTape tape_;
   std::unique_ptr<FlightWatch> watch_;
   std::unique_ptr<MissionWatch> mission_;
   FrameWatch frames_;
@@ -276,8 +296,8 @@ class Simulation {
 
 }  // namespace
 
-FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker) {
-  return std::make_unique<Simulation>(world, onlooker)->fly();
+FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker, std::string* record) {
+  return std::make_unique<Simulation>(world, onlooker, record)->fly();
 }
 
 }  // namespace tern_host

@@ -78,8 +78,10 @@ struct FlightMoment {
 };
 using FlightOnlooker = std::function<void(const FlightMoment&)>;
 
-/// Flies it; `onlooker` may be empty, and changes nothing. Throws std::runtime_error where the flight cannot begin.
-FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker = {});
+/// Flies it; `onlooker` may be empty, and changes nothing. `record` gets the flight's record (docs/record.md), unless
+/// it is null. Throws std::runtime_error where the flight cannot begin.
+FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker = {},
+                             std::string* record = nullptr);
 
 /// The log, as JSON (docs/formats.md).
 std::string flight_json(const FlightWorld& world, const FlightResult& result);

@@ -1,0 +1,184 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a record of a flight holds of each structure, as fields.hpp for plans. Counts and what they count are written
+// and read apart from them.
+#ifndef TERN_RECORD_FLIGHT_FIELDS_HPP
+#define TERN_RECORD_FLIGHT_FIELDS_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "record/fields.hpp"
+#include "record/words.hpp"
+#include "tern/flight.hpp"
+#include "tern/map.hpp"
+
+namespace tern {
+
+/// What a call was. The first word of an event holds the kind, the call's answer and the number of words that follow.
+enum class FlightEventKind : std::uint8_t {
+  kBind = 1,
+  kAssumeFree,
+  kMarkBox,
+  kMarkCylinder,
+  kMarkPoints,
+  kFrame,
+  kScan,
+  kFollow,
+  kStep,
+  kStart,
+  kGoal,
+  kMission,
+  kYaw,
+  kStop,
+  kTick,
+};
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kTick);
+constexpr unsigned kAnswerShift = 8;
+constexpr unsigned kEventLengthShift = 16;
+
+/// Words at a record's end: the number of all words, and the checksum.
+constexpr std::size_t kTrailerWords = 2;
+
+template <typename Words, typename Spec>
+void list_map_spec(Words& words, Spec& spec) {
+  words(spec.origin);
+  words(spec.cell);
+  words(spec.dims.x);
+  words(spec.dims.y);
+  words(spec.dims.z);
+  words(spec.radius);
+  words(spec.tracking_margin);
+  words(spec.range);
+  words(spec.depth_margin);
+  words(spec.depth_margin_square);
+  words(spec.pose_margin);
+  words(spec.angle_margin);
+  words(spec.scan_pixel);
+  words(spec.hits);
+  words(spec.misses);
+  words(spec.support);
+  words(spec.age);
+  words(spec.slack);
+  words(spec.pixels);
+}
+
+template <typename Words, typename AnyBox>
+void list_box(Words& words, AnyBox& box) {
+  words(box.lower);
+  words(box.upper);
+}
+
+template <typename Words, typename AnyCylinder>
+void list_cylinder(Words& words, AnyCylinder& cylinder) {
+  words(cylinder.base);
+  words(cylinder.radius);
+  words(cylinder.height);
+}
+
+template <typename Words, typename AnyPose>
+void list_pose(Words& words, AnyPose& pose) {
+  words(pose.position);
+  for (auto& part : pose.quaternion) words(part);
+}
+
+template <typename Words, typename View>
+void list_view(Words& words, View& view) {
+  words(view.width);
+  words(view.height);
+  words(view.fx);
+  words(view.fy);
+  words(view.cx);
+  words(view.cy);
+  words(view.scale);
+  words(view.min);
+  words(view.max);
+}
+/// The time, the pose, the view, and which kind of numbers follows.
+constexpr std::size_t kFrameFields = 1 + 7 + 9 + 1;
+
+template <typename Words, typename Spec>
+void list_flight_spec(Words& words, Spec& spec) {
+  list_limits(words, spec.limits);
+  words(spec.time_weight);
+  words(spec.tick);
+  words(spec.work_per_tick);
+  words(spec.plan_work);
+  words(spec.horizon);
+  words(spec.near);
+  words(spec.yaw_rate);
+}
+
+template <typename Words, typename AnyHeading>
+void list_heading(Words& words, AnyHeading& heading) {
+  words(heading.cosine);
+  words(heading.sine);
+}
+
+template <typename Words, typename Yaw>
+void list_flight_yaw(Words& words, Yaw& yaw) {
+  words(yaw.mode);
+  words(yaw.acceleration_max);
+  words(yaw.view);
+  list_heading(words, yaw.start);
+  list_heading(words, yaw.heading);
+  words(yaw.point);
+}
+
+template <typename Words, typename AnyCommand>
+void list_command(Words& words, AnyCommand& command) {
+  words(command.sample.position);
+  words(command.sample.velocity);
+  words(command.sample.acceleration);
+  words(command.sample.jerk);
+  words(command.sample.snap);
+  words(command.look_at);
+}
+constexpr std::size_t kCommandFields = 18;
+
+template <typename Words, typename Sample>
+void list_yaw_sample(Words& words, Sample& sample) {
+  words(sample.yaw.cosine);
+  words(sample.yaw.sine);
+  words(sample.yaw.rate);
+  words(sample.acceleration);
+  words(sample.angle);
+}
+
+template <typename Words, typename Report>
+void list_flight_report(Words& words, Report& report) {
+  words(report.mode);
+  words(report.reason);
+  words(report.plan);
+  words(report.asked);
+  words(report.committed);
+  words(report.dropped);
+  words(report.failed);
+  words(report.work);
+  words(report.contact_time);
+  words(report.contact_speed);
+  words(report.leg);
+  words(report.passed);
+  words(report.skipped);
+  words(report.waits_for_view);
+}
+
+/// What a tick leaves: FNV-1a, word by word, over all that it commanded and reported.
+class TickHash : public FieldWriter<TickHash> {
+ public:
+  TickHash(const Command& command, const YawSample& yaw, const FlightReport& report) {
+    list_command(*this, command);
+    list_yaw_sample(*this, yaw);
+    list_flight_report(*this, report);
+  }
+  void word(std::uint64_t bits) { value_ = (value_ ^ bits) * 0x100'0000'01B3u; }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xCBF2'9CE4'8422'2325u;
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/flight_events.hpp"
+
+#include <stdexcept>
+
+#include "record/envelope.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr const char* kNames[] = {"none",        "bind",    "assume_free", "mark_box", "mark_cylinder", "mark_points",
+                                  "frame",       "scan",    "follow",      "step",     "start",         "set_goal",
+                                  "set_mission", "set_yaw", "stop",        "tick"};
+
+}  // namespace
+
+const char* event_name(tern::FlightEventKind kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  return index <= static_cast<std::size_t>(tern::kFlightEventKinds) ? kNames[index] : kNames[0];
+}
+
+FlightEvents::FlightEvents(const std::string& bytes) {
+  const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  const tern::Status status = tern::check_envelope(tern::RecordKind::kFlight, data, bytes.size(), configuration_);
+  if (status != tern::Status::kOk) {
+    throw std::runtime_error(std::string(tern::status_name(status)) + ": " + tern::status_meaning(status));
+  }
+  content_ = data + tern::kWordBytes * tern::kHeadWords;
+  size_ = bytes.size() / tern::kWordBytes - tern::kHeadWords - tern::kTrailerWords;
+}
+
+bool FlightEvents::next(FlightEvent& event) {
+  if (at_ == size_) return false;
+  tern::WordReader words(content_ + tern::kWordBytes * at_, tern::kWordBytes);
+  const std::uint64_t head = words.word();
+  const std::uint64_t length = head >> tern::kEventLengthShift;
+  ++number_;
+  event.kind = static_cast<tern::FlightEventKind>(head & 0xFFu);
+  event.answer = static_cast<tern::Status>(head >> tern::kAnswerShift & 0xFFu);
+  if ((head & 0xFFu) == 0 || (head & 0xFFu) > static_cast<std::uint64_t>(tern::kFlightEventKinds)) {
+    refuse(event, "is no kind of event");
+  }
+  if (length > size_ - at_ - 1) refuse(event, "is longer than the record");
+  const auto count = static_cast<std::size_t>(length);
+  event.words = {content_ + tern::kWordBytes * (at_ + 1), tern::kWordBytes * count};
+  at_ += 1 + count;
+  return true;
+}
+
+void FlightEvents::require_end(const FlightEvent& event) const {
+  if (event.words.past_end() || event.words.left() > 0) refuse(event, "has another length than what it holds");
+}
+
+std::size_t FlightEvents::count(FlightEvent& event, std::size_t most) const {
+  const std::uint64_t read = event.words.word();
+  if (read > most || read > event.words.left()) refuse(event, "has a count that is out of range");
+  return static_cast<std::size_t>(read);
+}
+
+void FlightEvents::refuse(const FlightEvent& event, const std::string& what) const {
+  throw std::runtime_error(std::string(tern::status_name(tern::Status::kRecordDamaged)) + ": event " +
+                           std::to_string(number_) + " (" + event_name(event.kind) + ") " + what);
+}
+
+}  // namespace tern_host

@@ -1,0 +1,288 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/flight_replay.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "host/flight/flight_events.hpp"
+#include "record/depth_runs.hpp"
+#include "record/envelope.hpp"
+#include "record/flight_fields.hpp"
+#include "tern/flight.hpp"
+#include "tern/flight_record.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::FlightEventKind;
+using tern::Status;
+
+std::string text(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+class Player {
+ public:
+  explicit Player(const std::string& bytes) : events_(bytes), planner_(workspace_.get(), sizeof *workspace_) {
+    result_.configuration = events_.configuration();
+  }
+
+  FlightReplay play() {
+    FlightEvent event;
+    while (!stopped_ && events_.next(event)) {
+      const Status answer = perform(event);
+      // A flight that went another way may refuse what it took, unread: from there on it cannot be flown again.
+      if (answer != event.answer) stop(event, answer);
+      if (!stopped_) events_.require_end(event);
+    }
+    return result_;
+  }
+
+ private:
+  Status perform(FlightEvent& event) {
+    switch (event.kind) {
+      case FlightEventKind::kBind:
+        return bind(event);
+      case FlightEventKind::kAssumeFree:
+      case FlightEventKind::kMarkBox:
+      case FlightEventKind::kMarkCylinder:
+      case FlightEventKind::kMarkPoints:
+        return mark(event);
+      case FlightEventKind::kFrame:
+        return frame(event);
+      case FlightEventKind::kScan:
+        return scan(event);
+      case FlightEventKind::kFollow:
+        return map_.follow(vector(event));
+      case FlightEventKind::kStep:
+        return map_.step(static_cast<std::uint32_t>(event.words.word()));
+      case FlightEventKind::kStart:
+        return start(event);
+      case FlightEventKind::kGoal:
+        return flight_.set_goal(vector(event));
+      case FlightEventKind::kMission:
+        return set_mission(event);
+      case FlightEventKind::kYaw:
+        return set_yaw(event);
+      case FlightEventKind::kStop:
+        return flight_.stop();
+      case FlightEventKind::kTick:
+        return tick(event);
+    }
+    return Status::kRecordDamaged;
+  }
+
+  static tern::Vec3 vector(FlightEvent& event) {
+    tern::Vec3 v{};
+    event.words(v);
+    return v;
+  }
+
+  Status bind(FlightEvent& event) {
+    if (map_.bound()) events_.refuse(event, "is a second one");
+    tern::MapSpec spec{};
+    list_map_spec(event.words, spec);
+    prior_.resize(events_.count(event, tern::kMaxPriorBoxes));
+    for (tern::Box& box : prior_) list_box(event.words, box);
+    spec.prior = prior_.data();
+    spec.prior_count = static_cast<std::int32_t>(prior_.size());
+    map_words_.resize(tern::map_words(spec));
+    return map_.bind(spec, map_words_.data(), map_words_.size());
+  }
+
+  Status mark(FlightEvent& event) {
+    if (event.kind == FlightEventKind::kMarkPoints) {
+      const std::vector<tern::Vec3> points = read_points(event);
+      return map_.mark_points(points.data(), points.size());
+    }
+    if (event.kind == FlightEventKind::kMarkBox) {
+      tern::Box box{};
+      list_box(event.words, box);
+      return map_.mark_box(box);
+    }
+    if (event.kind == FlightEventKind::kMarkCylinder) {
+      tern::Cylinder cylinder{};
+      list_cylinder(event.words, cylinder);
+      return map_.mark_cylinder(cylinder);
+    }
+    const tern::Vec3 center = vector(event);
+    double radius = 0.0;
+    event.words(radius);
+    return map_.assume_free(center, radius);
+  }
+
+  std::vector<tern::Vec3> read_points(FlightEvent& event) {
+    std::vector<tern::Vec3> points(events_.count(event, event.words.left() / 3));
+    for (tern::Vec3& point : points) event.words(point);
+    return points;
+  }
+
+  Status frame(FlightEvent& event) {
+    // The map reads pixels and points until its job is done.
+    if (map_.busy()) return Status::kInvalidArgument;
+    std::int64_t t = 0;
+    tern::Pose pose{};
+    tern::DepthView view{};
+    event.words(t);
+    list_pose(event.words, pose);
+    list_view(event.words, view);
+    const std::uint64_t bits = event.words.word();
+    const std::int64_t pixels = std::int64_t{view.width} * view.height;
+    if (view.width < 1 || view.height < 1 || pixels > tern::kMaxPixels || (bits != 16 && bits != 32)) {
+      events_.refuse(event, "has no image that this build can read");
+    }
+    view.stride = view.width;
+    if (bits == 16) read_pixels(event, static_cast<std::size_t>(pixels), whole_);
+    if (bits == 32) read_pixels(event, static_cast<std::size_t>(pixels), bits_);
+    if (bits == 16) view.z16 = whole_.data();
+    if (bits == 32) {
+      floats_.resize(bits_.size());
+      std::memcpy(floats_.data(), bits_.data(), bits_.size() * sizeof bits_[0]);
+      view.z32 = floats_.data();
+    }
+    ++result_.frames;
+    return map_.begin_frame(view, pose, t);
+  }
+
+  template <typename Number>
+  void read_pixels(FlightEvent& event, std::size_t count, std::vector<Number>& out) {
+    out.resize(count);
+    if (!tern::read_runs(event.words, count, out.data())) events_.refuse(event, "has runs that do not fill its image");
+  }
+
+  Status scan(FlightEvent& event) {
+    if (map_.busy()) return Status::kInvalidArgument;
+    std::int64_t t = 0;
+    event.words(t);
+    const tern::Vec3 origin = vector(event);
+    points_ = read_points(event);
+    ++result_.frames;
+    return map_.begin_scan(points_.data(), points_.size(), origin, t);
+  }
+
+  Status start(FlightEvent& event) {
+    if (!fences_.empty() || !words_.empty()) events_.refuse(event, "is a second one");
+    const tern::Vec3 position = vector(event);
+    std::int64_t t = 0;
+    tern::FlightSpec spec{};
+    event.words(t);
+    list_flight_spec(event.words, spec);
+    read_fences(event);
+    spec.fences = fences_.data();
+    spec.fence_count = static_cast<std::int32_t>(fences_.size());
+    if (!map_.bound()) return Status::kInvalidArgument;
+    words_.resize(tern::flight_words(map_.safe().spec().dims));
+    return flight_.start(spec, map_, planner_, words_.data(), words_.size(), position, t);
+  }
+
+  void read_fences(FlightEvent& event) {
+    fences_.resize(events_.count(event, tern::kMaxFences));
+    planes_.resize(tern::kMaxFencePlanes);
+    std::size_t used = 0;
+    for (tern::Fence& fence : fences_) {
+      event.words(fence.kind);
+      const std::size_t count = events_.count(event, planes_.size() - used);
+      fence.count = static_cast<std::int32_t>(count);
+      fence.planes = planes_.data() + used;
+      for (std::size_t p = 0; p < count; ++p) list_plane(event.words, planes_[used + p]);
+      used += count;
+    }
+  }
+
+  Status set_mission(FlightEvent& event) {
+    tern::ViaPolicy policy{};
+    event.words(policy);
+    std::vector<tern::Via> points(events_.count(event, tern::kMaxMissionPoints));
+    for (tern::Via& point : points) list_via(event.words, point);
+    return flight_.set_mission(points.data(), static_cast<std::int32_t>(points.size()), policy);
+  }
+
+  Status set_yaw(FlightEvent& event) {
+    tern::FlightYaw yaw{};
+    list_flight_yaw(event.words, yaw);
+    std::vector<tern::Heading> headings(events_.count(event, tern::kMaxMissionPoints));
+    for (tern::Heading& heading : headings) list_heading(event.words, heading);
+    yaw.headings = headings.data();
+    yaw.heading_count = static_cast<std::int32_t>(headings.size());
+    return flight_.set_yaw(yaw);
+  }
+
+  Status tick(FlightEvent& event) {
+    std::int64_t t = 0;
+    event.words(t);
+    const std::uint64_t recorded = event.words.word();
+    tern::FlightReport report{};
+    const Status answer = flight_.tick(t, report);
+    const tern::Command command = flight_.command(t);
+    if (result_.ticks == 0) first_ = t;
+    result_.seconds = 1e-9 * static_cast<double>(t - first_);
+    if (tern::TickHash(command, flight_.yaw(t), report).value() != recorded) note_difference();
+    if (static_cast<std::uint64_t>(result_.ticks) % tern::kWholeCommandTicks == 0) {
+      tern::Command whole{};
+      list_command(event.words, whole);
+      if (result_.different_ticks > 0) note_distance(whole, command);
+    }
+    ++result_.ticks;
+    return answer;
+  }
+
+  void note_difference() {
+    if (result_.different_ticks++ > 0) return;
+    result_.difference = "tick " + std::to_string(result_.ticks) + ", " + text("%.3f s", result_.seconds) +
+                         " after the first, is the first that differs";
+  }
+
+  /// How far the first whole command after the difference is off.
+  void note_distance(const tern::Command& recorded, const tern::Command& now) {
+    if (told_distance_) return;
+    told_distance_ = true;
+    const tern::Vec3& a = recorded.sample.position;
+    const tern::Vec3& b = now.sample.position;
+    result_.difference += "; in tick " + std::to_string(result_.ticks) + " the position is " +
+                          text("%.3g m off", std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
+  }
+
+  void stop(const FlightEvent& event, Status answer) {
+    stopped_ = true;
+    if (!result_.difference.empty()) return;
+    result_.difference = std::string(event_name(event.kind)) + " after tick " + std::to_string(result_.ticks) +
+                         " answered " + tern::status_name(event.answer) + ", now " + tern::status_name(answer);
+  }
+
+  FlightEvents events_;
+  std::unique_ptr<tern::Workspace> workspace_ = std::make_unique<tern::Workspace>();
+  tern::Planner planner_;
+  tern::RollingMap map_;
+  tern::Flight flight_;
+  std::vector<std::uint64_t> map_words_, words_;
+  std::vector<tern::Box> prior_;
+  std::vector<tern::Fence> fences_;
+  std::vector<tern::Halfspace> planes_;
+  std::vector<std::uint16_t> whole_;
+  std::vector<std::uint32_t> bits_;
+  std::vector<float> floats_;
+  std::vector<tern::Vec3> points_;
+  FlightReplay result_;
+  std::int64_t first_ = 0;
+  bool told_distance_ = false;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+bool is_flight_record(const std::string& bytes) {
+  const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  return tern::record_kind(data, bytes.size()) == static_cast<std::uint64_t>(tern::RecordKind::kFlight);
+}
+
+FlightReplay replay_flight(const std::string& bytes) {
+  return Player(bytes).play();
+}
+
+}  // namespace tern_host

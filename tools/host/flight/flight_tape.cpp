@@ -1,0 +1,39 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/flight_tape.hpp"
+
+#include <cstddef>
+
+namespace tern_host {
+namespace {
+
+/// For ticks, and the specs, missions and fences of a flight.
+constexpr std::size_t kRoomBesidesFrame = 64 * 1024;
+
+}  // namespace
+
+FlightTape::FlightTape(std::string* out, std::int32_t pixels) : out_(out) {
+  if (out == nullptr) return;
+  const float number = 0.0f;
+  tern::DepthView view{};
+  view.z32 = &number;
+  view.width = view.stride = pixels;
+  view.height = 1;
+  buffer_.resize(tern::frame_record_bytes(view) + kRoomBesidesFrame);
+  out->clear();
+  recorder_.begin(buffer_.data(), buffer_.size());
+}
+
+void FlightTape::save() {
+  if (out_ == nullptr) return;
+  out_->append(reinterpret_cast<const char*>(buffer_.data()), recorder_.pending());
+  recorder_.clear();
+}
+
+void FlightTape::finish() {
+  std::size_t used = 0;
+  if (out_ == nullptr || recorder_.close(&used) != tern::Status::kOk) return;
+  out_->append(reinterpret_cast<const char*>(buffer_.data()), used);
+}
+
+}  // namespace tern_host
