@@ -112,6 +112,9 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   const tern::Box wall{{9, -4, 0}, {9.5, 4, 3}};
   spec.prior = &wall;
   spec.prior_count = 1;
+  const tern::Cylinder trunk{{8, 2, 0}, 0.3, 3};
+  spec.prior_cylinders = &trunk;
+  spec.prior_cylinder_count = 1;
   std::vector<std::uint64_t> map_words(tern::map_words(spec)), words(tern::flight_words(spec.dims));
   const auto workspace = std::make_unique<tern::Workspace>();
   tern::Planner planner(workspace.get(), sizeof *workspace);

@@ -119,7 +119,7 @@ TEST(FlightWatch, NoticesCommandsThatChangeWithoutACommit) {
 
 /// One frame of a room, entered into a map that knows nothing, or all; the watch is shown `then` in its place.
 std::string after_frame(Watched& w, bool known, const DepthFrame& shown, const DepthFrame& then) {
-  FrameWatch watch(w.map_spec, w.map, 5);
+  FrameWatch watch(w.world, w.map_spec, w.map);
   for (int k = 0; k < 20; ++k) {
     w.map.bind(w.map_spec, w.map_words.data(), w.map_words.size());
     if (known) w.map.assume_free({4.0, 0.0, 2.0}, 30.0);

@@ -12,6 +12,8 @@
 
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/full_knowledge.hpp"
+#include "host/flight/lidar.hpp"
+#include "host/flight/simulated_flight.hpp"
 #include "host/flight/speckle_filter.hpp"
 #include "host/flight/world_family.hpp"
 
@@ -174,6 +176,38 @@ TEST(SpeckleFilter, LeavesFewOutliers) {
     }
   }
   EXPECT_LE(wrong, 10);  // of 3840 outliers
+}
+
+/// A room with a trunk at 3 m on x: the beams that meet it end there, the others at the walls, floor and ceiling.
+TEST(Lidar, BeamsEndWhereTheWorldBegins) {
+  FlightWorld world;
+  world.boundary = {{-4.0, -5.0, 0.0}, {6.0, 5.0, 3.0}};
+  world.cylinders.push_back({3.0, 0.0, 0.0, 3.0, 0.5});
+  world.settings.sensor = "lidar";
+  world.settings.sensor_range = 20.0;
+  Noise noise(1);
+  const tern_host::LidarScan scan = take_scan(world, {0.0, 0.0, 1.5}, {0.1, 0.2, 1.6}, 7, noise);
+  EXPECT_EQ(scan.taken, 7);
+  EXPECT_EQ(scan.points.size(), tern_host::beam_count(world.settings));
+  EXPECT_GT(scan.points.size(), 19000u);
+  int on_trunk = 0;
+  for (const tern::Vec3& point : scan.points) {
+    // Where it truly is. A beam shows the nearest thing in its part of the view, which is 0.02 rad wide.
+    const tern::Vec3 p{point.x - 0.1, point.y - 0.2, point.z - 0.1};
+    const double far = std::hypot(p.x, std::hypot(p.y, p.z - 1.5));
+    EXPECT_GE(clearance(world, p), -0.02 * far);
+    EXPECT_LE(clearance(world, p), 0.15 * far);
+    on_trunk += std::abs(std::hypot(p.x - 3.0, p.y) - 0.5) < 0.05 ? 1 : 0;
+  }
+  EXPECT_GT(on_trunk, 200);
+}
+
+TEST(Lidar, FliesThroughAForest) {
+  FlightWorld world = read_flight_world("P36@3:3", {"sensor=lidar", "sensor_hz=10", "time_limit=60"});
+  const tern_host::FlightResult result = tern_host::simulate_flight(world);
+  EXPECT_EQ(result.status, "reached") << result.reason;
+  EXPECT_GT(result.watched.voxels, 100u);
+  EXPECT_GT(result.watched.hits, 100u);
 }
 
 }  // namespace

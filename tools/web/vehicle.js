@@ -26,8 +26,18 @@ function quadrotor(radius, palette) {
   return group;
 }
 
-/** What the camera sees at most: a level pyramid along x, from its eye to its range. */
+/** What a lidar sees at most: the band of a sphere. */
+function sensorBand({range, fov}, palette) {
+  const high = (fov[1] * Math.PI) / 180;
+  const band = new THREE.SphereBufferGeometry(range, 48, 4, 0, 2 * Math.PI, 0.5 * (Math.PI - high), high);
+  band.rotateX(Math.PI / 2);
+  return new THREE.Mesh(band, new THREE.MeshBasicMaterial({
+    color: palette.sensor, transparent: true, opacity: 0.06, side: THREE.DoubleSide, depthWrite: false}));
+}
+
+/** What the sensor sees at most. A camera: a level pyramid along x, from its eye to its range. */
 function sensorCone({range, fov}, palette) {
+  if (fov[0] >= 360) return sensorBand({range, fov}, palette);
   const [half, high] = fov.map((degrees) => range * Math.tan((degrees * Math.PI) / 360));
   const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([a, b]) => new THREE.Vector3(range, a * half, b * high));
   const eye = new THREE.Vector3();

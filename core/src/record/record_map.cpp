@@ -60,10 +60,14 @@ size_t scan_record_bytes(size_t count) noexcept {
 Status FlightRecorder::bind(const MapSpec& spec, Status answer) noexcept {
   FlightEvent event(*this, FlightEventKind::kBind, answer);
   if (!event.is_open()) return event.end();
-  if (!is_count(spec.prior_count, kMaxPriorBoxes, spec.prior)) return Status::kInvalidArgument;
+  const bool fits = is_count(spec.prior_count, kMaxPriorBoxes, spec.prior) &&
+                    is_count(spec.prior_cylinder_count, kMaxPriorBoxes, spec.prior_cylinders);
+  if (!fits) return Status::kInvalidArgument;
   list_map_spec(event.words(), spec);
   event.words()(spec.prior_count);
   for (std::int32_t k = 0; k < spec.prior_count; ++k) list_box(event.words(), spec.prior[k]);
+  event.words()(spec.prior_cylinder_count);
+  for (std::int32_t k = 0; k < spec.prior_cylinder_count; ++k) list_cylinder(event.words(), spec.prior_cylinders[k]);
   return event.end();
 }
 

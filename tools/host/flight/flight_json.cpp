@@ -18,6 +18,8 @@ Json settings_json(const FlightSettings& s) {
           {"depth_margin", s.depth_margin},
           {"cell", s.cell},
           {"window", {s.window.x, s.window.y, s.window.z}},
+          {"sensor", s.sensor},
+          {"scan_pixel", s.scan_pixel},
           {"sensor_range", s.sensor_range},
           {"sensor_fov", {s.fov_horizontal, s.fov_vertical}},
           {"sensor_size", {s.width, s.height}},

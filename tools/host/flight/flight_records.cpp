@@ -70,6 +70,13 @@ void set_window(FlightSettings& s, const Words& words, const Place& place) {
   if (!(s.window.x > 0.0 && s.window.y > 0.0 && s.window.z > 0.0)) throw RecordError(place, "window: not positive");
 }
 
+void set_sensor(FlightSettings& s, const Words& words, const Place& place) {
+  if (words.size() != 2 || (words[1] != "camera" && words[1] != "lidar")) {
+    throw RecordError(place, "sensor is camera or lidar");
+  }
+  s.sensor = words[1];
+}
+
 void set_tracking(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<std::string>& kinds = vehicle_kinds();
   if (words.size() != 2 || std::find(kinds.begin(), kinds.end(), words[1]) == kinds.end()) {
@@ -121,6 +128,8 @@ const std::map<std::string, Setter>& setters() {
       {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
       {"time_limit", real(&S::time_limit, 0.1, 1e4)},
       {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
+      {"sensor", set_sensor},
+      {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
       {"sensor_fov", set_fov},
       {"sensor_size", set_size},
       {"window", set_window},

@@ -92,6 +92,10 @@ class Player {
     for (tern::Box& box : prior_) list_box(event.words, box);
     spec.prior = prior_.data();
     spec.prior_count = static_cast<std::int32_t>(prior_.size());
+    prior_cylinders_.resize(events_.count(event, tern::kMaxPriorBoxes));
+    for (tern::Cylinder& cylinder : prior_cylinders_) list_cylinder(event.words, cylinder);
+    spec.prior_cylinders = prior_cylinders_.data();
+    spec.prior_cylinder_count = static_cast<std::int32_t>(prior_cylinders_.size());
     map_words_.resize(tern::map_words(spec));
     return map_.bind(spec, map_words_.data(), map_words_.size());
   }
@@ -262,6 +266,7 @@ class Player {
   tern::Flight flight_;
   std::vector<std::uint64_t> map_words_, words_;
   std::vector<tern::Box> prior_;
+  std::vector<tern::Cylinder> prior_cylinders_;
   std::vector<tern::Fence> fences_;
   std::vector<tern::Halfspace> planes_;
   std::vector<std::uint16_t> whole_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/flight/flight_tape.hpp"
 
-#include <cstddef>
-
 namespace tern_host {
 namespace {
 
@@ -12,14 +10,9 @@ constexpr std::size_t kRoomBesidesFrame = 64 * 1024;
 
 }  // namespace
 
-FlightTape::FlightTape(std::string* out, std::int32_t pixels) : out_(out) {
+FlightTape::FlightTape(std::string* out, std::size_t frame_bytes) : out_(out) {
   if (out == nullptr) return;
-  const float number = 0.0f;
-  tern::DepthView view{};
-  view.z32 = &number;
-  view.width = view.stride = pixels;
-  view.height = 1;
-  buffer_.resize(tern::frame_record_bytes(view) + kRoomBesidesFrame);
+  buffer_.resize(frame_bytes + kRoomBesidesFrame);
   out->clear();
   recorder_.begin(buffer_.data(), buffer_.size());
 }

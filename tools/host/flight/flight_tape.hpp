@@ -5,6 +5,7 @@
 #ifndef TERN_HOST_FLIGHT_FLIGHT_TAPE_HPP
 #define TERN_HOST_FLIGHT_FLIGHT_TAPE_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,8 +16,8 @@ namespace tern_host {
 
 class FlightTape {
  public:
-  /// Records to `out`, or nothing where that is null. `pixels`: of the largest image.
-  FlightTape(std::string* out, std::int32_t pixels);
+  /// Records to `out`, or nothing where that is null. `frame_bytes`: room for the largest frame.
+  FlightTape(std::string* out, std::size_t frame_bytes);
 
   tern::FlightRecorder& recorder() { return recorder_; }
   /// Between two frames at most: the buffer has room for one.

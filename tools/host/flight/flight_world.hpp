@@ -27,8 +27,10 @@ struct FlightSettings {
   double tracking_margin = 0.10;  ///< largest error of the vehicle, which is flown
   double pose_margin = 0.0;
   double depth_margin = 0.02;
-  double cell = 0.0;    ///< 0 in a file that does not say: by the boundary's height
-  tern::Vec3 window{};  ///< likewise; its height is the boundary's where that is less
+  double cell = 0.0;              ///< 0 in a file that does not say: by the boundary's height
+  tern::Vec3 window{};            ///< likewise; its height is the boundary's where that is less
+  std::string sensor = "camera";  ///< or lidar
+  double scan_pixel = 0.04;       ///< as MapSpec::scan_pixel, for the lidar
   double sensor_range = 10.0;
   double fov_horizontal = 90.0;
   double fov_vertical = 74.0;

@@ -15,6 +15,8 @@ using tern::Voxel;
 
 constexpr int kVoxels = 48;  // a frame
 constexpr int kHits = 32;
+constexpr double kNearest = 0.3;    // metres from a lidar
+constexpr double kRounding = 1e-6;  // metres
 constexpr double kFaceRoom = 2e-3;  // metres from a voxel's faces within which a hit may be either side's
 
 /// The camera's axes in the world, from its quaternion.
@@ -36,7 +38,7 @@ double dot(const Vec3& a, const Vec3& b) {
 }
 
 /// A point at a depth behind a pixel.
-Vec3 point_of(const DepthFrame& frame, double u, double v, double depth) {
+Vec3 point_behind(const DepthFrame& frame, double u, double v, double depth) {
   const CameraAxes axes(frame.pose);
   const double r = depth * (u - frame.view.cx) / frame.view.fx;
   const double d = depth * (v - frame.view.cy) / frame.view.fy;
@@ -48,8 +50,8 @@ Vec3 point_of(const DepthFrame& frame, double u, double v, double depth) {
 
 }  // namespace
 
-FrameWatch::FrameWatch(const tern::MapSpec& spec, const tern::RollingMap& map, std::uint64_t seed)
-    : spec_(spec), map_(map), noise_(seed) {}
+FrameWatch::FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map)
+    : world_(world), spec_(spec), map_(map), noise_(world.settings.seed) {}
 
 bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
   const tern::GridSpec& grid = map_.safe().spec();
@@ -60,37 +62,90 @@ bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
          voxel.z < grid.dims.z;
 }
 
-void FrameWatch::before(const DepthFrame& frame) {
+bool FrameWatch::begin() {
   unseen_.clear();
   watches_ = map_.safe().bound();
-  if (!watches_) return;
-  const tern::GridSpec& grid = map_.safe().spec();
-  for (int k = 0; k < kVoxels; ++k) {
-    const double u = noise_.within(0.0, frame.view.width - 1.0);
-    const double v = noise_.within(0.0, frame.view.height - 1.0);
-    const Vec3 point = point_of(frame, u, v, noise_.within(0.3, spec_.range));
-    Voxel voxel;
-    if (!voxel_at(point, voxel) || map_.seen(voxel)) continue;
-    unseen_.push_back({grid.origin.x + grid.cell * (voxel.x + 0.5), grid.origin.y + grid.cell * (voxel.y + 0.5),
-                       grid.origin.z + grid.cell * (voxel.z + 0.5)});
-  }
+  return watches_;
 }
 
-void FrameWatch::after(const DepthFrame& frame) {
-  if (!watches_ || map_.busy() || !map_.safe().bound()) return;
-  watches_ = false;
+bool FrameWatch::end() {
+  const bool watched = watches_ && !map_.busy() && map_.safe().bound();
+  if (watched) watches_ = false;
+  return watched;
+}
+
+/// Remembers the centre of the point's voxel, unless that was seen before.
+void FrameWatch::note_unseen(const Vec3& point) {
+  Voxel voxel;
+  if (!voxel_at(point, voxel) || map_.seen(voxel)) return;
+  const tern::GridSpec& grid = map_.safe().spec();
+  unseen_.push_back({grid.origin.x + grid.cell * (voxel.x + 0.5), grid.origin.y + grid.cell * (voxel.y + 0.5),
+                     grid.origin.z + grid.cell * (voxel.z + 0.5)});
+}
+
+/// Of those that are seen now, is_whole(centre) must hold.
+template <typename IsWhole>
+void FrameWatch::check_seen(IsWhole is_whole) {
   for (const Vec3& center : unseen_) {
     Voxel voxel;
     if (!voxel_at(center, voxel) || !map_.seen(voxel)) continue;
     ++seen_;
-    if (!wholly_in_front(frame, center) && broken_.empty()) {
+    if (!is_whole(center) && broken_.empty()) {
       broken_ = "invariant 6: the voxel at (" + fixed(center.x, 2) + ", " + fixed(center.y, 2) + ", " +
                 fixed(center.z, 2) + ") became free, but was not seen whole";
     }
   }
+}
+
+void FrameWatch::before(const DepthFrame& frame) {
+  if (!begin()) return;
+  for (int k = 0; k < kVoxels; ++k) {
+    const double u = noise_.within(0.0, frame.view.width - 1.0);
+    const double v = noise_.within(0.0, frame.view.height - 1.0);
+    note_unseen(point_behind(frame, u, v, noise_.within(0.3, spec_.range)));
+  }
+}
+
+void FrameWatch::after(const DepthFrame& frame) {
+  if (!end()) return;
+  check_seen([&](const Vec3& center) { return wholly_in_front(frame, center); });
   // With more than one hit, and where lone pixels do not count, a hit need not block.
   if (spec_.hits > 1 || spec_.support > 0) return;
-  for (int k = 0; k < kHits; ++k) check_hit(frame);
+  for (int k = 0; k < kHits; ++k) {
+    const int x = noise_.below(frame.view.width);
+    const int y = noise_.below(frame.view.height);
+    const double z = static_cast<double>(frame.view.z32[y * frame.view.stride + x]);
+    if (z >= frame.view.min && z < 0.999 * spec_.range) check_hit(point_behind(frame, x, y, z));
+  }
+}
+
+void FrameWatch::before(const LidarScan& scan) {
+  if (!begin()) return;
+  for (int k = 0; k < kVoxels; ++k) {
+    const Vec3& end = point_of(scan);
+    const Vec3& o = scan.origin;
+    const double part = noise_.within(0.0, 1.0);
+    note_unseen({o.x + part * (end.x - o.x), o.y + part * (end.y - o.y), o.z + part * (end.z - o.z)});
+  }
+}
+
+/// Any one of its points.
+const Vec3& FrameWatch::point_of(const LidarScan& scan) {
+  return scan.points[static_cast<std::size_t>(noise_.below(static_cast<int>(scan.points.size())))];
+}
+
+/// Scans have no pixels of their own to look into: what they show is compared with the true world.
+void FrameWatch::after(const LidarScan& scan) {
+  if (!end()) return;
+  const double inside = 0.5 * spec_.cell - spec_.pose_margin - kRounding;
+  check_seen([&](const Vec3& center) { return clearance(world_, center) >= inside; });
+  if (spec_.hits > 1) return;
+  for (int k = 0; k < kHits; ++k) {
+    const Vec3& point = point_of(scan);
+    const Vec3& o = scan.origin;
+    const double far = std::hypot(point.x - o.x, std::hypot(point.y - o.y, point.z - o.z));
+    if (far > kNearest && far < 0.999 * spec_.range) check_hit(point);
+  }
 }
 
 bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) const {
@@ -126,13 +181,8 @@ bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) co
   return back <= spec_.range;
 }
 
-/// A random pixel's point, where it is clear in which voxel that is.
-void FrameWatch::check_hit(const DepthFrame& frame) {
-  const int x = noise_.below(frame.view.width);
-  const int y = noise_.below(frame.view.height);
-  const double z = static_cast<double>(frame.view.z32[y * frame.view.stride + x]);
-  if (!(z >= frame.view.min) || z >= 0.999 * spec_.range) return;
-  const Vec3 point = point_of(frame, x, y, z);
+/// A point that was hit, where it is clear in which voxel that is.
+void FrameWatch::check_hit(const Vec3& point) {
   Voxel voxel;
   if (!voxel_at(point, voxel)) return;
   const tern::GridSpec& grid = map_.safe().spec();

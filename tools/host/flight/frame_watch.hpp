@@ -7,20 +7,24 @@
 #include <vector>
 
 #include "host/flight/depth_camera.hpp"
+#include "host/flight/lidar.hpp"
 #include "tern/map.hpp"
 
 namespace tern_host {
 
 /// Holds a map to the sixth invariant, with code of its own and at random voxels of every frame: a voxel becomes free
-/// only where its whole cube is in front of every pixel that covers it, and is not free once it was hit.
+/// only where its whole cube is in front of every pixel that covers it, and is not free once it was hit. After a scan,
+/// a voxel becomes free only where its whole cube is free in the true world.
 class FrameWatch {
  public:
-  /// The map must outlive the watch.
-  FrameWatch(const tern::MapSpec& spec, const tern::RollingMap& map, std::uint64_t seed);
+  /// World and map must outlive the watch.
+  FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map);
 
-  /// Before a frame is entered, and after that, but before the next one, with the same frame.
+  /// Before a frame or a scan is entered, and after that, but before the next one, with the same one.
   void before(const DepthFrame& frame);
   void after(const DepthFrame& frame);
+  void before(const LidarScan& scan);
+  void after(const LidarScan& scan);
   const std::string& broken() const { return broken_; }
   /// Voxels that became free while they were watched, and hits that were looked at.
   std::uint64_t seen() const { return seen_; }
@@ -29,8 +33,15 @@ class FrameWatch {
  private:
   bool voxel_at(const tern::Vec3& point, tern::Voxel& voxel) const;
   bool wholly_in_front(const DepthFrame& frame, const tern::Vec3& center) const;
-  void check_hit(const DepthFrame& frame);
+  bool begin();
+  bool end();
+  void note_unseen(const tern::Vec3& point);
+  const tern::Vec3& point_of(const LidarScan& scan);
+  template <typename IsWhole>
+  void check_seen(IsWhole is_whole);
+  void check_hit(const tern::Vec3& point);
 
+  const FlightWorld& world_;
   tern::MapSpec spec_;
   const tern::RollingMap& map_;
   Noise noise_;

@@ -4,29 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
 #include "flight/flight_state.hpp"
-#include "host/flight/depth_camera.hpp"
 #include "host/flight/flight_recorder.hpp"
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
-#include "host/flight/frame_watch.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/mission_watch.hpp"
+#include "host/flight/sensor.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
 namespace tern_host {
 namespace {
 
-constexpr double kAssumedVoxels = 6.0;  ///< that the operator knows to be free beyond the radius
-constexpr double kHorizon = 0.8;        ///< of plans, in sensor ranges
-constexpr double kYawSlack = 1e-9;      ///< rad, rad/s and rad/s^2: rounding
-constexpr double kLeastLook = 0.4;      ///< metres: nearer points say nothing about where to look
+constexpr double kAssumedVoxels = 6.0;                 ///< that the operator knows to be free beyond the radius
+constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
+constexpr double kYawSlack = 1e-9;                     ///< rad, rad/s and rad/s^2: rounding
+constexpr double kLeastLook = 0.4;                     ///< metres: nearer points say nothing about where to look
+constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan_pixel of 1 rad
 constexpr double kTurn = 6.28318530717958648;
 
 int voxels(double metres, double cell) {
@@ -49,6 +48,10 @@ tern::MapSpec map_spec_of(const FlightWorld& world) {
   spec.support = s.support;
   spec.slack = 8;
   spec.pixels = s.width * s.height;
+  if (s.sensor == "lidar") {
+    spec.scan_pixel = s.scan_pixel;
+    spec.pixels = static_cast<int>(std::ceil(kScanPixels / (s.scan_pixel * s.scan_pixel)));
+  }
   return spec;
 }
 
@@ -91,8 +94,8 @@ class Simulation {
         fences_(fences_of(world.fences)),
         spec_(flight_spec_of(world.settings)),
         recorder_(world),
-        tape_(record, map_spec_.pixels),
-        frames_(map_spec_, map_, world.settings.seed) {
+        tape_(record, frame_bytes(world.settings)),
+        sensor_(world, map_spec_, map_, noise_, tape_) {
     start();
   }
 
@@ -107,7 +110,7 @@ class Simulation {
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
-    result.watched = {counts.ticks, counts.commits, counts.points, frames_.seen(), frames_.hits()};
+    result.watched = {counts.ticks, counts.commits, counts.points, sensor_.watch().seen(), sensor_.watch().hits()};
     return result;
   }
 
@@ -165,7 +168,7 @@ class Simulation {
 
   /// True where the flight is over.
   bool tick(std::string& status) {
-    sense();
+    sensor_.sense(time_, *vehicle_, yaw_);
     const tern::Status ticked = flight_.tick(time_, report_);
     tape_.recorder().tick(flight_, time_, report_, ticked);
     tape_.save();
@@ -183,7 +186,7 @@ class Simulation {
       reason_ = "the body touched something";
       return true;
     }
-    reason_ = watch_->broken() + frames_.broken() + mission_->broken() + yaw_broken_;
+    reason_ = watch_->broken() + sensor_.watch().broken() + mission_->broken() + yaw_broken_;
     if (!reason_.empty()) {
       status = "invariant";
       return true;
@@ -206,31 +209,6 @@ class Simulation {
     vehicle_->fly_to(1e-9 * static_cast<double>(next), [this](double t) { return setpoint(t); });
     yaw_ = plans_yaw_ ? flight_.yaw(next).angle : yaw_ + yaw_rate_ / world_.settings.tick_hz;
     time_ = next;
-  }
-
-  /// Frames are taken at the sensor's rate, arrive late or not at all, and enter the map when it is ready.
-  void sense() {
-    const FlightSettings& s = world_.settings;
-    if (static_cast<double>(taken_) <= seconds() * s.sensor_hz) {
-      ++taken_;
-      if (!noise_.chance(s.dropout)) take();
-    }
-    const std::int64_t latency = std::llround(1e9 * s.sensor_latency);
-    // Of those that have arrived, only the last one counts.
-    while (waiting_.size() > 1 && waiting_[1].taken + latency <= time_) waiting_.pop_front();
-    if (map_.busy() || waiting_.empty() || waiting_.front().taken + latency > time_) return;
-    frames_.after(entered_);
-    entered_ = std::move(waiting_.front());
-    waiting_.pop_front();
-    frames_.before(entered_);
-    const tern::Status begun = map_.begin_frame(entered_.view, entered_.pose, entered_.taken);
-    tape_.recorder().frame(entered_.view, entered_.pose, entered_.taken, begun);
-  }
-
-  /// The image is of what is, the pose what the vehicle believes.
-  void take() {
-    waiting_.push_back(take_frame(world_, vehicle_->position(), yaw_, time_, noise_));
-    waiting_.back().pose.position = vehicle_->estimate();
   }
 
   /// Limits of the yaw, and no step in it, half a tick apart.
@@ -280,11 +258,8 @@ class Simulation {
   FlightTape tape_;
   std::unique_ptr<FlightWatch> watch_;
   std::unique_ptr<MissionWatch> mission_;
-  FrameWatch frames_;
-  std::deque<DepthFrame> waiting_;
-  DepthFrame entered_;  // in work in the map, or the last one that was
+  Sensor sensor_;
   std::int64_t time_ = 0;
-  std::int64_t taken_ = 0;
   double yaw_ = 0.0;
   double yaw_rate_ = 0.0;
   bool plans_yaw_ = false;

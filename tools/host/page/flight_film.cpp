@@ -152,7 +152,7 @@ std::string FlightFilm::run(const FlightResult& result) const {
        {{"v", s.v_max}, {"a", s.a_max}, {"j", s.j_max > 0.0 ? RunJson(s.j_max) : nullptr}, {"work", s.work_per_tick}}},
       {"motion", motion_.json(static_cast<double>(stride_) / s.tick_hz)},
       {"film",
-       {{"sensor", {{"range", s.sensor_range}, {"fov", {s.fov_horizontal, s.fov_vertical}}}},
+       {{"sensor", {{"range", s.sensor_range}, {"fov", {s.sensor == "lidar" ? 360.0 : s.fov_horizontal, s.fov_vertical}}}},
         {"known", growth_.known_json()},
         {"seen", growth_.seen_json()},
         {"commits", commits_},

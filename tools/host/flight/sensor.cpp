@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/sensor.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace tern_host {
+
+std::size_t frame_bytes(const FlightSettings& settings) {
+  if (settings.sensor == "lidar") return tern::scan_record_bytes(beam_count(settings));
+  const float number = 0.0f;
+  tern::DepthView view{};
+  view.z32 = &number;
+  view.width = view.stride = settings.width;
+  view.height = settings.height;
+  return tern::frame_record_bytes(view);
+}
+
+Sensor::Sensor(const FlightWorld& world, const tern::MapSpec& spec, tern::RollingMap& map, Noise& noise,
+               FlightTape& tape)
+    : world_(world), map_(map), noise_(noise), tape_(tape), watch_(world, spec, map) {}
+
+void Sensor::sense(std::int64_t t, const Vehicle& vehicle, double yaw) {
+  const FlightSettings& s = world_.settings;
+  if (static_cast<double>(taken_) <= 1e-9 * static_cast<double>(t) * s.sensor_hz) {
+    ++taken_;
+    if (!noise_.chance(s.dropout)) waiting_.push_back(take(t, vehicle, yaw));
+  }
+  const std::int64_t latency = std::llround(1e9 * s.sensor_latency);
+  const auto arrived = [&](const Frame& frame) {
+    return std::visit([](const auto& f) { return f.taken; }, frame) + latency <= t;
+  };
+  // Of those that have arrived, only the last one counts.
+  while (waiting_.size() > 1 && arrived(waiting_[1])) waiting_.pop_front();
+  if (map_.busy() || waiting_.empty() || !arrived(waiting_.front())) return;
+  std::visit([this](const auto& frame) { watch_.after(frame); }, entered_);
+  entered_ = std::move(waiting_.front());
+  waiting_.pop_front();
+  std::visit(
+      [this](const auto& frame) {
+        watch_.before(frame);
+        enter(frame);
+      },
+      entered_);
+}
+
+/// The image is of what is, the pose what the vehicle believes.
+Sensor::Frame Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw) {
+  if (world_.settings.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
+  DepthFrame frame = take_frame(world_, vehicle.position(), yaw, t, noise_);
+  frame.pose.position = vehicle.estimate();
+  return frame;
+}
+
+void Sensor::enter(const DepthFrame& frame) {
+  const tern::Status begun = map_.begin_frame(frame.view, frame.pose, frame.taken);
+  tape_.recorder().frame(frame.view, frame.pose, frame.taken, begun);
+}
+
+void Sensor::enter(const LidarScan& scan) {
+  const tern::Status begun = map_.begin_scan(scan.points.data(), scan.points.size(), scan.origin, scan.taken);
+  tape_.recorder().scan(scan.points.data(), scan.points.size(), scan.origin, scan.taken, begun);
+}
+
+}  // namespace tern_host

@@ -1,0 +1,52 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_HOST_FLIGHT_SENSOR_HPP
+#define TERN_HOST_FLIGHT_SENSOR_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <variant>
+
+#include "host/flight/depth_camera.hpp"
+#include "host/flight/flight_tape.hpp"
+#include "host/flight/frame_watch.hpp"
+#include "host/flight/lidar.hpp"
+#include "host/vehicle/vehicle.hpp"
+
+namespace tern_host {
+
+/// Room that the largest frame takes in a record.
+std::size_t frame_bytes(const FlightSettings& settings);
+
+/// The vehicle's camera or lidar. Frames are taken at the sensor's rate, arrive late or not at all, and enter the map
+/// when it is ready.
+class Sensor {
+ public:
+  /// All must outlive the sensor.
+  Sensor(const FlightWorld& world, const tern::MapSpec& spec, tern::RollingMap& map, Noise& noise, FlightTape& tape);
+
+  /// To be called before every tick. `yaw`: where the camera looks, rad.
+  void sense(std::int64_t t, const Vehicle& vehicle, double yaw);
+  const FrameWatch& watch() const { return watch_; }
+
+ private:
+  using Frame = std::variant<DepthFrame, LidarScan>;
+
+  Frame take(std::int64_t t, const Vehicle& vehicle, double yaw);
+  void enter(const DepthFrame& frame);
+  void enter(const LidarScan& scan);
+
+  const FlightWorld& world_;
+  tern::RollingMap& map_;
+  Noise& noise_;
+  FlightTape& tape_;
+  FrameWatch watch_;
+  std::deque<Frame> waiting_;
+  Frame entered_;  ///< in work in the map, or the last one that was
+  std::int64_t taken_ = 0;
+};
+
+}  // namespace tern_host
+
+#endif
