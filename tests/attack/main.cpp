@@ -5,19 +5,36 @@
 #include <filesystem>
 #include <memory>
 
+#include "attack/obstacle_file.hpp"
 #include "attack/runner.hpp"
 
 namespace {
 
+struct OneCase {
+  std::uint64_t number = 0;
+  bool verbose = false;
+  std::string only;
+  std::string write;
+};
+
 /// One case in this process, so that a debugger sees it.
-int run_one(const tern_attack::Options& options, std::uint64_t number, bool verbose) {
+int run_one(const tern_attack::Options& options, const OneCase& one) {
   const auto bench = std::make_unique<tern_attack::Bench>();
+  std::vector<tern_attack::SolidRun> only;
+  std::vector<tern_attack::SolidRun> obstacles;
+  if (!one.only.empty()) {
+    only = tern_attack::read_runs(one.only);
+    bench->only = &only;
+  }
+  bench->write = &obstacles;
+  const std::uint64_t number = one.number;
   tern_attack::Tallies tallies{};
   tern_attack::Findings findings;
-  tern_attack::run_case(*bench, options.seed, number, verbose, tallies.data(), findings);
+  tern_attack::run_case(*bench, options.seed, number, one.verbose, tallies.data(), findings);
   for (const tern_attack::Finding& f : findings) {
     std::printf("%s\n", violation_line(options, {number, f.kind, f.detail}).c_str());
   }
+  if (!one.write.empty()) tern_attack::write_runs(one.write, obstacles);
   if (findings.empty()) std::printf("case %llu: no violation\n", static_cast<unsigned long long>(number));
   return findings.empty() ? 0 : 1;
 }
@@ -40,11 +57,11 @@ int main(int argc, char** argv) {
   app.footer("Exit status: 0 without a violation, 1 with one, 2 for wrong usage. docs/attack.md has the rules.");
   tern_attack::Options options;
   std::string family;
-  std::uint64_t number = 0;
-  bool verbose = false;
+  OneCase alone;
   double share = 1.0;
   std::uint64_t needed_of = 0;
   app.add_option("--seed", options.seed, "Seed of all cases")->capture_default_str();
+  app.add_option("--first", options.first, "Cases to leave out before the first one")->capture_default_str();
   app.add_option("--cases", options.cases, "How many cases to run")->capture_default_str();
   app.add_option("--share", share, "Part of the cases to run, 0 < share <= 1");
   app.add_option("--family", family, "Only cases of this family");
@@ -56,14 +73,25 @@ int main(int argc, char** argv) {
                  "Fail where more than one replan in so many needs the previous plan; 0: no matter")
       ->capture_default_str();
   app.add_flag("--quiet", options.quiet, "No progress line");
-  auto* one = app.add_option("--case", number, "Run this case alone");
-  app.add_flag("--verbose", verbose, "With --case: print the world, every request and every answer");
+  auto* one = app.add_option("--case", alone.number, "Run this case alone");
+  app.add_flag("--verbose", alone.verbose, "With --case: print the world, every request and every answer");
+  app.add_option("--write-obstacles", alone.write, "With --case: write the obstacles of its first world, a run a line")
+      ->type_name("FILE");
+  app.add_option("--only-obstacles", alone.only, "With --case: leave out obstacles that are not in this file")
+      ->type_name("FILE");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (one->count() > 0) return run_one(options, number, verbose);
+  if (one->count() > 0) {
+    try {
+      return run_one(options, alone);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "tern_attack: %s\n", error.what());
+      return 2;
+    }
+  }
   if (!family.empty()) options.family = tern_attack::family_by_name(family.c_str());
   if (!family.empty() && options.family < 0) {
     std::fprintf(stderr, "tern_attack: %s is no family\n", family.c_str());
