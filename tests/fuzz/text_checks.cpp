@@ -1,0 +1,49 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Entry points that read text.
+#include <cmath>
+
+#include "fuzz/fuzz_checks.hpp"
+#include "fuzz/scenario_check.hpp"
+#include "host/corridor_solver.hpp"
+
+namespace tern_fuzz {
+namespace {
+
+constexpr int kMostSegments = 4;  // larger programmes only take longer
+
+std::string wrong_with(const tern_host::CorridorAnswer& answer, const tern_host::CorridorCase& c) {
+  const bool finite =
+      std::isfinite(answer.objective) && std::isfinite(answer.violation) && std::isfinite(answer.residual);
+  if (!finite) return "a number of the answer is not finite";
+  if (answer.iterations < 0 || answer.active < 0) return "a count is negative";
+  if (answer.status != tern::Status::kOk) return "";
+  double largest = std::max(c.v_max, c.a_max);
+  for (const auto& planes : c.planes) {
+    for (const tern::Halfspace& h : planes) largest = std::max(largest, std::abs(h.offset));
+  }
+  return answer.violation > 1e-6 * (1.0 + largest) ? "an answer breaks its rows" : "";
+}
+
+}  // namespace
+
+std::string check_scenario(const std::uint8_t* data, std::size_t size) {
+  bool accepted = false;
+  return check_scenario_text(std::string(data, data + size), accepted);
+}
+
+std::string check_solve(const std::uint8_t* data, std::size_t size) {
+  static tern_host::CorridorSolver solver;
+  try {
+    const tern_host::CorridorCase c = tern_host::parse_corridor_case(std::string(data, data + size), "fuzz.txt");
+    if (c.segments > kMostSegments) return "";
+    const tern_host::CorridorAnswers answers = solver.solve(c, 1);
+    const std::string wrong = wrong_with(answers.cold, c);
+    return wrong.empty() ? wrong_with(answers.warm, c) : wrong;
+  } catch (const tern_host::RecordError& error) {
+    return error.place().file != "fuzz.txt" || error.reason().empty() ? "an error without file or reason" : "";
+  }
+}
+
+}  // namespace tern_fuzz
