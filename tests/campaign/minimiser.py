@@ -95,7 +95,8 @@ def attacked_case():
     expect("a case's obstacles are written and read", len(lines) > 3 and f"solid {voxels}\n" in done.stdout)
     expect("a case without a violation is told from one", kind.status_of(few, entry) == "ok")
     state = "program 1\nseconds 2\n" + "tally 0 0 0 0 0 0 0 0 0 0\n" * 3 + \
-        "tally 500 700 9 8 7 6 5 4 3 90000 0 600 41 100\nblock 0\nviolation 33 clearance by 1e-3 m\nviolation 43 near no\n"
+        "tally 500 700 9 8 7 6 5 4 3 90000 0 600 41 100\nblock 0\n" \
+        "violation 33 clearance by 1e-3 m\nviolation 43 near no\n"
     block = kind.read_state(state)
     expect("a block's state is read", (block["plans"], block["work"], block["ok"], block["contacts"],
                                        block["violations"], kind.case(block)) ==

@@ -30,7 +30,8 @@ def expect(what, held):
 
 def words(kind, name, ranks=0):
     python = [MPIRUN, "-n", str(ranks), PYTHON] if ranks else [sys.executable]
-    return [*python, CAMPAIGN, kind, *ROWS[kind], "--tern", TERN, "--attack", ATTACK, "--folder", FOLDER, "--name", name]
+    return [*python, CAMPAIGN, kind, *ROWS[kind], "--tern", TERN, "--attack", ATTACK, "--folder", FOLDER,
+            "--name", name]
 
 
 def run(kind, name, ranks=0):

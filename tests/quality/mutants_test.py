@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""mutants_test.py TOOLS SOURCE: which changes of a line of C++ tools/mutate makes, and that a seed always takes the same
-ones in the same order."""
+"""mutants_test.py TOOLS SOURCE: which changes of a line of C++ tools/mutate makes, and that a seed always takes the
+same ones in the same order."""
 import pathlib
 import sys
 
@@ -27,7 +27,8 @@ def texts(line):
 
 
 def main():
-    expect("comparisons, both ways", texts("  if (a < b) return c;") == {"  if (a <= b) return c;", "  if (a >= b) return c;"})
+    expect("comparisons, both ways", texts("  if (a < b) return c;") ==
+           {"  if (a <= b) return c;", "  if (a >= b) return c;"})
     expect("templates and pointers are no operators", texts("  const Vec<Real>* p = q->at;") == set())
     expect("comments and strings stay", texts('  call("a + b", x);  // 3 * 4') == {"  ;"})
     expect("a declaration is not dropped", "  ;" not in texts("  double sum = a + b;"))

@@ -33,7 +33,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(prog="tools/campaign", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("kind", choices=sorted(kinds.KINDS), help="what to run")
-    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M, ...; noise, boxes, ...")
+    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M; noise, boxes, ...")
     parser.add_argument("--runs", "--flights", type=int, default=100, metavar="N", help="of each row (default 100)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="of the first run of each row (default 1)")
     parser.add_argument("--set", dest="settings", action="append", default=[], metavar="KEY=VALUE",
@@ -44,8 +44,8 @@ def parse_arguments():
     parser.add_argument("--fresh", action="store_true", help="forget what was run before")
     parser.add_argument("--share", type=float, default=1.0, help="part of the runs to make, 0 < share <= 1")
     parser.add_argument("--least", type=float, default=0.0, help="part of each row's runs that must succeed")
-    parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of each row (default 0)")
-    parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world smaller (default 200)")
+    parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of a row (default 0)")
+    parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world small (default 200)")
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
     parser.add_argument("--attack", default="build/host/tests/attack/tern_attack", help=argparse.SUPPRESS)
     parser.add_argument("--folder", default="build/campaign", help=argparse.SUPPRESS)
@@ -75,7 +75,8 @@ class Progress:
         left = spent / self.done * (self.total - self.done)
         if self.shown or self.done % 100 == 0:
             print(f"\r{self.done} of {self.total} {self.kind.verb}, {spent:.0f} s, about {left:.0f} s left, "
-                  f"{self.failures} not {self.kind.good}  ", end="" if self.shown else "\n", file=sys.stderr, flush=True)
+                  f"{self.failures} not {self.kind.good}  ", end="" if self.shown else "\n", file=sys.stderr,
+                  flush=True)
 
     def say(self, text):
         print(f"{chr(13) if self.shown else ''}{text}", flush=True)

@@ -1,7 +1,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a campaign runs: plans, flights or attacks. A kind says how runs are grouped into jobs, does a job in processes of
-its own, says which runs failed and with which command one is repeated."""
+"""What a campaign runs: plans, flights or attacks. A kind says how runs are grouped into jobs, does a job in processes
+of its own, says which runs failed and with which command one is repeated."""
 import csv
 import io
 import json
@@ -12,7 +12,8 @@ import tempfile
 import time
 
 BLOCK = 500  # cases of one job of an attack: the attack keeps its state by such blocks
-FIRST_TALLIES = ["cases", "plans", "replans", "compared", "hover", "stop_and_go", "optimised", "needed", "followed", "work"]
+FIRST_TALLIES = ["cases", "plans", "replans", "compared", "hover", "stop_and_go", "optimised", "needed", "followed",
+                 "work"]
 
 
 def settings_words(settings):
@@ -114,25 +115,27 @@ class Plan(Kind):
         seeds = range(first, first + count)
         entries = self.plan([f"{row}:{seed}" for seed in seeds], self.settings, 60 + 20 * count)
         if isinstance(entries, str):
-            return [self.plan_alone(row, seed, entries) if count == 1 else self.run((row, seed, 1))[0] for seed in seeds]
+            alone = lambda seed: self.crashed(row, seed, entries) if count == 1 else self.run((row, seed, 1))[0]
+            return [alone(seed) for seed in seeds]
         return [{"row": row, "seed": seed, **self.judged(entry)} for seed, entry in zip(seeds, entries)]
 
     @staticmethod
-    def plan_alone(row, seed, reason):
+    def crashed(row, seed, reason):
         return {"row": row, "seed": seed, "status": "crash", "reason": reason}
 
     def plan(self, worlds, settings, seconds):
         """The rows of `tern table`, or why there are none."""
         with tempfile.TemporaryDirectory() as folder:
             rows = pathlib.Path(folder, "rows.csv")
-            done = self.call(["table", *worlds, "--repeat", "1", "--rows", str(rows), *settings_words(settings)], seconds)
+            words = ["table", *worlds, "--repeat", "1", "--rows", str(rows), *settings_words(settings)]
+            done = self.call(words, seconds)
             if done is None:
                 return f"the process was ended after {seconds} s"
             return list(csv.DictReader(io.StringIO(rows.read_text()))) if done.returncode in (0, 3) else ended(done)
 
     @staticmethod
     def judged(entry):
-        """A plan that comes nearer to a block than its clearance, less 2 nm, is a contact, whatever the planner says."""
+        """A plan that comes nearer to a block than its clearance, less 2 nm, is a contact, whatever its status."""
         entry.pop("scenario")
         if entry["least_clearance"] and float(entry["least_clearance"]) < float(entry["clearance"]) - 2e-9:
             entry["status"] = "collision"

@@ -8,8 +8,8 @@ OBSTACLES = ("block", "cylinder", "run")  # records that may go
 
 
 def ddmin(items, fails, trials):
-    """A smaller list that still fails, by delta debugging (Zeller and Hildebrandt 2002): no part of the size reached last
-    can go. `fails` is asked at most `trials` times. Returns the list and how often it was asked."""
+    """A smaller list that still fails, by delta debugging (Zeller and Hildebrandt 2002): no part of the size reached
+    last can go. `fails` is asked at most `trials` times. Returns the list and how often it was asked."""
     asked, parts = 0, 2
     while len(items) >= 1 and asked < trials:
         size = max(1, -(-len(items) // parts))

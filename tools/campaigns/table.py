@@ -53,7 +53,8 @@ def fly_row(row, flights):
 def plan_row(row, plans):
     """The clearance column is what is left beyond the radius asked for, as sampled."""
     made = [entry for entry in plans if entry["status"] == "ok"]
-    speeds = [float(entry["length_m"]) / float(entry["duration_s"]) for entry in made if float(entry["duration_s"]) > 0.0]
+    speeds = [float(entry["length_m"]) / float(entry["duration_s"]) for entry in made
+              if float(entry["duration_s"]) > 0.0]
     clear = [float(entry["least_clearance"]) for entry in plans if entry.get("least_clearance")]
     return [row, len(plans), len(made), count(plans, "collision"), count(plans, "crash", "check_failed"),
             f"{mean(speeds):.2f}", "", "", "", f"{min(clear):.3f}" if clear else "", len(plans),
@@ -64,8 +65,8 @@ def attack_row(row, blocks):
     plans = total("plans", blocks)
     broken = sum(len(entry["violations"].split(";")) for entry in blocks if entry.get("violations"))
     contacts = total("contacts", blocks)
-    return [row, total("cases", blocks), total("ok", blocks), contacts, broken - contacts + count(blocks, "crash"), "", "",
-            "", "", "", plans, share(total("work", blocks), plans), "", "", ""]
+    return [row, total("cases", blocks), total("ok", blocks), contacts, broken - contacts + count(blocks, "crash"), "",
+            "", "", "", "", plans, share(total("work", blocks), plans), "", "", ""]
 
 
 ROWS = {"fly": fly_row, "plan": plan_row, "attack": attack_row}

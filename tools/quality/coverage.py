@@ -46,8 +46,8 @@ def run_tests(tests, core, jobs):
         for name, passed in pool.map(lambda words: (words[0].name, suite.passes(words, core, 1800.0)), programs):
             done += 1
             failed += [] if passed else [name]
-            print(f"\r{done} of {len(programs)} tests, {time.monotonic() - began:.0f} s, {len(failed)} failed  ", end="",
-                  file=sys.stderr, flush=True)
+            print(f"\r{done} of {len(programs)} tests, {time.monotonic() - began:.0f} s, {len(failed)} failed  ",
+                  end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     return len(programs), failed
 

@@ -74,7 +74,7 @@ def campaigns():
         number = lambda column: sum(int(row[column] or 0) for row in chosen)
         text += f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)).\n\n"
         body = [[row["date"], row["seeds"], *(row[column] for column in SHOWN)] for row in chosen]
-        body.append(["all", "", "", number("runs"), number("success"), number("contacts"), number("invariants broken"), "",
+        body.append(["all", "", "", *map(number, ("runs", "success", "contacts", "invariants broken")), "",
                      number("plans"), ""])
         text += table(["date", "seeds", *SHOWN], body)
     return text
@@ -88,8 +88,8 @@ def coverage():
     for row in rows:
         total, taken, named = (int(row[column]) for column in ("branches", "taken", "named"))
         body.append([row["stage"], total, taken, percent(taken, total), named, total - taken - named])
-    return (f"\n## Branches\n\n`tools/coverage`, {rows[0]['date']}: {rows[0]['tests']} test programs. Named exceptions stand "
-            "in `tests/coverage/exceptions.txt`.\n\n" +
+    return (f"\n## Branches\n\n`tools/coverage`, {rows[0]['date']}: {rows[0]['tests']} test programs. Named exceptions "
+            "stand in `tests/coverage/exceptions.txt`.\n\n" +
             table(["stage", "branches", "taken", "share", "named exceptions", "not taken"], body))
 
 
@@ -97,20 +97,21 @@ def mutation():
     rows = read("mutation.csv")
     if not rows:
         return ""
-    named = (ROOT / "tests/mutation/survivors.txt").read_text() if (ROOT / "tests/mutation/survivors.txt").exists() else ""
+    path = ROOT / "tests/mutation/survivors.txt"
+    named = path.read_text() if path.exists() else ""
     body = []
     for kind in [*sorted({row["kind"] for row in rows}), "all"]:
         chosen = [row for row in rows if kind in ("all", row["kind"])]
         count = lambda result: sum(row["result"] == result for row in chosen)
         matter = count("killed") + count("survived")
         known = sum(row["result"] == "survived" and row["id"] in named for row in chosen)
-        body.append([kind, len(chosen), count("killed"), count("survived"), known, count("equivalent"), count("not built"),
-                     percent(count("killed"), matter)])
+        body.append([kind, len(chosen), count("killed"), count("survived"), known, count("equivalent"),
+                     count("not built"), percent(count("killed"), matter)])
     seeds = ", ".join(sorted({row["seed"] for row in rows}))
-    return (f"\n## Mutants\n\n`tools/mutate`, seed {seeds}, {rows[-1]['date']}. Killed share: of those that change a result. "
-            "Named survivors stand in `tests/mutation/survivors.txt`.\n\n" +
-            table(["change", "tried", "killed", "survived", "of them named", "no result changed", "not built", "killed share"],
-                  body))
+    return (f"\n## Mutants\n\n`tools/mutate`, seed {seeds}, {rows[-1]['date']}. Killed share: of those that change a "
+            "result. Named survivors stand in `tests/mutation/survivors.txt`.\n\n" +
+            table(["change", "tried", "killed", "survived", "of them named", "no result changed", "not built",
+                   "killed share"], body))
 
 
 def fuzzers():
@@ -121,8 +122,8 @@ def fuzzers():
     for entry in dict.fromkeys(row["entry"] for row in rows):
         chosen = [row for row in rows if row["entry"] == entry]
         seconds, inputs = (sum(int(row[column]) for row in chosen) for column in ("seconds", "inputs"))
-        body.append([entry, chosen[-1]["date"], len(chosen), f"{seconds / 3600.0:.2f}", inputs, f"{inputs / max(1, seconds):.0f}",
-                     max(int(row["coverage edges"]) for row in chosen), sum(int(row["found wrong"]) for row in chosen)])
+        body.append([entry, chosen[-1]["date"], len(chosen), f"{seconds / 3600.0:.2f}", inputs,
+                     f"{inputs / max(1, seconds):.0f}", max(int(row["coverage edges"]) for row in chosen), sum(int(row["found wrong"]) for row in chosen)])
     return ("\n## Fuzzers\n\n`tools/fuzz`: libFuzzer with address and undefined-behaviour sanitizers.\n\n" +
             table(["entry", "last run", "runs", "hours", "inputs", "inputs/s", "edges", "found wrong"], body))
 

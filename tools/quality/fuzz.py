@@ -51,7 +51,8 @@ def fuzz(arguments, entry):
     found = pathlib.Path(arguments.build, "found", entry)
     found.mkdir(parents=True, exist_ok=True)
     words = [fuzzer_of(arguments, entry), found, corpus_of(entry), f"-max_total_time={arguments.seconds}",
-             f"-seed={arguments.seed}", f"-max_len={LONGEST}", "-print_final_stats=1", "-timeout=60", "-rss_limit_mb=4096",
+             f"-seed={arguments.seed}", f"-max_len={LONGEST}", "-print_final_stats=1", "-timeout=60",
+             "-rss_limit_mb=4096",
              f"-artifact_prefix={arguments.build}/{entry}-"]
     done = subprocess.run(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     text = done.stderr.decode(errors="replace")
@@ -70,8 +71,8 @@ def merge(arguments, entry):
     fresh = pathlib.Path(arguments.build, "merged", entry)
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
-    subprocess.run([fuzzer_of(arguments, entry), "-merge=1", f"-max_len={LONGEST}", fresh, corpus, found], cwd=ROOT, check=True,
-                   stderr=subprocess.DEVNULL)
+    subprocess.run([fuzzer_of(arguments, entry), "-merge=1", f"-max_len={LONGEST}", fresh, corpus, found],
+                   cwd=ROOT, check=True, stderr=subprocess.DEVNULL)
     room = KEPT - len(list(corpus.iterdir()))
     chosen = sorted((path for path in fresh.iterdir() if not (corpus / path.name).exists()),
                     key=lambda path: (path.stat().st_size, path.name))

@@ -53,19 +53,20 @@ def changes_of(line):
         if match.group(1) != match.group(2):
             yield match.start(1), "swapped arguments", f"{match.group(1)}, {match.group(2)}", \
                 f"{match.group(2)}, {match.group(1)}"
-    match = STATEMENT.match(code)
+    match = STATEMENT.match(code.rstrip())
     if match:
         yield match.start(2), "dropped statement", line[match.start(2):], ";"
 
 
 def all_of(root):
-    mutants = []
+    mutants, seen = [], collections.Counter()
     for path in sorted(root.glob("core/src/**/*.cpp")):
         name = str(path.relative_to(root))
         for number, line in enumerate(path.read_text().splitlines(), 1):
             for column, kind, before, after in changes_of(line):
                 words = f"{name} {line.strip()} {column - len(line) + len(line.lstrip())} {kind} {after}"
-                identity = hashlib.sha256(words.encode()).hexdigest()[:10]
+                seen[words] += 1  # equal lines of a file are told apart by their order
+                identity = hashlib.sha256(f"{words} {seen[words]}".encode()).hexdigest()[:10]
                 mutants.append(Mutant(identity, name, number, column, kind, before, after))
     return mutants
 

@@ -99,7 +99,8 @@ class Bench:
                 print(f"left out: {words[0].name} fails without a change", flush=True)
         self.tests.sort(key=lambda test: test[0])
         self.reference = self.results()
-        print(f"{len(self.tests)} tests, {sum(seconds for seconds, _ in self.tests):.0f} s", file=sys.stderr, flush=True)
+        total = sum(seconds for seconds, _ in self.tests)
+        print(f"{len(self.tests)} tests, {total:.0f} s", file=sys.stderr, flush=True)
 
     def killer(self, mutant):
         """The first test that fails; empty where none does."""
