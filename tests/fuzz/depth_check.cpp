@@ -92,7 +92,8 @@ std::string check_depth(const std::uint8_t* data, std::size_t size) {
       pixels[at] = static_cast<std::uint16_t>(source.byte() * 257);
     }
     tern::Status status = source.below(8) == 0 ? map.follow(pose.position) : map.begin_frame(view, pose, 1000 * frame);
-    if (status != tern::Status::kOk && map.busy()) return "busy with a job that was refused";
+    if (status != tern::Status::kOk && status != tern::Status::kRunning && map.busy())
+      return "busy with a job that was refused";
     const auto slice = static_cast<std::uint32_t>(1 + 16 * source.byte());
     for (int k = 0; map.busy() && k < kMostSteps; ++k) status = map.step(slice);
     if (map.busy()) return "a job does not end";

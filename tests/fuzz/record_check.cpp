@@ -12,6 +12,18 @@ namespace {
 
 constexpr std::size_t kMostGridWords = 1u << 16;
 
+bool same_plan(const tern::Trajectory& a, const tern::Trajectory& b) {
+  if (a.count != b.count || std::memcmp(&a.origin, &b.origin, sizeof a.origin) != 0) return false;
+  for (int k = 0; k < a.count; ++k) {
+    const tern::Segment& p = a.segments[k];
+    const tern::Segment& q = b.segments[k];
+    const bool same = std::memcmp(&p.duration, &q.duration, sizeof p.duration) == 0 &&
+                      std::memcmp(p.points, q.points, sizeof p.points) == 0 && p.polyhedron == q.polyhedron;
+    if (!same) return false;
+  }
+  return true;
+}
+
 std::string check_bytes(const std::vector<std::uint8_t>& bytes) {
   static tern::PlanRecord record;
   if (tern::read_plan_record(bytes.data(), bytes.size(), record) != tern::Status::kOk) return "";
@@ -32,7 +44,9 @@ std::string check_bytes(const std::vector<std::uint8_t>& bytes) {
   const auto other = std::make_unique<tern::PlanRecord>();
   if (tern::read_plan_record(again.data(), again.size(), *other) != tern::Status::kOk)
     return "what was recorded is damaged";
-  if (std::memcmp(&other->plan, &record.plan, sizeof record.plan) != 0) return "the plan differs when it is read again";
+  // A plan belongs to an answer that is one.
+  if (record.status == tern::Status::kOk && !same_plan(record.plan, other->plan))
+    return "the plan differs when it is read again";
   const bool same = other->status == record.status && other->request.fence_count == record.request.fence_count &&
                     other->request.via_count == record.request.via_count;
   return same ? "" : "the request differs when it is read again";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Entry points that read text.
+#include <algorithm>
 #include <cmath>
 
 #include "fuzz/fuzz_checks.hpp"
@@ -13,6 +14,13 @@ namespace {
 
 constexpr int kMostSegments = 4;  // larger programmes only take longer
 
+/// The largest coordinate of a joint.
+double size_of(const tern_host::CorridorCase& c) {
+  double size = 0.0;
+  for (const tern::Vec3& p : c.waypoints) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return size;
+}
+
 std::string wrong_with(const tern_host::CorridorAnswer& answer, const tern_host::CorridorCase& c) {
   const bool finite =
       std::isfinite(answer.objective) && std::isfinite(answer.violation) && std::isfinite(answer.residual);
@@ -21,7 +29,11 @@ std::string wrong_with(const tern_host::CorridorAnswer& answer, const tern_host:
   if (answer.status != tern::Status::kOk) return "";
   double largest = std::max(c.v_max, c.a_max);
   for (const auto& planes : c.planes) {
-    for (const tern::Halfspace& h : planes) largest = std::max(largest, std::abs(h.offset));
+    for (const tern::Halfspace& h : planes) {
+      // Normals need not have length 1: a row's rounding goes with its numbers.
+      const double reach = std::abs(h.normal.x) + std::abs(h.normal.y) + std::abs(h.normal.z);
+      largest = std::max({largest, std::abs(h.offset), reach * (1.0 + size_of(c))});
+    }
   }
   return answer.violation > 1e-6 * (1.0 + largest) ? "an answer breaks its rows" : "";
 }

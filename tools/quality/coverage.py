@@ -55,7 +55,7 @@ def run_tests(tests, core, jobs):
 def branches(core):
     """{(file, line): [taken or not, of each branch]} over all libraries."""
     done = subprocess.run(["gcovr", "--root", str(ROOT), "--filter", "core/src/", "--filter", "core/include/", "--json",
-                           "--merge-mode-functions=separate", "--gcov-ignore-parse-errors", str(core)],
+                           "--gcov-ignore-parse-errors", str(core)],
                           capture_output=True, text=True, cwd=ROOT)
     if done.returncode != 0:
         sys.exit(f"tools/coverage: gcovr failed: {done.stderr.strip()[-500:]}")

@@ -29,7 +29,7 @@ import suite
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIELDS = ["id", "path", "line", "kind", "before", "after", "result", "by", "seconds", "seed", "date"]
-COPIED = ["CMakeLists.txt", "CMakePresets.json", "core", "port", "tests", "tools"]
+COPIED = ["CMakeLists.txt", "CMakePresets.json", "bench", "core", "docs", "port", "tests", "toolchains", "tools"]
 LIBRARIES = ["tern", "tern_tiny", "tern_attack_core"]
 # Tests of hashes, and tests that see none of the core's results.
 LEFT_OUT = ("golden_", "attack_runner_test", "baselines_")
