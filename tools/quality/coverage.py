@@ -36,20 +36,20 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def run_tests(tests, core, jobs):
-    """Every test once; counts of processes add up in the core's own files."""
+def run_tests(programs, core, jobs):
+    """Every test once; counts of processes add up in the core's own files. Returns the names of those that failed."""
     for path in core.rglob("*.gcda"):
         path.unlink()
-    programs = suite.programs(tests)
     began, done, failed = time.monotonic(), 0, []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for name, passed in pool.map(lambda words: (words[0].name, suite.passes(words, core, 1800.0)), programs):
+        runs = {pool.submit(suite.passes, words, core, 1800.0): words[0].name for words in programs}
+        for run in concurrent.futures.as_completed(runs):
             done += 1
-            failed += [] if passed else [name]
+            failed += [] if run.result() else [runs[run]]
             print(f"\r{done} of {len(programs)} tests, {time.monotonic() - began:.0f} s, {len(failed)} failed  ",
                   end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
-    return len(programs), failed
+    return failed
 
 
 def branches(core):
@@ -82,7 +82,8 @@ def read_exceptions():
 def main():
     arguments = parse_arguments()
     core = pathlib.Path(arguments.core)
-    count, failed = (0, []) if arguments.report_only else run_tests(pathlib.Path(arguments.tests), core, arguments.jobs)
+    programs = suite.programs(pathlib.Path(arguments.tests))
+    failed = [] if arguments.report_only else run_tests(programs, core, arguments.jobs)
     for name in failed:
         print(f"{name} fails with the counted core")
     exceptions, used, totals = read_exceptions(), set(), collections.defaultdict(lambda: [0, 0, 0])
@@ -102,7 +103,7 @@ def main():
     unused = sorted(set(exceptions) - used) if not arguments.files else []
     for path, source in unused:
         print(f"{EXCEPTIONS.relative_to(ROOT)}: not needed any more: {path} | {source}")
-    write_table(totals, count)
+    write_table(totals, len(programs))
     everything = totals["all"]
     print(f"{everything[1]} of {everything[0]} branches taken, {everything[2]} named as exceptions, "
           f"{everything[0] - everything[1] - everything[2]} not")
