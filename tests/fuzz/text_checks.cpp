@@ -22,10 +22,12 @@ double size_of(const tern_host::CorridorCase& c) {
 }
 
 std::string wrong_with(const tern_host::CorridorAnswer& answer, const tern_host::CorridorCase& c) {
+  if (answer.iterations < 0 || answer.active < 0) return "a count is negative";
+  // Without a verdict, the numbers are those of wherever the solver gave up.
+  if (answer.status != tern::Status::kOk && answer.status != tern::Status::kInfeasible) return "";
   const bool finite =
       std::isfinite(answer.objective) && std::isfinite(answer.violation) && std::isfinite(answer.residual);
   if (!finite) return "a number of the answer is not finite";
-  if (answer.iterations < 0 || answer.active < 0) return "a count is negative";
   if (answer.status != tern::Status::kOk) return "";
   double largest = std::max(c.v_max, c.a_max);
   for (const auto& planes : c.planes) {

@@ -72,10 +72,10 @@ def read_exceptions():
     for number, line in enumerate(EXCEPTIONS.read_text().splitlines() if EXCEPTIONS.exists() else [], 1):
         if not line or line.startswith("#"):
             continue
-        parts = [part.strip() for part in line.split(" | ")]
-        if len(parts) != 3 or not all(parts):
+        parts = line.split(" | ")
+        if len(parts) < 3 or not all(parts):
             sys.exit(f"{EXCEPTIONS}:{number}: must be FILE | SOURCE LINE | REASON")
-        exceptions[parts[0], parts[1]] = parts[2]
+        exceptions[parts[0], " | ".join(parts[1:-1])] = parts[-1]  # a source line may have a bar of its own
     return exceptions
 
 
@@ -112,7 +112,7 @@ def main():
 
 def write_table(totals, count):
     with TABLE.open("w", newline="") as file:
-        writer = csv.writer(file)
+        writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["stage", "branches", "taken", "named", "date", "tests"])
         for key, (all_of_them, taken, excepted) in sorted(totals.items(), key=lambda item: (item[0] == "all", item[0])):
             writer.writerow([key, all_of_them, taken, excepted, datetime.date.today().isoformat(), count])

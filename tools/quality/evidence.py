@@ -59,7 +59,7 @@ def add_campaign(name, folder):
     key = lambda row: (row["kind"], row["family"], row["seeds"].split(" to ")[0])
     kept = [row for row in read("campaigns.csv") if key(row) not in set(map(key, added))]
     with (FOLDER / "campaigns.csv").open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(added[0]))
+        writer = csv.DictWriter(file, list(added[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted([*kept, *added], key=key))
 

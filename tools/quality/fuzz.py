@@ -91,7 +91,7 @@ def main():
     rows = [fuzz(arguments, entry) for entry in arguments.entries]
     is_new = not TABLE.exists()
     with TABLE.open("a", newline="") as file:
-        csv.writer(file).writerows([COLUMNS, *rows] if is_new else rows)
+        csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows] if is_new else rows)
     return 1 if any(row[-1] for row in rows) else 0
 
 

@@ -149,7 +149,7 @@ class Results:
             self.done = {row["id"]: row for row in csv.DictReader(lines[1:]) if row["date"]}
         path.parent.mkdir(parents=True, exist_ok=True)
         self.file = path.open("a" if kept else "w", newline="")
-        self.writer = csv.DictWriter(self.file, FIELDS)
+        self.writer = csv.DictWriter(self.file, FIELDS, lineterminator="\n")
         if not kept:
             self.file.write(f"# {identity}\n")
             self.writer.writeheader()
