@@ -5,14 +5,14 @@
 
 Mutants are made in a copy of the sources, in FOLDER/source, and built as shared libraries in FOLDER/build, with which
 the tests of the preset `quality` run: they are built once. Headers are left alone, because tests compile them, too.
-Tests run fastest first, those named after the changed stage before all others, and stop at the first that fails; one
-that takes far longer than before counts as failed. The tests of golden hashes are left out. The golden hash and a set
+Tests run fastest first, those named after the changed stage before all others, and stop at the first that fails with
+the change and passes without; one that takes far longer than before counts as failed. The tests of golden hashes are left out. The golden hash and a set
 of plans and flights tell survivors apart: a mutant that changes no result of them is `equivalent`, any other has
 `survived`.
 
 Results are kept in docs/measurements/mutation.csv, so that the same command goes on where a killed one was; another
 core begins anew. Survivors named in tests/mutation/survivors.txt with a reason are `named`. Exit status: 0; 1 where a mutant
-survived that is not named; 2 for wrong usage, or where the tests fail without any change."""
+survived that is not named; 2 for wrong usage."""
 import argparse
 import csv
 import datetime
@@ -65,7 +65,8 @@ class Bench:
 
     def __init__(self, folder, tests):
         self.source, self.build, self.programs = folder / "source", folder / "build", tests
-        self.tests, self.reference = [], None
+        self.tests = suite.programs(tests, LEFT_OUT)
+        self.seconds, self.sound, self.reference = {}, {}, None
 
     def prepare(self):
         self.copy()
@@ -74,7 +75,7 @@ class Bench:
         print("building the core", file=sys.stderr, flush=True)
         if done.returncode != 0 or not self.make():
             sys.exit(f"tools/mutate: the sources do not build without a change: {done.stderr.strip()[-300:]}")
-        self.measure()
+        self.reference = self.results(self.programs)
 
     def copy(self):
         """Only what differs is written, so that a second run builds nothing anew."""
@@ -89,36 +90,45 @@ class Bench:
     def make(self):
         return subprocess.run(["ninja", "-C", str(self.build), *LIBRARIES], capture_output=True).returncode == 0
 
-    def measure(self):
-        """How long each test takes; the fastest comes first. One that fails without a change is left out, aloud."""
-        for words in suite.programs(self.programs, LEFT_OUT):
+    def is_sound(self, words):
+        """True where the test passes without a change; one that does not is left out, aloud."""
+        if words[0] not in self.sound:
             began = time.monotonic()
-            if suite.passes(words, self.build, 900.0):
-                self.tests.append((time.monotonic() - began, words))
-            else:
+            self.sound[words[0]] = suite.passes(words, self.programs, 900.0)
+            self.seconds[words[0]] = time.monotonic() - began
+            if not self.sound[words[0]]:
                 print(f"left out: {words[0].name} fails without a change", flush=True)
-        self.tests.sort(key=lambda test: test[0])
-        self.reference = self.results()
-        total = sum(seconds for seconds, _ in self.tests)
-        print(f"{len(self.tests)} tests, {total:.0f} s", file=sys.stderr, flush=True)
+        return self.sound[words[0]]
+
+    def place(self, words, stage):
+        """Where a test comes in the order: those of the stage first, then fast ones; unit tests are fast."""
+        name = words[0].name
+        usual = 1.0 if name.startswith("unit_") else 5.0 if name.startswith("fault_") else 20.0
+        return stage not in name, self.seconds.get(words[0], usual), name
 
     def killer(self, mutant):
-        """The first test that fails; empty where none does."""
+        """The first test that fails, and does not without the change; empty where none does."""
         stage = mutant.path.split("/")[2]
-        for seconds, words in sorted(self.tests, key=lambda test: (stage not in test[1][0].name, test[0])):
-            if not suite.passes(words, self.build, 10.0 + 5.0 * seconds):
+        for words in sorted(self.tests, key=lambda test: self.place(test, stage)):
+            if self.sound.get(words[0]) is False:
+                continue
+            began = time.monotonic()
+            limit = 10.0 + 5.0 * self.seconds[words[0]] if words[0] in self.seconds else 300.0
+            if suite.passes(words, self.build, limit):
+                self.seconds.setdefault(words[0], time.monotonic() - began)
+            elif self.is_sound(words):
                 return words[0].name
         return ""
 
-    def results(self):
-        """What plans and flights come to, and the golden hash."""
+    def results(self, core):
+        """What plans and flights come to with the libraries of a build tree, and the golden hash."""
         tern, lines = self.programs / "tools/tern", []
         calls = [[tern, *CASES, "--rows", "/dev/stdout"], [self.programs / "tests/golden/tern_golden"]]
         calls += [[tern, "fly", world, "--json", "/dev/stdout"] for world in FLIGHTS]
         for words in calls:
             try:
                 done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=120,
-                                      env=suite.environment(self.build))
+                                      env=suite.environment(core))
                 lines += done.stdout.splitlines()
             except subprocess.TimeoutExpired:
                 lines.append("too long")
@@ -135,7 +145,7 @@ class Bench:
             killer = self.killer(mutant)
             if killer:
                 return "killed", killer
-            return ("equivalent" if self.results() == self.reference else "survived"), ""
+            return ("equivalent" if self.results(self.build) == self.reference else "survived"), ""
         finally:
             path.write_text(original)
 
