@@ -98,6 +98,11 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
   return status;
 }
 
+void thin_out(const Bench& bench, World& world) {
+  if (bench.only != nullptr) keep_only(*bench.only, world);
+  if (bench.write != nullptr) *bench.write = runs_of(world);
+}
+
 void check_layers(const World& world, const Map& map, Findings& findings) {
   for (int i = 0; i < world.count(); ++i) {
     const tern::Voxel v = world.voxel(i);
@@ -175,6 +180,7 @@ void run_mission(Context& context, Rng& own, tern::Planner& planner, const World
 void run_plans(Context& context) {
   World world;
   make_world(context.rng, context.family, world);
+  thin_out(context.bench, world);
   const Status bound = bind_and_mark(context.rng, world);
   if (bound != Status::kOk) return report(context.findings, "bind", "%s", tern::status_name(bound));
   const Map map = map_of(world);

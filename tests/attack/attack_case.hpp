@@ -21,6 +21,7 @@ struct Tally {
   std::uint64_t hover;
   std::uint64_t stop_and_go;
   std::uint64_t optimised;
+  std::uint64_t work;  ///< units of all stages of all plans
 };
 
 /// Planners and outputs, made once for many cases.
@@ -30,6 +31,9 @@ struct Bench {
   tern::Trajectory trajectory;
   tern::Trajectory second;
   tern::Trajectory untouched;
+  /// Where not null: obstacles that are not among these runs are left out of a case's first world.
+  const std::vector<SolidRun>* only = nullptr;
+  std::vector<SolidRun>* write = nullptr;  ///< where not null: gets that world's obstacles
 };
 
 struct Context {
@@ -49,6 +53,8 @@ inline Family family_of(std::uint64_t number) {
 /// Runs case `number` of `seed`; tallies has one entry a family.
 void run_case(Bench& bench, std::uint64_t seed, std::uint64_t number, bool verbose, Tally* tallies, Findings& findings);
 
+/// Leaves obstacles out of a world and writes down the others, as the bench says.
+void thin_out(const Bench& bench, World& world);
 /// The grid's two layers against the record and the reference (contract C5).
 void check_layers(const World& world, const Map& map, Findings& findings);
 /// Asks in one call and judges the answer; the plan, where there is one, is in bench.trajectory.

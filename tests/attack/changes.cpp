@@ -68,6 +68,7 @@ void apply(World& world, tern::Grid& view, const VoxelBoxes& set, bool value) {
 bool begin_world(Context& context, Changing& c) {
   make_world(context.rng, Family::kChanges, c.world);
   if (c.world.spec.dims.x >= 100 || context.rng.chance(0.5)) std::fill(c.world.solid.begin(), c.world.solid.end(), 0);
+  thin_out(context.bench, c.world);
   const Status bound = bind_and_mark(context.rng, c.world);
   if (bound != Status::kOk) report(context.findings, "bind", "%s", tern::status_name(bound));
   c.wide = c.world.spec.dims.x >= 100;

@@ -119,6 +119,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
            const char* what) {
   ++context.tally.plans;
   ++context.tally.status[static_cast<int>(status)];
+  for (const tern::StageReport& stage : r.stages) context.tally.work += stage.work;
   check_report(context, world, ask, r, status, what);
   if (status == Status::kOk) {
     context.tally.hover += r.quality == tern::Quality::kHover;

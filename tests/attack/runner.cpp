@@ -211,6 +211,7 @@ class Run {
 }  // namespace
 
 std::uint64_t case_at(const Options& options, std::uint64_t index) {
+  index += options.first;
   return options.family < 0 ? index : index * kFamilies + static_cast<std::uint64_t>(options.family);
 }
 
@@ -225,6 +226,7 @@ void add(const Tallies& part, Tallies& sum) {
     sum[f].hover += part[f].hover;
     sum[f].stop_and_go += part[f].stop_and_go;
     sum[f].optimised += part[f].optimised;
+    sum[f].work += part[f].work;
     for (int s = 0; s < 256; ++s) sum[f].status[s] += part[f].status[s];
   }
 }

@@ -19,6 +19,7 @@ namespace tern_attack {
 
 struct Options {
   std::uint64_t seed = 1;
+  std::uint64_t first = 0;  ///< index of the first case
   std::uint64_t cases = 4000;
   int family = -1;  ///< -1: all in turn
   int jobs = 0;     ///< 0: one a core

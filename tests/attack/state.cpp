@@ -31,7 +31,7 @@ std::uint64_t own_hash() {
 
 void save_tally(std::ostream& out, const Tally& t) {
   out << "tally " << t.cases << ' ' << t.plans << ' ' << t.replans << ' ' << t.compared << ' ' << t.hover << ' '
-      << t.stop_and_go << ' ' << t.optimised << ' ' << t.needed << ' ' << t.followed;
+      << t.stop_and_go << ' ' << t.optimised << ' ' << t.needed << ' ' << t.followed << ' ' << t.work;
   for (int s = 0; s < 256; ++s) {
     if (t.status[s] != 0) out << ' ' << s << ' ' << t.status[s];
   }
@@ -40,7 +40,7 @@ void save_tally(std::ostream& out, const Tally& t) {
 
 void load_tally(std::istream& in, Tally& t) {
   in >> t.cases >> t.plans >> t.replans >> t.compared >> t.hover >> t.stop_and_go >> t.optimised >> t.needed >>
-      t.followed;
+      t.followed >> t.work;
   int s = 0;
   std::uint64_t count = 0;
   while (in >> s >> count) t.status[s & 255] = count;
@@ -69,7 +69,8 @@ void load_line(const std::string& line, std::size_t& family, Progress& progress)
 
 std::string state_path(const Options& o) {
   const std::string family = o.family < 0 ? "" : std::string("-") + family_name(static_cast<Family>(o.family));
-  return o.folder + "/seed" + std::to_string(o.seed) + family;
+  const std::string first = o.first == 0 ? "" : "-from" + std::to_string(o.first);
+  return o.folder + "/seed" + std::to_string(o.seed) + family + first;
 }
 
 void save_state(const Options& options, const Progress& progress) {

@@ -33,13 +33,15 @@ Row row_of(const char* name, const Tally& t, const std::map<std::string, std::ui
           std::to_string(t.status[0]),
           std::to_string(t.optimised) + " / " + std::to_string(t.stop_and_go) + " / " + std::to_string(t.hover) +
               " / " + std::to_string(t.followed),
+          std::to_string(t.plans == 0 ? 0 : t.work / t.plans),
           joined(refused),
           joined(violations)};
 }
 
 std::vector<Row> rows_of(const Options& options, const Progress& progress) {
   std::vector<Row> rows{{"family", "cases", "plans", "replans among them", "replans that needed the previous plan",
-                         "compared", "ok", "optimised / stop-and-go / hover / previous", "refused", "violations"}};
+                         "compared", "ok", "optimised / stop-and-go / hover / previous", "units a plan", "refused",
+                         "violations"}};
   Tallies all{};
   std::map<std::string, std::uint64_t> sum;
   for (int f = 0; f < kFamilies; ++f) {

@@ -49,6 +49,30 @@ tern::Vec3 World::world(const Point& p) const {
   return {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2])};
 }
 
+std::vector<SolidRun> runs_of(const World& world) {
+  std::vector<SolidRun> runs;
+  const tern::Voxel dims = world.spec.dims;
+  for (int z = 0; z < dims.z; ++z) {
+    for (int y = 0; y < dims.y; ++y) {
+      for (int x = 0; x < dims.x; ++x) {
+        const int begin = x;
+        while (world.is_solid(x, y, z)) ++x;
+        if (x > begin) runs.push_back({begin, x, y, z});
+      }
+    }
+  }
+  return runs;
+}
+
+void keep_only(const std::vector<SolidRun>& runs, World& world) {
+  std::vector<std::uint8_t> before(world.solid.size(), 0);
+  before.swap(world.solid);
+  for (const SolidRun& run : runs) {
+    for (int x = run.begin; x < run.end; ++x) world.set(x, run.y, run.z, true);
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) world.solid[i] &= before[i];
+}
+
 void mark_difference(Rng& rng, const World& world, const std::vector<std::uint8_t>& before, tern::Grid& grid) {
   const bool boxes = rng.chance(0.5);
   const tern::Voxel dims = world.spec.dims;

@@ -51,6 +51,13 @@ struct World {
   tern::Vec3 world(const Point& local) const;
 };
 
+/// Obstacles from begin to end, excluded, in one row of voxels.
+struct SolidRun {
+  int begin, end, y, z;
+};
+std::vector<SolidRun> runs_of(const World& world);
+void keep_only(const std::vector<SolidRun>& runs, World& world);
+
 /// Lays out the grid (offset, cell, dimensions, boundary, radius) and its obstacles; nothing is bound yet.
 void make_world(Rng& rng, Family family, World& world);
 

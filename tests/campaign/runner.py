@@ -45,8 +45,8 @@ def main():
     program.chmod(0o755)
 
     def run(*arguments):
-        return subprocess.run([sys.executable, campaign, "--tern", str(program), "--folder", str(folder), "--name", "t",
-                               *arguments], capture_output=True, text=True)
+        return subprocess.run([sys.executable, campaign, "fly", "--tern", str(program), "--folder", str(folder), "--name",
+                               "t", *arguments], capture_output=True, text=True)
 
     calls = lambda: (folder / CALLS).read_text().split()
     done = run("P25", "--flights", "2")

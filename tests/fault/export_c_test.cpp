@@ -4,6 +4,7 @@
 // The C interface of exports: null pointers and bytes that are none of a plan.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "support/random.hpp"
@@ -51,6 +52,58 @@ TEST(ExportC, NullPointersHaveAnswers) {
   tern_ardupilot_defaults(nullptr);
   tern_limits_from_px4(nullptr, nullptr);
   tern_limits_from_ardupilot(nullptr, nullptr);
+}
+
+TEST(ExportC, ArgumentsAreUsed) {
+  tern_sample sample{};
+  sample.position = {1.0, 2.0, 3.0};
+  const tern_vec3 origin{1.0, 1.0, 1.0};
+  const tern_yaw_sample north{{0.0, 1.0, 0.0}, 0.0, 0.0};
+  tern_setpoint setpoint{};
+  tern_setpoint_ned(&sample, &north, &origin, &setpoint);
+  EXPECT_NEAR(setpoint.position[0], 1.0f, 1e-6f);
+  EXPECT_NEAR(setpoint.position[1], 0.0f, 1e-6f);
+  EXPECT_NEAR(setpoint.position[2], -2.0f, 1e-6f);
+  EXPECT_NEAR(setpoint.yaw, 0.0f, 1e-6f);
+  const double level[4] = {1.0, 0.0, 0.0, 0.0};
+  double ned[4] = {7.0, 7.0, 7.0, 7.0};
+  tern_attitude_ned(level, nullptr);
+  tern_attitude_ned(level, ned);
+  EXPECT_NEAR(ned[0] * ned[0] + ned[3] * ned[3], 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(ned[0]), std::abs(ned[3]), 1e-12);
+}
+
+TEST(ExportC, ParametersBecomeLimits) {
+  tern_px4_parameters px4{};
+  tern_px4_defaults(&px4);
+  tern_limits limits{};
+  tern_limits_from_px4(&px4, nullptr);
+  tern_limits_from_px4(&px4, &limits);
+  const tern_limits of_px4 = tern::limits_from_px4(tern::px4_limits());
+  EXPECT_EQ(limits.v_max.z, of_px4.v_max.z);
+  EXPECT_GT(limits.v_max.z, 0.0);
+  tern_ardupilot_parameters ardupilot{};
+  tern_ardupilot_defaults(&ardupilot);
+  tern_limits_from_ardupilot(&ardupilot, nullptr);
+  tern_limits_from_ardupilot(&ardupilot, &limits);
+  EXPECT_EQ(limits.a_max.x, tern::limits_from_ardupilot(tern::ardupilot_limits()).a_max.x);
+}
+
+TEST(ExportC, CompressedBytesEndWithAnEmptyPiece) {
+  const tern_trajectory plan = hover();
+  std::uint8_t bytes[TERN_CRAZYFLIE_COMPRESSED_BYTES(1)];
+  std::int32_t used = 0;
+  ASSERT_EQ(tern_crazyflie_compressed(&plan, nullptr, bytes, sizeof bytes, &used), 0);
+  tern_trajectory read{};
+  ASSERT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, &read), 0);
+  EXPECT_EQ(read.count, 1);
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, nullptr), kInvalid);
+  for (const int wrong : {1, 2}) {
+    bytes[used - wrong] ^= 1;
+    EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, &read), kInvalid) << wrong;
+    bytes[used - wrong] ^= 1;
+  }
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used - 1, &plan, &read), kInvalid);
 }
 
 TEST(ExportC, HostileBytesAreReadWithinTheirLengthAndRefusedOrAPlan) {

@@ -140,6 +140,51 @@ TEST(FlightC, ProofEqualsTheProofInCpp) {
   EXPECT_EQ(tern_clear_until(&none, &plan, 0.5, nullptr, 0, nullptr), 0.5);
 }
 
+TEST(FlightC, PointsOfAMissionAreChecked) {
+  FlightInC c;
+  ASSERT_EQ(c.begin(), kOk);
+  const auto set = [&c](auto change) {
+    tern_via point{{0.4, 0.0, 1.5}, 0.1};
+    change(point);
+    return static_cast<tern::Status>(tern_flight_set_mission(&c.flight, &point, 1, TERN_VIA_SKIP));
+  };
+  using tern::Status;
+  EXPECT_EQ(set([](tern_via&) {}), Status::kOk);
+  EXPECT_EQ(set([](tern_via& v) { v.position.y = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(set([](tern_via& v) { v.tolerance = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(set([](tern_via& v) { v.tolerance = -0.1; }), Status::kInvalidArgument);
+  EXPECT_EQ(set([](tern_via& v) { v.has_velocity = true; }), Status::kInvalidArgument);
+  const std::vector<tern_via> many(tern::kMaxMissionPoints + 1);
+  EXPECT_EQ(tern_flight_set_mission(&c.flight, many.data(), 0, TERN_VIA_SKIP), kInvalid);
+  EXPECT_EQ(
+      static_cast<Status>(tern_flight_set_mission(&c.flight, many.data(), tern::kMaxMissionPoints + 1, TERN_VIA_SKIP)),
+      Status::kViasFull);
+  EXPECT_EQ(tern_flight_point_state(&c.flight, -1), TERN_POINT_AHEAD);
+}
+
+TEST(FlightC, YawPlansAreChecked) {
+  FlightInC c;
+  ASSERT_EQ(c.begin(), kOk);
+  const auto set = [&c](auto change) {
+    tern_flight_yaw yaw{};
+    yaw.mode = tern::FlightYawMode::kFixed;
+    yaw.acceleration_max = 4.0;
+    yaw.start = {1.0, 0.0};
+    yaw.heading = {0.0, 1.0};
+    change(yaw);
+    return static_cast<tern::Status>(tern_flight_set_yaw(&c.flight, &yaw));
+  };
+  using tern::Status;
+  EXPECT_EQ(set([](tern_flight_yaw&) {}), Status::kOk);
+  EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(set([](tern_flight_yaw& y) { y.view = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = 1e-3; }), Status::kLimitsInvalid);
+  EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = 1e4; }), Status::kLimitsInvalid);
+  EXPECT_NE(set([](tern_flight_yaw& y) { y.start = {0.0, 0.0}; }), Status::kOk);
+  EXPECT_NE(set([](tern_flight_yaw& y) { y.heading = {NAN, 1.0}; }), Status::kOk);
+  EXPECT_NE(set([](tern_flight_yaw& y) { y.heading = {0.0, 0.0}; }), Status::kOk);
+}
+
 TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   tern_flight flight{};
   tern_flight_report report{};
@@ -156,6 +201,20 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   tern_flight_command(&flight, 0, nullptr);
   tern_flight_spec_init(nullptr, nullptr);
   EXPECT_EQ(tern_flight_words({0, 1, 1}), 0u);
+  FlightInC c;
+  EXPECT_EQ(tern_flight_start(nullptr, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, nullptr, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, nullptr, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, nullptr, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  const tern_map none{};
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &none, &c.planner, c.flight_words.data(), c.flight_words.size(),
+                              &goal, 0),
+            kInvalid);
+  tern_flight_spec kept = c.flight_spec;
+  tern_flight_spec_init(&kept, nullptr);
+  EXPECT_EQ(kept.tick, c.flight_spec.tick);
 }
 
 /// What start() refuses, and that it refuses it.
@@ -177,6 +236,10 @@ TEST(FlightC, BadStartsAreRefused) {
   EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1e6; }), Status::kStartOccupied);
   EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t& n) { --n; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = 0; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = std::int64_t{1} << 50; }),
+            Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.near = NAN; }), Status::kInvalidArgument);
+  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.yaw_rate = 5e-4; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.work_per_tick = 255; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.plan_work = 0; }), Status::kInvalidArgument);
   EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.horizon = NAN; }), Status::kInvalidArgument);

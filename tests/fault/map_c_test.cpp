@@ -89,6 +89,45 @@ TEST(MapC, EqualsTheMapInCpp) {
   EXPECT_EQ(tern_grid_inflate(&snapshot), kOk);
 }
 
+TEST(MapC, NullPointersHaveAnswers) {
+  const tern_map_spec spec = small_spec();
+  std::vector<std::uint64_t> words(tern_map_words(&spec));
+  tern_map map{};
+  ASSERT_EQ(tern_map_bind(&map, &spec, words.data(), words.size(), nullptr), kOk);
+  const tern_vec3 point{1.0, 1.0, 1.0};
+  const tern_pose pose{point, {1.0, 0.0, 0.0, 0.0}};
+  const tern_depth_view view{};
+  EXPECT_EQ(tern_map_begin_frame(&map, nullptr, &pose, 0), kInvalid);
+  EXPECT_EQ(tern_map_begin_frame(&map, &view, nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_map_begin_scan(&map, &point, 1, nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_map_follow(&map, nullptr), kInvalid);
+  EXPECT_EQ(tern_map_assume_free(&map, nullptr, 1.0), kInvalid);
+  EXPECT_EQ(tern_map_mark_box(&map, nullptr), kInvalid);
+  EXPECT_EQ(tern_map_mark_cylinder(&map, nullptr), kInvalid);
+  EXPECT_EQ(tern_map_route(&map, nullptr), kInvalid);
+  EXPECT_EQ(tern_map_safe(&map, nullptr), kInvalid);
+  EXPECT_EQ(tern_map_begin_snapshot(&map, nullptr, nullptr, 0), kInvalid);
+  tern_map_spec kept = spec;
+  tern_map_spec_init(&kept, nullptr, 0.5, {1, 1, 1}, 0.2);
+  EXPECT_EQ(kept.cell, spec.cell);
+  tern_map_spec_init(nullptr, &point, 0.5, {1, 1, 1}, 0.2);
+}
+
+TEST(MapC, ACppMapThatIsNotBoundHasAnswers) {
+  tern::RollingMap map;
+  tern::Box added{};
+  EXPECT_EQ(map.learned(), 0u);
+  EXPECT_EQ(map.slack(), 0);
+  EXPECT_EQ(map.seen_rows(), nullptr);
+  EXPECT_EQ(map.frame_work(10, 10), 0u);
+  EXPECT_FALSE(map.take_added(added));
+  tern_test::OwnedMap owned(small_spec());
+  EXPECT_EQ(owned.map.frame_work(0, 10), 0u);
+  EXPECT_EQ(owned.map.frame_work(10, 0), 0u);
+  EXPECT_GT(owned.map.frame_work(10, 10), 0u);
+  EXPECT_FALSE(owned.map.seen({70, 0, 0}));
+}
+
 TEST(MapC, AnswersWithoutAMap) {
   tern_map map{};
   tern_grid grid{};

@@ -91,6 +91,43 @@ TEST_F(CheckTest, Malformed) {
   expect(Finding::kMalformed, -1);
 }
 
+TEST_F(CheckTest, CountsThatAreNone) {
+  for (const int count : {0, -1, tern::kMaxSegments + 1}) {
+    trajectory_->count = count;
+    expect(Finding::kMalformed, -1);
+    trajectory_->count = 2;
+    corridor_->count = count;
+    expect(Finding::kMalformed, -1);
+    corridor_->count = 2;
+  }
+  trajectory_->segments[0].polyhedron = -1;
+  expect(Finding::kMalformed, 0);
+}
+
+TEST_F(CheckTest, PolyhedraThatAreNone) {
+  tern::Polyhedron& polyhedron = corridor_->polyhedra[1];
+  for (const int count : {0, -1, tern::kMaxPlanes + 1}) {
+    polyhedron.count = count;
+    expect(Finding::kMalformed, 1);
+  }
+  polyhedron.count = 6;
+  for (const int redundant : {-1, tern::kMaxPlanes - 5}) {
+    polyhedron.redundant = redundant;
+    expect(Finding::kMalformed, 1);
+  }
+  polyhedron.redundant = 0;
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const tern::Halfspace good = polyhedron.planes[2];
+  const tern::Halfspace bad[] = {
+      {{kNan, 1.0, 0.0}, 2.0}, {{0.0, kNan, 0.0}, 2.0}, {{0.0, 1.0, kNan}, 2.0}, {{0.0, 1.0, 0.0}, kNan}};
+  for (const tern::Halfspace& plane : bad) {
+    polyhedron.planes[2] = plane;
+    expect(Finding::kMalformed, 1);
+  }
+  polyhedron.planes[2] = good;
+  EXPECT_EQ(run(), Status::kOk);
+}
+
 TEST_F(CheckTest, PolyhedronWithBadNormal) {
   corridor_->polyhedra[1].planes[0].normal.x = 0.5;
   expect(Finding::kMalformed, 1);

@@ -211,4 +211,25 @@ TEST(GridInflate, IsTheSameFarFromTheWorldsOrigin) {
   }
 }
 
+/// A reach of more rows than a word has: changes count by whole blocks of rows, and give what a new grid gives.
+TEST(GridInflate, ChangesWithAReachOfManyRows) {
+  const GridSpec spec = whole_grid({20, 400, 6}, 0.01, 0.75);
+  OwnedGrid owned(spec);
+  ASSERT_EQ(owned.status, Status::kOk);
+  const Voxel marks[] = {{5, 10, 3}, {15, 390, 3}, {10, 200, 0}};
+  for (const Voxel& mark : marks) {
+    EXPECT_EQ(owned.grid.mark_voxel(mark), Status::kOk);
+    owned.grid.inflate();
+    OwnedGrid fresh(spec);
+    tern_test::copy_obstacles(owned.grid, fresh.grid);
+    fresh.grid.inflate();
+    ASSERT_EQ(count_free(owned.grid), count_free(fresh.grid));
+  }
+  EXPECT_GT(count_free(owned.grid), 0);
+  EXPECT_EQ(owned.grid.clear_voxel(marks[1]), Status::kOk);
+  owned.grid.inflate();
+  EXPECT_TRUE(owned.grid.free({15, 390, 3}));
+  EXPECT_FALSE(owned.grid.free({5, 10, 3}));
+}
+
 }  // namespace

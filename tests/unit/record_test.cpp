@@ -272,4 +272,63 @@ TEST(Record, RefusesWhatIsNoQuery) {
   EXPECT_EQ(write(world.grid, &used), Status::kInvalidArgument);
 }
 
+/// Reads a record with its obstacles.
+Status read_whole(const Bytes& bytes) {
+  PlanRecord record;
+  Grid grid;
+  std::vector<std::uint64_t> words(grid_words({20, 20, 10}));
+  return read_plan_record(bytes.data(), bytes.size(), record, grid, words.data(), words.size());
+}
+
+TEST(Record, RunsOfObstaclesThatAreNoneAreDamage) {
+  tern_test::World world({20, 20, 10}, 0.1, 0.1);
+  world.from({0.55, 0.55, 0.55}).to({1.45, 1.45, 0.55});
+  world.plan();
+  // No obstacle: one run of free words is the last thing before the checksum.
+  const Bytes free = record(world);
+  const std::size_t last = free.size() / 8 - 2;
+  constexpr std::uint64_t kWords = 20 * 10;
+  EXPECT_EQ(read_whole(altered(free, last, 4 * kWords)), Status::kOk);
+  EXPECT_EQ(read_whole(altered(free, last, 0)), Status::kRecordDamaged);                 // no words
+  EXPECT_EQ(read_whole(altered(free, last, 4 * (kWords + 1))), Status::kRecordDamaged);  // too many
+  EXPECT_EQ(read_whole(altered(free, last, 4 * (kWords - 1))), Status::kRecordDamaged);  // too few
+  EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 1)), Status::kRecordDamaged);    // the equal word is missing
+  EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 2)), Status::kRecordDamaged);    // all of them are missing
+  EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 3)), Status::kRecordDamaged);    // no kind of run
+  // All solid: a run of equal words. A voxel beyond the grid is none.
+  world.block({0.0, 0.0, 0.0}, {2.0, 2.0, 1.0});
+  world.plan();
+  const Bytes solid = record(world);
+  EXPECT_EQ(read_whole(solid), Status::kOk);
+  EXPECT_EQ(read_whole(altered(solid, solid.size() / 8 - 2, ~std::uint64_t{0})), Status::kRecordDamaged);
+}
+
+TEST(Record, RequestsThatCannotBeWrittenAreRefused) {
+  tern_test::World world({20, 20, 10}, 0.1, 0.1);
+  world.from({0.55, 0.55, 0.55}).to({1.45, 1.45, 0.55});
+  ASSERT_EQ(world.plan(), Status::kOk);
+  Bytes bytes(plan_record_bytes(world.spec.dims));
+  std::size_t used = 0;
+  const auto write = [&](std::uint8_t* to, std::size_t* size) {
+    return record_plan(world.grid, world.request, world.report.status, world.trajectory, to, bytes.size(), size);
+  };
+  EXPECT_EQ(write(nullptr, &used), Status::kInvalidArgument);
+  EXPECT_EQ(write(bytes.data(), nullptr), Status::kInvalidArgument);
+  for (const int count : {-1, kMaxSegments + 1}) {
+    const int right = world.trajectory.count;
+    world.trajectory.count = count;
+    EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument) << count;
+    world.trajectory.count = right;
+  }
+  world.request.via_count = 1;
+  EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
+  world.request.via_count = -1;
+  EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
+  world.request.via_count = 0;
+  Fence fence{nullptr, 3, FenceKind::kKeepIn};
+  world.request.fences = &fence;
+  world.request.fence_count = 1;
+  EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
+}
+
 }  // namespace

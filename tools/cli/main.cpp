@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
   tern_cli::add_export_command(app, exit_status);
   tern_cli::add_page_command(app, exit_status);
   tern_cli::add_replay_command(app, exit_status);
+  tern_cli::add_world_command(app, exit_status);
   check_command(app, argc, argv);
   try {
     app.parse(reversed_arguments(argc, argv));

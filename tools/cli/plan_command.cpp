@@ -76,7 +76,9 @@ std::string check_step(const std::string& text) {
 void add_plan_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<PlanOptions>();
   CLI::App* const command = app.add_subcommand("plan", "Plan one scenario and print a summary");
-  command->add_option("SCENARIO", options->scenario, "Scenario file: map, start, goal, limits (docs/formats.md)")
+  command
+      ->add_option("SCENARIO", options->scenario,
+                   "Scenario file: map, start, goal, limits (docs/formats.md); or FAMILY:SEED, e.g. P25:7")
       ->required();
   command->add_option("--json", options->json, "Write the plan, or how far it came, as JSON")->type_name("FILE");
   command

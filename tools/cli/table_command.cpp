@@ -19,6 +19,7 @@
 #include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
 #include "host/plan_file.hpp"
+#include "host/plan_rows.hpp"
 
 namespace tern_cli {
 namespace {
@@ -29,6 +30,7 @@ struct TableOptions {
   std::vector<std::string> scenarios;
   std::string folder;
   std::string html;
+  std::string rows;
   int repeat = 5;
   std::vector<std::string> overrides;
 };
@@ -61,6 +63,7 @@ void check_outputs(const TableOptions& options) {
     }
   }
   outputs.push_back(options.html);
+  outputs.push_back(options.rows);
   check_output_paths(options.scenarios, outputs);
 }
 
@@ -83,6 +86,7 @@ int table(const TableOptions& options) {
   tern_host::Session session;
   int exit_status = kExitOk;
   std::vector<std::string> runs;
+  std::string rows = tern_host::plan_rows_header();
   std::fputs(table_header().c_str(), stdout);
   for (const std::string& file : options.scenarios) {
     const tern_host::Scenario scenario = tern_host::read_scenario(file, options.overrides);
@@ -90,9 +94,11 @@ int table(const TableOptions& options) {
     if (!result.ok()) exit_status = kExitNoPlan;
     std::fputs(table_row(base_name(file), result).c_str(), stdout);
     if (!options.folder.empty()) write_outputs(options.folder + "/" + base_name(file), result);
+    if (!options.rows.empty()) rows += tern_host::plan_row(result);
     if (!options.html.empty()) runs.push_back(tern_host::plan_run(result));
   }
   if (!options.html.empty()) tern_host::write_file(options.html, tern_host::page_html(runs));
+  if (!options.rows.empty()) tern_host::write_file(options.rows, rows);
   return exit_status;
 }
 
@@ -101,10 +107,13 @@ int table(const TableOptions& options) {
 void add_table_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<TableOptions>();
   CLI::App* const command = app.add_subcommand("table", "Plan several scenarios and print one row for each");
-  command->add_option("SCENARIO", options->scenarios, "Scenario files (docs/formats.md)")->required();
+  command->add_option("SCENARIO", options->scenarios, "Scenario files (docs/formats.md), or FAMILY:SEED, e.g. P25:7")
+      ->required();
   command->add_option("--out", options->folder, "Write each plan, table and picture into this folder")
       ->type_name("FOLDER");
   command->add_option("--html", options->html, "Write a page with all plans side by side in 3D (docs/page.md)")
+      ->type_name("FILE");
+  command->add_option("--rows", options->rows, "Write one line of CSV for each scenario, without times")
       ->type_name("FILE");
   command->add_option("--repeat", options->repeat, "Plans of each scenario; the one of median time is shown")
       ->capture_default_str()

@@ -3,6 +3,8 @@
 #include "host/scenario.hpp"
 
 #include "base/bounds.hpp"
+#include "host/flight/family_scenario.hpp"
+#include "host/flight/world_family.hpp"
 #include "host/map/map_files.hpp"
 #include "host/scenario_records.hpp"
 
@@ -50,7 +52,9 @@ Scenario parse_scenario(const std::string& text, const std::string& name, const 
 }
 
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides, Ends ends) {
-  Scenario scenario = parse_scenario(read_text(path), path, overrides, ends);
+  FamilyMember member;
+  const std::string text = parse_member(path, member) ? scenario_text(read_flight_world(path, {})) : read_text(path);
+  Scenario scenario = parse_scenario(text, path, overrides, ends);
   load_map_files(scenario);
   return scenario;
 }

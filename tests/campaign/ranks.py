@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ranks.py CAMPAIGN TERN ATTACK FOLDER MPIRUN PYTHON: real plans, flights and attacks in one process, on 1, 2 and 4
+ranks of mpirun, and killed in the middle and run again: the tables are the same to the byte. MPIRUN or PYTHON empty:
+without ranks."""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+CAMPAIGN, TERN, ATTACK, FOLDER, MPIRUN, PYTHON = sys.argv[1:7]
+ROWS = {"plan": ["P25", "P49", "--runs", "40", "--set", "v_max=3"],
+        "fly": ["P49@3", "--runs", "3", "--set", "time_limit=1.5", "--set", "sensor_size=40,30"],
+        "attack": ["far", "--runs", "500"]}
+# As root and with more ranks than cores, as in containers.
+MPI = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl="self,vader",
+           OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
+failures = 0
+
+
+def expect(what, held):
+    global failures
+    failures += not held
+    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
+
+
+def words(kind, name, ranks=0):
+    python = [MPIRUN, "-n", str(ranks), PYTHON] if ranks else [sys.executable]
+    return [*python, CAMPAIGN, kind, *ROWS[kind], "--tern", TERN, "--attack", ATTACK, "--folder", FOLDER,
+            "--name", name]
+
+
+def run(kind, name, ranks=0):
+    done = subprocess.run(words(kind, name, ranks), capture_output=True, text=True, env=MPI if ranks else None)
+    if done.returncode not in (0, 1) or "Traceback" in done.stderr:
+        print(done.stdout, done.stderr)
+    return tables(name)
+
+
+def tables(name):
+    read = lambda ending: pathlib.Path(FOLDER, f"{name}-table.{ending}").read_bytes()
+    return read("csv"), read("md")
+
+
+def kill_midway(kind, name, ranks=0):
+    """Ends a campaign with SIGKILL once its state has a few runs. Returns how many."""
+    path = pathlib.Path(FOLDER, f"{name}.csv")
+    lines = lambda: len(path.read_text().splitlines()) - 2 if path.exists() else 0
+    process = subprocess.Popen(words(kind, name, ranks), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env=MPI if ranks else None, start_new_session=True)
+    while process.poll() is None and lines() < 1:
+        time.sleep(0.01)
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    return lines()
+
+
+def main():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    whole = {kind: run(kind, f"{kind}-whole") for kind in ROWS}
+    counts = {"plan": 80, "fly": 3}
+    for kind in ("plan", "fly"):
+        begun = kill_midway(kind, f"{kind}-killed")
+        expect(f"{kind}: killed after {begun} runs of {counts[kind]}", 0 < begun < counts[kind])
+        expect(f"{kind}: after a kill and a resume the same table", run(kind, f"{kind}-killed") == whole[kind])
+    if not MPIRUN or not PYTHON:
+        print("SKIPPED: campaigns on ranks of mpirun; tools/setup mpi installs what they need")
+        return 1 if failures else 77
+    for ranks in (1, 2, 4):
+        expect(f"plan: {ranks} ranks, the same table", run("plan", f"plan-{ranks}", ranks) == whole["plan"])
+    for kind in ("fly", "attack"):
+        expect(f"{kind}: 4 ranks, the same table", run(kind, f"{kind}-4", 4) == whole[kind])
+    begun = kill_midway("plan", "plan-ranks-killed", 4)
+    expect(f"plan: ranks killed after {begun} runs of {counts['plan']}", 0 < begun < counts["plan"])
+    expect("plan: ranks resumed by 2, the same table", run("plan", "plan-ranks-killed", 2) == whole["plan"])
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,213 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The planner, its grid and records through C: the plan of C++, in one call and in slices, and an answer to each null
+// pointer.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "support/world.hpp"
+#include "tern/tern.h"
+#include "tern/tern_record.h"
+
+namespace {
+
+using tern::Status;
+using tern_test::World;
+
+constexpr std::uint8_t kOk = 0;
+constexpr auto kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
+constexpr auto kRunning = static_cast<std::uint8_t>(Status::kRunning);
+constexpr tern_box kBlock{{0.9, 0.0, 0.0}, {1.1, 1.0, 1.0}};
+
+/// A grid with one block, and a planner, in C.
+struct PlannerInC {
+  PlannerInC() : words(tern_grid_words({20, 20, 10})), memory(std::make_unique<tern::Workspace>()) {
+    const tern_grid_spec spec{{0.0, 0.0, 0.0}, 0.1, {20, 20, 10}, {{0.0, 0.0, 0.0}, {2.0, 2.0, 1.0}}, 0.1, 0.0};
+    EXPECT_EQ(tern_grid_bind(&grid, &spec, words.data(), words.size()), kOk);
+    EXPECT_EQ(tern_grid_mark_box(&grid, &kBlock), kOk);
+    EXPECT_EQ(tern_grid_inflate(&grid), kOk);
+    EXPECT_EQ(tern_planner_init(&planner, memory.get(), sizeof *memory), kOk);
+    tern_request_init(&request);
+    request.start.position = {0.55, 0.55, 0.55};
+    request.goal.position = {1.45, 0.55, 0.55};
+    request.limits = {{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}};
+  }
+  std::uint8_t plan() { return tern_plan(&planner, &grid, &request, &trajectory, &report); }
+
+  std::vector<std::uint64_t> words;
+  std::unique_ptr<tern::Workspace> memory;
+  tern_grid grid{};
+  tern_planner planner{};
+  tern_request request{};
+  tern_trajectory trajectory{};
+  tern_report report{};
+};
+
+std::uint64_t ticks(void* context) {
+  return ++*static_cast<std::uint64_t*>(context);
+}
+
+TEST(CPlanner, PlansInSlicesAsInOneCallAndAsInCpp) {
+  PlannerInC c;
+  ASSERT_EQ(c.plan(), kOk);
+  World world({20, 20, 10}, 0.1, 0.1);
+  world.grid.mark_box(kBlock);
+  world.from(c.request.start.position).to(c.request.goal.position);
+  world.request.limits = c.request.limits;
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_EQ(tern_duration(&c.trajectory), tern::duration(world.trajectory));
+  tern_trajectory sliced{};
+  ASSERT_EQ(tern_plan_begin(&c.planner, &c.grid, &c.request), kRunning);
+  int slices = 1;
+  while (tern_plan_step(&c.planner, 3) == kRunning) ++slices;
+  EXPECT_EQ(tern_plan_finish(&c.planner, &sliced, &c.report), kOk);
+  EXPECT_GT(slices, 5);
+  ASSERT_EQ(sliced.count, c.trajectory.count);
+  for (int k = 0; k < sliced.count; ++k) {
+    EXPECT_EQ(std::memcmp(sliced.segments[k].points, c.trajectory.segments[k].points, sizeof sliced.segments[k].points),
+              0);
+  }
+}
+
+TEST(CPlanner, ChangesItsGrid) {
+  PlannerInC c;
+  ASSERT_EQ(c.plan(), kOk);
+  const double around = tern_duration(&c.trajectory);
+  EXPECT_EQ(tern_grid_clear_box(&c.grid, &kBlock), kOk);
+  EXPECT_EQ(tern_grid_inflate(&c.grid), kOk);
+  ASSERT_EQ(c.plan(), kOk);
+  EXPECT_LT(tern_duration(&c.trajectory), around - 0.2);
+  const tern_cylinder trunk{{1.45, 0.55, 0.0}, 0.1, 1.0};
+  EXPECT_EQ(tern_grid_mark_cylinder(&c.grid, &trunk), kOk);
+  EXPECT_EQ(tern_grid_inflate(&c.grid), kOk);
+  EXPECT_EQ(c.plan(), static_cast<std::uint8_t>(Status::kGoalOccupied));
+  const tern_vec3 points[] = {{0.55, 0.55, 0.55}, {9.0, 9.0, 9.0}};
+  std::size_t inside = 0;
+  EXPECT_EQ(tern_grid_mark_points(&c.grid, points, 2, &inside), kOk);
+  EXPECT_EQ(inside, 1u);
+  EXPECT_EQ(tern_grid_inflate(&c.grid), kOk);
+  EXPECT_EQ(c.plan(), static_cast<std::uint8_t>(Status::kStartOccupied));
+  // Bound once more, it is empty again; a spec that is refused leaves it as it was.
+  tern_grid_spec spec{{0.0, 0.0, 0.0}, 0.0, {20, 20, 10}, {{0.0, 0.0, 0.0}, {2.0, 2.0, 1.0}}, 0.1, 0.0};
+  EXPECT_NE(tern_grid_bind(&c.grid, &spec, c.words.data(), c.words.size()), kOk);
+  EXPECT_EQ(c.plan(), static_cast<std::uint8_t>(Status::kStartOccupied));
+  spec.cell = 0.1;
+  EXPECT_EQ(tern_grid_bind(&c.grid, &spec, c.words.data(), c.words.size()), kOk);
+  EXPECT_EQ(tern_grid_inflate(&c.grid), kOk);
+  EXPECT_EQ(c.plan(), kOk);
+}
+
+TEST(CPlanner, MeasuresWithAClock) {
+  PlannerInC c;
+  std::uint64_t now = 0;
+  EXPECT_EQ(tern_planner_set_clock(&c.planner, ticks, &now), kOk);
+  ASSERT_EQ(c.plan(), kOk);
+  EXPECT_TRUE(c.report.timing_known);
+  EXPECT_GT(now, 10u);
+}
+
+TEST(CPlanner, RefusesNullPointers) {
+  PlannerInC c;
+  tern_grid none{};
+  EXPECT_EQ(tern_grid_bind(nullptr, nullptr, nullptr, 0), kInvalid);
+  EXPECT_EQ(tern_grid_bind(&c.grid, nullptr, nullptr, 0), kInvalid);
+  for (tern_grid* grid : {&none, static_cast<tern_grid*>(nullptr)}) {
+    const tern_cylinder trunk{};
+    EXPECT_EQ(tern_grid_mark_box(grid, &kBlock), kInvalid);
+    EXPECT_EQ(tern_grid_clear_box(grid, &kBlock), kInvalid);
+    EXPECT_EQ(tern_grid_mark_cylinder(grid, &trunk), kInvalid);
+    EXPECT_EQ(tern_grid_mark_points(grid, &kBlock.lower, 1, nullptr), kInvalid);
+    EXPECT_EQ(tern_grid_inflate(grid), kInvalid);
+  }
+  EXPECT_EQ(tern_grid_mark_box(&c.grid, nullptr), kInvalid);
+  EXPECT_EQ(tern_grid_clear_box(&c.grid, nullptr), kInvalid);
+  EXPECT_EQ(tern_grid_mark_cylinder(&c.grid, nullptr), kInvalid);
+  EXPECT_EQ(tern_planner_set_clock(nullptr, nullptr, nullptr), kInvalid);
+  EXPECT_EQ(tern_plan(nullptr, &c.grid, &c.request, &c.trajectory, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan(&c.planner, nullptr, &c.request, &c.trajectory, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan(&c.planner, &c.grid, nullptr, &c.trajectory, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan(&c.planner, &c.grid, &c.request, nullptr, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan(&c.planner, &c.grid, &c.request, &c.trajectory, nullptr), kInvalid);
+  EXPECT_EQ(tern_plan_begin(nullptr, &c.grid, &c.request), kInvalid);
+  EXPECT_EQ(tern_plan_begin(&c.planner, nullptr, &c.request), kInvalid);
+  EXPECT_EQ(tern_plan_begin(&c.planner, &c.grid, nullptr), kInvalid);
+  EXPECT_EQ(tern_plan_step(nullptr, 1), kInvalid);
+  EXPECT_EQ(tern_plan_finish(nullptr, &c.trajectory, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan_finish(&c.planner, nullptr, &c.report), kInvalid);
+  EXPECT_EQ(tern_plan_finish(&c.planner, &c.trajectory, nullptr), kInvalid);
+  tern_request_init(nullptr);
+  EXPECT_EQ(c.plan(), kOk);
+}
+
+/// A planner without usable memory answers as one, whatever it is called for.
+TEST(CPlanner, AnswersWithoutMemory) {
+  PlannerInC c;
+  EXPECT_EQ(tern_planner_init(nullptr, c.memory.get(), sizeof *c.memory), kInvalid);
+  EXPECT_EQ(tern_planner_init_for(&c.planner, c.memory.get(), sizeof *c.memory, tern_header_hash() + 1), kInvalid);
+  EXPECT_NE(c.plan(), kOk);
+  EXPECT_EQ(c.report.field, tern::Field::kConfiguration);
+  EXPECT_EQ(tern_planner_init(&c.planner, nullptr, sizeof *c.memory), kInvalid);
+  EXPECT_NE(c.plan(), kOk);
+  EXPECT_EQ(c.report.field, tern::Field::kWorkspace);
+  EXPECT_EQ(tern_planner_init(&c.planner, c.memory.get(), tern::kWorkspaceBytes - 1), kInvalid);
+  EXPECT_NE(c.plan(), kOk);
+  EXPECT_EQ(tern_planner_set_clock(&c.planner, ticks, nullptr), kOk);
+  EXPECT_EQ(tern_plan_step(&c.planner, 1), kInvalid);
+  tern::Planner planner(nullptr, 0);
+  planner.forget_map();
+  EXPECT_EQ(planner.path(), nullptr);
+  EXPECT_EQ(planner.corridor(), nullptr);
+}
+
+TEST(CPlanner, EvaluatesWithAndWithoutAPlan) {
+  PlannerInC c;
+  ASSERT_EQ(c.plan(), kOk);
+  tern_sample sample{};
+  tern_evaluate(&c.trajectory, 0.0, &sample);
+  EXPECT_NEAR(sample.position.x, 0.55, 1e-9);
+  tern_evaluate(nullptr, 0.0, &sample);
+  EXPECT_EQ(sample.position.x, 0.0);
+  tern_evaluate(&c.trajectory, 0.0, nullptr);
+  EXPECT_EQ(tern_duration(nullptr), 0.0);
+  tern_flat_state level{};
+  tern_flat(nullptr, nullptr, &level);
+  EXPECT_NEAR(level.quaternion[0], 1.0, 1e-12);
+  const tern_yaw north{0.0, 1.0, 0.0};
+  tern_flat_state turned{};
+  tern_flat(&sample, &north, &turned);
+  EXPECT_NEAR(turned.quaternion[3], 0.7071067811865476, 1e-12);
+  tern_flat(&sample, &north, nullptr);
+}
+
+TEST(CPlanner, MakesHalfspacesOfABox) {
+  tern_halfspace planes[6] = {};
+  tern_box_halfspaces(nullptr, planes);
+  EXPECT_EQ(planes[0].offset, 0.0);
+  tern_box_halfspaces(&kBlock, nullptr);
+  tern_box_halfspaces(&kBlock, planes);
+  tern::Halfspace expected[tern::kBoxPlanes];
+  tern::box_planes(kBlock, expected);
+  EXPECT_EQ(std::memcmp(planes, expected, sizeof planes), 0);
+}
+
+TEST(CPlanner, RecordsAsCpp) {
+  PlannerInC c;
+  ASSERT_EQ(c.plan(), kOk);
+  std::vector<std::uint8_t> bytes(tern_plan_record_bytes({20, 20, 10}));
+  std::size_t used = 0;
+  const auto record = [&](const tern_grid* grid, const tern_request* request, const tern_trajectory* plan) {
+    return tern_record_plan(grid, request, kOk, plan, bytes.data(), bytes.size(), &used);
+  };
+  EXPECT_EQ(record(nullptr, &c.request, &c.trajectory), kInvalid);
+  EXPECT_EQ(record(&c.grid, nullptr, &c.trajectory), kInvalid);
+  EXPECT_EQ(record(&c.grid, &c.request, nullptr), kInvalid);
+  ASSERT_EQ(record(&c.grid, &c.request, &c.trajectory), kOk);
+  const auto read = std::make_unique<tern::PlanRecord>();
+  ASSERT_EQ(tern::read_plan_record(bytes.data(), used, *read), Status::kOk);
+  EXPECT_EQ(tern::duration(read->plan), tern_duration(&c.trajectory));
+}
+
+}  // namespace

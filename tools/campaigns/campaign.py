@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes many random runs, on all cores or on the ranks of mpirun, and prints one table (docs/campaigns.md).
+
+  plan     plans through a family's worlds with full knowledge, each checked again by sampling
+  fly      flights through worlds that are discovered on the way
+  attack   cases of a family of the attack, in blocks of 500
+
+A row of the table is a family, such as P25, or P25@8 at 8 m/s (`tern fly --help`), or noise, boxes, ... for attack
+(docs/attack.md). Run k of a row is FAMILY:k. Finished runs are kept in FOLDER/NAME.csv, so that the same command goes
+on where a killed one was; another build of the program or other settings begin anew. Tables go to
+FOLDER/NAME-table.csv and .md, failing worlds with as few obstacles as still fail to FOLDER/NAME-failures/.
+
+Exit status: 0; 1 where a run touched something, broke an invariant or crashed, or where fewer than --least of a row's
+runs succeeded; 2 for wrong usage."""
+import argparse
+import hashlib
+import os
+import pathlib
+import shlex
+import sys
+import time
+
+import kinds
+import minimise
+import pool
+import table
+from state import State
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="tools/campaign", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("kind", choices=sorted(kinds.KINDS), help="what to run")
+    parser.add_argument("rows", nargs="+", metavar="FAMILY", help="P25, P25@8, S20, C@6, B, O, M; noise, boxes, ...")
+    parser.add_argument("--runs", "--flights", type=int, default=100, metavar="N", help="of each row (default 100)")
+    parser.add_argument("--seed", type=int, default=1, metavar="S", help="of the first run of each row (default 1)")
+    parser.add_argument("--set", dest="settings", action="append", default=[], metavar="KEY=VALUE",
+                        help="setting for all runs; flights have " + " ".join(kinds.Fly.settings_default))
+    parser.add_argument("--name", default="", help="of state and tables (default: from kind, rows and settings)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time (default: one a core)")
+    parser.add_argument("--seconds", type=float, default=0.0, help="begin no run after this time; 0: make all")
+    parser.add_argument("--fresh", action="store_true", help="forget what was run before")
+    parser.add_argument("--share", type=float, default=1.0, help="part of the runs to make, 0 < share <= 1")
+    parser.add_argument("--least", type=float, default=0.0, help="part of each row's runs that must succeed")
+    parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of a row (default 0)")
+    parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world small (default 200)")
+    parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
+    parser.add_argument("--attack", default="build/host/tests/attack/tern_attack", help=argparse.SUPPRESS)
+    parser.add_argument("--folder", default="build/campaign", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    arguments.runs = max(1, int(arguments.share * arguments.runs))
+    arguments.settings = merge(kinds.KINDS[arguments.kind].settings_default, arguments.settings)
+    return arguments
+
+
+def merge(defaults, given):
+    """Later settings replace earlier ones of the same key."""
+    chosen = {}
+    for text in [*defaults, *given]:
+        chosen[text.split("=", 1)[0]] = text
+    return list(chosen.values())
+
+
+class Progress:
+    def __init__(self, kind, total):
+        self.kind, self.total, self.done, self.failures, self.began = kind, total, 0, 0, time.monotonic()
+        self.shown = sys.stderr.isatty()
+
+    def show(self, failed):
+        self.done += 1
+        self.failures += failed
+        spent = time.monotonic() - self.began
+        left = spent / self.done * (self.total - self.done)
+        if self.shown or self.done % 100 == 0:
+            print(f"\r{self.done} of {self.total} {self.kind.verb}, {spent:.0f} s, about {left:.0f} s left, "
+                  f"{self.failures} not {self.kind.good}  ", end="" if self.shown else "\n", file=sys.stderr,
+                  flush=True)
+
+    def say(self, text):
+        print(f"{chr(13) if self.shown else ''}{text}", flush=True)
+
+
+def describe(kind, entry):
+    command = shlex.join(kind.command(entry["row"], entry["seed"]))
+    return f"{entry['status']}: {entry.get('reason') or entry.get('stage', '')}: {command}"
+
+
+def missing_jobs(arguments, kind, state):
+    """Seed by seed, so that all rows grow alike."""
+    jobs = [kind.jobs(row, arguments.seed, arguments.runs) for row in arguments.rows]
+    ordered = [job for together in zip(*jobs) for job in together]
+    done = lambda job: all((job[0], seed) in state.runs for seed in kind_seeds(kind, job))
+    return [job for job in ordered if not done(job)]
+
+
+def kind_seeds(kind, job):
+    return [job[1]] if kind.name == "attack" else range(job[1], job[1] + job[2])
+
+
+def run_all(arguments, kind, state, executor, width):
+    jobs = missing_jobs(arguments, kind, state)
+    progress = Progress(kind, sum(len(kind_seeds(kind, job)) for job in jobs))
+    end = time.monotonic() + arguments.seconds if arguments.seconds > 0.0 else float("inf")
+    in_time = ((kind, job) for job in jobs if time.monotonic() <= end)
+    for entries in pool.as_they_finish(executor, width, kinds.run_job, in_time):
+        for entry in entries:
+            if (entry["row"], entry["seed"]) in state.runs:
+                continue
+            state.add(entry)
+            if entry["status"] != kind.good:
+                progress.say(describe(kind, entry))
+            progress.show(entry["status"] != kind.good)
+    if progress.shown:
+        print(file=sys.stderr)
+
+
+def keep_failures(arguments, kind, state, stem, executor, width):
+    """The first of each row, by seed. A file that is there already is not made again."""
+    folder = pathlib.Path(f"{stem}-failures")
+    jobs = []
+    for row in arguments.rows:
+        failed = [entry for entry in state.of_row(row) if entry["status"] != kind.good]
+        jobs += [(kind, entry, str(folder), arguments.trials) for entry in failed[:arguments.keep]
+                 if not (folder / f"{row}-{entry['seed']}.txt").exists()]
+    for row, seed, text, words in pool.as_they_finish(executor, width, minimise.keep, jobs):
+        print(f"{row}:{seed}: {words}", flush=True)
+        if text is not None:
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / f"{row}-{seed}.txt").write_text(text)
+
+
+def verdict(arguments, kind, state):
+    """The exit status: what must never happen, and the least part that succeeds."""
+    failed = False
+    for row in arguments.rows:
+        runs = state.of_row(row)
+        good = sum(entry["status"] == kind.good for entry in runs)
+        failed = failed or any(entry["status"] in kind.broken | {"violation", "check_failed"} for entry in runs) or \
+            good < arguments.least * len(runs)
+    return 1 if failed else 0
+
+
+def make(arguments, kind, executor, width):
+    program = hashlib.sha256(pathlib.Path(kind.program).read_bytes()).hexdigest()[:16]
+    seed = f", seed {arguments.seed}" if kind.name == "attack" else ""
+    identity = f"{kind.name} program {program}, settings {' '.join(arguments.settings)}{seed}"
+    words = " ".join([kind.name, *arguments.rows, *arguments.settings])
+    stem = pathlib.Path(arguments.folder, arguments.name or hashlib.sha256(words.encode()).hexdigest()[:8])
+    stem.parent.mkdir(parents=True, exist_ok=True)
+    path = pathlib.Path(f"{stem}.csv")
+    if arguments.fresh:
+        path.unlink(missing_ok=True)
+    state = State(path, identity, kind.fields)
+    for entry in state.runs.values():
+        if entry["status"] != kind.good:
+            print(describe(kind, entry), flush=True)
+    run_all(arguments, kind, state, executor, width)
+    keep_failures(arguments, kind, state, stem, executor, width)
+    table.write_tables([table.ROWS[kind.name](row, state.of_row(row)) for row in arguments.rows], stem)
+    return verdict(arguments, kind, state)
+
+
+def main():
+    arguments = parse_arguments()
+    program = arguments.attack if arguments.kind == "attack" else arguments.tern
+    if not pathlib.Path(program).exists():
+        print(f"tools/campaign: there is no program {program}; `tools/campaign build` makes it", file=sys.stderr)
+        return 2
+    kind = kinds.KINDS[arguments.kind](program, arguments.settings, arguments.seed)
+    status = 0
+    with pool.workers(arguments.jobs) as (executor, width):
+        if executor is not None:
+            status = make(arguments, kind, executor, width)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

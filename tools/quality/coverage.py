@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the tests with a core whose branches are counted, and lists the branches of core/src that none takes.
+
+tests/coverage/exceptions.txt names branches that are left out, one a line: FILE | SOURCE LINE | REASON. The source line
+stands for its place, so that other lines may move. A line there that no untaken branch needs any more is an error."""
+import argparse
+import collections
+import concurrent.futures
+import csv
+import datetime
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+import suite
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXCEPTIONS = ROOT / "tests/coverage/exceptions.txt"
+TABLE = ROOT / "docs/measurements/coverage.csv"
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="tools/coverage", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--files", default="", metavar="REGEX", help="list only files whose path matches")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="tests at a time (default: one a core)")
+    parser.add_argument("--report-only", action="store_true", help="run nothing; read the counts of the last run")
+    parser.add_argument("--tests", default=str(ROOT / "build/quality"), help=argparse.SUPPRESS)
+    parser.add_argument("--core", default=str(ROOT / "build/coverage"), help=argparse.SUPPRESS)
+    return parser.parse_args()
+
+
+def run_tests(programs, core, jobs):
+    """Every test once; counts of processes add up in the core's own files. Returns the names of those that failed."""
+    for path in core.rglob("*.gcda"):
+        path.unlink()
+    began, done, failed = time.monotonic(), 0, []
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        runs = {pool.submit(suite.passes, words, core, 1800.0): words[0].name for words in programs}
+        for run in concurrent.futures.as_completed(runs):
+            done += 1
+            failed += [] if run.result() else [runs[run]]
+            print(f"\r{done} of {len(programs)} tests, {time.monotonic() - began:.0f} s, {len(failed)} failed  ",
+                  end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    return failed
+
+
+def branches(core):
+    """{(file, line): [taken or not, of each branch]} over all libraries."""
+    done = subprocess.run(["gcovr", "--root", str(ROOT), "--filter", "core/src/", "--filter", "core/include/", "--json",
+                           "--gcov-ignore-parse-errors", str(core)],
+                          capture_output=True, text=True, cwd=ROOT)
+    if done.returncode != 0:
+        sys.exit(f"tools/coverage: gcovr failed: {done.stderr.strip()[-500:]}")
+    found = {}
+    for file in json.loads(done.stdout)["files"]:
+        for line in file["lines"]:
+            if line["branches"]:
+                found[file["file"], line["line_number"]] = [branch["count"] > 0 for branch in line["branches"]]
+    return found
+
+
+def read_exceptions():
+    exceptions = {}
+    for number, line in enumerate(EXCEPTIONS.read_text().splitlines() if EXCEPTIONS.exists() else [], 1):
+        if not line or line.startswith("#"):
+            continue
+        parts = line.split(" | ")
+        if len(parts) < 3 or not all(parts):
+            sys.exit(f"{EXCEPTIONS}:{number}: must be FILE | SOURCE LINE | REASON")
+        exceptions[parts[0], " | ".join(parts[1:-1])] = parts[-1]  # a source line may have a bar of its own
+    return exceptions
+
+
+def main():
+    arguments = parse_arguments()
+    core = pathlib.Path(arguments.core)
+    programs = suite.programs(pathlib.Path(arguments.tests))
+    failed = [] if arguments.report_only else run_tests(programs, core, arguments.jobs)
+    for name in failed:
+        print(f"{name} fails with the counted core")
+    exceptions, used, totals = read_exceptions(), set(), collections.defaultdict(lambda: [0, 0, 0])
+    listed = 0
+    for (path, line), taken in sorted(branches(core).items()):
+        source = (ROOT / path).read_text().splitlines()[line - 1].strip()
+        missing = taken.count(False)
+        is_named = missing > 0 and (path, source) in exceptions
+        used |= {(path, source)} if is_named else set()
+        for key in ("/".join(path.split("/")[:3]), "all"):
+            totals[key][0] += len(taken)
+            totals[key][1] += len(taken) - missing
+            totals[key][2] += missing if is_named else 0
+        if missing and not is_named and re.search(arguments.files, path):
+            listed += 1
+            print(f"{path}:{line}: {missing} of {len(taken)} branches not taken: {source}")
+    unused = sorted(set(exceptions) - used) if not arguments.files else []
+    for path, source in unused:
+        print(f"{EXCEPTIONS.relative_to(ROOT)}: not needed any more: {path} | {source}")
+    write_table(totals, len(programs))
+    everything = totals["all"]
+    print(f"{everything[1]} of {everything[0]} branches taken, {everything[2]} named as exceptions, "
+          f"{everything[0] - everything[1] - everything[2]} not")
+    return 1 if listed or unused or failed else 0
+
+
+def write_table(totals, count):
+    with TABLE.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["stage", "branches", "taken", "named", "date", "tests"])
+        for key, (all_of_them, taken, excepted) in sorted(totals.items(), key=lambda item: (item[0] == "all", item[0])):
+            writer.writerow([key, all_of_them, taken, excepted, datetime.date.today().isoformat(), count])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
