@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "verify/flight.hpp"
 #include "verify/proofs.hpp"
 
 namespace tern_cli {
@@ -51,25 +52,31 @@ void print(const std::string& plan, const Claims& claims, bool brief) {
               tern_verify::verdict_word(tern_verify::verdict_of(claims)), proven, claims.size());
 }
 
+/// What one file claims, proven: a flight's log, or a plan with the scenario after it.
+Claims prove_file(const std::vector<std::string>& files, std::size_t& next) {
+  const std::string& name = files[next++];
+  const std::string text = tern_verify::read_file(name);
+  if (tern_verify::is_flight(text)) return tern_verify::prove(tern_verify::parse_flight(text, name));
+  if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
+  const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
+  return tern_verify::prove(tern_verify::read_problem(files[next++]), plan);
+}
+
 int verify(const VerifyOptions& options) {
-  if (options.files.size() % 2 != 0) throw std::runtime_error("verify needs a SCENARIO after each PLAN");
   check_output_paths(options.files, {options.json});
   Json verdicts = Json::array();
   int exit_status = kExitOk;
-  for (std::size_t i = 0; i < options.files.size(); i += 2) {
-    const tern_verify::Plan plan = tern_verify::read_plan(options.files[i]);
-    const tern_verify::Problem problem = tern_verify::read_problem(options.files[i + 1]);
-    const Claims claims = tern_verify::prove(problem, plan);
-    print(options.files[i], claims, options.brief);
+  for (std::size_t next = 0; next < options.files.size();) {
+    const std::string& name = options.files[next];
+    const Claims claims = prove_file(options.files, next);
+    print(name, claims, options.brief);
     const Verdict verdict = tern_verify::verdict_of(claims);
     if (verdict != Verdict::kProven) exit_status = kExitRefuted;
-    verdicts.push_back({{"plan", options.files[i]},
-                        {"scenario", options.files[i + 1]},
-                        {"verdict", tern_verify::verdict_word(verdict)},
-                        {"claims", claims_json(claims)}});
+    verdicts.push_back(
+        {{"file", name}, {"verdict", tern_verify::verdict_word(verdict)}, {"claims", claims_json(claims)}});
   }
   if (!options.json.empty()) {
-    tern_host::write_file(options.json, Json({{"format", "tern-verify/1"}, {"plans", verdicts}}).dump(1) + "\n");
+    tern_host::write_file(options.json, Json({{"format", "tern-verify/1"}, {"files", verdicts}}).dump(1) + "\n");
   }
   return exit_status;
 }
@@ -78,16 +85,18 @@ int verify(const VerifyOptions& options) {
 
 void add_verify_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<VerifyOptions>();
-  CLI::App* const command = app.add_subcommand("verify", "Prove plans again, in exact arithmetic, without the core");
+  CLI::App* const command = app.add_subcommand("verify", "Prove plans and flights again, in exact arithmetic, without the core");
   command
-      ->add_option("PLAN SCENARIO", options->files,
-                   "A plan file of `tern plan --json` and the scenario that it was made for; any number of pairs")
+      ->add_option("FILES", options->files,
+                   "PLAN SCENARIO: a plan file of `tern plan --json` and the scenario that it was made for; or FLIGHT: "
+                   "a log of `tern fly --json FILE --commits`. Any number of them")
       ->required()
       ->type_name("");
   command->add_flag("--brief", options->brief, "Print only what is not proven, and a line a plan");
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
-      "Proves for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits (docs/verify.md).\n"
+      "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"
+      "flight's committed plans: joints, rest at the end, limits, and the distance from the true world (docs/verify.md).\n"
       "Exit status 0 where all is proven, 1 where a claim is refuted or not proven, 2 for a bad file.");
   command->callback([options, &exit_status] { exit_status = verify(*options); });
 }

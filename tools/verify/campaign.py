@@ -74,7 +74,7 @@ def run_one(arguments, family, seed):
             verified = subprocess.run([arguments.tern, "verify", plan, world, "--brief", "--json", proof],
                                       capture_output=True, text=True)
             if proof.exists():
-                found = json.loads(proof.read_text())["plans"][0]
+                found = json.loads(proof.read_text())["files"][0]
                 row.update(summary_of(found["claims"]), status=found["verdict"])
             else:
                 row["status"] = "FAILED"
