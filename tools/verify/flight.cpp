@@ -13,8 +13,10 @@ namespace {
 /// Up and down, all flights are slower and gentler (docs/formats.md).
 constexpr int kMostClimb = 2;
 constexpr int kMostClimbAcceleration = 6;
-/// What docs/flight.md allows where a new plan takes over, in m and its derivatives.
-const Rational kTakeover[] = {decimal(1, 11), decimal(1, 9), decimal(1, 6), decimal(1, 4)};
+/// What docs/flight.md allows where a new plan takes over: metres, and m/s3 of jerk. Between them it names nothing.
+const Rational kTakeover[] = {decimal(1, 11), decimal(1, 10), decimal(1, 7), decimal(1, 4)};
+constexpr const char* kNames[] = {"position", "velocity", "acceleration", "jerk"};
+constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 
 Box box_of(const Json& json) {
   return {point_of(json), point_of(json, 3)};
@@ -61,8 +63,13 @@ void add_bounds(int derivative, const Rational& most, const Rational& climb, boo
 }
 
 Commit commit_of(const Json& json) {
-  Commit commit{number_of(json.at("time_s")), json.at("evades").get<bool>(), json.at("leaves").get<bool>(),
-                point_of(json.at("origin")), {}};
+  constexpr long kSecond = 1000000000;
+  Commit commit{Rational(json.at("time_ns").get<long>()) / kSecond,
+                Rational(json.at("begin_ns").get<long>()) / kSecond,
+                json.at("evades").get<bool>(),
+                json.at("leaves").get<bool>(),
+                point_of(json.at("origin")),
+                {}};
   for (const Json& segment : json.at("segments")) commit.segments.push_back(segment_of(segment));
   if (commit.segments.empty()) throw InputError("a commit has no segments");
   return commit;
@@ -104,21 +111,50 @@ Claim clearance_of(const Flight& flight, const Commit& commit) {
 
 /// At the end, nothing moves.
 void prove_rest(const Commit& commit, Claims& claims) {
-  constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
   const Segment& last = commit.segments.back();
   Polygon<3> curve = last.points;
   for (int k = 1; k < 4; ++k) {
     curve = hodograph(curve, last.duration);
     Rational most = 0;
     for (const Rational& coordinate : curve.back()) most = std::max<Rational>(most, abs(coordinate));
-    claims.push_back({"rest, derivative " + std::to_string(k), kUnits[k], -most, -most, joint_tolerance(last, k), ""});
+    claims.push_back({std::string("rest ") + kNames[k], kUnits[k], -most, -most, joint_tolerance(last, k), ""});
+  }
+}
+
+/// Position, world frame, to jerk at a time since the flight's beginning; at rest after the end.
+Motion motion_at(const Commit& commit, const Rational& time) {
+  Rational left = time - commit.begin;
+  std::size_t s = 0;
+  for (; s + 1 < commit.segments.size() && left > commit.segments[s].duration; ++s) left -= commit.segments[s].duration;
+  const Segment& segment = commit.segments[s];
+  const Rational u = std::min<Rational>(left / segment.duration, 1);
+  Motion motion;
+  Polygon<3> curve = segment.points;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    motion[k] = point_at(curve, u);
+    curve = hodograph(curve, segment.duration);
+  }
+  motion[0] = motion[0] + commit.origin;
+  return motion;
+}
+
+/// A plan goes on as the one before is at that time: where it begins, or if it extends it, where it is committed.
+void prove_takeover(const Commit& before, const Commit& after, Claims& claims) {
+  const Rational time = std::max(after.begin, after.time);
+  const Motion from = motion_at(before, time);
+  const Motion to = motion_at(after, time);
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    Rational jump = 0;
+    for (std::size_t a = 0; a < 3; ++a) jump = std::max<Rational>(jump, abs(to[k][a] - from[k][a]));
+    claims.push_back({std::string("takeover ") + kNames[k], kUnits[k], -jump, -jump, kTakeover[k], ""});
   }
 }
 
 Claims claims_of(const Flight& flight, const Commit& commit) {
   Claims claims;
   prove_joints(commit.segments, claims);
-  for (std::size_t k = 0; k < claims.size(); ++k) claims[k].tolerance += kTakeover[k];
+  // A plan that goes on along the one before is cut there, and its points are computed anew.
+  if (!claims.empty()) claims.front().tolerance += kTakeover[0];
   prove_rest(commit, claims);
   prove_bounds(commit.segments, flight.bounds, claims);
   if (!commit.evades && !commit.leaves) claims.push_back(clearance_of(flight, commit));
@@ -141,7 +177,11 @@ bool is_flight(const std::string& text) {
 Claims prove(const Flight& flight) {
   Claims tightest;
   for (std::size_t c = 0; c < flight.commits.size(); ++c) {
-    for (Claim& claim : claims_of(flight, flight.commits[c])) {
+    Claims claims = claims_of(flight, flight.commits[c]);
+    // A brake may take the place of a plan that has not begun.
+    const bool follows = c > 0 && !flight.commits[c].evades && !flight.commits[c - 1].evades;
+    if (follows) prove_takeover(flight.commits[c - 1], flight.commits[c], claims);
+    for (Claim& claim : claims) {
       claim.place = "commit " + std::to_string(c + 1) + (claim.place.empty() ? "" : ", " + claim.place);
       const auto same = [&](const Claim& other) { return other.what == claim.what; };
       const auto found = std::find_if(tightest.begin(), tightest.end(), same);

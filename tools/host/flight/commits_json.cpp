@@ -30,8 +30,8 @@ Json segments_json(const tern::Trajectory& plan) {
 Json commits_json(const FlightResult& result) {
   Json commits = Json::array();
   for (const FlightCommit& commit : result.commits) {
-    commits.push_back({{"time_s", commit.time},
-                       {"begin_s", commit.begin},
+    commits.push_back({{"time_ns", commit.time},
+                       {"begin_ns", commit.begin},
                        {"evades", commit.evades},
                        {"leaves", commit.leaves},
                        {"origin", json(commit.flown.origin)},

@@ -180,8 +180,7 @@ class Simulation {
     if (report_.committed == committed_) return;
     committed_ = report_.committed;
     const tern::Commitment& latest = state().latest();
-    commits_.push_back(
-        {seconds(), 1e-9 * static_cast<double>(latest.begin), latest.evades, latest.leaves, latest.flown});
+    commits_.push_back({time_, latest.begin, latest.evades, latest.leaves, latest.flown});
   }
 
   void tell(const tern::Command& command) {

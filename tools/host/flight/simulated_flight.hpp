@@ -43,10 +43,10 @@ struct MissionPoint {
 
 /// A plan that was committed.
 struct FlightCommit {
-  double time;   ///< seconds, of the tick that committed it
-  double begin;  ///< seconds, of the trajectory
-  bool evades;   ///< under a threat: proven or not
-  bool leaves;   ///< it leads away from something within the radius
+  std::int64_t time;   ///< nanoseconds, of the tick that committed it
+  std::int64_t begin;  ///< nanoseconds, of the trajectory
+  bool evades;         ///< under a threat: proven or not
+  bool leaves;         ///< it leads away from something within the radius
   tern::Trajectory flown;
 };
 
