@@ -59,9 +59,12 @@ std::string text(const Rational& number, bool up) {
   return number > 0 ? positive_text(number, up) : "-" + positive_text(-number, !up);
 }
 
-Integer scaled_root(const Rational& square) {
-  const Rational scale = Rational(Integer(1) << (2 * kRootBits));
-  return boost::multiprecision::sqrt(floor_of(square * scale));
+Rational scaled(const Rational& square) {
+  return square * Rational(Integer(1) << (2 * kRootBits));
+}
+
+Rational unscaled(const Integer& root) {
+  return Rational(root) / Rational(Integer(1) << kRootBits);
 }
 
 }  // namespace
@@ -86,11 +89,12 @@ Integer ceil_of(const Rational& number) {
 }
 
 Rational root_below(const Rational& square) {
-  return Rational(scaled_root(square)) / Rational(Integer(1) << kRootBits);
+  return unscaled(boost::multiprecision::sqrt(floor_of(scaled(square))));
 }
 
 Rational root_above(const Rational& square) {
-  return Rational(scaled_root(square) + 1) / Rational(Integer(1) << kRootBits);
+  const Integer root = boost::multiprecision::sqrt(floor_of(scaled(square)));
+  return unscaled(Rational(root * root) == scaled(square) ? root : Integer(root + 1));
 }
 
 std::string text_below(const Rational& number) {

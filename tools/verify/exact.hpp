@@ -59,7 +59,7 @@ Rational decimal(int numerator, unsigned negative_power);
 Integer floor_of(const Rational& number);
 Integer ceil_of(const Rational& number);
 
-/// A root of a number >= 0, off by less than 2^-119.
+/// A root of a number >= 0, off by less than 2^-119, or not at all where it has few digits.
 Rational root_below(const Rational& square);
 Rational root_above(const Rational& square);
 
