@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A hand-made plan, at rest at both ends, past a wall at exactly the radius and at exactly its speed limit; then the same
-// plan with one thing wrong.
+// A hand-made plan, at rest at both ends, past a wall at exactly the radius and at exactly its speed limit; then the
+// same plan with one thing wrong.
 #include "verify/proofs.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,8 @@ TEST(Proofs, AJointIsBrokenBeyondItsToleranceByAnything) {
   for (const int derivative : {0, 1, 2, 3}) {
     const auto k = static_cast<std::size_t>(derivative);
     Plan plan = straight_plan();
-    const Rational allowed = joint_tolerance(plan.segments[0], derivative) + joint_tolerance(plan.segments[1], derivative);
+    const Rational allowed =
+        joint_tolerance(plan.segments[0], derivative) + joint_tolerance(plan.segments[1], derivative);
     // Moving point k by d changes derivative k by d * 7! / (7 - k)! / duration^k, and none below.
     Rational per_metre = 1;
     for (int i = 0; i < derivative; ++i) per_metre *= Rational(7 - i) / plan.segments[1].duration;

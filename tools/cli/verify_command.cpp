@@ -85,7 +85,8 @@ int verify(const VerifyOptions& options) {
 
 void add_verify_command(CLI::App& app, int& exit_status) {
   const auto options = std::make_shared<VerifyOptions>();
-  CLI::App* const command = app.add_subcommand("verify", "Prove plans and flights again, in exact arithmetic, without the core");
+  CLI::App* const command =
+      app.add_subcommand("verify", "Prove plans and flights again, in exact arithmetic, without the core");
   command
       ->add_option("FILES", options->files,
                    "PLAN SCENARIO: a plan file of `tern plan --json` and the scenario that it was made for; or FLIGHT: "
@@ -96,7 +97,8 @@ void add_verify_command(CLI::App& app, int& exit_status) {
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
       "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"
-      "flight's committed plans: joints, rest at the end, limits, and the distance from the true world (docs/verify.md).\n"
+      "flight's committed plans: joints, rest at the end, limits, and the distance from the true world "
+      "(docs/verify.md).\n"
       "Exit status 0 where all is proven, 1 where a claim is refuted or not proven, 2 for a bad file.");
   command->callback([options, &exit_status] { exit_status = verify(*options); });
 }

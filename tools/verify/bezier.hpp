@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bezier curves in exact numbers. A curve lies in the hull of its control points, and begins and ends at the outer ones.
+// Bezier curves in exact numbers. A curve lies in the hull of its control points, and begins and ends at the outer
+// ones.
 #ifndef TERN_VERIFY_BEZIER_HPP
 #define TERN_VERIFY_BEZIER_HPP
 

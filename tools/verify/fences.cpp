@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Geofences. A plane has a keep-out beyond it where multipliers of the keep-out's half-spaces say so (Farkas): for
-// multipliers m >= 0 whose half-spaces' normals sum to -n, every point p of the keep-out has n . p >= -sum of m * offset.
+// multipliers m >= 0 whose half-spaces' normals sum to -n, every point p of the keep-out has n . p >= -sum of m *
+// offset.
 #include <algorithm>
 #include <optional>
 

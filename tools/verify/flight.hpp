@@ -17,8 +17,8 @@ namespace tern_verify {
 struct Commit {
   Rational time;   ///< seconds, of the tick that committed it
   Rational begin;  ///< seconds, of the first segment
-  bool evades;    ///< under a threat: it may come near to something
-  bool leaves;    ///< it begins too near to something
+  bool evades;     ///< under a threat: it may come near to something
+  bool leaves;     ///< it begins too near to something
   Point origin;
   std::vector<Segment> segments;  ///< their polyhedra mean nothing
 };

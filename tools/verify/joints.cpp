@@ -86,7 +86,8 @@ void prove_joints(const std::vector<Segment>& segments, Claims& claims) {
     for (std::size_t s = 1; s < segments.size(); ++s) {
       const int derivative = static_cast<int>(k);
       const Rational jump = largest_gap(motion_at(segments[s - 1], true)[k], motion_at(segments[s], false)[k]);
-      const Rational tolerance = joint_tolerance(segments[s - 1], derivative) + joint_tolerance(segments[s], derivative);
+      const Rational tolerance =
+          joint_tolerance(segments[s - 1], derivative) + joint_tolerance(segments[s], derivative);
       tightest.note(-jump, tolerance, [&] { return place_of(segments, s, 0); });
     }
     if (tightest.noted()) claims.push_back(tightest.claim());

@@ -28,7 +28,8 @@ Guess guess(const Point& p) {
 
 /// A solid with its size in doubles.
 struct Body {
-  explicit Body(const Solid& s) : solid(&s), lower(guess(s.box.lower)), upper(guess(s.box.upper)), radius(guess(s.radius)) {}
+  explicit Body(const Solid& s)
+      : solid(&s), lower(guess(s.box.lower)), upper(guess(s.box.upper)), radius(guess(s.radius)) {}
 
   const Solid* solid;
   Guess lower, upper;
@@ -65,7 +66,8 @@ Rational distance_along(const Point& direction, const Polygon<3>& hull, const So
   const Rational square = dot(direction, direction);
   if (square == 0) return 0;
   Rational reach = 0;
-  for (std::size_t a = 0; a < 3; ++a) reach += direction[a] * (direction[a] > 0 ? solid.box.upper[a] : solid.box.lower[a]);
+  for (std::size_t a = 0; a < 3; ++a)
+    reach += direction[a] * (direction[a] > 0 ? solid.box.upper[a] : solid.box.lower[a]);
   if (solid.radius > 0) {
     reach += solid.radius * root_above(direction[0] * direction[0] + direction[1] * direction[1]);
   }

@@ -22,10 +22,10 @@ struct Solid {
 
 /// The least distance of curves from solids, in metres.
 struct Nearest {
-  Rational least;             ///< no point of a curve is nearer
-  Rational most;              ///< this point is no further away: inside a solid, 0
+  Rational least;  ///< no point of a curve is nearer
+  Rational most;   ///< this point is no further away: inside a solid, 0
   std::size_t curve, solid;
-  Rational u;                 ///< of that point, in [0, 1]
+  Rational u;  ///< of that point, in [0, 1]
 };
 
 /// To within 1e-12 m. There are curves and solids. Whether a curve touches a solid or enters it, the distance is 0.

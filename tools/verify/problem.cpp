@@ -135,11 +135,35 @@ class Settings {
 };
 
 /// Records that ask nothing of a plan's curve, and those that Settings reads.
-const std::set<std::string> kSettings = {
-    "start", "goal", "start_velocity", "start_acceleration", "start_jerk", "goal_velocity", "goal_acceleration",
-    "goal_jerk", "resolution", "radius", "tracking_margin", "v_max", "a_max", "v_min", "a_min", "v_horizontal",
-    "a_horizontal", "j_max", "j_horizontal", "time_weight", "search", "goal_mode", "unknown", "yaw", "start_yaw",
-    "start_yaw_rate", "start_yaw_acceleration", "yaw_rate_max", "yaw_acceleration_max"};
+const std::set<std::string> kSettings = {"start",
+                                         "goal",
+                                         "start_velocity",
+                                         "start_acceleration",
+                                         "start_jerk",
+                                         "goal_velocity",
+                                         "goal_acceleration",
+                                         "goal_jerk",
+                                         "resolution",
+                                         "radius",
+                                         "tracking_margin",
+                                         "v_max",
+                                         "a_max",
+                                         "v_min",
+                                         "a_min",
+                                         "v_horizontal",
+                                         "a_horizontal",
+                                         "j_max",
+                                         "j_horizontal",
+                                         "time_weight",
+                                         "search",
+                                         "goal_mode",
+                                         "unknown",
+                                         "yaw",
+                                         "start_yaw",
+                                         "start_yaw_rate",
+                                         "start_yaw_acceleration",
+                                         "yaw_rate_max",
+                                         "yaw_acceleration_max"};
 
 /// Upper and lower limits of one derivative; a limit of 0 on the jerk or on a norm is none.
 void add_bounds(int derivative, const Point& most, const Point& least, const Rational& horizontal, Problem& problem) {
