@@ -11,6 +11,7 @@
 namespace tern_cli {
 
 constexpr int kExitOk = 0;
+constexpr int kExitRefuted = 1;   ///< verify: a claim is refuted, or not proven
 constexpr int kExitBadInput = 2;  ///< wrong usage, a bad file, or an output that cannot be written
 constexpr int kExitNoPlan = 3;    ///< the planner answered, and the answer is no
 
@@ -22,6 +23,7 @@ void add_map_command(CLI::App& app, int& exit_status);
 void add_export_command(CLI::App& app, int& exit_status);
 void add_page_command(CLI::App& app, int& exit_status);
 void add_replay_command(CLI::App& app, int& exit_status);
+void add_verify_command(CLI::App& app, int& exit_status);
 void add_world_command(CLI::App& app, int& exit_status);
 
 }  // namespace tern_cli

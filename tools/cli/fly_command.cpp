@@ -29,6 +29,7 @@ struct FlyOptions {
   std::string html;
   std::string record;
   bool compare = false;
+  bool commits = false;
 };
 
 void print_tracking(const tern_host::FlightResult& result, double margin) {
@@ -91,6 +92,7 @@ tern_host::FlightOnlooker onlooker_of(tern_host::FlightFilm* film) {
 int fly(const FlyOptions& options) {
   if (!options.plan.empty()) return fly_finished_plan(options);
   if (options.world.empty()) throw std::runtime_error("fly needs a WORLD, or --plan");
+  if (options.commits && options.json.empty()) throw std::runtime_error("--commits goes with --json");
   if (!options.html.empty()) tern_host::check_page(1);
   std::vector<std::string> paths;
   for (const std::string& path : {options.json, options.csv, options.svg, options.html, options.record}) {
@@ -105,7 +107,7 @@ int fly(const FlyOptions& options) {
       tern_host::simulate_flight(world, onlooker_of(film.get()), options.record.empty() ? nullptr : &record);
   if (options.compare) result.full_knowledge = tern_host::full_knowledge_time(world);
   std::vector<tern_host::Output> outputs;
-  if (!options.json.empty()) outputs.push_back({options.json, tern_host::flight_json(world, result)});
+  if (!options.json.empty()) outputs.push_back({options.json, tern_host::flight_json(world, result, options.commits)});
   if (!options.csv.empty()) outputs.push_back({options.csv, result.samples});
   if (!options.svg.empty()) outputs.push_back({options.svg, tern_host::flight_svg(world, result)});
   if (film != nullptr) outputs.push_back({options.html, tern_host::page_html({film->run(result)})});
@@ -129,6 +131,7 @@ void add_fly_command(CLI::App& app, int& exit_status) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--json", options->json, "Write the log of the flight")->type_name("FILE");
+  command->add_flag("--commits", options->commits, "Add all committed plans to the log, for `tern verify`");
   command->add_option("--csv", options->csv, "Write one row for each tick")->type_name("FILE");
   command->add_option("--svg", options->svg, "Draw the world and the way flown, from above and from the side")
       ->type_name("FILE");

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit status: 0 where there is a plan, 2 for wrong usage or a bad file, 3 where there is no plan (solve: no "
       "verdict).\n"
+      "verify: 1 where a claim is refuted or not proven.\n"
       "`tern COMMAND --help` explains a command; docs/tools.md and docs/formats.md explain all of them.");
   app.set_version_flag("--version", version_text(), "Print version, capacity profile and configuration hash");
   app.require_subcommand(1);
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
   tern_cli::add_export_command(app, exit_status);
   tern_cli::add_page_command(app, exit_status);
   tern_cli::add_replay_command(app, exit_status);
+  tern_cli::add_verify_command(app, exit_status);
   tern_cli::add_world_command(app, exit_status);
   check_command(app, argc, argv);
   try {

@@ -66,14 +66,20 @@ Json halfspace_json(const tern::Halfspace& plane, const Vec3& origin) {
   return {n.x, n.y, n.z, plane.offset + (n.x * origin.x + n.y * origin.y + n.z * origin.z)};
 }
 
-Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
+Json halfspaces_json(const tern::Polyhedron& polyhedron, int begin, int end, const Vec3& origin) {
   Json planes = Json::array();
-  for (int i = 0; i < polyhedron.count; ++i) planes.push_back(halfspace_json(polyhedron.planes[i], origin));
+  for (int i = begin; i < end; ++i) planes.push_back(halfspace_json(polyhedron.planes[i], origin));
+  return planes;
+}
+
+Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
+  const int all = polyhedron.count + polyhedron.redundant;
   Json axes = Json::array();
   for (const double(&row)[3] : polyhedron.ellipsoid.axes) axes.push_back({row[0], row[1], row[2]});
   const Json center = json(to_world(polyhedron.ellipsoid.center, origin));
-  return {{"halfspaces", planes},
+  return {{"halfspaces", halfspaces_json(polyhedron, 0, polyhedron.count, origin)},
           {"redundant_halfspaces", polyhedron.redundant},
+          {"redundant", halfspaces_json(polyhedron, polyhedron.count, all, origin)},
           {"ellipsoid", {{"E", axes}, {"d", center}}}};
 }
 
@@ -89,7 +95,8 @@ Json segments_json(const tern::Trajectory& trajectory) {
     const tern::Segment& segment = trajectory.segments[i];
     segments.push_back({{"polyhedron", segment.polyhedron},
                         {"duration", segment.duration},
-                        {"control_points", points_json(segment.points, tern::kControlPoints, trajectory.origin)}});
+                        {"control_points", points_json(segment.points, tern::kControlPoints, trajectory.origin)},
+                        {"relative_points", points_json(segment.points, tern::kControlPoints, {0.0, 0.0, 0.0})}});
   }
   return segments;
 }
@@ -226,6 +233,7 @@ std::string plan_json(const PlanResult& result) {
   if (result.path != nullptr) plan["search"] = search_json(result);
   if (result.corridor != nullptr) plan["corridor"] = corridor_json(*result.corridor, result.grid.origin);
   if (result.ok()) {
+    plan["origin"] = json(result.trajectory.origin);
     plan["segments"] = segments_json(result.trajectory);
     plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
     plan["qp"] = qp_json(result.report);

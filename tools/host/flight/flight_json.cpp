@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "host/flight/commits_json.hpp"
 #include "host/flight/simulated_flight.hpp"
 
 namespace tern_host {
@@ -67,7 +68,7 @@ Json mission_json(const std::vector<MissionPoint>& points) {
 
 }  // namespace
 
-std::string flight_json(const FlightWorld& world, const FlightResult& result) {
+std::string flight_json(const FlightWorld& world, const FlightResult& result, bool with_commits) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016" PRIx64, result.commands_hash);
   Json json = {{"format", "tern-flight/1"},
@@ -93,7 +94,11 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result) {
                {"watched", watched_json(result.watched)},
                {"commands_hash", hash}};
   if (result.full_knowledge > 0.0) json["full_knowledge_s"] = result.full_knowledge;
-  return json.dump(2) + "\n";
+  if (with_commits) {
+    json["true_world"] = true_world_json(world);
+    json["commits"] = commits_json(result);
+  }
+  return json.dump(with_commits ? 1 : 2) + "\n";
 }
 
 }  // namespace tern_host

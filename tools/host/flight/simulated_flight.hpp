@@ -41,6 +41,15 @@ struct MissionPoint {
   double time, distance, speed;  ///< where the commands came nearest to it while it was ahead
 };
 
+/// A plan that was committed.
+struct FlightCommit {
+  std::int64_t time;   ///< nanoseconds, of the tick that committed it
+  std::int64_t begin;  ///< nanoseconds, of the trajectory
+  bool evades;         ///< under a threat: proven or not
+  bool leaves;         ///< it leads away from something within the radius
+  tern::Trajectory flown;
+};
+
 struct FlightResult {
   std::string status;  ///< reached, stuck, timeout, threat, collision or invariant
   std::string reason;  ///< in words
@@ -57,6 +66,7 @@ struct FlightResult {
   std::uint64_t commands_hash = 0;
   WatchTotals watched;
   std::vector<MissionPoint> mission;
+  std::vector<FlightCommit> commits;
   std::vector<TrackPoint> track;  ///< one a tick
   std::string samples;            ///< CSV, one row a tick
 
@@ -83,8 +93,8 @@ using FlightOnlooker = std::function<void(const FlightMoment&)>;
 FlightResult simulate_flight(const FlightWorld& world, const FlightOnlooker& onlooker = {},
                              std::string* record = nullptr);
 
-/// The log, as JSON (docs/formats.md).
-std::string flight_json(const FlightWorld& world, const FlightResult& result);
+/// The log, as JSON (docs/formats.md); with the commits and the true world where asked for.
+std::string flight_json(const FlightWorld& world, const FlightResult& result, bool with_commits = false);
 
 }  // namespace tern_host
 

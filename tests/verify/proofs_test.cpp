@@ -1,0 +1,222 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A hand-made plan, at rest at both ends, past a wall at exactly the radius and at exactly its speed limit; then the
+// same plan with one thing wrong.
+#include "verify/proofs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tern_verify {
+namespace {
+
+constexpr const char* kScenario =
+    "boundary 0 0 0 10 4 4\n"
+    "block 4 0 0 5 1.5 4\n"
+    "start 1 2 2\n"
+    "goal 9 2 2\n"
+    "radius 0.5\n"
+    "resolution 0.125\n"
+    "v_max 2\n";
+
+HalfSpace plane(int x, int y, int z, const Rational& offset) {
+  return {{x, y, z}, offset};
+}
+
+/// 8 m along x in 8.75 s: at most 35 / 16 * 8 / 8.75 = 2 m/s. Cut into halves at its middle.
+Plan straight_plan() {
+  Plan plan;
+  plan.name = "plan";
+  plan.origin = {1, 2, 2};
+  Polygon<3> whole;
+  for (int i = 0; i < 8; ++i) whole.push_back({i < 4 ? 0 : 8, 0, 0});
+  const Halves<3> halves = halves_of(whole);
+  const Rational duration = Rational(35) / 8;
+  plan.segments = {{halves.left, duration, 0}, {halves.right, duration, 0}};
+  plan.corridor = {{plane(1, 0, 0, 10), plane(-1, 0, 0, 0), plane(0, 1, 0, 4), plane(0, -1, 0, -2), plane(0, 0, 1, 4),
+                    plane(0, 0, -1, 0)}};
+  return plan;
+}
+
+Problem problem_of(const std::string& more = "") {
+  return parse_problem(kScenario + more, "scenario");
+}
+
+Claim claim_in(const Claims& claims, const std::string& what) {
+  const auto found = std::find_if(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.what == what; });
+  EXPECT_NE(found, claims.end()) << what;
+  return found == claims.end() ? Claim{} : *found;
+}
+
+void expect_refuted(const std::string& what, const Plan& plan, const Problem& problem) {
+  const Claim claim = claim_in(prove(problem, plan), what);
+  EXPECT_EQ(claim.verdict(), Verdict::kRefuted) << line_of(claim);
+}
+
+TEST(Proofs, AllOfAPlanThatTouchesItsLimitsIsProven) {
+  const Claims claims = prove(problem_of(), straight_plan());
+  for (const Claim& claim : claims) EXPECT_EQ(claim.verdict(), Verdict::kProven) << line_of(claim);
+  EXPECT_EQ(verdict_of(claims), Verdict::kProven);
+  EXPECT_EQ(claim_in(claims, "inside the corridor").least, 0);
+  EXPECT_EQ(claim_in(claims, "corridor off obstacles").least, 0);
+  EXPECT_LT(abs(claim_in(claims, "curve off obstacles").least), decimal(2, 12));
+  EXPECT_LT(abs(claim_in(claims, "velocity +x").most), decimal(2, 12));
+  EXPECT_LE(claim_in(claims, "velocity +x").least, 0);
+  EXPECT_EQ(claim_in(claims, "velocity -x").most, 2);
+}
+
+TEST(Proofs, OneControlPointOutsideItsHalfSpace) {
+  Plan plan = straight_plan();
+  Point& point = plan.segments[0].points[4];
+  point[1] = -decimal(12, 10);
+  EXPECT_EQ(claim_in(prove(problem_of(), plan), "inside the corridor").verdict(), Verdict::kProven) << "it may";
+  point[1] = -decimal(14, 10);
+  expect_refuted("inside the corridor", plan, problem_of());
+}
+
+TEST(Proofs, ACurveThatIsThreeNanometresTooNear) {
+  Plan plan = straight_plan();
+  plan.origin[1] -= decimal(3, 9);
+  expect_refuted("curve off obstacles", plan, problem_of());
+  expect_refuted("start position", plan, problem_of());
+}
+
+TEST(Proofs, ACurveIntoTheWallThatItsCorridorHides) {
+  Plan plan = straight_plan();
+  // All points are in the polyhedron, which is not clear of the wall.
+  plan.corridor[0][3].offset = -1;
+  for (std::size_t i = 2; i < 8; ++i) plan.segments[0].points[i][1] = -Rational(1) / 2;
+  expect_refuted("corridor off obstacles", plan, problem_of());
+  const Claim claim = claim_in(prove(problem_of(), plan), "curve off obstacles");
+  EXPECT_EQ(claim.verdict(), Verdict::kRefuted);
+  EXPECT_LT(claim.most, -Rational(2) / 5);
+}
+
+TEST(Proofs, AWallOfWhichEachHalfIsBeyondAnotherHalfSpace) {
+  Plan plan = straight_plan();
+  // A wedge with its edge at (5, 2), over a wall that is as long as the map.
+  plan.corridor[0] = {plane(1, -4, 0, -3), plane(-1, -4, 0, -13)};
+  const Claim claim = claim_in(prove(problem_of("block 0 0 0 10 1 4\n"), plan), "corridor off obstacles");
+  EXPECT_EQ(claim.verdict(), Verdict::kRefuted) << "the first block is too near";
+  const Problem wall = parse_problem("boundary 0 0 0 10 4 4\nblock 0 0 0 10 1 4\nstart 1 2 2\ngoal 9 2 2\n", "wall");
+  EXPECT_EQ(claim_in(prove(wall, plan), "corridor off obstacles").verdict(), Verdict::kProven);
+}
+
+TEST(Proofs, AJointIsBrokenBeyondItsToleranceByAnything) {
+  const Rational least = Rational(1) / Rational(Integer(1) << 300);
+  for (const int derivative : {0, 1, 2, 3}) {
+    const auto k = static_cast<std::size_t>(derivative);
+    Plan plan = straight_plan();
+    const Rational allowed =
+        joint_tolerance(plan.segments[0], derivative) + joint_tolerance(plan.segments[1], derivative);
+    // Moving point k by d changes derivative k by d * 7! / (7 - k)! / duration^k, and none below.
+    Rational per_metre = 1;
+    for (int i = 0; i < derivative; ++i) per_metre *= Rational(7 - i) / plan.segments[1].duration;
+    const char* const names[] = {"joint position", "joint velocity", "joint acceleration", "joint jerk"};
+    plan.segments[1].points[k][2] = allowed / per_metre;
+    EXPECT_EQ(claim_in(prove(problem_of(), plan), names[k]).verdict(), Verdict::kProven) << names[k];
+    plan.segments[1].points[k][2] = (allowed + least) / per_metre;
+    expect_refuted(names[k], plan, problem_of());
+  }
+}
+
+TEST(Proofs, ALimitIsExceededByAMillionth) {
+  Problem slower = problem_of();
+  for (Bound& bound : slower.bounds) {
+    if (bound.derivative == 1) bound.most -= decimal(1, 6);
+  }
+  expect_refuted("velocity +x", straight_plan(), slower);
+  expect_refuted("velocity horizontal", straight_plan(), problem_of("v_horizontal 1.999999\n"));
+  EXPECT_EQ(verdict_of(prove(problem_of("v_horizontal 2\n"), straight_plan())), Verdict::kProven);
+}
+
+TEST(Proofs, LimitsOfAccelerationAndJerkAndDownwards) {
+  // The acceleration is 7.513188404399293 * 8 / 8.75^2, whose factor is 84 sqrt(5) / 25.
+  const Claim claim = claim_in(prove(problem_of("a_max 1\n"), straight_plan()), "acceleration +x");
+  const Rational root = root_below(5);
+  const Rational peak = 84 * root / 25 * 8 * 16 / 1225;
+  EXPECT_LT(abs(1 - claim.least - peak), decimal(1, 12));
+  expect_refuted("acceleration -x", straight_plan(), problem_of("a_min -0.78 -1 -1\n"));
+  expect_refuted("jerk +x", straight_plan(), problem_of("j_max 0.5\n"));
+  EXPECT_EQ(claim_in(prove(problem_of("j_max 2\n"), straight_plan()), "jerk -y").least, 2);
+}
+
+TEST(Proofs, BothEnds) {
+  Plan plan = straight_plan();
+  plan.segments[1].points[7][2] += decimal(1, 12);
+  expect_refuted("goal position", plan, problem_of());
+  plan = straight_plan();
+  plan.segments[0].points[1][0] += decimal(1, 12);
+  expect_refuted("start velocity", plan, problem_of());
+  expect_refuted("goal velocity", straight_plan(), problem_of("goal_velocity 0 0 0.001\n"));
+}
+
+TEST(Proofs, APlanMayEndElsewhereOnlyWhereThatIsAllowed) {
+  const std::string elsewhere = "boundary 0 0 0 10 4 4\nstart 1 2 2\ngoal 9 3 2\n";
+  Plan plan = straight_plan();
+  plan.reachable = Point{9, 2, 2};
+  expect_refuted("goal position", plan, parse_problem(elsewhere, "exact"));
+  const Claims claims = prove(parse_problem(elsewhere + "goal_mode nearest\n", "near"), plan);
+  EXPECT_EQ(claim_in(claims, "goal position").verdict(), Verdict::kProven);
+}
+
+TEST(Proofs, Vias) {
+  EXPECT_EQ(verdict_of(prove(problem_of("via 5 2 2\n"), straight_plan())), Verdict::kProven);
+  EXPECT_EQ(verdict_of(prove(problem_of("via 5 2.25 2 0.25 velocity 2 0 0\n"), straight_plan())), Verdict::kProven);
+  expect_refuted("via 1", straight_plan(), problem_of("via 5 2.25 2 0.24\n"));
+  expect_refuted("via 1", straight_plan(), problem_of("via 5 2 2 stop\n"));
+  // In order: the goal comes last.
+  expect_refuted("via 2", straight_plan(), problem_of("via 9 2 2\nvia 5 2 2\n"));
+}
+
+TEST(Proofs, Fences) {
+  EXPECT_EQ(verdict_of(prove(problem_of("keepin 0 2 0 10 4 4\n"), straight_plan())), Verdict::kProven);
+  expect_refuted("fence 1", straight_plan(), problem_of("keepin 0 2.00000001 0 10 4 4\n"));
+  // A prism whose edge is at (5, 1.5): exactly the radius below the way.
+  const std::string prism = "keepout_halfspaces 1 1 0 6.5 -1 1 0 -3.5\n";
+  EXPECT_EQ(verdict_of(prove(problem_of(prism), straight_plan())), Verdict::kProven);
+  expect_refuted("fence 1", straight_plan(), problem_of("keepout_halfspaces 1 1 0 6.50000001 -1 1 0 -3.49999999\n"));
+}
+
+TEST(Proofs, ThePlanMustStayInTheBoundary) {
+  Problem problem = problem_of();
+  problem.boundary.lower[1] = 2 + decimal(1, 8);
+  expect_refuted("boundary", straight_plan(), problem);
+}
+
+TEST(PlanFiles, WhatIsMissingIsNamed) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse_plan(text, "p.json");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message("{").find("p.json: not a plan file"), std::string::npos);
+  EXPECT_NE(message(R"({"format": "tern-plan/1", "status": "no_path"})").find("no trajectory"), std::string::npos);
+  EXPECT_NE(message(R"({"format": "tern-plan/1", "status": "ok", "origin": [0,0,0], "corridor": [],
+                       "segments": [{"duration": 1, "polyhedron": 0}]})")
+                .find("relative_points"),
+            std::string::npos);
+}
+
+TEST(Scenarios, WhatIsWrongIsNamedWithItsLine) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      parse_problem(text, "s.txt");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("boundary 0 0 0 1 1 1\nblok 1\n"), "s.txt:2: unknown record 'blok'");
+  EXPECT_EQ(message("boundary 0 0 0 1 1 x\n"), "s.txt:1: 'x' is no number");
+  EXPECT_EQ(message("boundary 0 0 0 1 1 1\nstart 0 0 0\n"), "s.txt: there is no 'goal'");
+  EXPECT_NE(message("boundary 0 0 0 1 1 1\ncloud a.pcd\n").find("not verified"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tern_verify

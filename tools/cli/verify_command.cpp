@@ -1,0 +1,106 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/output_paths.hpp"
+#include "host/atomic_file.hpp"
+#include "verify/flight.hpp"
+#include "verify/proofs.hpp"
+
+namespace tern_cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using tern_verify::Claims;
+using tern_verify::Verdict;
+
+struct VerifyOptions {
+  std::vector<std::string> files;
+  std::string json;
+  bool brief = false;
+};
+
+Json claims_json(const Claims& claims) {
+  Json all = Json::array();
+  for (const tern_verify::Claim& claim : claims) {
+    all.push_back({{"claim", claim.what},
+                   {"verdict", tern_verify::verdict_word(claim.verdict())},
+                   {"unit", claim.unit},
+                   {"margin_at_least", tern_verify::text_below(claim.least)},
+                   {"margin_at_most", tern_verify::text_above(claim.most)},
+                   {"tolerance", tern_verify::text_below(claim.tolerance)},
+                   {"place", claim.place}});
+  }
+  return all;
+}
+
+void print(const std::string& plan, const Claims& claims, bool brief) {
+  std::size_t proven = 0;
+  for (const tern_verify::Claim& claim : claims) {
+    const bool holds = claim.verdict() == Verdict::kProven;
+    proven += holds ? 1 : 0;
+    if (!brief || !holds) std::printf("%s\n", tern_verify::line_of(claim).c_str());
+  }
+  std::printf("%s: %s: %zu of %zu claims are proven\n", plan.c_str(),
+              tern_verify::verdict_word(tern_verify::verdict_of(claims)), proven, claims.size());
+}
+
+/// What one file claims, proven: a flight's log, or a plan with the scenario after it.
+Claims prove_file(const std::vector<std::string>& files, std::size_t& next) {
+  const std::string& name = files[next++];
+  const std::string text = tern_verify::read_file(name);
+  if (tern_verify::is_flight(text)) return tern_verify::prove(tern_verify::parse_flight(text, name));
+  if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
+  const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
+  return tern_verify::prove(tern_verify::read_problem(files[next++]), plan);
+}
+
+int verify(const VerifyOptions& options) {
+  check_output_paths(options.files, {options.json});
+  Json verdicts = Json::array();
+  int exit_status = kExitOk;
+  for (std::size_t next = 0; next < options.files.size();) {
+    const std::string& name = options.files[next];
+    const Claims claims = prove_file(options.files, next);
+    print(name, claims, options.brief);
+    const Verdict verdict = tern_verify::verdict_of(claims);
+    if (verdict != Verdict::kProven) exit_status = kExitRefuted;
+    verdicts.push_back(
+        {{"file", name}, {"verdict", tern_verify::verdict_word(verdict)}, {"claims", claims_json(claims)}});
+  }
+  if (!options.json.empty()) {
+    tern_host::write_file(options.json, Json({{"format", "tern-verify/1"}, {"files", verdicts}}).dump(1) + "\n");
+  }
+  return exit_status;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, int& exit_status) {
+  const auto options = std::make_shared<VerifyOptions>();
+  CLI::App* const command =
+      app.add_subcommand("verify", "Prove plans and flights again, in exact arithmetic, without the core");
+  command
+      ->add_option("FILES", options->files,
+                   "PLAN SCENARIO: a plan file of `tern plan --json` and the scenario that it was made for; or FLIGHT: "
+                   "a log of `tern fly --json FILE --commits`. Any number of them")
+      ->required()
+      ->type_name("");
+  command->add_flag("--brief", options->brief, "Print only what is not proven, and a line a plan");
+  command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
+  command->footer(
+      "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"
+      "flight's committed plans: joints, rest at the end, limits, and the distance from the true world "
+      "(docs/verify.md).\n"
+      "Exit status 0 where all is proven, 1 where a claim is refuted or not proven, 2 for a bad file.");
+  command->callback([options, &exit_status] { exit_status = verify(*options); });
+}
+
+}  // namespace tern_cli

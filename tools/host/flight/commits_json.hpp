@@ -1,0 +1,19 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_HOST_FLIGHT_COMMITS_JSON_HPP
+#define TERN_HOST_FLIGHT_COMMITS_JSON_HPP
+
+#include <nlohmann/json.hpp>
+
+#include "host/flight/simulated_flight.hpp"
+
+namespace tern_host {
+
+/// What `tern verify` proves of a flight (docs/formats.md): every committed plan with all its bits.
+nlohmann::ordered_json commits_json(const FlightResult& result);
+/// And the world that it was flown in.
+nlohmann::ordered_json true_world_json(const FlightWorld& world);
+
+}  // namespace tern_host
+
+#endif

@@ -1,0 +1,61 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bezier curves in exact numbers. A curve lies in the hull of its control points, and begins and ends at the outer
+// ones.
+#ifndef TERN_VERIFY_BEZIER_HPP
+#define TERN_VERIFY_BEZIER_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "verify/exact.hpp"
+
+namespace tern_verify {
+
+/// The control points of a curve over u in [0, 1].
+template <std::size_t N>
+using Polygon = std::vector<Vector<N>>;
+
+template <std::size_t N>
+struct Halves {
+  Polygon<N> left, right;
+};
+
+/// de Casteljau at 1/2.
+template <std::size_t N>
+Halves<N> halves_of(Polygon<N> curve) {
+  static const Rational kHalf = Rational(1) / 2;
+  const std::size_t degree = curve.size() - 1;
+  Halves<N> halves{{curve.front()}, Polygon<N>(curve.size())};
+  halves.right[degree] = curve[degree];
+  for (std::size_t last = degree; last > 0; --last) {
+    for (std::size_t i = 0; i < last; ++i) curve[i] = kHalf * (curve[i] + curve[i + 1]);
+    halves.left.push_back(curve[0]);
+    halves.right[last - 1] = curve[last - 1];
+  }
+  return halves;
+}
+
+/// The derivative with respect to time of a curve that lasts `duration` seconds.
+template <std::size_t N>
+Polygon<N> hodograph(const Polygon<N>& curve, const Rational& duration) {
+  const std::size_t degree = curve.size() - 1;
+  const Rational factor = Rational(degree) / duration;
+  Polygon<N> derivative(degree);
+  for (std::size_t i = 0; i < degree; ++i) derivative[i] = factor * (curve[i + 1] - curve[i]);
+  return derivative;
+}
+
+/// The point at `u`: de Casteljau.
+template <std::size_t N>
+Vector<N> point_at(Polygon<N> curve, const Rational& u) {
+  for (std::size_t last = curve.size() - 1; last > 0; --last) {
+    for (std::size_t i = 0; i < last; ++i) curve[i] = curve[i] + u * (curve[i + 1] - curve[i]);
+  }
+  return curve.front();
+}
+
+}  // namespace tern_verify
+
+#endif

@@ -1,0 +1,72 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Exact numbers: a double is the rational that it is, and no operation rounds. Only roots and printed numbers are
+// rounded, to the side that their name says.
+#ifndef TERN_VERIFY_EXACT_HPP
+#define TERN_VERIFY_EXACT_HPP
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <cstddef>
+#include <string>
+
+namespace tern_verify {
+
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// A vector of exact numbers.
+template <std::size_t N>
+using Vector = std::array<Rational, N>;
+/// A point or a direction in space.
+using Point = Vector<3>;
+
+template <std::size_t N>
+Vector<N> operator+(const Vector<N>& a, const Vector<N>& b) {
+  Vector<N> sum;
+  for (std::size_t i = 0; i < N; ++i) sum[i] = a[i] + b[i];
+  return sum;
+}
+
+template <std::size_t N>
+Vector<N> operator-(const Vector<N>& a, const Vector<N>& b) {
+  Vector<N> difference;
+  for (std::size_t i = 0; i < N; ++i) difference[i] = a[i] - b[i];
+  return difference;
+}
+
+template <std::size_t N>
+Vector<N> operator*(const Rational& s, const Vector<N>& a) {
+  Vector<N> scaled;
+  for (std::size_t i = 0; i < N; ++i) scaled[i] = s * a[i];
+  return scaled;
+}
+
+template <std::size_t N>
+Rational dot(const Vector<N>& a, const Vector<N>& b) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// 2^-52: a unit in the last place of 1.
+Rational ulp();
+
+/// The numerator over a power of ten: `decimal(3, 8)` is 3e-8.
+Rational decimal(int numerator, unsigned negative_power);
+
+/// The largest integer that is not above the number, and the smallest that is not below it.
+Integer floor_of(const Rational& number);
+Integer ceil_of(const Rational& number);
+
+/// A root of a number >= 0, off by less than 2^-119, or not at all where it has few digits.
+Rational root_below(const Rational& square);
+Rational root_above(const Rational& square);
+
+/// Twelve significant digits, rounded towards minus or plus infinity.
+std::string text_below(const Rational& number);
+std::string text_above(const Rational& number);
+
+}  // namespace tern_verify
+
+#endif

@@ -1,0 +1,37 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a plan file claims, in exact numbers.
+#ifndef TERN_VERIFY_PLAN_HPP
+#define TERN_VERIFY_PLAN_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/bezier.hpp"
+#include "verify/problem.hpp"
+
+namespace tern_verify {
+
+struct Segment {
+  Polygon<3> points;  ///< relative to the plan's origin
+  Rational duration;
+  std::size_t polyhedron;
+};
+
+struct Plan {
+  std::string name;
+  Point origin;  ///< world frame
+  std::vector<Segment> segments;
+  std::vector<std::vector<HalfSpace>> corridor;  ///< polyhedra, world frame
+  std::optional<Point> reachable;                ///< where the plan ends if not at the goal
+};
+
+/// Reads a plan file ("tern-plan/1", docs/formats.md) with a trajectory. Throws InputError.
+Plan read_plan(const std::string& path);
+Plan parse_plan(const std::string& text, const std::string& name);
+
+}  // namespace tern_verify
+
+#endif

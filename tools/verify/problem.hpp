@@ -1,0 +1,83 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a scenario asks for, in exact numbers. The reader is the verifier's own (docs/verify.md).
+#ifndef TERN_VERIFY_PROBLEM_HPP
+#define TERN_VERIFY_PROBLEM_HPP
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verify/exact.hpp"
+
+namespace tern_verify {
+
+/// A file that cannot be read as what it should be; what() names it, the line and the reason.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Box {
+  Point lower, upper;
+};
+
+/// normal . p <= offset. The normal has any length but 0.
+struct HalfSpace {
+  Point normal;
+  Rational offset;
+};
+
+struct Fence {
+  bool keep_in;
+  std::vector<HalfSpace> planes;
+};
+
+/// Position and its derivatives up to the jerk.
+using Motion = std::array<Point, 4>;
+
+struct Via {
+  Point position;
+  Rational tolerance;
+  bool stop;
+  std::optional<Point> velocity;
+};
+
+constexpr int kHorizontal = 3;  ///< in place of an axis: the length of (x, y)
+
+/// A limit on one derivative (1 velocity to 3 jerk) along one axis and direction, or on its horizontal norm.
+struct Bound {
+  int derivative;
+  int axis;
+  int sign;  ///< 1, or -1 for the opposite direction
+  Rational most;
+};
+
+/// World frame, metres, seconds.
+struct Problem {
+  std::string name;
+  Box boundary;
+  std::vector<Box> blocks;
+  std::vector<Fence> fences;
+  Motion start, goal;
+  std::vector<Via> vias;
+  std::vector<Bound> bounds;
+  Rational cell;
+  Rational clearance;         ///< radius and tracking margin; a nanometre or less is 0
+  bool may_end_near = false;  ///< `goal_mode nearest`
+};
+
+/// Reads a scenario file (docs/formats.md). Throws InputError; maps of `octomap` and `cloud` are refused.
+Problem read_problem(const std::string& path);
+
+/// A scenario as text; `name` is for messages.
+Problem parse_problem(const std::string& text, const std::string& name);
+
+/// A whole file. Throws InputError.
+std::string read_file(const std::string& path);
+
+}  // namespace tern_verify
+
+#endif

@@ -1,0 +1,56 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The proofs, one function for each of the things that docs/verify.md lists. Each adds its claims.
+#ifndef TERN_VERIFY_PROOFS_HPP
+#define TERN_VERIFY_PROOFS_HPP
+
+#include <vector>
+
+#include "verify/claim.hpp"
+#include "verify/plan.hpp"
+#include "verify/solids.hpp"
+#include "verify/tolerance.hpp"
+
+namespace tern_verify {
+
+/// A plan and what it is held against.
+struct Subject {
+  Subject(const Problem& problem, const Plan& plan);
+
+  /// Control points in the world frame.
+  Polygon<3> world_points(std::size_t segment) const;
+
+  const Problem& problem;
+  const Plan& plan;
+  Lattice lattice;
+  std::vector<Cells> solid;
+  Tolerance tolerance;
+};
+
+/// "segment 3, t = 2.5 s": `u` in [0, 1] of a segment, and the plan's time there.
+std::string place_of(const std::vector<Segment>& segments, std::size_t segment, const Rational& u);
+
+/// Joints: position to jerk have no jump.
+void prove_joints(const std::vector<Segment>& segments, Claims& claims);
+/// The plan begins and ends in the states asked for.
+void prove_ends(const Subject& subject, Claims& claims);
+/// It passes each via at a joint, in order.
+void prove_vias(const Subject& subject, Claims& claims);
+/// Control points are inside the boundary and inside the half-spaces of the segment's polyhedron.
+void prove_inside(const Subject& subject, Claims& claims);
+/// Each solid voxel lies beyond one half-space of each polyhedron by the clearance.
+void prove_corridor(const Subject& subject, Claims& claims);
+/// Control points are inside the keep-ins; keep-outs are beyond a plane by the clearance.
+void prove_fences(const Subject& subject, Claims& claims);
+/// The bounds hold for all t.
+void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims);
+/// The curve itself, for all t, keeps the clearance from each solid voxel: without the corridor.
+void prove_clearance(const Subject& subject, Claims& claims);
+
+/// All of them.
+Claims prove(const Problem& problem, const Plan& plan);
+
+}  // namespace tern_verify
+
+#endif

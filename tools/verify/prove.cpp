@@ -1,0 +1,40 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/proofs.hpp"
+
+namespace tern_verify {
+
+Subject::Subject(const Problem& asked, const Plan& claimed)
+    : problem(asked),
+      plan(claimed),
+      lattice(lattice_of(asked)),
+      solid(solid_cells(asked, lattice)),
+      tolerance(tolerance_of(asked, lattice, claimed)) {}
+
+Polygon<3> Subject::world_points(std::size_t segment) const {
+  Polygon<3> points = plan.segments[segment].points;
+  for (Point& point : points) point = point + plan.origin;
+  return points;
+}
+
+std::string place_of(const std::vector<Segment>& segments, std::size_t segment, const Rational& u) {
+  Rational t = u * segments[segment].duration;
+  for (std::size_t s = 0; s < segment; ++s) t += segments[s].duration;
+  return "segment " + std::to_string(segment) + ", t = " + text_below(t) + " s";
+}
+
+Claims prove(const Problem& problem, const Plan& plan) {
+  const Subject subject(problem, plan);
+  Claims claims;
+  prove_joints(plan.segments, claims);
+  prove_ends(subject, claims);
+  prove_vias(subject, claims);
+  prove_inside(subject, claims);
+  prove_corridor(subject, claims);
+  prove_fences(subject, claims);
+  prove_clearance(subject, claims);
+  prove_bounds(plan.segments, problem.bounds, claims);
+  return claims;
+}
+
+}  // namespace tern_verify
