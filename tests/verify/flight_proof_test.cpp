@@ -63,7 +63,7 @@ TEST(FlightProof, TenNanometresTooNearToATree) {
   json["true_world"]["cylinders"][0][4] = 0.50000001;
   EXPECT_EQ(verdict_of(claims_of(json), "curve off the world"), Verdict::kRefuted);
   // Under a threat, a commit may come near.
-  json["commits"] = {commit(0.0, true)};
+  json["commits"] = Json::array({commit(0.0, true)});
   EXPECT_EQ(verdict_of(claims_of(json)), Verdict::kProven);
 }
 

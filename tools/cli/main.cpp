@@ -78,7 +78,9 @@ int run(int argc, char** argv) {
   tern_cli::add_export_command(app, exit_status);
   tern_cli::add_page_command(app, exit_status);
   tern_cli::add_replay_command(app, exit_status);
+#ifdef TERN_HAS_VERIFY
   tern_cli::add_verify_command(app, exit_status);
+#endif
   tern_cli::add_world_command(app, exit_status);
   check_command(app, argc, argv);
   try {
