@@ -36,12 +36,16 @@ Status read(const Bytes& bytes) {
   return read_plan_record(bytes.data(), bytes.size(), record);
 }
 
+void put(Bytes& bytes, std::size_t word, std::uint64_t value) {
+  for (std::size_t k = 0; k < 8; ++k) bytes.at(8 * word + k) = static_cast<std::uint8_t>(value >> (8 * k));
+}
+
 /// Replaces a word, and the checksum, as FNV-1a gives it.
 Bytes altered(Bytes bytes, std::size_t word, std::uint64_t value) {
-  std::memcpy(bytes.data() + 8 * word, &value, sizeof value);
+  put(bytes, word, value);
   std::uint64_t hash = 0xCBF29CE484222325u;
   for (std::size_t k = 0; k + 8 < bytes.size(); ++k) hash = (hash ^ bytes[k]) * 0x100000001B3u;
-  std::memcpy(bytes.data() + bytes.size() - 8, &hash, sizeof hash);
+  put(bytes, bytes.size() / 8 - 1, hash);
   return bytes;
 }
 
