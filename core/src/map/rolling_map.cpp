@@ -70,7 +70,8 @@ Task task_after(Task task) {
 
 /// Units for moving a plane and going through the prior.
 std::uint32_t slide_price(const MapState& state) {
-  const auto prior = static_cast<std::size_t>(state.spec.prior_count + state.spec.prior_cylinder_count);
+  const std::size_t prior =
+      static_cast<std::size_t>(state.spec.prior_count) + static_cast<std::size_t>(state.spec.prior_cylinder_count);
   return plane_units(state, 1) + units(prior, kUnitWords);
 }
 
