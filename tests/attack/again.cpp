@@ -81,6 +81,14 @@ double moment(Rng& rng, const tern::Trajectory& trajectory) {
   return end * rng.unit();
 }
 
+/// Less than a millisecond before a joint of two segments; the beginning where the plan has no joint.
+double just_before_joint(Rng& rng, const tern::Trajectory& trajectory) {
+  const int joint = rng.integer(0, trajectory.count - 1);
+  double time = 0.0;
+  for (int i = 0; i < joint; ++i) time += trajectory.segments[i].duration;
+  return std::max(0.0, time - std::pow(10.0, -rng.real(3.0, 9.0)));
+}
+
 /// From the state at t to the same goal or a new one.
 void make_replan(Context& context, const World& world, const Map& map, const Ask& ask, const tern::Trajectory& plan,
                  double t, bool new_goal, Ask& next) {
@@ -147,8 +155,8 @@ void replan_once(Context& context, tern::Planner& planner, const World& world, c
 
 /// With the previous plan from the beginning, in slices, too.
 void replan_along(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
-                  const tern::Trajectory& plan) {
-  const double t = before_goal(ask, plan, moment(context.rng, plan));
+                  const tern::Trajectory& plan, double t) {
+  t = before_goal(ask, plan, t);
   Ask next;
   make_replan(context, world, map, ask, plan, t, false, next);
   if (context.rng.chance(0.5)) next.request.budget.expansions = 0;
@@ -164,11 +172,13 @@ void replan_along(Context& context, tern::Planner& planner, const World& world, 
 void replan(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask) {
   context.bench.untouched = context.bench.trajectory;
   const int count = context.rng.integer(1, 2);
+  const tern::Trajectory& plan = context.bench.untouched;
   for (int k = 0; k < count; ++k) {
-    const tern::Trajectory& plan = context.bench.untouched;
     replan_once(context, planner, world, map, ask, plan, moment(context.rng, plan));
   }
-  if (context.rng.chance(0.1)) replan_along(context, planner, world, map, ask, context.bench.untouched);
+  Rng own = side_stream(context.rng);
+  if (context.rng.chance(0.1)) replan_along(context, planner, world, map, ask, plan, moment(context.rng, plan));
+  if (own.chance(0.1)) replan_along(context, planner, world, map, ask, plan, just_before_joint(own, plan));
 }
 
 }  // namespace tern_attack

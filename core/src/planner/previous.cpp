@@ -55,38 +55,40 @@ Segment first_part(Segment segment, double time) {
   return segment;
 }
 
-Segment last_part(Segment segment, double from) {
-  keep_last_part(from / segment.duration, segment.points);
-  segment.duration -= from;
-  return segment;
+/// What is left of a segment, relative to where that begins. It is cut off backwards from the segment's end, so that
+/// rounding is relative to its own size, however short it is.
+Segment remainder(const Segment& segment, double left) {
+  Segment back;
+  for (int k = 0; k < kControlPoints; ++k) back.points[k] = segment.points[kDegree - k] - segment.points[kDegree];
+  keep_first_part(left / segment.duration, back.points);
+  Segment part;
+  part.duration = left;
+  for (int k = 0; k < kControlPoints; ++k) part.points[k] = back.points[kDegree - k] - back.points[kDegree];
+  return part;
 }
 
 /// Where a plan is cut.
 struct Cut {
   Sample now;
-  Vec3 begin;     ///< the position in the plan's frame
-  int segment;    ///< the one in which the first piece of the rest ends; plan.count if nothing is left to fly
-  double joined;  ///< how much of its beginning belongs to that piece, seconds; 0: all that is left of it
-  double left;    ///< the duration of the piece, seconds
+  Vec3 begin;   ///< the position in the plan's frame
+  int segment;  ///< the one that is being flown; plan.count if nothing is left to fly
+  double left;  ///< of that segment, seconds
 };
 
-/// A remainder that is too short to be cut off is joined to the beginning of the next segment. If that was halved until
-/// it is too short as well, the remainder is cut off nevertheless, and the check decides.
 Cut cut_at(const Trajectory& plan, double time) {
-  Cut cut{evaluate(plan, time), kZero, 0, 0.0, 0.0};
+  Cut cut{evaluate(plan, time), kZero, 0, 0.0};
   double flown = time;
   cut.segment = segment_at(plan, flown);
   if (cut.segment == plan.count) return cut;
   const Segment& segment = plan.segments[cut.segment];
   cut.begin = value(curve_of(segment), flown / segment.duration);
   cut.left = segment.duration - flown;
-  if (cut.left >= kLeastRest) return cut;
-  const int next = cut.segment + 1;
-  if (next < plan.count && plan.segments[next].duration < 2.0 * kJoined) return cut;
-  cut.joined = kJoined;
-  cut.left += kJoined;
-  cut.segment = next;
+  if (cut.left < kLeastRest && cut.segment + 1 == plan.count) cut.segment = plan.count;
   return cut;
+}
+
+JointState state_of(const Cut& cut) {
+  return {{cut.begin, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
 }
 
 /// Appends the segment between two states.
@@ -94,6 +96,57 @@ void append(const JointState& from, const JointState& to, double duration, Previ
   Segment& segment = rest.segments[rest.count++];
   segment.duration = duration;
   control_points(from, to, duration, segment.points);
+}
+
+/// Makes the segments of a plan anew, one after another, relative to where it is cut.
+class Rebuilding {
+ public:
+  Rebuilding(const Cut& cut, const State& goal, Previous& rest)
+      : begin_(cut.begin), goal_(goal), rest_(rest), from_(state_of(cut)) {
+    from_.d[0] = kZero;
+  }
+
+  /// A segment to the end of `segment`.
+  void fly_to_end(const Segment& segment, double duration, bool is_last) {
+    JointState to = end_state(segment);
+    to.d[0] = to.d[0] - begin_;
+    if (is_last && rest_.meets_goal) to = as_asked(goal_, to);
+    append(from_, to, duration, rest_);
+    from_ = to;
+  }
+
+  /// A segment as it is; it ends with the motion in which `whole` ends.
+  void fly(const Segment& segment, const Segment& whole) {
+    rest_.segments[rest_.count++] = segment;
+    from_ = end_state(whole);
+    from_.d[0] = segment.points[kDegree];
+  }
+
+  /// All segments from that one on; of that one, so many seconds.
+  void fly_rest(int from, double left) {
+    const Trajectory& plan = rest_.plan;
+    for (int i = from; i < plan.count; ++i) {
+      const Segment& segment = plan.segments[i];
+      fly_to_end(segment, i == from ? left : segment.duration, i + 1 == plan.count);
+    }
+  }
+
+ private:
+  Vec3 begin_;
+  const State& goal_;
+  Previous& rest_;
+  JointState from_;
+};
+
+/// A remainder that is too short to be made anew from the states at its ends becomes one piece with the beginning of
+/// the next segment, unless that was halved until it is too short as well.
+bool can_be_joined(const Trajectory& plan, const Cut& cut) {
+  return cut.left < kLeastRest && plan.segments[cut.segment + 1].duration >= 2.0 * kJoined;
+}
+
+void begin_rest(const Vec3& origin, Previous& rest) {
+  rest.count = rest.next = rest.enclosed = 0;
+  rest.origin = origin;
 }
 
 }  // namespace
@@ -110,9 +163,9 @@ bool previous_fits(const Request& request) noexcept {
 }
 
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
-  rest.count = rest.next = rest.enclosed = rest.tries = 0;
-  rest.flown = rest.meets_goal = false;
-  rest.origin = request.start.position;
+  begin_rest(request.start.position, rest);
+  rest.tries = 0;
+  rest.flown = rest.meets_goal = rest.in_place = false;
   if (request.previous == nullptr) return;
   rest.plan = *request.previous;
   const Trajectory& plan = rest.plan;
@@ -120,37 +173,29 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   rest.jerk = cut.now.jerk;
   const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
-  JointState from{{kZero, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
-  const auto fly_to_end = [&](const Segment& segment, double duration, bool is_last) {
-    JointState to = end_state(segment);
-    to.d[0] = to.d[0] - cut.begin;
-    if (is_last && rest.meets_goal) to = as_asked(request.goal, to);
-    append(from, to, duration, rest);
-    from = to;
-  };
   if (cut.segment == plan.count) return;
-  const Segment& first = plan.segments[cut.segment];
-  const bool joins = cut.joined > 0.0;
-  if (joins) fly_to_end(first_part(first, cut.joined), cut.left, false);
-  for (int i = cut.segment; i < plan.count; ++i) {
-    const double whole = plan.segments[i].duration;
-    const double part = joins ? whole - cut.joined : cut.left;
-    fly_to_end(plan.segments[i], i == cut.segment ? part : whole, i + 1 == plan.count);
-  }
+  Rebuilding rebuilding(cut, request.goal, rest);
+  if (!can_be_joined(plan, cut)) return rebuilding.fly_rest(cut.segment, cut.left);
+  const Segment& next = plan.segments[cut.segment + 1];
+  rebuilding.fly_to_end(first_part(next, kJoined), cut.left + kJoined, false);
+  rebuilding.fly_rest(cut.segment + 1, next.duration - kJoined);
 }
 
-void cut_in_place(double time, Previous& rest) noexcept {
+void cut_again(const Request& request, Previous& rest) noexcept {
   const Trajectory& plan = rest.plan;
-  const Cut cut = cut_at(plan, time);
-  rest.count = rest.next = rest.enclosed = 0;
-  rest.origin = plan.origin;
-  if (cut.segment == plan.count) return;
-  const JointState from{{cut.begin, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
+  const Cut cut = cut_at(plan, request.previous_time);
   const Segment& first = plan.segments[cut.segment];
-  const bool joins = cut.joined > 0.0;
-  append(from, end_state(joins ? first_part(first, cut.joined) : first), cut.left, rest);
-  if (joins) rest.segments[rest.count++] = last_part(first, cut.joined);
-  for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
+  rest.in_place = cut.left >= kLeastRest;
+  if (rest.in_place) {
+    begin_rest(plan.origin, rest);
+    append(state_of(cut), end_state(first), cut.left, rest);
+    for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
+  } else {
+    begin_rest(request.start.position, rest);
+    Rebuilding rebuilding(cut, request.goal, rest);
+    rebuilding.fly(remainder(first, cut.left), first);
+    rebuilding.fly_rest(cut.segment + 1, plan.segments[cut.segment + 1].duration);
+  }
 }
 
 }  // namespace tern

@@ -17,13 +17,11 @@ namespace tern {
 /// Report::detours of a plan that follows the previous one.
 constexpr std::int32_t kFollowed = 3;
 
-/// Frames in which the rest is tried, because moving coordinates to another origin rounds them. The first is relative
-/// to the requested start, which is exact for the beginning. The second is that of the previous plan, which is exact
-/// for all segments but the first.
+/// Ways in which the rest is tried: cut_previous(), then cut_again().
 constexpr int kPreviousTries = 2;
 
-/// If less than this is left of the segment that is being flown, in seconds, cutting it off would round its derivatives
-/// too much.
+/// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
+/// ends would round its derivatives too much.
 constexpr double kLeastRest = 1e-3;
 
 /// The most half-spaces for enclosing the rest, before a new plan is looked for and after it. The last factor 2 is for
@@ -39,6 +37,7 @@ struct Previous {
   int tries;        ///< 0 .. kPreviousTries
   bool flown;       ///< the current plan begins with it
   bool meets_goal;  ///< it ends at the goal of the current plan
+  bool in_place;    ///< `origin` is that of the previous plan; else the requested start
   Vec3 jerk;        ///< at its beginning, m/s^3
   Vec3 origin;      ///< of the segments, in the world frame
   Segment segments[kMaxSegments];
@@ -49,11 +48,16 @@ struct Previous {
 bool previous_fits(const Request& request) noexcept;
 
 /// Cuts request.previous, if there is one, at request.previous_time. previous_fits() must be true. Makes the segments
-/// anew from the states at their joints, so they are rounded like any other plan from this start. Tries nothing yet.
+/// anew from the states at their joints, relative to the requested start, so they are rounded like any other plan from
+/// there. If less than kLeastRest is left of the segment that is being flown, it becomes one piece with the beginning
+/// of the next one. Tries nothing yet.
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
-/// The same in the frame of the previous plan. All whole segments but the first are copied bit for bit.
-void cut_in_place(double time, Previous& rest) noexcept;
+/// Cuts rest.plan once more, for the case that the first attempt failed. The rest must not be empty. In the frame of
+/// the previous plan, where all segments but the first keep their bits: moving coordinates rounds them. Or, if less
+/// than kLeastRest is left of the first, relative to the requested start with that remainder as it is: a piece across
+/// the joint leaves the limits where the plan flies at a limit and the jerk jumps.
+void cut_again(const Request& request, Previous& rest) noexcept;
 
 /// The end of the rest, relative to `origin`. The rest must not be empty.
 inline const Vec3& end_of(const Previous& rest) noexcept {

@@ -80,7 +80,7 @@ bool Plan::previous_may_help(Status status) const noexcept {
 
 void Plan::begin_previous() noexcept {
   Previous& rest = memory_->previous;
-  if (++rest.tries == kPreviousTries) cut_in_place(asked_.previous_time, rest);
+  if (++rest.tries == kPreviousTries) cut_again(asked_, rest);
   rest.flown = false;
   begin_hulls();
 }
@@ -96,7 +96,7 @@ Progress Plan::run_previous(Work& work) noexcept {
   if (rest.meets_goal) tube = {memory.trajectory.segments, memory.corridor.polyhedra, kMaxSegments, 0, 0.0};
   tube.count = rest.enclosed;
   tube.slack = kPreviousSlack * check_distance(*grid_);
-  const Vec3 origin = rest.tries == 1 ? memory.ends.origin_in_grid : grid_->to_local(rest.origin);
+  const Vec3 origin = rest.in_place ? grid_->to_local(rest.origin) : memory.ends.origin_in_grid;
   for (; rest.next < rest.count; ++rest.next) {
     if (!work.take()) return Progress::kMore;
     const Status status = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
