@@ -46,6 +46,11 @@ int segment_at(const Trajectory& plan, double& time) {
     ++index;
   }
   time -= begin;
+  // The sum is rounded: the segment may be over although the sum is not reached.
+  if (index < plan.count && !(time < plan.segments[index].duration)) {
+    time = 0.0;
+    ++index;
+  }
   return index;
 }
 
@@ -55,16 +60,13 @@ Segment first_part(Segment segment, double time) {
   return segment;
 }
 
-/// What is left of a segment, relative to where that begins. It is cut off backwards from the segment's end, so that
-/// rounding is relative to its own size, however short it is.
-Segment remainder(const Segment& segment, double left) {
-  Segment back;
-  for (int k = 0; k < kControlPoints; ++k) back.points[k] = segment.points[kDegree - k] - segment.points[kDegree];
-  keep_first_part(left / segment.duration, back.points);
-  Segment part;
-  part.duration = left;
-  for (int k = 0; k < kControlPoints; ++k) part.points[k] = back.points[kDegree - k] - back.points[kDegree];
-  return part;
+/// From where the last `left` seconds of the segment begin to its end. They are cut off backwards from the end, so that
+/// rounding is relative to their own size, however short they are.
+Vec3 displacement(const Segment& segment, double left) {
+  Vec3 back[kControlPoints];
+  for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree - k] - segment.points[kDegree];
+  keep_first_part(left / segment.duration, back);
+  return -1.0 * back[kDegree];
 }
 
 /// Where a plan is cut.
@@ -106,20 +108,16 @@ class Rebuilding {
     from_.d[0] = kZero;
   }
 
-  /// A segment to the end of `segment`.
-  void fly_to_end(const Segment& segment, double duration, bool is_last) {
-    JointState to = end_state(segment);
-    to.d[0] = to.d[0] - begin_;
-    if (is_last && rest_.meets_goal) to = as_asked(goal_, to);
+  void fly_to(const JointState& to, double duration) {
     append(from_, to, duration, rest_);
     from_ = to;
   }
 
-  /// A segment as it is; it ends with the motion in which `whole` ends.
-  void fly(const Segment& segment, const Segment& whole) {
-    rest_.segments[rest_.count++] = segment;
-    from_ = end_state(whole);
-    from_.d[0] = segment.points[kDegree];
+  /// A segment to the end of `segment`.
+  void fly_to_end(const Segment& segment, double duration, bool is_last) {
+    JointState to = end_state(segment);
+    to.d[0] = to.d[0] - begin_;
+    fly_to(is_last && rest_.meets_goal ? as_asked(goal_, to) : to, duration);
   }
 
   /// All segments from that one on; of that one, so many seconds.
@@ -193,7 +191,9 @@ void cut_again(const Request& request, Previous& rest) noexcept {
   } else {
     begin_rest(request.start.position, rest);
     Rebuilding rebuilding(cut, request.goal, rest);
-    rebuilding.fly(remainder(first, cut.left), first);
+    JointState joint = end_state(first);
+    joint.d[0] = displacement(first, cut.left);
+    rebuilding.fly_to(joint, cut.left);
     rebuilding.fly_rest(cut.segment + 1, plan.segments[cut.segment + 1].duration);
   }
 }
