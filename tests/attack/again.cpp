@@ -67,6 +67,7 @@ void compare_kept(Context& context, tern::Planner& planner, const World& world, 
 namespace {
 
 constexpr double kShortestPlan = 0.05;  // seconds, docs/times.md
+constexpr double kNoLater = 2e-6;       // seconds: as promised, and rounding
 
 bool is_zero(const tern::Vec3& v) {
   return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
@@ -126,12 +127,25 @@ bool is_promised(const World& world, const Map& map, const Ask& ask, const Ask& 
                    reachable(world, map.component, world.local(next.request.goal.position)));
 }
 
+/// A plan to the same goal arrives no later than the rest of the previous one (docs/moving_ends.md).
+void expect_no_later(Context& context, const tern::Trajectory& plan, double t, const char* kind) {
+  const double rest = tern::duration(plan) - t;
+  const double now = tern::duration(context.bench.trajectory);
+  if (now <= rest + kNoLater) return;
+  report(context.findings, (std::string(kind) + "later").c_str(), "%.17g s instead of %.17g from t %.17g", now, rest,
+         t);
+}
+
 void ask_with_previous(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& next,
-                       const tern::Trajectory& plan, double t, const char* kind) {
+                       const tern::Trajectory& plan, double t, bool new_goal, const char* kind) {
   next.request.previous = &plan;
   next.request.previous_time = t;
   const Status status = ask_once(context, planner, world, map, next, "replan with the previous plan");
-  if (status == Status::kOk || is_capacity(status) || !proves(plan, t)) return;
+  if (is_capacity(status) || !proves(plan, t)) return;
+  if (status == Status::kOk) {
+    if (!new_goal) expect_no_later(context, plan, t, kind);
+    return;
+  }
   const std::string name = std::string(kind) + tern::status_name(status);
   report(context.findings, name.c_str(), "from t %.17g of %.17g", t, tern::duration(plan));
 }
@@ -150,7 +164,7 @@ void replan_once(Context& context, tern::Planner& planner, const World& world, c
   if (status == Status::kOk || is_capacity(status) || context.findings.size() != before) return;
   if (new_goal && !is_promised(world, map, ask, next)) return;
   ++context.tally.needed;
-  ask_with_previous(context, planner, world, map, next, plan, t, new_goal ? "replan_new_goal_" : "replan_");
+  ask_with_previous(context, planner, world, map, next, plan, t, new_goal, new_goal ? "replan_new_goal_" : "replan_");
 }
 
 /// With the previous plan from the beginning, in slices, too.
@@ -161,7 +175,7 @@ void replan_along(Context& context, tern::Planner& planner, const World& world, 
   make_replan(context, world, map, ask, plan, t, false, next);
   if (context.rng.chance(0.5)) next.request.budget.expansions = 0;
   const std::size_t before = context.findings.size();
-  ask_with_previous(context, planner, world, map, next, plan, t, "replan_along_");
+  ask_with_previous(context, planner, world, map, next, plan, t, false, "replan_along_");
   if (context.findings.size() == before && !spoiled(context.bench.trajectory)) {
     compare_slices(context, world, next, Status::kOk);
   }
