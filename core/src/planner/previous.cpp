@@ -21,12 +21,12 @@ bool is_sound(const Segment& segment) {
 /// How much of the next segment is joined to a remainder that is too short, seconds.
 constexpr double kJoined = 2e-3;
 
-/// The state at the segment's end.
-JointState end_state(const Segment& segment) {
+/// The state at u in [0, 1] of the segment.
+JointState state_at(const Segment& segment, double u) {
   JointState state;
   Curve curve = curve_of(segment);
   for (Vec3& derivative : state.d) {
-    derivative = curve.c[curve.degree];
+    derivative = value(curve, u);
     curve = hodograph(curve, segment.duration);
   }
   return state;
@@ -54,19 +54,20 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
-Segment first_part(Segment segment, double time) {
-  keep_first_part(time / segment.duration, segment.points);
-  segment.duration = time;
-  return segment;
+/// By how much the segment moves in its first `time` seconds. Rounding is relative to that, however little it is.
+Vec3 first_move(const Segment& segment, double time) {
+  Vec3 ahead[kControlPoints];
+  for (int k = 0; k < kControlPoints; ++k) ahead[k] = segment.points[k] - segment.points[0];
+  keep_first_part(time / segment.duration, ahead);
+  return ahead[kDegree];
 }
 
-/// From where the last `left` seconds of the segment begin to its end. They are cut off backwards from the end, so that
-/// rounding is relative to their own size, however short they are.
-Vec3 displacement(const Segment& segment, double left) {
+/// The same for its last `time` seconds.
+Vec3 last_move(const Segment& segment, double time) {
   Vec3 back[kControlPoints];
-  for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree - k] - segment.points[kDegree];
-  keep_first_part(left / segment.duration, back);
-  return -1.0 * back[kDegree];
+  for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree] - segment.points[kDegree - k];
+  keep_first_part(time / segment.duration, back);
+  return back[kDegree];
 }
 
 /// Where a plan is cut.
@@ -100,46 +101,54 @@ void append(const JointState& from, const JointState& to, double duration, Previ
   control_points(from, to, duration, segment.points);
 }
 
-/// Makes the segments of a plan anew, one after another, relative to where it is cut.
-class Rebuilding {
- public:
-  Rebuilding(const Cut& cut, const State& goal, Previous& rest)
-      : begin_(cut.begin), goal_(goal), rest_(rest), from_(state_of(cut)) {
-    from_.d[0] = kZero;
-  }
+/// The state where the segment ends: of the longer one of the two that meet there, since that is rounded less.
+JointState joint_behind(const Trajectory& plan, int segment) {
+  const bool longer_follows =
+      segment + 1 < plan.count && plan.segments[segment + 1].duration > plan.segments[segment].duration;
+  return longer_follows ? state_at(plan.segments[segment + 1], 0.0) : state_at(plan.segments[segment], 1.0);
+}
 
-  void fly_to(const JointState& to, double duration) {
+/// Appends the segments of the rest one after another, each by how far it moves: then rounding does not depend on where
+/// in the plan it is.
+class Moves {
+ public:
+  Moves(const Cut& cut, Previous& rest) : rest_(rest), from_(state_of(cut)) { from_.d[0] = kZero; }
+
+  void append_move(const Vec3& move, JointState to, double duration) {
+    to.d[0] = from_.d[0] + move;
     append(from_, to, duration, rest_);
     from_ = to;
   }
 
-  /// A segment to the end of `segment`.
-  void fly_to_end(const Segment& segment, double duration, bool is_last) {
-    JointState to = end_state(segment);
-    to.d[0] = to.d[0] - begin_;
-    fly_to(is_last && rest_.meets_goal ? as_asked(goal_, to) : to, duration);
-  }
-
-  /// All segments from that one on; of that one, so many seconds.
-  void fly_rest(int from, double left) {
-    const Trajectory& plan = rest_.plan;
-    for (int i = from; i < plan.count; ++i) {
-      const Segment& segment = plan.segments[i];
-      fly_to_end(segment, i == from ? left : segment.duration, i + 1 == plan.count);
-    }
-  }
-
  private:
-  Vec3 begin_;
-  const State& goal_;
   Previous& rest_;
   JointState from_;
 };
 
-/// A remainder that is too short to be made anew from the states at its ends becomes one piece with the beginning of
-/// the next segment, unless that was halved until it is too short as well.
-bool can_be_joined(const Trajectory& plan, const Cut& cut) {
-  return cut.left < kLeastRest && plan.segments[cut.segment + 1].duration >= 2.0 * kJoined;
+/// What is left of the segment that is being flown is too short to be made anew like the others. It becomes one piece
+/// with the first `joined` seconds of the next segment, or stays alone if they are 0.
+void cut_short(const Cut& cut, double joined, const State& goal, Previous& rest) {
+  const Trajectory& plan = rest.plan;
+  const Segment& first = plan.segments[cut.segment];
+  const Segment& next = plan.segments[cut.segment + 1];
+  const bool joins = joined > 0.0;
+  Moves moves(cut, rest);
+  moves.append_move(last_move(first, cut.left) + first_move(next, joined),
+                    joins ? state_at(next, joined / next.duration) : joint_behind(plan, cut.segment),
+                    cut.left + joined);
+  for (int i = cut.segment + 1; i < plan.count; ++i) {
+    const Segment& segment = plan.segments[i];
+    const double left = i == cut.segment + 1 ? segment.duration - joined : segment.duration;
+    JointState end = joint_behind(plan, i);
+    if (i + 1 == plan.count && rest.meets_goal) end = as_asked(goal, end);
+    moves.append_move(last_move(segment, left), end, left);
+  }
+}
+
+/// How much of the next segment is joined to the remainder, seconds: none if that was halved until it is too short,
+/// too.
+double joined_at(const Trajectory& plan, const Cut& cut) {
+  return plan.segments[cut.segment + 1].duration < 2.0 * kJoined ? 0.0 : kJoined;
 }
 
 void begin_rest(const Vec3& origin, Previous& rest) {
@@ -172,30 +181,27 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
   if (cut.segment == plan.count) return;
-  Rebuilding rebuilding(cut, request.goal, rest);
-  if (!can_be_joined(plan, cut)) return rebuilding.fly_rest(cut.segment, cut.left);
-  const Segment& next = plan.segments[cut.segment + 1];
-  rebuilding.fly_to_end(first_part(next, kJoined), cut.left + kJoined, false);
-  rebuilding.fly_rest(cut.segment + 1, next.duration - kJoined);
+  if (cut.left < kLeastRest) return cut_short(cut, joined_at(plan, cut), request.goal, rest);
+  JointState from = state_of(cut);
+  from.d[0] = kZero;
+  for (int i = cut.segment; i < plan.count; ++i) {
+    const Segment& segment = plan.segments[i];
+    JointState to = state_at(segment, 1.0);
+    to.d[0] = to.d[0] - cut.begin;
+    if (i + 1 == plan.count && rest.meets_goal) to = as_asked(request.goal, to);
+    append(from, to, i == cut.segment ? cut.left : segment.duration, rest);
+    from = to;
+  }
 }
 
 void cut_again(const Request& request, Previous& rest) noexcept {
   const Trajectory& plan = rest.plan;
   const Cut cut = cut_at(plan, request.previous_time);
-  const Segment& first = plan.segments[cut.segment];
   rest.in_place = cut.left >= kLeastRest;
-  if (rest.in_place) {
-    begin_rest(plan.origin, rest);
-    append(state_of(cut), end_state(first), cut.left, rest);
-    for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
-  } else {
-    begin_rest(request.start.position, rest);
-    Rebuilding rebuilding(cut, request.goal, rest);
-    JointState joint = end_state(first);
-    joint.d[0] = displacement(first, cut.left);
-    rebuilding.fly_to(joint, cut.left);
-    rebuilding.fly_rest(cut.segment + 1, plan.segments[cut.segment + 1].duration);
-  }
+  begin_rest(rest.in_place ? plan.origin : request.start.position, rest);
+  if (!rest.in_place) return cut_short(cut, 0.0, request.goal, rest);
+  append(state_of(cut), state_at(plan.segments[cut.segment], 1.0), cut.left, rest);
+  for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
 }
 
 }  // namespace tern
