@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The same request again: in slices, on a fresh planner, and from states along its plan.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "attack/attack_case.hpp"
@@ -113,9 +115,27 @@ double before_goal(const Ask& ask, const tern::Trajectory& plan, double t) {
   return goal_moves(ask) ? std::max(0.0, std::min(t, tern::duration(plan) - kShortestPlan)) : t;
 }
 
-/// True where a millisecond of the plan is left: the planner then promises a plan.
+/// True less than a millisecond before the end of a segment.
+bool ends_soon(const tern::Trajectory& plan, double t) {
+  double end = 0.0;
+  for (int i = 0; i < plan.count && end <= t; ++i) end += plan.segments[i].duration;
+  return end - t < 1e-3;
+}
+
+/// True where no control point is more than a kilometre from the plan's origin.
+bool is_local(const tern::Trajectory& plan) {
+  double most = 0.0;
+  for (int i = 0; i < plan.count; ++i) {
+    for (const tern::Vec3& p : plan.segments[i].points) {
+      most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  return most <= 1000.0;
+}
+
+/// True where the planner promises a plan.
 bool proves(const tern::Trajectory& plan, double t) {
-  return tern::duration(plan) - t >= 1e-3;
+  return tern::duration(plan) - t >= 1e-3 && (is_local(plan) || !ends_soon(plan, t));
 }
 
 /// Whether the grid promises a plan to the new goal by way of the first one. From rest it promises no more than to any

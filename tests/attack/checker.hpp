@@ -27,7 +27,7 @@ __attribute__((format(printf, 3, 4))) void report(Findings& findings, const char
 // on top: `rounding` below.
 constexpr Real kContactSlack = 1e-9L;  ///< metres, or voxels where those are larger: a half-space, a control point
 constexpr Real kLimitSlack = 3e-8L;    ///< of the limit
-constexpr Real kSumUlps = 4;           ///< the same for limits: a control point is the sum of four products
+constexpr Real kLimitUlps = 16;        ///< the same for limits: the check forgives 8, and its arithmetic is good to 8
 constexpr Real kPointUlps = 32;  ///< units in the last place of a control point, for derivatives at joints and ends
 
 /// kContactSlack in this world, and what its coordinates cannot tell apart, world and local ones.

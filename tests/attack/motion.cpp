@@ -84,13 +84,13 @@ void check_limits(const tern::Request& request, const tern::Trajectory& trajecto
     const tern::Segment& segment = trajectory.segments[s];
     const Curve velocity = derivative(curve_of(segment, {{0, 0, 0}}), segment.duration);
     const Curve acceleration = derivative(velocity, segment.duration);
-    const Real v = kSumUlps * rounding(segment, 1);
-    const Real a = kSumUlps * rounding(segment, 2);
+    const Real v = kLimitUlps * rounding(segment, 1);
+    const Real a = kLimitUlps * rounding(segment, 2);
     check_derivative(velocity, allowed(limits.v_max, limits.v_min, limits.v_horizontal, v), "velocity", s, findings);
     check_derivative(acceleration, allowed(limits.a_max, limits.a_min, limits.a_horizontal, a), "acceleration", s,
                      findings);
     const Curve jerk = derivative(acceleration, segment.duration);
-    check_derivative(jerk, allowed_jerk(limits, kSumUlps * rounding(segment, 3)), "jerk", s, findings);
+    check_derivative(jerk, allowed_jerk(limits, kLimitUlps * rounding(segment, 3)), "jerk", s, findings);
   }
 }
 
