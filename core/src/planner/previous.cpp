@@ -18,8 +18,9 @@ bool is_sound(const Segment& segment) {
   return true;
 }
 
-/// How much of the next segment is joined to a remainder that is too short, seconds.
-constexpr double kJoined = 2e-3;
+/// How much of the next segment is joined to a remainder that is too short, seconds, try by try. A longer piece is
+/// rounded less; a shorter one deviates less where the plan flies at a limit and the snap jumps.
+constexpr double kJoined[kPreviousTries] = {2e-3, 2e-4, 0.0};
 
 /// The state at u in [0, 1] of the segment.
 JointState state_at(const Segment& segment, double u) {
@@ -147,8 +148,8 @@ void cut_short(const Cut& cut, double joined, const State& goal, Previous& rest)
 
 /// How much of the next segment is joined to the remainder, seconds: none if that was halved until it is too short,
 /// too.
-double joined_at(const Trajectory& plan, const Cut& cut) {
-  return plan.segments[cut.segment + 1].duration < 2.0 * kJoined ? 0.0 : kJoined;
+double joined_at(const Trajectory& plan, const Cut& cut, int attempt) {
+  return plan.segments[cut.segment + 1].duration < 2.0 * kJoined[0] ? 0.0 : kJoined[attempt];
 }
 
 void begin_rest(const Vec3& origin, Previous& rest) {
@@ -171,7 +172,7 @@ bool previous_fits(const Request& request) noexcept {
 
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
   begin_rest(request.start.position, rest);
-  rest.tries = 0;
+  rest.tries = rest.last_try = 0;
   rest.flown = rest.meets_goal = rest.in_place = false;
   if (request.previous == nullptr) return;
   rest.plan = *request.previous;
@@ -181,7 +182,8 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
   if (cut.segment == plan.count) return;
-  if (cut.left < kLeastRest) return cut_short(cut, joined_at(plan, cut), request.goal, rest);
+  rest.last_try = cut.left < kLeastRest ? kPreviousTries : 2;
+  if (cut.left < kLeastRest) return cut_short(cut, joined_at(plan, cut, 0), request.goal, rest);
   JointState from = state_of(cut);
   from.d[0] = kZero;
   for (int i = cut.segment; i < plan.count; ++i) {
@@ -199,7 +201,7 @@ void cut_again(const Request& request, Previous& rest) noexcept {
   const Cut cut = cut_at(plan, request.previous_time);
   rest.in_place = cut.left >= kLeastRest;
   begin_rest(rest.in_place ? plan.origin : request.start.position, rest);
-  if (!rest.in_place) return cut_short(cut, 0.0, request.goal, rest);
+  if (!rest.in_place) return cut_short(cut, joined_at(plan, cut, rest.tries - 1), request.goal, rest);
   append(state_of(cut), state_at(plan.segments[cut.segment], 1.0), cut.left, rest);
   for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
 }

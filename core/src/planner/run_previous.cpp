@@ -34,7 +34,7 @@ void Plan::begin_with_rest() noexcept {
 /// The attempt then begins anew, as if nothing had been tried.
 Progress Plan::end_trial(bool holds) noexcept {
   const Previous& rest = memory_->previous;
-  if (!holds && rest.tries < kPreviousTries) {
+  if (!holds && rest.tries < rest.last_try) {
     enter(Stage::kPrevious);
     return Progress::kFailed;
   }
@@ -73,14 +73,14 @@ void Plan::begin_hulls() noexcept {
 /// The rest of the plan cannot help if the goal is occupied.
 bool Plan::previous_may_help(Status status) const noexcept {
   const Previous& rest = memory_->previous;
-  if (rest.tries == kPreviousTries || rest.count == 0) return false;
+  if (rest.tries == rest.last_try || rest.count == 0) return false;
   if (rest.meets_goal) return true;
   return rest.tries == 0 && status != Status::kGoalOccupied && !at_rest(asked_.start);
 }
 
 void Plan::begin_previous() noexcept {
   Previous& rest = memory_->previous;
-  if (++rest.tries == kPreviousTries) cut_again(asked_, rest);
+  if (++rest.tries > 1) cut_again(asked_, rest);
   rest.flown = false;
   begin_hulls();
 }
