@@ -74,6 +74,14 @@ inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, i
 /// begin there.
 constexpr double kFaceTolerance = 1e-9;
 
+/// What the check allows on top for the rounding of coordinates on all three axes, metres (check/tolerance.hpp).
+inline double frame_rounding(const GridSpec& spec) {
+  const Vec3& origin = spec.origin;
+  const double world = absolute(origin.x) + absolute(origin.y) + absolute(origin.z);
+  const double extent = (spec.dims.x * spec.cell + spec.dims.y * spec.cell) + spec.dims.z * spec.cell;
+  return kWorldRounding * (6.0 * world + 12.0 * extent);
+}
+
 /// A local coordinate that rounding left outside the boundary, put on the face; any other as it is. The face was put
 /// on the lattice by up to a tolerance of its size, and the point may miss the face by as much.
 inline double onto_boundary(const Grid& grid, double local, int a) {
@@ -82,7 +90,7 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
   const double lower = axis(boundary.lower, a);
   const double upper = axis(boundary.upper, a);
   const auto rounding = [&](const Vec3& face) {
-    return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance;
+    return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance + frame_rounding(spec);
   };
   if (local < lower && local >= lower - rounding(spec.boundary.lower)) return lower;
   if (local > upper && local <= upper + rounding(spec.boundary.upper)) return upper;

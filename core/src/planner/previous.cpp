@@ -20,7 +20,7 @@ bool is_sound(const Segment& segment) {
 
 /// How much of the next segment is joined to a remainder that is too short, seconds, try by try. A longer piece is
 /// rounded less; a shorter one deviates less where the plan flies at a limit and the snap jumps.
-constexpr double kJoined[kPreviousTries] = {2e-3, 2e-4, 0.0};
+constexpr double kJoined[kPreviousTries] = {2e-3, 2e-4, 2e-5, 2e-6, 0.0};
 
 /// The state at u in [0, 1] of the segment.
 JointState state_at(const Segment& segment, double u) {

@@ -17,8 +17,8 @@ namespace tern {
 /// Report::detours of a plan that follows the previous one.
 constexpr std::int32_t kFollowed = 3;
 
-/// Ways in which the rest is tried at most: cut_previous(), then cut_again() once or twice.
-constexpr int kPreviousTries = 3;
+/// Ways in which the rest is tried at most: cut_previous(), then cut_again().
+constexpr int kPreviousTries = 5;
 
 /// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
 /// ends would round its derivatives too much.
@@ -54,10 +54,10 @@ bool previous_fits(const Request& request) noexcept;
 /// of the next one. Tries nothing yet.
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
-/// Cuts rest.plan once more, for try number rest.tries, 2 or 3, as the one before failed. The rest must not be empty.
-/// In the frame of the previous plan, where all segments but the first keep their bits: moving coordinates rounds them.
-/// Or, if less than kLeastRest is left of the first, as cut_previous() does, with less of the next segment, then with
-/// none.
+/// Cuts rest.plan once more, for try number rest.tries, 2 .. rest.last_try, as the one before failed. The rest must not
+/// be empty. In the frame of the previous plan, where all segments but the first keep their bits: moving coordinates
+/// rounds them. Or, if less than kLeastRest is left of the first, as cut_previous() does, with less of the next
+/// segment, then with none.
 void cut_again(const Request& request, Previous& rest) noexcept;
 
 /// The end of the rest, relative to `origin`. The rest must not be empty.
