@@ -22,32 +22,33 @@ bool numbers_are_sane(const Segment& segment, const Corridor& corridor) {
 /// The control points' frame as the grid and the request are seen from it.
 struct PlanFrame {
   Vec3 from_grid;  ///< the frame's origin in the grid's local frame
-  Box boundary;    ///< relative to the frame's origin
+  Box boundary;    ///< relative to the frame's origin, as far as a control point may go
   double rounding;
 };
 
 PlanFrame frame_of(const Grid& grid, const Trajectory& trajectory) {
   const GridSpec& spec = grid.spec();
   const Vec3& origin = trajectory.origin;
-  return {origin - spec.origin,
-          {spec.boundary.lower - origin, spec.boundary.upper - origin},
-          place_rounding(grid, trajectory)};
+  Box boundary{spec.boundary.lower - origin, spec.boundary.upper - origin};
+  for (int a = 0; a < 3; ++a) {
+    axis(boundary.lower, a) -= face_tolerance(grid, axis(spec.boundary.lower, a));
+    axis(boundary.upper, a) += face_tolerance(grid, axis(spec.boundary.upper, a));
+  }
+  return {origin - spec.origin, boundary, place_rounding(grid, trajectory)};
 }
 
-bool within(const Vec3& point, const Box& box, double tolerance) {
+bool within(const Vec3& point, const Box& box) {
   for (int a = 0; a < 3; ++a) {
-    if (axis(point, a) < axis(box.lower, a) - tolerance || axis(point, a) > axis(box.upper, a) + tolerance) {
-      return false;
-    }
+    if (axis(point, a) < axis(box.lower, a) || axis(point, a) > axis(box.upper, a)) return false;
   }
   return true;
 }
 
 /// The axis on which the point is furthest beyond the box.
-bool refuse_beyond(const Vec3& point, const Box& box, double tolerance, CheckReport& found) {
+bool refuse_beyond(const Vec3& point, const Box& box, CheckReport& found) {
   for (int a = 0; a < 3; ++a) {
     const double outside = larger(axis(box.lower, a) - axis(point, a), axis(point, a) - axis(box.upper, a));
-    const double excess = larger(0.0, outside - tolerance);
+    const double excess = larger(0.0, outside);
     if (found.axis >= 0 && !(excess > found.excess)) continue;
     found.axis = a;
     found.excess = excess;
@@ -60,7 +61,7 @@ bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const P
                    CheckReport& found) {
   const double tolerance = check_distance(grid) + frame.rounding + lattice_rounding(grid);
   for (const Vec3& point : segment.points) {
-    if (!within(point, frame.boundary, tolerance)) return refuse_beyond(point, frame.boundary, tolerance, found);
+    if (!within(point, frame.boundary)) return refuse_beyond(point, frame.boundary, found);
   }
   found.polyhedron = segment.polyhedron;
   for (int p = 0; p < all_planes(polyhedron); ++p) {

@@ -55,6 +55,11 @@ double lattice_rounding(const Grid& grid) noexcept {
   return 2.0 * kLatticeTolerance * grid.spec().cell;
 }
 
+double face_tolerance(const Grid& grid, double face) noexcept {
+  const double rounding = kUlp * (kFaceRoundingUlps * absolute(face) + kGridUlps * extent_of(grid));
+  return check_distance(grid) + lattice_rounding(grid) + rounding;
+}
+
 double derivative_rounding(const Segment& segment, int order) noexcept {
   constexpr Vec3 kOrigin{0.0, 0.0, 0.0};
   return kPointUlps * kUlp * largest_coordinate(segment, kOrigin) * amplification(segment.duration, order);

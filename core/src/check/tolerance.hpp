@@ -44,6 +44,11 @@ double place_rounding(const Grid& grid, const Trajectory& trajectory) noexcept;
 /// start or goal on it with it.
 double lattice_rounding(const Grid& grid) noexcept;
 
+/// Metres by which a control point may lie beyond the face of the boundary at that world coordinate: check_distance,
+/// lattice_rounding, and the rounding of coordinates on that axis. Not more than a request's start may lie beyond it.
+double face_tolerance(const Grid& grid, double face) noexcept;
+constexpr double kFaceRoundingUlps = 4.0;
+
 /// Error of the derivative of that order (0 to 3) at an end of a segment whose control points are rounded: a control
 /// point is the sum of four products, good to kPointUlps units in the last place of the segment's largest coordinate;
 /// the k-th derivative is a k-th difference, a sum of 2^k control points at most, times 7! / (7 - k)! / duration^k.

@@ -74,13 +74,9 @@ inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, i
 /// begin there.
 constexpr double kFaceTolerance = 1e-9;
 
-/// What the check allows on top for the rounding of coordinates on all three axes, metres (check/tolerance.hpp).
-inline double frame_rounding(const GridSpec& spec) {
-  const Vec3& origin = spec.origin;
-  const double world = absolute(origin.x) + absolute(origin.y) + absolute(origin.z);
-  const double extent = (spec.dims.x * spec.cell + spec.dims.y * spec.cell) + spec.dims.z * spec.cell;
-  return kWorldRounding * (6.0 * world + 12.0 * extent);
-}
+/// The rounding of a face's coordinate, of a point's, and of the corridor between them, in units of the last place.
+constexpr double kFaceUlps = 4.0;
+constexpr double kFaceExtentUlps = 12.0;
 
 /// A local coordinate that rounding left outside the boundary, put on the face; any other as it is. The face was put
 /// on the lattice by up to a tolerance of its size, and the point may miss the face by as much.
@@ -89,8 +85,10 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
   const Box boundary = grid.local_boundary();
   const double lower = axis(boundary.lower, a);
   const double upper = axis(boundary.upper, a);
+  const Vec3 size{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
   const auto rounding = [&](const Vec3& face) {
-    return 2.0 * world_tolerance(spec, axis(face, a)) * spec.cell + kFaceTolerance + frame_rounding(spec);
+    const double ulps = kFaceUlps * absolute(axis(face, a)) + kFaceExtentUlps * ((size.x + size.y) + size.z);
+    return kFaceTolerance * larger(1.0, spec.cell) + 2.0 * kLatticeTolerance * spec.cell + kWorldRounding * ulps;
   };
   if (local < lower && local >= lower - rounding(spec.boundary.lower)) return lower;
   if (local > upper && local <= upper + rounding(spec.boundary.upper)) return upper;

@@ -20,7 +20,7 @@ bool is_sound(const Segment& segment) {
 
 /// How much of the next segment is joined to a remainder that is too short, seconds, try by try. A longer piece is
 /// rounded less; a shorter one deviates less where the plan flies at a limit and the snap jumps.
-constexpr double kJoined[kPreviousTries] = {2e-3, 2e-4, 2e-5, 2e-6, 0.0};
+constexpr double kJoined[kPreviousTries] = {2e-3, 2e-4, 2e-5, 2e-6, 0.0, 2e-3};
 
 /// The state at u in [0, 1] of the segment.
 JointState state_at(const Segment& segment, double u) {
@@ -55,20 +55,10 @@ int segment_at(const Trajectory& plan, double& time) {
   return index;
 }
 
-/// By how much the segment moves in its first `time` seconds. Rounding is relative to that, however little it is.
-Vec3 first_move(const Segment& segment, double time) {
-  Vec3 ahead[kControlPoints];
-  for (int k = 0; k < kControlPoints; ++k) ahead[k] = segment.points[k] - segment.points[0];
-  keep_first_part(time / segment.duration, ahead);
-  return ahead[kDegree];
-}
-
-/// The same for its last `time` seconds.
-Vec3 last_move(const Segment& segment, double time) {
-  Vec3 back[kControlPoints];
-  for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree] - segment.points[kDegree - k];
-  keep_first_part(time / segment.duration, back);
-  return back[kDegree];
+Segment last_part(Segment segment, double from) {
+  keep_last_part(from / segment.duration, segment.points);
+  segment.duration -= from;
+  return segment;
 }
 
 /// Where a plan is cut.
@@ -100,6 +90,22 @@ void append(const JointState& from, const JointState& to, double duration, Previ
   Segment& segment = rest.segments[rest.count++];
   segment.duration = duration;
   control_points(from, to, duration, segment.points);
+}
+
+/// By how much the segment moves in its first `time` seconds. Rounding is relative to that, however little it is.
+Vec3 first_move(const Segment& segment, double time) {
+  Vec3 ahead[kControlPoints];
+  for (int k = 0; k < kControlPoints; ++k) ahead[k] = segment.points[k] - segment.points[0];
+  keep_first_part(time / segment.duration, ahead);
+  return ahead[kDegree];
+}
+
+/// The same for its last `time` seconds.
+Vec3 last_move(const Segment& segment, double time) {
+  Vec3 back[kControlPoints];
+  for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree] - segment.points[kDegree - k];
+  keep_first_part(time / segment.duration, back);
+  return back[kDegree];
 }
 
 /// The state where the segment ends: of the longer one of the two that meet there, since that is rounded less.
@@ -199,11 +205,20 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
 void cut_again(const Request& request, Previous& rest) noexcept {
   const Trajectory& plan = rest.plan;
   const Cut cut = cut_at(plan, request.previous_time);
-  rest.in_place = cut.left >= kLeastRest;
+  const bool is_short = cut.left < kLeastRest;
+  const double joined = is_short ? joined_at(plan, cut, rest.tries - 1) : 0.0;
+  rest.in_place = !is_short || rest.tries == kPreviousTries;
   begin_rest(rest.in_place ? plan.origin : request.start.position, rest);
-  if (!rest.in_place) return cut_short(cut, joined_at(plan, cut, rest.tries - 1), request.goal, rest);
-  append(state_of(cut), state_at(plan.segments[cut.segment], 1.0), cut.left, rest);
-  for (int i = cut.segment + 1; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
+  if (!rest.in_place) return cut_short(cut, joined, request.goal, rest);
+  int next = cut.segment + 1;
+  if (joined > 0.0) {
+    const Segment& after = plan.segments[next++];
+    append(state_of(cut), state_at(after, joined / after.duration), cut.left + joined, rest);
+    rest.segments[rest.count++] = last_part(after, joined);
+  } else {
+    append(state_of(cut), state_at(plan.segments[cut.segment], 1.0), cut.left, rest);
+  }
+  for (int i = next; i < plan.count; ++i) rest.segments[rest.count++] = plan.segments[i];
 }
 
 }  // namespace tern

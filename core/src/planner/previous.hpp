@@ -18,7 +18,7 @@ namespace tern {
 constexpr std::int32_t kFollowed = 3;
 
 /// Ways in which the rest is tried at most: cut_previous(), then cut_again().
-constexpr int kPreviousTries = 5;
+constexpr int kPreviousTries = 6;
 
 /// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
 /// ends would round its derivatives too much.
