@@ -84,6 +84,27 @@ class FlightRoom {
   std::int64_t time = 0;
 };
 
+/// Too little work for a piece of a proof.
+constexpr std::uint32_t kNothing = 5;
+
+/// On the way to 8 m along x, with all of it committed, and parts of ticks.
+struct Flying : FlightRoom {
+  explicit Flying(const tern::FlightSpec& how = flight_spec()) : FlightRoom(how) {
+    flight.set_goal({8.125, 0.125, 1.125});
+    EXPECT_TRUE(tick_until([&] { return speed() > 2.5 && state().job == tern::Job::kIdle && !state().has_next; }, 400));
+  }
+  void watch(std::uint32_t units) {
+    tern::Work work{units};
+    state().time = time;
+    state().run_watch(work);
+  }
+  void advance(std::uint32_t units) {
+    tern::Work work{units};
+    state().time = time;
+    state().advance(work);
+  }
+};
+
 }  // namespace tern_test
 
 #endif
