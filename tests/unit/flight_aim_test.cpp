@@ -82,6 +82,7 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
 /// The goal is in an obstacle, and nothing free is nearer to it than the vehicle: it rests where it is.
 TEST(FlightAim, GoalInAnObstacleBesideTheVehicleIsReachedAtOnce) {
   FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+  room.tick_until([&] { return room.state().rests(); });
   room.flight.set_goal({1.2, 0.125, 1.125});
   EXPECT_EQ(room.fly(100), FlightReason::kNearest);
   expect_same(room.position(), room.start);
@@ -166,6 +167,74 @@ TEST(FlightAim, NearestPlaceToAnOccupiedGoalIsTheEnd) {
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // the map is sliding: nothing is known
   EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));
   EXPECT_FALSE(state.parked);
+}
+
+/// An aim in an obstacle moves to the nearest free point. The aim of the plan that is flown stays, if it is beside the
+/// same goal and not much further away: two voxels.
+TEST(FlightAim, OccupiedAimMovesToTheNearestFreePoint) {
+  const Vec3 goal{8.125, 0.125, 1.125};
+  const auto moved = [&](double nearest, double old, bool same_target, bool aims_at_goal = true) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
+    state.takeover = 1000000000;
+    state.start.d[0] = room.start;
+    state.goal = goal;
+    state.keeps = state.now.beside_goal = true;
+    state.now.target = same_target ? 0 : 1;
+    state.now.aim = {old, 0.125, 1.125};
+    state.aims_at_goal = aims_at_goal;
+    Report found{};
+    found.status = Status::kGoalOccupied;
+    found.has_nearest_free = true;
+    found.nearest_free = {nearest, 0.125, 1.125};
+    EXPECT_TRUE(state.move_aim(found));
+    EXPECT_EQ(state.job, Job::kPlan);
+    EXPECT_EQ(state.beside_goal, aims_at_goal || same_target);
+    EXPECT_FALSE(state.aims_at_goal);
+    return state.aim.x;
+  };
+  EXPECT_EQ(moved(7.0, 6.75, true), 6.75);
+  EXPECT_EQ(moved(7.0, 6.25, true), 7.0);
+  EXPECT_EQ(moved(7.0, 6.75, false), 7.0);
+  EXPECT_EQ(moved(7.0, 6.75, true, false), 6.75);
+  EXPECT_EQ(moved(7.0, 6.75, false, false), 7.0);
+}
+
+/// The nearest free point is where the vehicle is: that ends the flight, unless it passes a point on the way.
+TEST(FlightAim, OccupiedGoalAfterAPointIsFlownTo) {
+  for (const std::int32_t points : {0, 1}) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    EXPECT_EQ(room.flight.set_goal({1.125, 0.125, 1.125}), Status::kOk);
+    state.takeover = 1000000000;
+    state.start.d[0] = room.start;
+    state.goal = {1.125, 0.125, 1.125};
+    state.asked_count = points;
+    state.asked[0].position = {0.125, 3.125, 1.125};
+    Report found{};
+    found.status = Status::kGoalOccupied;
+    found.has_nearest_free = true;
+    found.nearest_free = room.start;
+    EXPECT_EQ(state.move_aim(found), points > 0);
+    EXPECT_EQ(state.job, points > 0 ? Job::kPlan : Job::kIdle);
+  }
+}
+
+TEST(FlightAim, OnlyOccupiedAimsMove) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  EXPECT_EQ(room.flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  Report found{};
+  found.status = Status::kNoPath;
+  found.has_nearest_free = true;
+  EXPECT_FALSE(state.move_aim(found));
+  found.status = Status::kGoalOccupied;
+  state.moved_aim = true;
+  EXPECT_FALSE(state.move_aim(found));
+  state.moved_aim = found.has_nearest_free = false;
+  EXPECT_FALSE(state.move_aim(found));
+  EXPECT_EQ(state.job, Job::kIdle);
 }
 
 /// Learning something alone keeps no vehicle on the way for ever.

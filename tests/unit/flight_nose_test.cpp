@@ -79,6 +79,33 @@ TEST(FlightNose, LimitsThatNoVehicleHasAreRefused) {
   EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, 1000.0)), Status::kOk);
 }
 
+TEST(FlightNose, FieldsOfViewAreAtMostAFullTurn) {
+  FlightRoom room;
+  for (const double view : {-0.01, 6.2832}) {
+    FlightYaw yaw = yaw_of(FlightYawMode::kFixed);
+    yaw.view = view;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument) << view;
+    yaw.view = 6.2831;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  }
+}
+
+/// At rest with a goal, the next plan needs to see its way, wherever the nose should point.
+TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
+  FlightRoom room;
+  ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
+  FlightState& state = room.state();
+  ASSERT_TRUE(room.tick_until([&] { return state.rests(); }, 100));
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  state.look_at = {3.0, -4.0, 1.0};
+  const NoseWish wish = state.nose_wish(room.time);
+  EXPECT_EQ(wish.mode, FlightYawMode::kTowardsPoint);
+  EXPECT_EQ(wish.point.y, -4.0);
+  state.parked = true;
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+}
+
 /// 4 s ahead, and 1.2 times a half turn of pi / 2.5 s with three times 0.5 s for its rate: 73 pieces of 0.1 s, and
 /// four. A nose that takes minutes for a turn has as many as there may be.
 TEST(FlightNose, SlowNosesTakeAllPieces) {

@@ -4,6 +4,8 @@
 // Which brake is flown where none is proven, and what happens while one is about to take over.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/flight_room.hpp"
 
 namespace {
@@ -139,6 +141,60 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     EXPECT_EQ(state.best.number, has_alarm ? -1 : 0);
     EXPECT_FALSE(state.best.known && !has_alarm);
   }
+}
+
+/// A wall across the way, which is known from now on.
+void wall_at(FlightRoom& room, double x) {
+  room.mark({{x, -4.0, -2.0}, {x + 0.5, 4.0, 4.0}});
+}
+
+/// A contact is 1.9 s away, and a plan in work takes over in 0.1 s: from there, the vehicle may brake for 1.1 s, if it
+/// must. Where the contact is 0.7 s away, it brakes at once.
+TEST(FlightThreats, PlanInWorkGoesOnWhereItLeavesTimeToBrake) {
+  for (const bool is_far : {true, false}) {
+    Flying room;
+    FlightState& state = room.state();
+    for (int k = 0; k < 1000 && state.job != Job::kPlan; ++k) room.advance(40);
+    ASSERT_EQ(state.job, Job::kPlan);
+    wall_at(room, room.position().x + (is_far ? 6.0 : 2.5));
+    room.watch(4000);
+    ASSERT_TRUE(state.threat);
+    room.advance(kNothing);
+    EXPECT_EQ(state.job, is_far ? Job::kPlan : Job::kEvade);
+    EXPECT_EQ(state.evaded, !is_far);
+  }
+}
+
+/// Something appears within the radius behind the vehicle, which has a plan that is about to take over. The plan is
+/// dropped, for what comes before it is not proven. So is what comes before the brake: that is no alarm's affair any
+/// more, as the brake was committed with all that had become solid.
+TEST(FlightThreats, WhatComesBeforeAProvenBrakeStaysAThreat) {
+  Flying room;
+  FlightState& state = room.state();
+  const double cell = FlightRoom::kCell;
+  double face = 0.0;
+  const auto is_ready = [&] {
+    face = (std::floor(room.position().x / cell) - 1.0) * cell;
+    const double gap = room.position().x - face;
+    return state.has_next && !state.next.evades && gap > 0.43 && gap < 0.47;
+  };
+  for (int k = 0; k < 10 && !is_ready(); ++k) {
+    room.flight.set_goal({8.125, k % 2 == 0 ? 0.25 : -0.25, 1.125});
+    room.tick_until(is_ready, 12);
+  }
+  ASSERT_TRUE(is_ready());
+  room.mark({{face - 0.5, -0.5, 0.5}, {face - 0.01, 0.5, 1.5}});
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  ASSERT_TRUE(state.has_next);
+  EXPECT_TRUE(state.next.evades);
+  EXPECT_FALSE(state.threat);
+  room.tick();
+  EXPECT_TRUE(state.threat);
+  EXPECT_FALSE(state.has_alarm);
+  EXPECT_FALSE(state.known);
+  EXPECT_TRUE(state.has_next);
+  EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 
 /// Something comes into the way of a brake that is about to take over. It takes over all the same; brakes from there
