@@ -142,6 +142,16 @@ TEST(FlightPoints, NothingIsLeftToAskForLessOf) {
   EXPECT_FALSE(state.ask_for_less(found(Status::kNoPath)));
 }
 
+TEST(FlightPoints, NothingComesAfterTheGoal) {
+  Way way;
+  FlightState& state = way.state();
+  state.itinerary.state[2] = state.itinerary.state[3] = PointState::kSkipped;
+  state.go_on_from(1);
+  EXPECT_EQ(state.itinerary.leg, 4);
+  state.go_on_from(4);
+  EXPECT_EQ(state.itinerary.leg, 4);
+}
+
 TEST(FlightPoints, PlansFailAtAViaOrAtThePointThatTheyEndAt) {
   Way way;
   FlightState& state = way.state();
