@@ -147,6 +147,22 @@ TEST(FlightSlices, BrakeThatIsLateIsDropped) {
   EXPECT_EQ(state.job, Job::kIdle);
 }
 
+/// A plan from rest is about to take over: it is dropped, and the vehicle stays.
+TEST(FlightSlices, StopBeforeTheTakeoverKeepsTheVehicleAtRest) {
+  FlightRoom room;
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  ASSERT_TRUE(room.tick_until([&] { return room.state().has_next; }, 100));
+  EXPECT_GT(room.flight.rest_position().x, 2.0);
+  room.flight.stop();
+  for (int k = 0; k < 100; ++k) {
+    room.tick();
+    EXPECT_NEAR(room.position().x, room.start.x, 1e-9);
+    EXPECT_NEAR(room.flight.rest_position().x, room.start.x, 1e-9);
+  }
+  EXPECT_EQ(room.report.mode, FlightMode::kRest);
+  EXPECT_EQ(room.report.reason, FlightReason::kNoGoal);
+}
+
 /// The vehicle is on a brake: there is nothing to stop any more.
 TEST(FlightSlices, StopOnABrakeChangesNothing) {
   Flying room;
