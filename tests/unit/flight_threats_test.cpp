@@ -166,9 +166,8 @@ TEST(FlightThreats, PlanInWorkGoesOnWhereItLeavesTimeToBrake) {
 }
 
 /// Something appears within the radius behind the vehicle, which has a plan that is about to take over. The plan is
-/// dropped, for what comes before it is not proven. So is what comes before the brake: that is no alarm's affair any
-/// more, as the brake was committed with all that had become solid.
-TEST(FlightThreats, WhatComesBeforeAProvenBrakeStaysAThreat) {
+/// dropped for a brake that is proven, although the ticks before it are not.
+TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
   Flying room;
   FlightState& state = room.state();
   const double cell = FlightRoom::kCell;
@@ -188,12 +187,14 @@ TEST(FlightThreats, WhatComesBeforeAProvenBrakeStaysAThreat) {
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   ASSERT_TRUE(state.has_next);
   EXPECT_TRUE(state.next.evades);
-  EXPECT_FALSE(state.threat);
+  const std::int64_t begin = state.next.begin;
+  EXPECT_EQ(clear_until(room.map().safe(), state.next.flown, 0.0, &room.spec.limits, Beyond::kSolid),
+            duration(state.next.flown));
+  EXPECT_EQ(clear_until(room.map().safe(), state.now.flown, seconds_between(state.now.begin, room.time)),
+            seconds_between(state.now.begin, room.time));
   room.tick();
-  EXPECT_TRUE(state.threat);
-  EXPECT_FALSE(state.has_alarm);
-  EXPECT_FALSE(state.known);
-  EXPECT_TRUE(state.has_next);
+  ASSERT_TRUE(state.has_next);
+  EXPECT_EQ(state.next.begin, begin);
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 
