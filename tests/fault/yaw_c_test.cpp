@@ -58,12 +58,19 @@ TEST(YawC, NullAndCallsOutOfOrder) {
   EXPECT_EQ(tern_plan_yaw(planner.get(), &trajectory, &asked, nullptr), kInvalid);
   EXPECT_EQ(tern_yaw_plan_step(planner.get(), 1), kInvalid);
   EXPECT_EQ(tern_yaw_plan_finish(planner.get(), &plan), kInvalid);
+  EXPECT_EQ(tern_yaw_plan_step(nullptr, 1), kInvalid);
+  EXPECT_EQ(tern_yaw_plan_finish(nullptr, &plan), kInvalid);
   EXPECT_EQ(tern_yaw_duration(nullptr), 0.0);
   tern_yaw_sample sample{};
   tern_yaw_evaluate(nullptr, 1.0, &sample);
   EXPECT_EQ(sample.yaw.cosine, 1.0);
   tern_yaw_evaluate(&plan, 1.0, nullptr);
   tern_yaw_request_init(nullptr, nullptr, 1.0, 1.0);
+  tern_yaw_request_init(&asked, nullptr, 7.0, 7.0);
+  EXPECT_EQ(asked.rate_max, 1.0);
+  ASSERT_EQ(tern_yaw_plan_begin(planner.get(), &trajectory, &asked), kRunning);
+  EXPECT_EQ(tern_yaw_plan_finish(planner.get(), nullptr), kInvalid);
+  EXPECT_EQ(tern_yaw_plan_finish(planner.get(), &plan), kOk);
   asked.mode = static_cast<tern::YawMode>(77);
   EXPECT_EQ(tern_plan_yaw(planner.get(), &trajectory, &asked, &plan), kInvalid);
 }

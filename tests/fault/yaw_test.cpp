@@ -42,6 +42,9 @@ TEST(YawFaults, Numbers) {
   request = good(YawMode::kTowardsPoint);
   request.point.y = kNan;
   expect_refused(request, Status::kNonFiniteInput);
+  request = good(YawMode::kTowardsPoint);
+  request.least_distance = kNan;
+  expect_refused(request, Status::kNonFiniteInput);
   request = good(YawMode::kFixed);
   request.heading.cosine = kNan;
   expect_refused(request, Status::kNonFiniteInput);
@@ -78,6 +81,9 @@ TEST(YawFaults, Arguments) {
   request.least_distance = -1.0;
   expect_refused(request, Status::kInvalidArgument);
   expect_refused(good(YawMode::kFixed), Status::kInvalidArgument, Trajectory{});
+  Trajectory many{};
+  many.count = kMaxSegments + 1;
+  expect_refused(good(YawMode::kFixed), Status::kInvalidArgument, many);
 }
 
 TEST(YawFaults, TimedHeadings) {
@@ -85,6 +91,7 @@ TEST(YawFaults, TimedHeadings) {
   TimedHeading timed[2] = {{1.0, {1.0, 0.0}}, {1.0, {0.0, 1.0}}};
   YawRequest request = good(YawMode::kTimed);
   request.timed = timed;
+  expect_refused(request, Status::kInvalidArgument);  // none of them
   request.timed_count = 2;
   expect_refused(request, Status::kInvalidArgument);
   timed[1].time = kNan;

@@ -244,7 +244,7 @@ TEST(FlightMissions, RandomMissionsEndWithAReason) {
     skipped += mission.flown.report.skipped;
   }
   EXPECT_GT(passed, tern_test::scaled(6));
-  EXPECT_GT(skipped, tern_test::scaled(6) / 6);
+  EXPECT_GE(skipped, tern_test::scaled(6) / 3);  // a part of the missions may have none
 }
 
 /// As many points as there may be, some of them twice, and one where the vehicle is.

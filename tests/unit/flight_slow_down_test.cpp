@@ -64,6 +64,24 @@ TEST(FlightSlowDown, StaysOnThePath) {
   }
 }
 
+/// Where a joint of the plan comes right before the end, the last segment but one ends there. The plan's time passes by
+/// half of the slow-down's; 0.03 of it before its end, 2.5 * 0.03^4 of it is left.
+TEST(FlightSlowDown, EndsAtAJointThatComesRightBeforeTheEnd) {
+  const Trajectory plan = bent_plan();
+  const double time = 0.8 / (0.5 - 2.5 * 0.03 * 0.03 * 0.03 * 0.03);
+  Trajectory slow{};
+  slow.origin = plan.origin;
+  ASSERT_TRUE(append_slow_down(plan, 0.0, time, slow));
+  ASSERT_NEAR(duration(slow), time, 1e-12);
+  EXPECT_NEAR(slow.segments[slow.count - 1].duration, 0.03 * time, 0.001 * time);
+  EXPECT_LT(largest(evaluate(slow, 0.97 * time).position, evaluate(plan, 0.8).position), 1e-6);
+  EXPECT_LT(largest(evaluate(slow, time).position, evaluate(plan, 0.5 * time).position), 1e-12);
+  for (int k = 0; k <= 40; ++k) {
+    const Vec3 expected = evaluate(plan, time * passed(k / 40.0)).position;
+    EXPECT_LT(largest(evaluate(slow, time * k / 40.0).position, expected), kProofTolerance) << k;
+  }
+}
+
 TEST(FlightSlowDown, BeginsInThePlansStateAndEndsAtRest) {
   const Trajectory plan = bent_plan();
   const Sample begin = evaluate(plan, 1.3);

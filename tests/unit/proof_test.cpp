@@ -178,14 +178,47 @@ TEST(Proof, RefusesWhatCannotBeProven) {
   EXPECT_EQ(proof.begin(room.grid, plan, 0.0, nullptr, Beyond::kEmpty), Status::kInvalidArgument);
   plan.count = kMaxSegments + 1;
   EXPECT_EQ(proof.begin(room.grid, plan, 0.0, nullptr, Beyond::kEmpty), Status::kInvalidArgument);
+  ProofReport report;
+  EXPECT_EQ(clear_until(unbound, plan, 3.0, nullptr, Beyond::kEmpty, &report), 3.0);
+  EXPECT_EQ(report.end, ProofEnd::kMalformed);
+}
+
+/// The whole length of a long map once a segment: 256 pieces of 8 voxels, and the 255 that they are halves of.
+TEST(Proof, LongTrajectoriesTakeManySteps) {
+  OwnedGrid room(whole_grid({kMaxDimension, 3, 3}, 1.0, 0.5));
+  constexpr double kLength = kMaxDimension - 1.0;
+  Trajectory plan{};
+  plan.count = kMaxSegments;
+  plan.origin = {0.5, 1.5, 1.5};
+  for (int s = 0; s < kMaxSegments; ++s) {
+    plan.segments[s].duration = 1.0;
+    for (int i = 0; i < kControlPoints; ++i) {
+      const double part = i / 7.0;
+      plan.segments[s].points[i].x = kLength * (s % 2 == 0 ? part : 1.0 - part);
+    }
+  }
+  ProofReport report;
+  EXPECT_DOUBLE_EQ(clear_until(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &report), kMaxSegments);
+  EXPECT_EQ(report.end, ProofEnd::kProven);
+  EXPECT_EQ(report.work, static_cast<std::uint32_t>(kMaxSegments * (2 * kMaxDimension / kProofSpan - 1)));
+  Proof proof;
+  ASSERT_EQ(proof.begin(room.grid, plan, kMaxSegments - 0.001, nullptr, Beyond::kEmpty), Status::kRunning);
+  EXPECT_EQ(proof.step(100), Status::kOk);
+  const std::uint32_t work = proof.report().work;
+  EXPECT_EQ(proof.step(100), Status::kOk);
+  EXPECT_EQ(proof.report().work, work);
 }
 
 TEST(Proof, MalformedTrajectoriesAreNotProven) {
   Room room;
   const Trajectory good = line(room.at(1.0, 5.0, 2.0), {0.5, 0.0, 0.0});
+  const Limits limits{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
   const auto end_of = [&](const Trajectory& plan) {
     ProofReport report;
+    ProofReport limited;
     clear_until(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &report);
+    clear_until(room.grid, plan, 0.0, &limits, Beyond::kEmpty, &limited);
+    EXPECT_EQ(report.end, limited.end);
     return report.end;
   };
   Trajectory plan = good;

@@ -68,6 +68,9 @@ TEST(YawAngle, WhatIsNoAngleCountsAsZero) {
   EXPECT_EQ(heading_of(std::numeric_limits<double>::quiet_NaN()).cosine, 1.0);
   EXPECT_EQ(heading_of(std::numeric_limits<double>::infinity()).sine, 0.0);
   EXPECT_EQ(angle_of({0.0, 0.0}), 0.0);
+  EXPECT_EQ(wrapped(std::numeric_limits<double>::quiet_NaN()), 0.0);
+  EXPECT_EQ(wrapped(1.5e6), 0.0);
+  EXPECT_NE(wrapped(1e6), 0.0);
 }
 
 }  // namespace

@@ -144,6 +144,24 @@ TEST(YawPlan, EveryTimeHasAnAnswer) {
   const YawPlan empty{};
   EXPECT_EQ(duration(empty), 0.0);
   EXPECT_EQ(evaluate(empty, 1.0).yaw.cosine, 1.0);
+  YawPlan full = plan;
+  full.count = kMaxYawPieces + 1;
+  EXPECT_EQ(duration(full), 0.0);
+  EXPECT_EQ(evaluate(full, 1.0).yaw.cosine, 1.0);
+}
+
+/// A half turn at 100 rad/s and 1000 rad/s^2 takes pi / 100 + 0.1 s. A fifth more, the trajectory and the smoothing are
+/// 0.318 s: four pieces of 0.1 s would do, but a plan has eight.
+TEST(YawPlan, ShortestPlanHasEightPieces) {
+  YawRequest fast = yaw_request({1.0, 0.0}, 100.0, 1000.0);
+  fast.mode = YawMode::kFixed;
+  fast.heading = heading(0.2);
+  const YawPlan plan = planned(hover(0.01), fast);
+  EXPECT_EQ(plan.count, 8);
+  EXPECT_NEAR(duration(plan), 0.01 + 1.2 * (kHalfTurn / 100.0 + 0.1) + 0.15, 1e-12);
+  for (double t = 0.0; t < duration(plan); t += 0.001) EXPECT_LE(std::fabs(evaluate(plan, t).acceleration), 1000.0);
+  EXPECT_GT(evaluate(plan, duration(plan)).angle, 0.0);
+  EXPECT_LT(evaluate(plan, duration(plan)).angle, 0.2);
 }
 
 }  // namespace

@@ -1,0 +1,259 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where a flight leads, where it looks, and when it gives up.
+#include <gtest/gtest.h>
+
+#include "base/math.hpp"
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+
+void expect_same(const Vec3& a, const Vec3& b) {
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.z, b.z);
+}
+
+/// The voxel whose centre is so many voxels along x away from the start.
+Box voxel_at(const FlightRoom& room, int voxels) {
+  const double x = room.start.x + FlightRoom::kCell * voxels;
+  return {{x - 0.0625, room.start.y - 0.0625, room.start.z - 0.0625},
+          {x + 0.0625, room.start.y + 0.0625, room.start.z + 0.0625}};
+}
+
+/// Half a metre away from a thing; between two that are alike, there is no way out.
+TEST(FlightAim, WayOutLeadsStraightAway) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  room.mark(voxel_at(room, 2));
+  state.aims_at_goal = true;
+  state.choose_way_out(room.start);
+  expect_same(state.aim, {room.start.x - 0.5, room.start.y, room.start.z});
+  EXPECT_FALSE(state.aims_at_goal);
+  room.mark(voxel_at(room, -2));
+  state.aim = {7.0, 8.0, 9.0};
+  state.aims_at_goal = true;
+  state.choose_way_out(room.start);
+  expect_same(state.aim, {7.0, 8.0, 9.0});
+  EXPECT_TRUE(state.aims_at_goal);
+}
+
+/// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.
+TEST(FlightAim, PlannedNosesHoldEachDirectionForLonger) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  const auto sector_after = [&](double seconds) { return state.sector_at(state.look_since + nanoseconds(seconds)); };
+  EXPECT_EQ(sector_after(0.614), 0);
+  EXPECT_EQ(sector_after(0.615), 1);
+  EXPECT_EQ(sector_after(8 * 0.61416), 8);
+  EXPECT_EQ(sector_after(1e3), kDirections + kStares + 1);
+  FlightYaw yaw{};
+  yaw.acceleration_max = 5.0;
+  yaw.start = {1.0, 0.0};
+  ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  EXPECT_EQ(sector_after(1.194), 0);
+  EXPECT_EQ(sector_after(1.195), 1);
+}
+
+/// The proof of resting ends at a voxel aside, or straight above: there is nothing to turn to there.
+TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
+  const Vec3 old{9.0, 9.0, 9.0};
+  const auto look = [&](FlightRoom& room, const Box& box) {
+    FlightState& state = room.state();
+    room.mark(box);
+    EXPECT_EQ(state.proof.begin(room.map().safe(), state.now.flown, 0.0, nullptr, Beyond::kSolid), Status::kRunning);
+    EXPECT_EQ(state.proof.step(1000), Status::kOk);
+    EXPECT_EQ(state.proof.report().end, ProofEnd::kObstacle);
+    state.look_at = old;
+    state.look_at_obstacle();
+    return state.look_at;
+  };
+  FlightRoom aside;
+  expect_same(look(aside, voxel_at(aside, 2)), {aside.start.x + 1.0, aside.start.y, aside.start.z});
+  FlightRoom above;
+  const Vec3& p = above.start;
+  expect_same(look(above, {{p.x - 0.1, p.y - 0.1, p.z + 0.4}, {p.x + 0.1, p.y + 0.1, p.z + 0.6}}), old);
+}
+
+/// The goal is in an obstacle, and nothing free is nearer to it than the vehicle: it rests where it is.
+TEST(FlightAim, GoalInAnObstacleBesideTheVehicleIsReachedAtOnce) {
+  FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+  room.tick_until([&] { return room.state().rests(); });
+  room.flight.set_goal({1.2, 0.125, 1.125});
+  EXPECT_EQ(room.fly(100), FlightReason::kNearest);
+  expect_same(room.position(), room.start);
+  EXPECT_EQ(room.report.committed, 0u);
+  EXPECT_EQ(room.state().idle_cycles, 0);
+}
+
+/// A point of a mission likewise, that the plan would end at: the mission ends, or goes on without it.
+TEST(FlightAim, PointInAnObstacleBesideTheVehicleIsLeftOut) {
+  for (const ViaPolicy policy : {ViaPolicy::kEnd, ViaPolicy::kSkip}) {
+    FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+    Via points[2];
+    points[0].position = {1.2, 0.125, 1.125};
+    points[1].position = {-2.0, 0.125, 1.125};
+    ASSERT_EQ(room.flight.set_mission(points, 2, policy), Status::kOk);
+    const bool skips = policy == ViaPolicy::kSkip;
+    EXPECT_EQ(room.fly(1000), skips ? FlightReason::kArrived : FlightReason::kViaBlocked);
+    EXPECT_EQ(room.report.skipped, skips ? 1 : 0);
+    EXPECT_EQ(room.report.passed, skips ? 1 : 0);
+  }
+}
+
+/// Walls on all sides, nearer than the radius.
+std::vector<Box> cage(const Vec3& p) {
+  constexpr double kNear = 0.4;
+  constexpr double kFar = 2.0;
+  std::vector<Box> walls;
+  for (int a = 0; a < 3; ++a) {
+    for (const double sign : {-1.0, 1.0}) {
+      Box wall{{p.x - kFar, p.y - kFar, p.z - kFar}, {p.x + kFar, p.y + kFar, p.z + kFar}};
+      axis(sign < 0.0 ? wall.upper : wall.lower, a) = axis(p, a) + sign * kNear;
+      walls.push_back(wall);
+    }
+  }
+  return walls;
+}
+
+/// There is no way out: the vehicle looks around and says so. No point of a mission is left out for that.
+TEST(FlightAim, HemmedInItSaysSo) {
+  FlightSpec slow = FlightRoom::flight_spec();
+  slow.tick = 100000000;
+  for (const int count : {1, 2}) {
+    FlightRoom room(slow);
+    for (const Box& wall : cage(room.start)) room.mark(wall);
+    Via points[2];
+    points[0].position = {5.0, 0.0, 1.125};
+    points[1].position = {8.0, 0.0, 1.125};
+    ASSERT_EQ(room.flight.set_mission(points, count, ViaPolicy::kSkip), Status::kOk);
+    EXPECT_EQ(room.fly(1000), FlightReason::kHemmedIn);
+    expect_same(room.position(), room.start);
+    EXPECT_EQ(room.report.skipped, 0);
+    EXPECT_GE(room.time, 8000000000);  // 13 directions of 0.614 s
+  }
+}
+
+/// As near to the goal as it gets: where the goal was seen in an obstacle, that is the end.
+TEST(FlightAim, NearestPlaceToAnOccupiedGoalIsTheEnd) {
+  FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+  FlightState& state = room.state();
+  state.has_goal = true;
+  state.itinerary.count = 1;
+  const auto is_nearest = [&](const Vec3& goal, const Vec3& aim, bool aims_at_goal) {
+    state.start.d[0] = room.start;
+    state.takeover = 1000000000;
+    state.goal = goal;
+    state.aim = aim;
+    state.aims_at_goal = aims_at_goal;
+    state.parked = false;
+    return state.is_nearest();
+  };
+  const Vec3 occupied{1.2, 0.125, 1.125};
+  const Vec3 free{-3.0, 0.125, 1.125};
+  EXPECT_FALSE(is_nearest(occupied, {0.875, 0.125, 1.125}, true));  // 0.75 m nearer
+  EXPECT_FALSE(state.parked);
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));  // a voxel nearer
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNearest);
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, false));  // the aim was on the way to it
+  EXPECT_FALSE(state.parked);
+  EXPECT_TRUE(is_nearest(free, {0.0, 0.125, 1.125}, true));  // something unseen was in it
+  EXPECT_FALSE(state.parked);
+  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // the map is sliding: nothing is known
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));
+  EXPECT_FALSE(state.parked);
+}
+
+/// An aim in an obstacle moves to the nearest free point. The aim of the plan that is flown stays, if it is beside the
+/// same goal and not much further away: two voxels.
+TEST(FlightAim, OccupiedAimMovesToTheNearestFreePoint) {
+  const Vec3 goal{8.125, 0.125, 1.125};
+  const auto moved = [&](double nearest, double old, bool same_target, bool aims_at_goal = true) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
+    state.takeover = 1000000000;
+    state.start.d[0] = room.start;
+    state.goal = goal;
+    state.keeps = state.now.beside_goal = true;
+    state.now.target = same_target ? 0 : 1;
+    state.now.aim = {old, 0.125, 1.125};
+    state.aims_at_goal = aims_at_goal;
+    Report found{};
+    found.status = Status::kGoalOccupied;
+    found.has_nearest_free = true;
+    found.nearest_free = {nearest, 0.125, 1.125};
+    EXPECT_TRUE(state.move_aim(found));
+    EXPECT_EQ(state.job, Job::kPlan);
+    EXPECT_EQ(state.beside_goal, aims_at_goal || same_target);
+    EXPECT_FALSE(state.aims_at_goal);
+    return state.aim.x;
+  };
+  EXPECT_EQ(moved(7.0, 6.75, true), 6.75);
+  EXPECT_EQ(moved(7.0, 6.25, true), 7.0);
+  EXPECT_EQ(moved(7.0, 6.75, false), 7.0);
+  EXPECT_EQ(moved(7.0, 6.75, true, false), 6.75);
+  EXPECT_EQ(moved(7.0, 6.75, false, false), 7.0);
+}
+
+/// The nearest free point is where the vehicle is: that ends the flight, unless it passes a point on the way.
+TEST(FlightAim, OccupiedGoalAfterAPointIsFlownTo) {
+  for (const std::int32_t points : {0, 1}) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    EXPECT_EQ(room.flight.set_goal({1.125, 0.125, 1.125}), Status::kOk);
+    state.takeover = 1000000000;
+    state.start.d[0] = room.start;
+    state.goal = {1.125, 0.125, 1.125};
+    state.asked_count = points;
+    state.asked[0].position = {0.125, 3.125, 1.125};
+    Report found{};
+    found.status = Status::kGoalOccupied;
+    found.has_nearest_free = true;
+    found.nearest_free = room.start;
+    EXPECT_EQ(state.move_aim(found), points > 0);
+    EXPECT_EQ(state.job, points > 0 ? Job::kPlan : Job::kIdle);
+  }
+}
+
+TEST(FlightAim, OnlyOccupiedAimsMove) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  EXPECT_EQ(room.flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  Report found{};
+  found.status = Status::kNoPath;
+  found.has_nearest_free = true;
+  EXPECT_FALSE(state.move_aim(found));
+  found.status = Status::kGoalOccupied;
+  state.moved_aim = true;
+  EXPECT_FALSE(state.move_aim(found));
+  state.moved_aim = found.has_nearest_free = false;
+  EXPECT_FALSE(state.move_aim(found));
+  EXPECT_EQ(state.job, Job::kIdle);
+}
+
+/// Learning something alone keeps no vehicle on the way for ever.
+TEST(FlightAim, WanderingEnds) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  room.flight.set_goal({8.0, 0.0, 1.125});
+  state.start.d[0] = room.start;
+  state.nearest = 1.0;
+  state.wandering = kWandering - 1;
+  state.learned = state.map.learned() - kLearned;
+  state.note_progress();
+  EXPECT_EQ(state.fruitless, 0);
+  EXPECT_FALSE(state.parked);
+  state.learned = state.map.learned() - kLearned;
+  state.note_progress();
+  EXPECT_EQ(state.fruitless, 0);
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+}
+
+}  // namespace

@@ -1,0 +1,217 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What yaw plans of a flight are made for, what they cost, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::Flying;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+FlightYaw yaw_of(FlightYawMode mode, double acceleration = 5.0) {
+  FlightYaw yaw{};
+  yaw.mode = mode;
+  yaw.acceleration_max = acceleration;
+  yaw.start = {1.0, 0.0};
+  yaw.heading = {0.0, 1.0};
+  return yaw;
+}
+
+FlightSpec turning(double rate, std::uint32_t work_per_tick = 4000) {
+  FlightSpec spec = FlightRoom::flight_spec(work_per_tick);
+  spec.yaw_rate = rate;
+  return spec;
+}
+
+TEST(FlightNose, HeadingsThatPointNowhereAreRefused) {
+  FlightRoom room;
+  for (const Heading& bad : {Heading{kNan, 1.0}, Heading{1.0, kNan}, Heading{0.0, 0.0}, Heading{-0.0, 0.0}}) {
+    FlightYaw yaw = yaw_of(FlightYawMode::kFixed);
+    yaw.start = bad;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument);
+    yaw = yaw_of(FlightYawMode::kFixed);
+    yaw.heading = bad;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument);
+    const Heading headings[] = {{1.0, 0.0}, bad, {0.0, -1.0}};
+    yaw = yaw_of(FlightYawMode::kAtPoints);
+    yaw.headings = headings;
+    yaw.heading_count = 3;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument);
+    yaw.heading_count = 1;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  }
+  EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
+}
+
+TEST(FlightNose, TooManyHeadingsOrNoneAreRefused) {
+  FlightRoom room;
+  const std::vector<Heading> headings(kMaxMissionPoints + 1, Heading{0.0, 1.0});
+  FlightYaw yaw = yaw_of(FlightYawMode::kAtPoints);
+  yaw.headings = headings.data();
+  for (const std::int32_t count : {0, -1, kMaxMissionPoints + 1}) {
+    yaw.heading_count = count;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument) << count;
+  }
+  yaw.heading_count = kMaxMissionPoints;
+  EXPECT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+}
+
+TEST(FlightNose, LimitsThatNoVehicleHasAreRefused) {
+  for (const double rate : {0.009, 101.0}) {
+    FlightRoom room(turning(rate));
+    EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kLimitsInvalid) << rate;
+  }
+  FlightRoom room;
+  for (const double acceleration : {0.009, 1001.0}) {
+    EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, acceleration)), Status::kLimitsInvalid);
+  }
+  EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, kNan)), Status::kNonFiniteInput);
+  EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, 1000.0)), Status::kOk);
+}
+
+TEST(FlightNose, FieldsOfViewAreAtMostAFullTurn) {
+  FlightRoom room;
+  for (const double view : {-0.01, 6.2832}) {
+    FlightYaw yaw = yaw_of(FlightYawMode::kFixed);
+    yaw.view = view;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument) << view;
+    yaw.view = 6.2831;
+    EXPECT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  }
+}
+
+/// At rest with a goal, the next plan needs to see its way, wherever the nose should point.
+TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
+  FlightRoom room;
+  ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
+  FlightState& state = room.state();
+  ASSERT_TRUE(room.tick_until([&] { return state.rests(); }, 100));
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  state.look_at = {3.0, -4.0, 1.0};
+  const NoseWish wish = state.nose_wish(room.time);
+  EXPECT_EQ(wish.mode, FlightYawMode::kTowardsPoint);
+  EXPECT_EQ(wish.point.y, -4.0);
+  state.parked = true;
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+}
+
+/// 4 s ahead, and 1.2 times a half turn of pi / 2.5 s with three times 0.5 s for its rate: 73 pieces of 0.1 s, and
+/// four. A nose that takes minutes for a turn has as many as there may be.
+TEST(FlightNose, SlowNosesTakeAllPieces) {
+  const auto pieces = [](double rate, double acceleration) {
+    FlightRoom room(turning(rate));
+    EXPECT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, acceleration)), Status::kOk);
+    room.tick();
+    for (int k = 0; k < 100; ++k) {
+      room.tick();
+      EXPECT_LE(std::fabs(room.flight.yaw(room.time).yaw.rate), rate + 1e-12);
+    }
+    return room.state().nose.iteration_price / 3;
+  };
+  EXPECT_EQ(pieces(2.5, 5.0), 77u);
+  EXPECT_EQ(pieces(0.02, 0.02), static_cast<std::uint32_t>(kMaxYawPieces));
+}
+
+/// A quarter of 400 units for eight ticks pays for 77 points and two iterations at 231 units: it is flown as it is.
+TEST(FlightNose, YawPlanThatIsNotDoneInTimeIsFlownAsItIs) {
+  FlightSpec spec = turning(2.5, 400);
+  spec.limits.v_max = {1.0, 1.0, 1.0};  // so that what is flown takes more than 4 s
+  FlightRoom room(spec);
+  const FlightState& state = room.state();
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  ASSERT_TRUE(room.tick_until([&] { return room.speed() > 0.5; }, 400));
+  ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
+  const std::int64_t begin = room.time + kNoseTicks * room.spec.tick;
+  while (room.time + room.spec.tick < begin) {
+    room.tick();
+    EXPECT_TRUE(state.nose.busy);
+    EXPECT_EQ(state.nose.next_begin, begin);
+  }
+  room.tick();
+  EXPECT_FALSE(state.nose.busy);
+  EXPECT_TRUE(state.nose.has_next);
+  for (std::int64_t t = room.time; t < room.time + 8000000000; t += 2000000) {
+    EXPECT_LE(std::fabs(room.flight.yaw(t).yaw.rate), 2.5 + 1e-12);
+    EXPECT_LE(std::fabs(room.flight.yaw(t).acceleration), 5.0 + 1e-9);
+  }
+}
+
+/// Points of an older mission have no say; neither have those that are passed, or come after the brake begins.
+TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
+  const Heading headings[] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+  FlightYaw yaw = yaw_of(FlightYawMode::kAtPoints);
+  yaw.headings = headings;
+  yaw.heading_count = 4;
+  Flying room;
+  FlightState& state = room.state();
+  ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  state.nose.next_begin = state.now.begin + 1000000000;
+  state.now.branch = 4.0;
+  state.now.passages = 5;
+  const double times[] = {0.5, 2.0, 2.0, 3.0, 4.5};
+  for (int i = 0; i < 5; ++i) state.now.passage[i] = {i, times[i]};
+  const auto timed = [&] {
+    YawRequest request{};
+    state.time_headings(request);
+    return request;
+  };
+  const YawRequest both = timed();
+  EXPECT_EQ(both.mode, YawMode::kTimed);
+  ASSERT_EQ(both.timed_count, 2);
+  EXPECT_NEAR(both.timed[0].time, 1.0, 1e-9);
+  EXPECT_EQ(both.timed[0].heading.sine, 1.0);
+  EXPECT_NEAR(both.timed[1].time, 2.0, 1e-9);
+  EXPECT_EQ(both.timed[1].heading.sine, -1.0);
+  state.itinerary.leg = 2;
+  ++state.goal_number;
+  const YawRequest none = timed();
+  EXPECT_EQ(none.mode, YawMode::kFixed);
+  EXPECT_EQ(none.timed_count, 0);
+  EXPECT_EQ(none.heading.cosine, -1.0);
+  state.itinerary.leg = 9;
+  EXPECT_EQ(timed().heading.sine, -1.0);  // the last one
+}
+
+/// The nose points along x, 90 degrees of view: something unseen behind the vehicle is out of view.
+TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
+  Flying room;
+  FlightState& state = room.state();
+  state.time = room.time;
+  state.nose.has_unseen = true;
+  const Vec3 p = room.position();
+  state.nose.unseen = {p.x - 2.0, p.y, p.z};
+  EXPECT_FALSE(state.waits_for_view());  // no yaw is planned
+  FlightYaw yaw = yaw_of(FlightYawMode::kTowardsUnseen);
+  ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  EXPECT_FALSE(state.waits_for_view());  // no field of view
+  yaw.view = 0.5 * M_PI;
+  ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  EXPECT_TRUE(state.waits_for_view());
+  state.nose.unseen = {p.x + 2.0, p.y + 1.9, p.z};
+  EXPECT_FALSE(state.waits_for_view());
+  state.nose.unseen = {p.x + 2.0, p.y + 2.1, p.z};
+  EXPECT_TRUE(state.waits_for_view());
+  state.nose.has_unseen = false;
+  EXPECT_FALSE(state.waits_for_view());
+  state.nose.has_unseen = true;
+  state.parked = true;
+  EXPECT_FALSE(state.waits_for_view());
+  state.parked = false;
+  state.has_goal = false;
+  EXPECT_FALSE(state.waits_for_view());
+  state.has_goal = true;
+  EXPECT_TRUE(state.waits_for_view());
+}
+
+}  // namespace

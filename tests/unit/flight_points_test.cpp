@@ -1,0 +1,217 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which points of a mission the next plan is asked for, and what follows where it fails.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "base/math.hpp"
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+
+/// A wall from 4.5 to 5.5 m along x, around the third of the points below.
+const Box kWall{{4.5, -1.0, -2.0}, {5.5, 1.0, 4.0}};
+
+/// A mission along x: points at 1, 3, 5, 7 and 20 m.
+struct Way : FlightRoom {
+  explicit Way(ViaPolicy policy = ViaPolicy::kSkip, const std::vector<Box>& solid = {})
+      : FlightRoom(flight_spec(), solid) {
+    Via points[5];
+    const double xs[] = {1.0, 3.0, 5.0, 7.0, 20.0};
+    for (int i = 0; i < 5; ++i) points[i].position = {xs[i], 0.125, 1.125};
+    EXPECT_EQ(flight.set_mission(points, 5, policy), Status::kOk);
+    state().takeover = 0;
+    state().choose_points(start);
+    state().aim = state().goal;
+  }
+};
+
+Report found(Status status, std::int32_t via = kNoVia) {
+  Report report{};
+  report.status = status;
+  report.via = via;
+  return report;
+}
+
+/// Clear of the window's faces by the radius of 0.5 m and two voxels: 1 m.
+TEST(FlightPoints, WindowEndsBeforeItsFaces) {
+  FlightRoom room;
+  const Vec3 middle{0.0, 0.0, 1.0};
+  const double lower[] = {-15.0, -15.0, -1.0};
+  const double upper[] = {15.0, 15.0, 3.0};
+  for (int a = 0; a < 3; ++a) {
+    Vec3 place = middle;
+    const auto in_window = [&](double at) {
+      axis(place, a) = at;
+      return room.state().in_window(place);
+    };
+    EXPECT_TRUE(in_window(lower[a]));
+    EXPECT_FALSE(in_window(lower[a] - 0.01));
+    EXPECT_TRUE(in_window(upper[a]));
+    EXPECT_FALSE(in_window(upper[a] + 0.01));
+  }
+}
+
+/// Points within the horizon of 8 m are passed, but for those beyond the window.
+TEST(FlightPoints, PointsWithinTheHorizonAndTheWindowArePassed) {
+  Way way;
+  FlightState& state = way.state();
+  EXPECT_EQ(state.asked_count, 4);
+  EXPECT_EQ(state.target, 4);
+  EXPECT_EQ(state.goal.x, 20.0);
+  state.itinerary.points[2].position.z = 3.5;
+  state.choose_points(way.start);
+  EXPECT_EQ(state.asked_count, 2);
+  EXPECT_EQ(state.target, 2);
+  EXPECT_EQ(state.goal.z, 3.5);
+  state.itinerary.points[2].position = {5.0, 7.0, 1.125};  // 0.9 + 2 + 7.2 m
+  state.choose_points(way.start);
+  EXPECT_EQ(state.asked_count, 2);
+}
+
+/// A point that was taken for blocked and is clear on the map as it is now.
+TEST(FlightPoints, SuspicionEndsWhereThePointIsSeenClear) {
+  Way way(ViaPolicy::kSkip, {kWall});
+  FlightState& state = way.state();
+  const auto suspicions_of = [&](std::int32_t point) {
+    state.itinerary.suspect = point;
+    state.itinerary.suspicions = 2;
+    state.choose_points(way.start);
+    return state.itinerary.suspicions;
+  };
+  EXPECT_EQ(suspicions_of(2), 2);
+  EXPECT_EQ(suspicions_of(3), 0);
+  EXPECT_EQ(suspicions_of(4), 0);  // beyond the window, where nothing was seen
+  ASSERT_EQ(way.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
+  EXPECT_EQ(suspicions_of(3), 2);  // not known while the window slides
+}
+
+TEST(FlightPoints, PlanFitsWhileItsPointsAreAhead) {
+  Way way;
+  FlightState& state = way.state();
+  state.now.passages = 2;
+  state.now.passage[0] = {1, 0.5};
+  state.now.passage[1] = {2, 1.0};
+  state.now.target = 3;
+  EXPECT_TRUE(state.still_fits());
+  state.itinerary.state[1] = PointState::kPassed;
+  EXPECT_TRUE(state.still_fits());
+  state.itinerary.state[2] = PointState::kSkipped;
+  EXPECT_FALSE(state.still_fits());
+  state.now.passages = 1;
+  EXPECT_TRUE(state.still_fits());
+  state.itinerary.state[3] = PointState::kSkipped;
+  EXPECT_FALSE(state.still_fits());
+}
+
+/// After a failure on the way to a point, the next plan ends at the one before; after any other one at the next point.
+TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
+  const auto target_after = [](const Report& report) {
+    Way way;
+    EXPECT_TRUE(way.state().ask_for_less(report));
+    EXPECT_EQ(way.state().asked_count, way.state().target);
+    EXPECT_TRUE(way.state().aims_at_goal);
+    EXPECT_EQ(way.state().aim.x, way.state().itinerary.points[way.state().target].position.x);
+    EXPECT_EQ(way.state().job, Job::kPlan);
+    return way.state().target;
+  };
+  for (const Status status :
+       {Status::kNoPath, Status::kViaOccupied, Status::kViaFenced, Status::kGoalOccupied, Status::kGoalFenced}) {
+    EXPECT_EQ(target_after(found(status)), 3);  // on the last leg
+    EXPECT_EQ(target_after(found(status, 3)), 2);
+    EXPECT_EQ(target_after(found(status, 2)), 1);
+    EXPECT_EQ(target_after(found(status, 1)), 0);
+    EXPECT_EQ(target_after(found(status, 0)), 0);
+  }
+  EXPECT_EQ(target_after(found(Status::kBudgetSearch)), 0);
+  EXPECT_EQ(target_after(found(Status::kBudgetSearch, 3)), 0);
+}
+
+TEST(FlightPoints, NothingIsLeftToAskForLessOf) {
+  Way way;
+  FlightState& state = way.state();
+  state.keeps = true;
+  EXPECT_FALSE(state.ask_for_less(found(Status::kNoPath)));
+  state.keeps = false;
+  state.asked_count = 0;
+  EXPECT_FALSE(state.ask_for_less(found(Status::kNoPath)));
+}
+
+TEST(FlightPoints, NothingComesAfterTheGoal) {
+  Way way;
+  FlightState& state = way.state();
+  state.itinerary.state[2] = state.itinerary.state[3] = PointState::kSkipped;
+  state.go_on_from(1);
+  EXPECT_EQ(state.itinerary.leg, 4);
+  state.go_on_from(4);
+  EXPECT_EQ(state.itinerary.leg, 4);
+}
+
+TEST(FlightPoints, PlansFailAtAViaOrAtThePointThatTheyEndAt) {
+  Way way;
+  FlightState& state = way.state();
+  EXPECT_EQ(state.point_at_fault(found(Status::kViaOccupied, 2)), 2);
+  EXPECT_EQ(state.point_at_fault(found(Status::kViaFenced, 1)), 1);
+  EXPECT_EQ(state.point_at_fault(found(Status::kViaOccupied)), -1);
+  EXPECT_EQ(state.point_at_fault(found(Status::kNoPath, 2)), -1);
+  state.aims_at_goal = true;
+  EXPECT_EQ(state.point_at_fault(found(Status::kGoalOccupied)), -1);  // the goal is never left out
+  state.end_at_point(1);
+  EXPECT_EQ(state.point_at_fault(found(Status::kGoalOccupied)), 1);
+  EXPECT_EQ(state.point_at_fault(found(Status::kGoalFenced)), 1);
+  state.aims_at_goal = false;
+  EXPECT_EQ(state.point_at_fault(found(Status::kGoalFenced)), -1);
+}
+
+/// A fence is a fact; what was seen is believed at the third time.
+TEST(FlightPoints, FencedPointsAreLeftOutAtOnce) {
+  for (const Status status : {Status::kViaFenced, Status::kGoalFenced}) {
+    Way way;
+    FlightState& state = way.state();
+    if (status == Status::kGoalFenced) state.end_at_point(2);
+    EXPECT_TRUE(state.note_fault(found(status, 2)));
+    EXPECT_EQ(way.flight.point_state(2), PointState::kSkipped);
+  }
+}
+
+TEST(FlightPoints, OccupiedPointsAreLeftOutAtTheThirdTime) {
+  Way way(ViaPolicy::kSkip, {kWall});
+  FlightState& state = way.state();
+  const Report blocked = found(Status::kViaOccupied, 2);
+  const Report clear = found(Status::kViaOccupied, 3);
+  EXPECT_FALSE(state.note_fault(blocked));
+  EXPECT_FALSE(state.note_fault(clear));  // the route says otherwise
+  EXPECT_EQ(state.itinerary.suspicions, 1);
+  EXPECT_FALSE(state.note_fault(blocked));
+  EXPECT_EQ(way.flight.point_state(2), PointState::kAhead);
+  ASSERT_EQ(way.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // while the window slides, nothing is known
+  EXPECT_FALSE(state.note_fault(blocked));
+  EXPECT_EQ(state.itinerary.suspicions, 2);
+  while (way.map().step(100000) == Status::kRunning) {
+  }
+  EXPECT_TRUE(state.note_fault(blocked));
+  EXPECT_EQ(way.flight.point_state(2), PointState::kSkipped);
+}
+
+/// The goal is reached at rest, whatever tolerance it has.
+TEST(FlightPoints, GoalHasNoTolerance) {
+  FlightRoom room;
+  Via goal;
+  goal.position = {3.0, 0.5, 1.0};
+  goal.tolerance = 2.0;
+  ASSERT_EQ(room.flight.set_mission(&goal, 1, ViaPolicy::kEnd), Status::kOk);
+  while (room.time < 20000000000 && room.report.reason != FlightReason::kArrived) {
+    EXPECT_EQ(room.flight.point_state(0), PointState::kAhead);
+    room.tick();
+  }
+  EXPECT_EQ(room.report.passed, 1);
+  EXPECT_NEAR(room.position().x, 3.0, 1e-9);
+  EXPECT_EQ(room.speed(), 0.0);
+}
+
+}  // namespace

@@ -1,0 +1,199 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plans, proofs and brakes that take several ticks, and what comes in between.
+#include <gtest/gtest.h>
+
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::Flying;
+using tern_test::kNothing;
+
+/// Away from all that is flown here.
+const Box kAside{{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}};
+
+/// Half of a tick's units for 2048 units of a plan are 16 ticks; two more, and twice as many after each dropped plan,
+/// up to eight times.
+TEST(FlightSlices, DroppedPlansGetMoreTime) {
+  FlightSpec spec = FlightRoom::flight_spec(256);
+  spec.plan_work = 2048;
+  FlightRoom room(spec);
+  room.flight.set_goal({8.0, 0.0, 1.0});
+  std::uint32_t dropped = 0;
+  for (const std::int64_t ticks : {18, 34, 66, 130, 130, 130}) {
+    room.tick();
+    EXPECT_EQ(room.report.dropped, dropped++);
+    EXPECT_EQ(room.state().takeover, room.time + (ticks - 1) * spec.tick);
+    room.time = room.state().takeover;
+  }
+  EXPECT_EQ(room.report.committed, 0u);
+}
+
+/// A watch that is not done goes on in the next tick; until then no plan begins.
+TEST(FlightSlices, NoPlanBeginsWhileWhatIsFlownIsProvenAnew) {
+  Flying room;
+  FlightState& state = room.state();
+  room.mark(kAside);
+  room.watch(kNothing);
+  EXPECT_TRUE(state.watching);
+  const std::uint32_t asked = state.report.asked;
+  room.advance(kNothing);
+  EXPECT_EQ(state.report.asked, asked);
+  EXPECT_EQ(state.job, Job::kIdle);
+  room.watch(kNothing);
+  EXPECT_TRUE(state.watching);
+  room.watch(4000);
+  EXPECT_FALSE(state.watching);
+  EXPECT_FALSE(state.threat);
+  room.advance(kNothing);
+  EXPECT_EQ(state.report.asked, asked + 1);
+  EXPECT_EQ(state.job, Job::kCopy);
+}
+
+/// Neither a plan nor a brake begins before the window is done with its slide.
+TEST(FlightSlices, NothingBeginsWhileTheWindowSlides) {
+  Flying room;
+  FlightState& state = room.state();
+  ASSERT_EQ(room.map().follow({16.0, 0.0, 1.0}), Status::kRunning);
+  const std::uint32_t asked = state.report.asked;
+  room.advance(4000);
+  EXPECT_EQ(state.report.asked, asked);
+  room.flight.stop();
+  room.advance(4000);
+  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_TRUE(state.stopping);
+  while (room.map().step(100000) == Status::kRunning) {
+  }
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kEvade);
+  EXPECT_FALSE(state.stopping);
+}
+
+TEST(FlightSlices, NoBrakeBeginsWhileWhatIsFlownIsProvenAnew) {
+  Flying room;
+  room.mark(kAside);
+  room.watch(kNothing);
+  room.flight.stop();
+  room.advance(kNothing);
+  EXPECT_EQ(room.state().job, Job::kIdle);
+  room.watch(4000);
+  room.advance(kNothing);
+  EXPECT_EQ(room.state().job, Job::kEvade);
+}
+
+/// What comes before the takeover is being proven when it is flown already: then all of the rest is proven instead.
+TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
+  for (const bool is_before : {true, false}) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 100));
+    room.mark(kAside);
+    Work work{is_before ? kNothing : 4000};
+    state.time = room.time;
+    state.begin_watch();
+    EXPECT_EQ(state.watched_part, Watched::kBefore);
+    if (!is_before) {
+      EXPECT_EQ(step_proof(state.watch, work), Progress::kDone);
+      state.end_part();
+      EXPECT_EQ(state.watched_part, Watched::kLatest);
+    }
+    EXPECT_TRUE(state.watching);
+    state.watch_all = false;
+    state.time = state.next.begin;
+    state.take_over();
+    EXPECT_FALSE(state.has_next);
+    EXPECT_EQ(state.watching, !is_before);
+    EXPECT_EQ(state.watch_all, is_before);
+  }
+}
+
+/// A stop whose brakes are not proven in time: what is flown goes on, and ends at rest as it was.
+TEST(FlightSlices, BrakeThatIsNotDoneInTimeIsNotFlown) {
+  Flying room;
+  FlightState& state = room.state();
+  const Vec3 end = room.flight.rest_position();
+  const std::uint32_t committed = state.report.committed;
+  room.flight.stop();
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kEvade);
+  EXPECT_EQ(state.takeover, room.time + kEvadeTicks * room.spec.tick);
+  room.time += room.spec.tick;
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kEvade);
+  room.time = state.deadline;
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_EQ(state.report.committed, committed);
+  EXPECT_EQ(state.report.dropped, 0u);
+  EXPECT_EQ(room.flight.rest_position().x, end.x);
+}
+
+/// Ticks were skipped: the brake is dropped, and the next plan gets no more time for it.
+TEST(FlightSlices, BrakeThatIsLateIsDropped) {
+  Flying room;
+  FlightState& state = room.state();
+  room.flight.stop();
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kEvade);
+  room.time = state.takeover;
+  room.advance(kNothing);
+  EXPECT_EQ(state.report.dropped, 1u);
+  EXPECT_EQ(state.late, 0);
+  EXPECT_EQ(state.job, Job::kIdle);
+}
+
+/// A plan from rest is about to take over: it is dropped, and the vehicle stays.
+TEST(FlightSlices, StopBeforeTheTakeoverKeepsTheVehicleAtRest) {
+  FlightRoom room;
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  ASSERT_TRUE(room.tick_until([&] { return room.state().has_next; }, 100));
+  EXPECT_GT(room.flight.rest_position().x, 2.0);
+  room.flight.stop();
+  for (int k = 0; k < 100; ++k) {
+    room.tick();
+    EXPECT_NEAR(room.position().x, room.start.x, 1e-9);
+    EXPECT_NEAR(room.flight.rest_position().x, room.start.x, 1e-9);
+  }
+  EXPECT_EQ(room.report.mode, FlightMode::kRest);
+  EXPECT_EQ(room.report.reason, FlightReason::kNoGoal);
+}
+
+/// The vehicle is on a brake: there is nothing to stop any more.
+TEST(FlightSlices, StopOnABrakeChangesNothing) {
+  Flying room;
+  FlightState& state = room.state();
+  room.flight.stop();
+  ASSERT_TRUE(room.tick_until([&] { return !state.has_next && state.now.branch <= 0.0; }, 10));
+  const std::uint32_t committed = state.report.committed;
+  EXPECT_GT(room.speed(), 1.0);
+  room.flight.stop();
+  EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
+  EXPECT_EQ(state.report.committed, committed);
+  EXPECT_EQ(room.speed(), 0.0);
+}
+
+/// The whole of a draft is proven once more before it is flown: here something stands in its way by then.
+TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
+  for (const bool is_free : {true, false}) {
+    Flying room;
+    FlightState& state = room.state();
+    const std::uint32_t committed = state.report.committed;
+    state.extends = true;
+    state.draft = state.now;
+    state.takeover = room.time;
+    if (!is_free) room.mark({{7.0, -1.0, 0.0}, {8.0, 1.0, 2.0}});
+    ASSERT_EQ(state.begin_proof(state.draft.flown, state.start_of_proof()), Status::kRunning);
+    state.job = Job::kConfirm;
+    Work work{4000};
+    EXPECT_EQ(state.run_confirm(work), Progress::kDone);
+    EXPECT_EQ(state.job, is_free ? Job::kIdle : Job::kBranch);
+    EXPECT_EQ(state.report.committed, committed + (is_free ? 1 : 0));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,55 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Maps that no flight begins on, and what a flight answers before it began.
+#include <gtest/gtest.h>
+
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::OwnedMap;
+
+TEST(FlightStart, MapsThatAreNotReadyAreRefused) {
+  FlightRoom room;
+  const auto start = [&](const RollingMap& map, std::uint64_t* words) {
+    return room.flight.start(room.spec, map, room.planner, words, room.words.size(), room.start, 0);
+  };
+  EXPECT_EQ(start(room.map(), room.words.data()), Status::kOk);
+  EXPECT_EQ(start(room.map(), nullptr), Status::kInvalidArgument);
+  EXPECT_EQ(start(RollingMap{}, room.words.data()), Status::kInvalidArgument);
+  MapSpec point = FlightRoom::map_spec();
+  point.radius = 0.0;
+  OwnedMap bare(point);
+  ASSERT_EQ(bare.map.assume_free(room.start, 40.0), Status::kOk);
+  EXPECT_EQ(start(bare.map, room.words.data()), Status::kInvalidArgument);
+  ASSERT_EQ(room.map().follow({0.0, 8.0, 1.0}), Status::kRunning);
+  EXPECT_EQ(start(room.map(), room.words.data()), Status::kInvalidArgument);
+  while (room.map().step(100000) == Status::kRunning) {
+  }
+  EXPECT_EQ(start(room.map(), room.words.data()), Status::kOk);
+}
+
+TEST(FlightStart, BeforeItThereIsNowhereToRest) {
+  const Vec3 nowhere = Flight{}.rest_position();
+  EXPECT_EQ(nowhere.x, 0.0);
+  EXPECT_EQ(nowhere.y, 0.0);
+  EXPECT_EQ(nowhere.z, 0.0);
+  FlightRoom room;
+  EXPECT_EQ(room.flight.rest_position().x, room.start.x);
+}
+
+TEST(FlightStart, RouteCopyNeedsItsWords) {
+  FlightRoom room;
+  const std::size_t count = grid_words(FlightRoom::map_spec().dims);
+  std::vector<std::uint64_t> words(count, 0xA5A5A5A5A5A5A5A5u);
+  RouteCopy copy;
+  EXPECT_EQ(copy.bind(room.map(), words.data(), count - 1), Status::kInvalidArgument);
+  EXPECT_FALSE(copy.grid().bound());
+  EXPECT_EQ(copy.bind(room.map(), words.data(), count), Status::kOk);
+  EXPECT_TRUE(copy.grid().bound());
+}
+
+}  // namespace

@@ -1,0 +1,228 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which brake is flown where none is proven, and what happens while one is about to take over.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::Flying;
+using tern_test::kNothing;
+
+constexpr double kContact = 2.0;  ///< m/s, on what is flown
+
+/// A flight under a threat, all of whose brakes were tried.
+struct Threatened : Flying {
+  Threatened() {
+    FlightState& s = state();
+    s.time = time;
+    s.threat = true;
+    s.contact_speed = kContact;
+    s.takeover = time + kEvadeTicks * spec.tick;
+    s.deadline = s.takeover - spec.tick;
+    s.job = Job::kEvade;
+    s.extends = s.pardons = false;
+    s.branch = kEvasions - 1;
+  }
+  /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
+  bool flies(const Evasion& best, bool known) {
+    state().best = best;
+    state().known = known;
+    state().end_evade();
+    return state().has_next;
+  }
+};
+
+TEST(FlightThreats, SlowerBrakesAreFlownUnlessTheyMayTouchMore) {
+  const auto flies = [](const Evasion& best, bool known) { return Threatened().flies(best, known); };
+  constexpr double kSlower = 1.0;
+  constexpr double kFaster = 2.5;
+  EXPECT_TRUE(flies({0, 0.1, kSlower, true}, true));
+  EXPECT_TRUE(flies({0, 0.1, kSlower, true}, false));
+  EXPECT_TRUE(flies({0, 0.1, kSlower, false}, false));
+  EXPECT_FALSE(flies({0, 0.1, kSlower, false}, true));
+  EXPECT_FALSE(flies({0, 0.1, kFaster, true}, true));
+  EXPECT_FALSE(flies({0, 0.1, kFaster, false}, true));
+  EXPECT_FALSE(flies({0, 0.1, kFaster, false}, false));
+  EXPECT_TRUE(flies({0, 0.1, kFaster, true}, false));  // what is flown touches more than the alarm
+  EXPECT_FALSE(flies({-1, 0.1, kSlower, true}, false));
+}
+
+TEST(FlightThreats, UnprovenBrakeKeepsTheThreat) {
+  Threatened room;
+  FlightState& state = room.state();
+  state.has_alarm = true;
+  ASSERT_TRUE(room.flies({0, 0.25, 1.0, true}, false));
+  EXPECT_TRUE(state.threat);
+  EXPECT_TRUE(state.has_alarm);
+  EXPECT_TRUE(state.known);
+  EXPECT_TRUE(state.next.evades);
+  EXPECT_EQ(state.contact, state.takeover + 250000000);
+  EXPECT_EQ(state.contact_speed, 1.0);
+}
+
+/// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.
+TEST(FlightThreats, UnprovenStopIsNotFlown) {
+  Threatened room;
+  room.state().threat = false;
+  EXPECT_FALSE(room.flies({0, 0.1, 1.0, true}, false));
+  EXPECT_EQ(room.state().job, Job::kIdle);
+}
+
+/// Something else became solid, and is still to be proven, while the brake is committed: then all of the brake is.
+TEST(FlightThreats, CommitThatInterruptsAProofIsProvenAsAWhole) {
+  Threatened room;
+  FlightState& state = room.state();
+  room.mark({{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}});
+  room.watch(kNothing);
+  ASSERT_TRUE(state.watching);
+  state.watch_all = false;
+  ASSERT_TRUE(room.flies({0, 0.1, 1.0, true}, false));
+  EXPECT_FALSE(state.watching);
+  EXPECT_TRUE(state.watch_all);
+}
+
+/// A brake that touches at most the alarm comes first, then the slowest contact, then the latest one.
+TEST(FlightThreats, BrakesAreCompared) {
+  Threatened room;
+  FlightState& state = room.state();
+  const Evasion best{7, 0.5, 1.0, true};
+  const auto replaces = [&](const Evasion& tried, const Evasion& other) {
+    state.job = Job::kEvade;
+    state.threat = false;  // none is flown in the end
+    state.branch = kEvasions - 1;
+    state.tried = tried;
+    state.best = other;
+    state.pardons = true;
+    // Resting is proven where all is free, and not beyond the window.
+    Trajectory rest = state.now.flown;
+    rest.count = 1;
+    for (Vec3& point : rest.segments[0].points) point = {0.0, 0.0, 0.0};
+    rest.origin = tried.known ? room.start : Vec3{1e3, 0.0, 0.0};
+    EXPECT_EQ(state.begin_proof(rest, 0.0), Status::kRunning);
+    Work work{4000};
+    EXPECT_EQ(state.run_evade(work), Progress::kDone);
+    return state.best.number == tried.number;
+  };
+  const Evasion none{-1, 0.0, 0.0, false};
+  EXPECT_TRUE(replaces({3, 0.1, 9.0, false}, none));
+  EXPECT_TRUE(replaces({3, 0.5, 0.9, true}, best));
+  EXPECT_FALSE(replaces({3, 0.6, 1.1, true}, best));
+  EXPECT_TRUE(replaces({3, 0.6, 1.0, true}, best));
+  EXPECT_FALSE(replaces({3, 0.5, 1.0, true}, best));
+  EXPECT_FALSE(replaces({3, 0.4, 1.0, true}, best));
+  EXPECT_FALSE(replaces({3, 0.6, 0.1, false}, best));
+  EXPECT_TRUE(replaces({3, 0.1, 9.0, true}, {7, 0.5, 1.0, false}));
+}
+
+/// A brake that is not proven, for a stop: there is no alarm that may be pardoned.
+TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
+  for (const bool has_alarm : {false, true}) {
+    Threatened room;
+    FlightState& state = room.state();
+    const Vec3 p = room.position();
+    const Box wall{{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}};
+    room.mark(wall);
+    state.threat = state.has_alarm = has_alarm;
+    state.alarm = {wall, room.map().seen_rows()};
+    state.best.number = -1;
+    state.branch = 0;
+    ASSERT_TRUE(state.make_evasion());
+    ASSERT_EQ(state.begin_proof(state.draft.flown, 0.0), Status::kRunning);
+    Work work{4000};
+    EXPECT_EQ(state.run_evade(work), Progress::kDone);
+    EXPECT_EQ(state.pardons, has_alarm);
+    EXPECT_EQ(state.best.number, has_alarm ? -1 : 0);
+    EXPECT_FALSE(state.best.known && !has_alarm);
+  }
+}
+
+/// A wall across the way, which is known from now on.
+void wall_at(FlightRoom& room, double x) {
+  room.mark({{x, -4.0, -2.0}, {x + 0.5, 4.0, 4.0}});
+}
+
+/// A contact is 1.9 s away, and a plan in work takes over in 0.1 s: from there, the vehicle may brake for 1.1 s, if it
+/// must. Where the contact is 0.7 s away, it brakes at once.
+TEST(FlightThreats, PlanInWorkGoesOnWhereItLeavesTimeToBrake) {
+  for (const bool is_far : {true, false}) {
+    Flying room;
+    FlightState& state = room.state();
+    for (int k = 0; k < 1000 && state.job != Job::kPlan; ++k) room.advance(40);
+    ASSERT_EQ(state.job, Job::kPlan);
+    wall_at(room, room.position().x + (is_far ? 6.0 : 2.5));
+    room.watch(4000);
+    ASSERT_TRUE(state.threat);
+    room.advance(kNothing);
+    EXPECT_EQ(state.job, is_far ? Job::kPlan : Job::kEvade);
+    EXPECT_EQ(state.evaded, !is_far);
+  }
+}
+
+/// Something appears within the radius behind the vehicle, which has a plan that is about to take over. The plan is
+/// dropped for a brake that is proven, although the ticks before it are not.
+TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
+  Flying room;
+  FlightState& state = room.state();
+  const double cell = FlightRoom::kCell;
+  double face = 0.0;
+  const auto is_ready = [&] {
+    face = (std::floor(room.position().x / cell) - 1.0) * cell;
+    const double gap = room.position().x - face;
+    return state.has_next && !state.next.evades && gap > 0.43 && gap < 0.47;
+  };
+  for (int k = 0; k < 10 && !is_ready(); ++k) {
+    room.flight.set_goal({8.125, k % 2 == 0 ? 0.25 : -0.25, 1.125});
+    room.tick_until(is_ready, 12);
+  }
+  ASSERT_TRUE(is_ready());
+  room.mark({{face - 0.5, -0.5, 0.5}, {face - 0.01, 0.5, 1.5}});
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  ASSERT_TRUE(state.has_next);
+  EXPECT_TRUE(state.next.evades);
+  const std::int64_t begin = state.next.begin;
+  EXPECT_EQ(clear_until(room.map().safe(), state.next.flown, 0.0, &room.spec.limits, Beyond::kSolid),
+            duration(state.next.flown));
+  EXPECT_EQ(clear_until(room.map().safe(), state.now.flown, seconds_between(state.now.begin, room.time)),
+            seconds_between(state.now.begin, room.time));
+  room.tick();
+  ASSERT_TRUE(state.has_next);
+  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_EQ(room.fly(), FlightReason::kArrived);
+}
+
+/// Something comes into the way of a brake that is about to take over. It takes over all the same; brakes from there
+/// are tried then.
+TEST(FlightThreats, BrakeThatIsAboutToTakeOverIsNotReplaced) {
+  Flying room;
+  FlightState& state = room.state();
+  const double x = room.position().x;
+  room.mark({{x + 2.5, -4.0, -2.0}, {x + 3.0, 4.0, 4.0}});
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  ASSERT_TRUE(state.has_next);
+  ASSERT_TRUE(state.next.evades);
+  const std::int64_t begin = state.next.begin;
+  const double end = room.flight.rest_position().x;
+  ASSERT_LT(end, x + 2.0);
+  room.mark({{end + 0.3, -4.0, -2.0}, {x + 2.5, 4.0, 4.0}});
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  EXPECT_TRUE(state.has_next);
+  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_EQ(room.flight.rest_position().x, end);
+  EXPECT_TRUE(state.threat);
+  EXPECT_TRUE(state.known);  // but for what came into the way, it is clear
+  EXPECT_FALSE(state.evaded);
+  ASSERT_TRUE(room.tick_until([&] { return !state.has_next; }, 3));
+  EXPECT_TRUE(room.tick_until([&] { return state.evaded || !state.threat; }, 3));
+}
+
+}  // namespace
