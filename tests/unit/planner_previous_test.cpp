@@ -186,9 +186,11 @@ TEST_F(PreviousPlan, IsATrajectory) {
   bad = first_;
   bad.segments[bad.count - 1].points[3].y = kNaN;
   expect_refused(Status::kInvalidArgument);
-  bad = first_;
-  bad.segments[bad.count - 1].duration = 0.0;
-  expect_refused(Status::kInvalidArgument);
+  for (const double none : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()}) {
+    bad = first_;
+    bad.segments[bad.count - 1].duration = none;
+    expect_refused(Status::kInvalidArgument);
+  }
   bad = first_;
   bad.origin.z = std::numeric_limits<double>::infinity();
   expect_refused(Status::kInvalidArgument);
