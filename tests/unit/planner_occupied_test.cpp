@@ -74,6 +74,19 @@ TEST_F(OccupiedEnds, AStartThatLeavesTheTunnelStopsOutside) {
   EXPECT_LE(tern::distance(end, goal().position), 1e-9);
 }
 
+TEST_F(OccupiedEnds, AStartThatStopsOutsideStillPassesItsVias) {
+  world_.from({2.85, 1.0, 1.0});
+  start().velocity = along_;
+  goal().velocity = along_;
+  tern::Via via{};
+  via.position = {5.0, 3.0, 1.0};
+  world_.request.vias = &via;
+  world_.request.via_count = 1;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  EXPECT_EQ(report().detours, tern::kEscaped);
+  EXPECT_LE(tern::distance(tern::evaluate(world_.trajectory, report().vias[0].time).position, via.position), 1e-9);
+}
+
 TEST_F(OccupiedEnds, AGoalThatEntersTheTunnelIsLeftForFromOutside) {
   world_.from({0.5, 3.0, 1.0}).to({1.1, 1.0, 1.0});
   goal().velocity = along_;
