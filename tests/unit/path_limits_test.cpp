@@ -82,11 +82,11 @@ TEST(PathLimits, AWayTakesPartsUntilItIsFull) {
 /// nearer or further it is not.
 TEST(PathLimits, LinesThatEndInReachOfAFaceButForRounding) {
   constexpr double kLittle = 1e-12;
-  constexpr int kLines = 100;
+  constexpr int kLines = 200;
   Random random(91);
   int clear = 0;
   for (const int axis : {1, 2}) {
-    for (const int face : {3, 7, 12, 24, 48}) {
+    for (const int face : {7, 65}) {
       const int size = face + 2;
       VoxelWorld world({12, axis == 1 ? size : 12, axis == 2 ? size : 12});
       world.block({0, axis == 1 ? face : 0, axis == 2 ? face : 0}, {11, axis == 1 ? face : 11, axis == 2 ? face : 11});
@@ -95,7 +95,7 @@ TEST(PathLimits, LinesThatEndInReachOfAFaceButForRounding) {
         Vec3 to{random.real(1.0, 11.0), random.real(1.0, 2.9), random.real(1.0, 2.9)};
         double& first = axis == 1 ? from.y : from.z;
         double& last = axis == 1 ? to.y : to.z;
-        first = face - random.real(0.01, 1.9);
+        first = face - random.real(1.01, 1.9);  // above 64, doubles are half as dense as there
         last = face - tern::kSightRounding - kLittle;
         ASSERT_TRUE(tern::line_of_sight(world.grid, from, to, 0.0)) << face << ' ' << k;
         last = face - tern::kSightRounding + kLittle;
@@ -110,7 +110,7 @@ TEST(PathLimits, LinesThatEndInReachOfAFaceButForRounding) {
     }
   }
   EXPECT_GT(clear, 0);
-  EXPECT_LT(clear, 6 * 10 * kLines);
+  EXPECT_LT(clear, 6 * 4 * kLines);
 }
 
 }  // namespace
