@@ -206,6 +206,17 @@ TEST(DetourPlan, SharesTheBudgetOfSightLinesWithTheShortcut) {
   EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
 }
 
+TEST(DetourPlan, NoneOnAWayThroughVias) {
+  World world = sideways();
+  tern::Via via{};
+  via.position = {4.0, 5.0, 1.0};
+  world.request.vias = &via;
+  world.request.via_count = 1;
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, 2) << "it comes to rest first";
+  EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
+}
+
 TEST(DetourPlan, NoneAtRest) {
   World world = sideways();
   world.request.start.velocity = {0.0, 0.0, 0.0};
