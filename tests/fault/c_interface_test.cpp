@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "support/world.hpp"
 #include "tern/tern.h"
@@ -35,7 +36,37 @@ TEST(CInterface, SizesOfNothing) {
   for (const int what : {-1, 6, 7, 8, 99, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
     EXPECT_EQ(tern_size_of(what), 0u) << what;
   }
+}
+
+TEST(CInterface, SizesOfEverything) {
+  EXPECT_EQ(tern_size_of(TERN_SIZE_REQUEST), sizeof(tern_request));
+  EXPECT_EQ(tern_size_of(TERN_SIZE_TRAJECTORY), sizeof(tern_trajectory));
   EXPECT_EQ(tern_size_of(TERN_SIZE_REPORT), sizeof(tern_report));
+  EXPECT_EQ(tern_size_of(TERN_SIZE_GRID_SPEC), sizeof(tern_grid_spec));
+  EXPECT_EQ(tern_size_of(TERN_SIZE_WORKSPACE), tern::kWorkspaceBytes);
+  EXPECT_EQ(tern_size_of(TERN_SIZE_WORKSPACE_ALIGNMENT), tern::kWorkspaceAlignment);
+}
+
+TEST(CInterface, AGridThatWasNeverBoundIsNotInflated) {
+  tern_grid grid;
+  std::memset(static_cast<void*>(&grid), 0, sizeof grid);
+  EXPECT_EQ(tern_grid_inflate(nullptr), static_cast<std::uint8_t>(Status::kInvalidArgument));
+  EXPECT_EQ(tern_grid_inflate(&grid), static_cast<std::uint8_t>(Status::kInvalidArgument));
+}
+
+/// The storage of a grid that another one took over is no longer the first one's.
+TEST(CInterface, AGridWhoseStorageAnotherOneTookIsNotInflated) {
+  const tern_voxel dims{4, 4, 4};
+  tern_grid_spec spec{};
+  spec.cell = 0.5;
+  spec.dims = dims;
+  spec.boundary = {{0.0, 0.0, 0.0}, {2.0, 2.0, 2.0}};
+  std::vector<std::uint64_t> words(tern_grid_words(dims));
+  tern_grid grids[2];
+  std::memset(static_cast<void*>(grids), 0, sizeof grids);
+  for (tern_grid& grid : grids) ASSERT_EQ(tern_grid_bind(&grid, &spec, words.data(), words.size()), 0);
+  EXPECT_EQ(tern_grid_inflate(&grids[1]), 0);
+  EXPECT_EQ(tern_grid_inflate(&grids[0]), static_cast<std::uint8_t>(Status::kInvalidArgument));
 }
 
 TEST(CInterface, HeaderAndLibraryHaveOneConfiguration) {

@@ -242,6 +242,8 @@ TEST(CallFault, WorkspaceOfAnyContentAndAlignment) {  // F21
 TEST(CallFault, WorkspaceTooSmall) {  // F02
   World world = walled_world();
   tern::Planner none(nullptr, tern::kWorkspaceBytes);
+  EXPECT_EQ(none.finish(world.trajectory, world.report), Status::kInvalidArgument);
+  EXPECT_EQ(world.report.field, Field::kCallOrder);
   EXPECT_EQ(none.plan(world.grid, world.request, world.trajectory, world.report), Status::kInvalidArgument);
   EXPECT_EQ(world.report.field, Field::kWorkspace);
   tern::Planner small(world.memory.get(), tern::kWorkspaceBytes - 1);

@@ -95,6 +95,26 @@ TEST_F(FencesFault, AFenceInTheWayIsFlownAround) {
   EXPECT_LE(fences.work, fences.bound);
 }
 
+/// Thin fences through the start's own voxel: to the voxels beyond them no line leads.
+TEST(FencesInAVoxel, ShutAStartInOrLeadItToOneSide) {
+  World world({20, 20, 10}, 0.1, 0.0);
+  world.from({0.55, 1.05, 0.55}).to({1.55, 1.05, 0.55});
+  const Halfspace before[] = {{{1.0, 0.0, 0.0}, 0.52}, {{-1.0, 0.0, 0.0}, -0.51}};
+  const Halfspace behind[] = {{{1.0, 0.0, 0.0}, 0.59}, {{-1.0, 0.0, 0.0}, -0.58}};
+  const Fence fences[] = {{before, 2, FenceKind::kKeepOut}, {behind, 2, FenceKind::kKeepOut}};
+  world.request.fences = fences;
+  world.request.fence_count = 2;
+  EXPECT_EQ(world.plan(), Status::kStartOccupied);
+  EXPECT_FALSE(world.report.raw_occupied);
+  EXPECT_TRUE(world.report.has_nearest_free);
+  world.request.fence_count = 1;
+  ASSERT_EQ(world.plan(), Status::kOk);
+  for (int k = 0; k <= 1000; ++k) {
+    const double t = tern::duration(world.trajectory) * k / 1000;
+    EXPECT_GE(tern::evaluate(world.trajectory, t).position.x, 0.52 - 1e-9) << k;
+  }
+}
+
 TEST_F(FencesFault, RefusalsNameTheFences) {
   const Halfspace bad{{0.0, 0.0, 0.0}, 1.0};
   const Halfspace nan{{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, 1.0};

@@ -59,6 +59,21 @@ TEST(CorridorSeparation, NearerThanTheRadiusIsBlocked) {
   EXPECT_EQ(separate(segment, kUnit, 0.3, {1.0, 0.0, 0.0}, plane), Status::kCorridorBlocked);
 }
 
+/// No axis of the box separates a point beside its corner as well as the direction from the corner does, and a point
+/// has no direction of its own.
+TEST(CorridorSeparation, APointJustBesideACornerKeepsItsGap) {
+  const double aside = 0.3e-7;
+  const SegmentMargin segment{{-aside, -aside, -aside}, {-aside, -aside, -aside}, 1e-9};
+  ASSERT_LT(std::sqrt(3.0) * aside, segment.direction) << "too near for the closest pair alone";
+  Halfspace plane;
+  ASSERT_EQ(separate(segment, kUnit, 0.0, kNoTangent, plane), Status::kOk);
+  for (const double part : {plane.normal.x, plane.normal.y, plane.normal.z}) {
+    EXPECT_NEAR(part, std::sqrt(1.0 / 3.0), 1e-9);
+  }
+  EXPECT_NEAR(plane.offset, 0.0, 1e-12);
+  EXPECT_NEAR(signed_excess(plane, segment.from), -std::sqrt(3.0) * aside, 1e-12);
+}
+
 TEST(CorridorSeparation, AStartOnAFaceTakesTheFace) {
   const SegmentMargin segment{{1.0, 0.5, 0.5}, {2.0, 0.7, 0.5}, 0.01};
   Halfspace plane;

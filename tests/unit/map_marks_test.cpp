@@ -65,6 +65,19 @@ TEST(MapPrior, ACylinderIsSolidFromTheBeginning) {
   expect_trunk(OwnedMap(spec));
 }
 
+TEST_F(MapMarks, PointsOutsideTheWindowMarkNothing) {
+  const Vec3 points[] = {{1.05, 1.05, 1.05}, {-0.05, 1.05, 1.05}, {1.05, 2.05, 1.05}, {1.05, 1.05, 1e9}};
+  ASSERT_EQ(owned.map.mark_points(points, 4), Status::kOk);
+  EXPECT_EQ(tern_test::count_obstacles(owned.map.route()), 1);
+  EXPECT_TRUE(owned.map.route().obstacle({10, 10, 10}));
+}
+
+TEST_F(MapMarks, NoPointsMarkNothing) {
+  const std::uint64_t before = tern_test::hash_of(owned.map);
+  EXPECT_EQ(owned.map.mark_points(nullptr, 0), Status::kOk);
+  EXPECT_EQ(tern_test::hash_of(owned.map), before);
+}
+
 // What nobody has seen is solid in the safe grid already, but not in the route grid.
 TEST_F(MapMarks, TheRevisionGrowsWithEitherGrid) {
   const tern::GridVersion safe = owned.map.safe().version();

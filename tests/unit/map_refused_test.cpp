@@ -24,6 +24,7 @@ using tern_test::Image;
 using tern_test::OwnedMap;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Pose kLevel{{1.0, 1.0, 1.0}, {1.0, 0.0, 0.0, 0.0}};
 
 MapSpec small_spec() {
@@ -52,23 +53,32 @@ TEST(MapRefused, Specs) {
   const Status invalid = Status::kInvalidArgument;
   expect_refused(Field::kRange, invalid, [](MapSpec& s) { s.range = 0.0; });
   expect_refused(Field::kRange, invalid, [](MapSpec& s) { s.range = kNan; });
+  expect_refused(Field::kRange, invalid, [](MapSpec& s) { s.range = kInfinity; });
+  expect_refused(Field::kRange, invalid, [](MapSpec& s) { s.range = 1.01 * tern::kMaxCell; });
   expect_refused(Field::kMargins, invalid, [](MapSpec& s) { s.depth_margin = -0.1; });
   expect_refused(Field::kMargins, invalid, [](MapSpec& s) { s.depth_margin_square = kNan; });
   expect_refused(Field::kMargins, invalid, [](MapSpec& s) { s.pose_margin = -1e-9; });
+  expect_refused(Field::kMargins, invalid, [](MapSpec& s) { s.angle_margin = -0.1; });
   expect_refused(Field::kMargins, invalid, [](MapSpec& s) { s.angle_margin = 0.6; });
   expect_refused(Field::kScanPixel, invalid, [](MapSpec& s) { s.scan_pixel = 0.001; });
   expect_refused(Field::kScanPixel, invalid, [](MapSpec& s) { s.scan_pixel = kNan; });
+  expect_refused(Field::kScanPixel, invalid, [](MapSpec& s) { s.scan_pixel = 1.01; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.hits = 0; });
+  expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.hits = tern::kMaxEvidence + 1; });
+  expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.misses = 0; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.misses = tern::kMaxEvidence + 1; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.support = -1; });
   expect_refused(Field::kEvidence, invalid, [](MapSpec& s) { s.support = 9; });
   expect_refused(Field::kAge, invalid, [](MapSpec& s) { s.age = -1; });
+  expect_refused(Field::kAge, invalid, [](MapSpec& s) { s.age = std::int64_t{86400} * 1000000000 + 1; });
   expect_refused(Field::kSlack, invalid, [](MapSpec& s) { s.slack = -1; });
+  expect_refused(Field::kSlack, invalid, [](MapSpec& s) { s.slack = tern::kMaxDimension + 1; });
   expect_refused(Field::kPixels, invalid, [](MapSpec& s) { s.pixels = 0; });
   expect_refused(Field::kPixels, Status::kPixelsFull, [](MapSpec& s) { s.pixels = tern::kMaxPixels + 1; });
   expect_refused(Field::kPixels, Status::kPixelsFull, [](MapSpec& s) { s.pixels = 6 * 12 * 12 - 1; });
   expect_refused(Field::kPrior, Status::kPriorFull, [](MapSpec& s) { s.prior_count = tern::kMaxPriorBoxes + 1; });
   expect_refused(Field::kPrior, invalid, [](MapSpec& s) { s.prior_count = 1; });
+  expect_refused(Field::kPrior, invalid, [](MapSpec& s) { s.prior_count = -1; });
   expect_refused(Field::kDimensions, invalid, [](MapSpec& s) { s.dims.y = 0; });
   expect_refused(Field::kCell, invalid, [](MapSpec& s) { s.cell = 0.0; });
   expect_refused(Field::kOrigin, Status::kNonFiniteInput, [](MapSpec& s) { s.origin.z = kNan; });
@@ -76,7 +86,9 @@ TEST(MapRefused, Specs) {
 }
 
 TEST(MapRefused, PriorBoxesThatAreNone) {
-  static const Box kBoxes[] = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}}, {{0.0, 0.0, 0.0}, {1.0, kNan, 1.0}}};
+  static const Box kBoxes[] = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 1.0}},
+                               {{0.0, 0.0, 0.0}, {1.0, kNan, 1.0}},
+                               {{0.0, 0.0, -kInfinity}, {1.0, 1.0, 1.0}}};
   for (const Box& box : kBoxes) {
     expect_refused(Field::kPrior, Status::kInvalidArgument, [&box](MapSpec& s) {
       s.prior = &box;
@@ -95,6 +107,7 @@ TEST(MapRefused, PriorCylindersThatAreNone) {
     });
   }
   expect_refused(Field::kPrior, Status::kInvalidArgument, [](MapSpec& s) { s.prior_cylinder_count = 1; });
+  expect_refused(Field::kPrior, Status::kInvalidArgument, [](MapSpec& s) { s.prior_cylinder_count = -1; });
 }
 
 class MapFrames : public ::testing::Test {
@@ -145,11 +158,16 @@ TEST_F(MapFrames, CamerasThatAreNone) {
   with([](DepthView& v) { v.fy = -10.0; });
   with([](DepthView& v) { v.fx = kNan; });
   with([](DepthView& v) { v.fx = 0.01; });
+  with([](DepthView& v) { v.fy = 0.01; });
   with([](DepthView& v) { v.cx = 1e9; });
   with([](DepthView& v) { v.scale = 0.0; });
   with([](DepthView& v) { v.min = -1.0; });
   with([](DepthView& v) { v.max = v.min; });
-  with([](DepthView& v) { v.max = kNan; });
+  for (double DepthView::*number : {&DepthView::fx, &DepthView::fy, &DepthView::cx, &DepthView::cy, &DepthView::scale,
+                                    &DepthView::min, &DepthView::max}) {
+    with([number](DepthView& v) { v.*number = kNan; });
+    with([number](DepthView& v) { v.*number = kInfinity; });
+  }
 }
 
 TEST_F(MapFrames, ImagesThatAreMissingOrTooLarge) {
@@ -175,6 +193,7 @@ TEST_F(MapFrames, FramesOutOfOrder) {
   EXPECT_EQ(owned.map.follow(pose.position), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.assume_free(pose.position, 1.0), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.mark_box({pose.position, pose.position}), Status::kInvalidArgument);
+  EXPECT_EQ(owned.map.mark_cylinder({pose.position, 0.1, 0.1}), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.mark_points(&pose.position, 1), Status::kInvalidArgument);
   EXPECT_EQ(finish(owned.map), Status::kOk);
   t = 9;
@@ -189,8 +208,10 @@ TEST_F(MapFrames, CallsThatAreWrong) {
   EXPECT_EQ(map.follow({1e15, 0.0, 0.0}), Status::kOutOfMap);
   EXPECT_EQ(map.assume_free({0.0, 0.0, 0.0}, -1.0), Status::kInvalidArgument);
   EXPECT_EQ(map.assume_free({0.0, 0.0, 0.0}, kNan), Status::kNonFiniteInput);
+  EXPECT_EQ(map.assume_free({0.0, kInfinity, 0.0}, 1.0), Status::kNonFiniteInput);
   EXPECT_EQ(map.mark_box({{1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_box({{kNan, 0.0, 0.0}, {0.0, 0.0, 0.0}}), Status::kNonFiniteInput);
+  EXPECT_EQ(map.mark_box({{0.0, 0.0, 0.0}, {1.0, kInfinity, 1.0}}), Status::kNonFiniteInput);
   const Vec3 point{kNan, 0.0, 0.0};
   EXPECT_EQ(map.mark_points(&point, 1), Status::kNonFiniteInput);
   EXPECT_EQ(map.mark_cylinder({point, 0.1, 1.0}), Status::kNonFiniteInput);
@@ -209,10 +230,25 @@ TEST(MapRefused, AnythingWithoutABind) {
   EXPECT_EQ(map.follow(kLevel.position), Status::kInvalidArgument);
   EXPECT_EQ(map.assume_free(kLevel.position, 1.0), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_box({}), Status::kInvalidArgument);
+  EXPECT_EQ(map.mark_cylinder({}), Status::kInvalidArgument);
   EXPECT_EQ(map.mark_points(nullptr, 0), Status::kInvalidArgument);
   EXPECT_EQ(map.frame_work(10, 10), 0u);
   EXPECT_EQ(map.scan_work(10), 0u);
   EXPECT_FALSE(map.seen({0, 0, 0}));
+}
+
+/// The map lies where doubles just tell a thousandth of a cell apart: 2^52 thousandths of a cell from the origin. It
+/// follows up to there, and not a few thousand cells further, although its numbers of voxels would reach much further.
+TEST(MapRefused, ToFollowWhereDoublesAreTooCoarse) {
+  MapSpec spec = small_spec();
+  const double last = 1e-3 * spec.cell * 4503599627370496.0;
+  const double some = 5000.0 * spec.cell;
+  spec.origin.x = last - some;
+  OwnedMap owned(spec);
+  ASSERT_EQ(owned.status, Status::kOk);
+  EXPECT_EQ(owned.map.follow({last + some, 1.0, 1.0}), Status::kOutOfMap);
+  EXPECT_FALSE(owned.map.busy());
+  EXPECT_EQ(owned.map.follow({last - 0.5 * some, 1.0, 1.0}), Status::kRunning);
 }
 
 TEST(MapRefused, ScansWhereNoneAreExpected) {

@@ -259,6 +259,33 @@ TEST_F(MapRules, AScanShowsWhatItsBeamsPass) {
   EXPECT_FALSE(scanned.map.seen({5, 10, 10}));   // no beam went there
 }
 
+TEST_F(MapRules, AScanSkipsPointsThatAreNoneOrTooFar) {
+  MapSpec spec = exact_spec();
+  spec.scan_pixel = 0.1;
+  OwnedMap scanned(spec);
+  const std::uint64_t before = tern_test::hash_of(scanned.map);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Vec3 points[] = {{infinity, 1.0, 1.0}, {1.0, -infinity, 1.0}, {1.0, 1.0, infinity},
+                         {-2e18, 1.0, 1.0},    {1.0, 2e18, 1.0},      {1.0, 1.0, 2e18}};
+  ASSERT_EQ(scanned.map.begin_scan(points, 6, {1.0, 1.0, 1.0}, 0), Status::kRunning);
+  ASSERT_EQ(finish(scanned.map), Status::kOk);
+  EXPECT_EQ(tern_test::hash_of(scanned.map), before);
+  ASSERT_EQ(scanned.map.begin_scan(nullptr, 0, {1.0, 1.0, 1.0}, 0), Status::kRunning);
+  ASSERT_EQ(finish(scanned.map), Status::kOk);
+  EXPECT_EQ(tern_test::hash_of(scanned.map), before);
+}
+
+/// An image of one pixel has no coarser level. The pixel's ray goes through the middle of a row of voxels.
+TEST_F(MapRules, AnImageOfOnePixel) {
+  Image one(1, 1, 1.0);
+  one.at(0, 0) = 2.05f;
+  ASSERT_EQ(owned.map.begin_frame(one.view, {{1.0, 1.05, 1.05}, {kHalf, -kHalf, kHalf, -kHalf}}, 0), Status::kRunning);
+  ASSERT_EQ(finish(owned.map), Status::kOk);
+  for (int k = 0; k < 54; ++k) EXPECT_EQ(solid(k), k == 20) << k;
+  EXPECT_TRUE(seen(15));
+  EXPECT_FALSE(seen(20));
+}
+
 TEST_F(MapRules, WorkIsBounded) {
   std::uint32_t units = 0;
   ASSERT_EQ(owned.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {kHalf, -kHalf, kHalf, -kHalf}}, 0), Status::kRunning);

@@ -106,6 +106,38 @@ TEST_F(Detour, KeepsBothEndsStops) {
   EXPECT_NEAR(path_->points[2].y, 1.225, 1e-12);
 }
 
+/// The same room with one fence: a keep-out box.
+class FencedDetour : public Detour {
+ protected:
+  FencedDetour() { set_path({{5.0, 1.5, 1.0}, {5.5, 2.0, 1.0}, {6.0, 1.6, 1.0}, {7.5, 1.5, 1.0}}); }
+  bool take_within(const tern::Box& box) {
+    tern::Halfspace planes[tern::kBoxPlanes];
+    tern::box_planes(box, planes);
+    const tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut};
+    EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *fences_), Status::kOk);
+    return tern::take_detour(world_.grid, fences_.get(), request_, request_.limits, *path_, lines_);
+  }
+  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
+};
+
+TEST_F(FencedDetour, ThereIsNoneIntoAFence) {
+  request_.start.velocity = {0.0, 1.0, 0.0};
+  // It stops at y = 1.775 at the earliest, and keeps 0.2 m.
+  EXPECT_FALSE(take_within({{4.0, 1.9, 0.0}, {8.0, 4.0, 2.0}}));
+  EXPECT_EQ(path_->count, 4);
+  EXPECT_EQ(path_->length, -1.0) << "unchanged";
+  EXPECT_TRUE(take_within({{4.0, 2.1, 0.0}, {8.0, 4.0, 2.0}}));
+}
+
+TEST_F(FencedDetour, GoesOnToTheFurthestWaypointThatFencesLeaveInSight) {
+  request_.start.velocity = {0.0, 1.0, 0.0};
+  ASSERT_TRUE(take_within({{6.8, 0.0, 0.0}, {7.0, 1.7, 2.0}}));  // across the line to the last waypoint
+  ASSERT_EQ(path_->count, 4);
+  EXPECT_NEAR(path_->points[1].y, 1.775, 1e-12);
+  EXPECT_EQ(path_->points[2].x, 6.0);
+  EXPECT_EQ(path_->points[3].x, 7.5);
+}
+
 TEST_F(Detour, NeedsRoomForItsWaypoints) {
   path_->count = tern::kMaxWaypoints - 1;
   for (int k = 0; k < path_->count; ++k) path_->points[k] = {5.0, 1.5, 1.0};
@@ -171,6 +203,17 @@ TEST(DetourPlan, SharesTheBudgetOfSightLinesWithTheShortcut) {
   world.request.budget.sight_lines = shortcut + tern::kDetourLines - 1;
   world.replan();
   EXPECT_NE(world.report.detours, 1);
+  EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
+}
+
+TEST(DetourPlan, NoneOnAWayThroughVias) {
+  World world = sideways();
+  tern::Via via{};
+  via.position = {4.0, 5.0, 1.0};
+  world.request.vias = &via;
+  world.request.via_count = 1;
+  ASSERT_EQ(world.plan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, 2) << "it comes to rest first";
   EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
 }
 

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include "base/math.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
 #include "planner/escape.hpp"
 #include "support/world.hpp"
 
@@ -98,6 +101,33 @@ TEST_F(EscapePlan, ArrivesAtAGoalInMotionThatThereIsNoRoomToStopBefore) {
   EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
   EXPECT_EQ(world_.report.optimiser, Status::kOk) << "it was not asked for this curve";
   EXPECT_NEAR(tern::duration(world_.trajectory), 0.06, 1e-12);
+}
+
+TEST_F(EscapePlan, ArrivesInSlicesOfOneToo) {
+  world_.from({2.0, 2.1, 1.0}).to({2.0, 2.22, 1.0});
+  world_.request.start.velocity = world_.request.goal.velocity = {0.0, 2.0, 0.0};
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const tern::Trajectory whole = world_.trajectory;
+  ASSERT_EQ(world_.planner.begin(world_.grid, world_.request), Status::kRunning);
+  while (world_.planner.step(1) == Status::kRunning) {
+  }
+  ASSERT_EQ(world_.planner.finish(world_.trajectory, world_.report), Status::kOk);
+  EXPECT_EQ(std::memcmp(&whole, &world_.trajectory, sizeof whole), 0);
+}
+
+/// A plan may search four times for each of its legs. In the profile companion that is more than 32 bits hold.
+TEST_F(EscapePlan, BoundsThatAreTooLargeAreTheLargestNumber) {
+  world_.from({1.0, 1.0, 1.0}).to({6.0, 1.0, 1.0});
+  world_.request.start.velocity = {0.5, 0.0, 0.0};
+  std::vector<tern::Via> vias(tern::kMaxVias);
+  for (tern::Via& via : vias) via.position = {3.0, 1.0, 1.0};
+  world_.request.vias = vias.data();
+  world_.request.via_count = tern::kMaxVias;
+  ASSERT_EQ(world_.plan(), Status::kOk);
+  const std::uint64_t searches = 4u * (tern::kMaxVias + 1u);
+  const auto bound_of = [&](tern::Stage stage) { return world_.report.stages[static_cast<int>(stage)].bound; };
+  EXPECT_EQ(bound_of(tern::Stage::kSearch), std::min<std::uint64_t>(searches * tern::kSearchBound, 0xFFFFFFFFu));
+  EXPECT_EQ(bound_of(tern::Stage::kShortcut), searches * tern::kShortcutBound);
 }
 
 /// Empty space, 4 m wide, the plan's origin in its middle.

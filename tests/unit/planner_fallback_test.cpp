@@ -109,6 +109,40 @@ TEST_F(Fallback, ThereIsNoneBelowStopAndGo) {
   EXPECT_TRUE(world_.trajectory_untouched());
 }
 
+/// From a tunnel in which no voxel is free, the plan comes to rest outside first. A plan from there is not replaced by
+/// stop-and-go but by one from another place of rest.
+class EscapedFallback : public Fallback {
+ protected:
+  EscapedFallback() {
+    world_.block({0.0, 0.0, 0.0}, {1.0, 0.8, 2.0}).block({0.0, 1.2, 0.0}, {1.0, 4.0, 2.0});
+    world_.grid.inflate();
+    world_.from({0.9, 1.0, 1.0}).to({2.0, 3.0, 1.0});
+    world_.request.start.velocity = {1.0, 0.0, 0.0};
+  }
+};
+
+TEST_F(EscapedFallback, ComesToRestElsewhere) {
+  begin();
+  ASSERT_EQ(run(), Status::kOk);
+  ASSERT_EQ(world_.report.quality, Quality::kOptimised);
+  ASSERT_EQ(world_.report.detours, tern::kEscaped);
+  const std::uint32_t escaped = world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work;
+  begin();
+  spoil();
+  ASSERT_EQ(run(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+  EXPECT_EQ(world_.report.detours, tern::kEscaped);
+  EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work, escaped);
+}
+
+TEST_F(EscapedFallback, EndsAsTheRequestDidWhereNoneHolds) {
+  begin();
+  spoil();
+  while (step_to_trajectory() == Status::kRunning) spoil();
+  EXPECT_EQ(run(), Status::kStartOccupied);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
 TEST_F(Fallback, TheNextPlanBeginsAfresh) {
   begin();
   spoil();

@@ -93,6 +93,39 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   for (int i = 0; i < with.count; ++i) EXPECT_EQ(world_.trajectory.segments[i].duration, with.segments[i].duration);
 }
 
+TEST_F(PreviousPlan, IsNotReturnedToWithoutTheHalfSpacesForIt) {
+  ask_from(0.4 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.time_weight = tern::kMinTimeWeight;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  ASSERT_EQ(world_.report.quality, Quality::kPrevious);
+  std::uint32_t planes = 0;
+  for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kEscape}) {
+    planes += world_.report.stages[static_cast<int>(stage)].work;
+  }
+  world_.request.budget.planes = planes;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kPrevious);
+  world_.request.budget.planes = planes - 1;  // too few to enclose the rest a second time
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, Quality::kOptimised);
+}
+
+TEST_F(PreviousPlan, LeadsNowhereElseFromRest) {
+  ask_from(0.0);
+  world_.request.goal.position = {5.0, 3.0, 1.0};
+  EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
+  EXPECT_EQ(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
+}
+
+TEST_F(PreviousPlan, LeadsToNoOtherGoalThatIsOccupied) {
+  ask_from(0.3 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.goal.position = {3.0, 1.0, 1.0};  // in the wall
+  EXPECT_EQ(world_.replan(), Status::kGoalOccupied);
+  EXPECT_EQ(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
+}
+
 TEST_F(PreviousPlan, MayBeTheOutput) {
   const double time = 0.4 * duration(first_);
   ask_from(time);
@@ -186,9 +219,11 @@ TEST_F(PreviousPlan, IsATrajectory) {
   bad = first_;
   bad.segments[bad.count - 1].points[3].y = kNaN;
   expect_refused(Status::kInvalidArgument);
-  bad = first_;
-  bad.segments[bad.count - 1].duration = 0.0;
-  expect_refused(Status::kInvalidArgument);
+  for (const double none : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()}) {
+    bad = first_;
+    bad.segments[bad.count - 1].duration = none;
+    expect_refused(Status::kInvalidArgument);
+  }
   bad = first_;
   bad.origin.z = std::numeric_limits<double>::infinity();
   expect_refused(Status::kInvalidArgument);

@@ -197,6 +197,23 @@ TEST_F(ReachPlan, AStartThatIsOccupiedReachesNothing) {
   EXPECT_FALSE(report().has_reachable);
 }
 
+// No path is looked for to a fenced goal. The start is looked at once something is to be reached.
+TEST_F(ReachPlan, AStartThatIsOccupiedReachesNothingNearAFencedGoal) {
+  tern::Halfspace planes[tern::kBoxPlanes];
+  tern::box_planes({{15.0, -30.0, 0.0}, {30.0, 0.0, 10.0}}, planes);
+  const Fence fence{planes, tern::kBoxPlanes, FenceKind::kKeepOut};
+  world_.request.fences = &fence;
+  world_.request.fence_count = 1;
+  world_.block({0.8, 0.8, 0.0}, {1.2, 1.2, 2.0});
+  for (const GoalMode mode : {GoalMode::kExact, GoalMode::kNearest}) {
+    world_.request.goal_mode = mode;
+    EXPECT_EQ(world_.plan(), Status::kGoalFenced);
+    EXPECT_EQ(report().stage, Stage::kRequest);
+    EXPECT_FALSE(report().has_reachable);
+    EXPECT_TRUE(world_.trajectory_untouched());
+  }
+}
+
 TEST_F(ReachPlan, AnUnknownModeIsRefused) {
   world_.request.goal_mode = static_cast<GoalMode>(2);
   EXPECT_EQ(world_.plan(), Status::kInvalidArgument);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -69,6 +70,20 @@ TEST(TrajectoryCurvature, NegativeCurvatureIsLearnedInPart) {
   EXPECT_NEAR(curvature->entries[0], 0.2, 1e-15);
   tern::curvature_learn(*curvature, kNone, change, 1);  // no step tells nothing
   EXPECT_NEAR(curvature->entries[0], 0.2, 1e-15);
+}
+
+TEST(TrajectoryCurvature, AChangeThatIsNoNumberTellsNothing) {
+  const auto curvature = std::make_unique<Curvature>();
+  const double diagonal[] = {2.0, 3.0};
+  const double step[] = {1.0, -1.0};
+  tern::curvature_begin(*curvature, diagonal, 2);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const double change[] = {bad, bad};
+    tern::curvature_learn(*curvature, step, change, 2);
+    EXPECT_EQ(curvature->entries[0], 2.0);
+    EXPECT_EQ(curvature->entries[1], 0.0);
+    EXPECT_EQ(curvature->entries[2], 3.0);
+  }
 }
 
 TEST(TrajectoryCurvature, RandomStepsKeepItPositiveDefiniteAndSolvable) {

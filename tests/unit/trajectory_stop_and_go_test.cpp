@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "base/math.hpp"
 #include "curve/brake.hpp"
 #include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
@@ -49,6 +50,17 @@ TEST(StraightSegment, KeepsLimitsOfEveryAxisAndReachesOne) {
     EXPECT_TRUE(within_limits(segment, limits));
     EXPECT_NEAR(stretch_to_limits(segment, limits), 1.0, 1e-6);
   }
+}
+
+TEST(StopAndGo, HoversWhereThereIsNoWay) {
+  const auto corridor = std::make_unique<Corridor>();
+  corridor->count = 2;
+  for (int i = 0; i < 2; ++i) corridor->polyhedra[i] = box_around({1, 2, 3}, {1, 2, 3}, 0.5);
+  Trajectory plan{};
+  ASSERT_EQ(stop_and_go(*corridor, resting({1, 2, 3}), resting({1, 2, 3}), kTwo, plan), Status::kOk);
+  ASSERT_EQ(plan.count, 1);
+  EXPECT_EQ(plan.segments[0].duration, kHoverDuration);
+  for (const Vec3& point : plan.segments[0].points) EXPECT_TRUE(same(point, {1, 2, 3}));
 }
 
 TEST(StopAndGo, VisitsEveryWaypoint) {

@@ -1,0 +1,154 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The rest of a previous plan that leads elsewhere than to the goal, or does not hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "base/math.hpp"
+#include "planner/previous.hpp"
+#include "planner/tube.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Stage;
+using tern::Status;
+using tern::Trajectory;
+using tern::Vec3;
+
+const tern::StageReport& stage(const World& world, Stage s) {
+  return world.report.stages[static_cast<int>(s)];
+}
+
+void ask_from(World& world, const Trajectory& plan, double time) {
+  const tern::Sample now = tern::evaluate(plan, time);
+  world.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+  world.request.previous = &plan;
+  world.request.previous_time = time;
+}
+
+/// Straight on along x for `length` metres at 1 m/s, in as many segments as there may be.
+Trajectory straight_on(const Vec3& from, double length) {
+  Trajectory plan{};
+  plan.origin = from;
+  plan.count = tern::kMaxSegments;
+  const double duration = length / tern::kMaxSegments;
+  for (int i = 0; i < plan.count; ++i) {
+    plan.segments[i].duration = duration;
+    for (int k = 0; k < tern::kControlPoints; ++k) {
+      plan.segments[i].points[k] = {duration * (i + k / static_cast<double>(tern::kDegree)), 0.0, 0.0};
+    }
+  }
+  return plan;
+}
+
+/// A wall at 4 <= x <= 4.2 across the map: the way before it ends at x = 3.75, and nothing leads to the goal.
+class RestBeforeAWall : public testing::Test {
+ protected:
+  RestBeforeAWall() : world_({80, 40, 20}, 0.1, 0.25) {
+    world_.block({4.0, 0.0, 0.0}, {4.2, 4.0, 2.0}).to({6.0, 2.0, 1.0});
+  }
+  /// Plans from a little after the beginning of a previous plan that is so long.
+  Status plan_after(double length) {
+    previous_ = straight_on({1.0, 1.0, 1.0}, length);
+    ask_from(world_, previous_, 0.01);
+    return world_.plan();
+  }
+  World world_;
+  Trajectory previous_;
+};
+
+TEST_F(RestBeforeAWall, IsNoReasonToFailWhereItIsBlocked) {
+  EXPECT_EQ(plan_after(4.0), Status::kNoPath);
+  EXPECT_EQ(world_.report.stage, Stage::kSearch);
+  EXPECT_GT(stage(world_, Stage::kPrevious).work, 0u);
+  EXPECT_TRUE(world_.report.has_reachable);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+/// The last segment would have to be halved, and there is no room for two halves: with more there might be a plan.
+TEST_F(RestBeforeAWall, IsFullWhereALastSegmentIsBlocked) {
+  EXPECT_EQ(plan_after(2.8), Status::kSegmentsFull);
+  EXPECT_EQ(world_.report.stage, Stage::kPrevious);
+  EXPECT_FALSE(world_.report.has_reachable);
+  EXPECT_TRUE(world_.trajectory_untouched());
+}
+
+TEST_F(RestBeforeAWall, IsTriedAgainWhereItLedToTheGoal) {
+  world_.to({5.0, 1.0, 1.0});
+  EXPECT_EQ(plan_after(4.0), Status::kNoPath);
+  EXPECT_EQ(world_.report.stage, Stage::kSearch);
+  EXPECT_GT(stage(world_, Stage::kPrevious).work, 0u);
+}
+
+/// In a tunnel in which no voxel is free, the rest of the plan is the only way out. Then a plan leads into another
+/// motion.
+TEST(RestInATunnel, LeadsOutBeforeTheGoalsOwnEscape) {
+  World world({80, 40, 20}, 0.1, 0.19);
+  world.block({1.0, 0.0, 0.0}, {3.0, 0.8, 2.0}).block({1.0, 1.2, 0.0}, {3.0, 4.0, 2.0});
+  world.from({2.85, 1.0, 1.0}).to({5.0, 1.0, 1.0});
+  world.request.start.velocity = {1.0, 0.0, 0.0};
+  ASSERT_EQ(world.plan(), Status::kOk);
+  const Trajectory first = world.trajectory;
+  ask_from(world, first, 0.01);
+  world.to({7.0, 3.0, 1.0});
+  world.request.goal.velocity = {0.0, 0.5, 0.0};
+  ASSERT_EQ(world.replan(), Status::kOk);
+  EXPECT_EQ(world.report.detours, tern::kFollowed);
+  EXPECT_GT(stage(world, Stage::kPrevious).work, 0u);
+  EXPECT_GT(stage(world, Stage::kEscape).work, 0u);
+  const double end = tern::duration(first) - 0.01;
+  EXPECT_LE(tern::distance(tern::evaluate(world.trajectory, end).position, {5.0, 1.0, 1.0}), 1e-9);
+  const tern::Segment& last = world.trajectory.segments[world.trajectory.count - 1];
+  EXPECT_NEAR((last.points[7].y - last.points[6].y) * 7.0 / last.duration, 0.5, 1e-9);
+}
+
+/// Enclosing a curve past a block that its hull meets and it does not.
+class Enclosing : public testing::Test {
+ protected:
+  Enclosing() : world_({40, 40, 20}, 0.1, 0.1) {
+    world_.grid.inflate();
+    tern::reset_counters(*scratch_);
+    // From (0, 0) by way of y = 2 to (2, 0): the middle is at y = 2 * (1 - 2^-6).
+    segment_.duration = 1.0;
+    for (int k = 0; k < tern::kControlPoints; ++k) segment_.points[k] = {k * 2.0 / tern::kDegree, 2.0, 0.0};
+    segment_.points[0].y = segment_.points[tern::kDegree].y = 0.0;
+  }
+  Status enclose(int capacity) {
+    tube_ = {segments_.get(), polyhedra_.get(), capacity, 0, 0.0};
+    return tern::enclose(world_.grid, {1.0, 1.0, 1.0}, segment_, *scratch_, tube_);
+  }
+  World world_;
+  tern::Segment segment_{};
+  std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();
+  std::unique_ptr<tern::Segment[]> segments_ = std::make_unique<tern::Segment[]>(8);
+  std::unique_ptr<tern::Polyhedron[]> polyhedra_ = std::make_unique<tern::Polyhedron[]>(8);
+  tern::Tube tube_{};
+};
+
+TEST_F(Enclosing, TakesAsManyPartsAsItMust) {
+  ASSERT_EQ(enclose(1), Status::kOk);
+  EXPECT_EQ(tube_.count, 1);
+  EXPECT_EQ(segments_[0].duration, 1.0);
+  world_.block({1.9, 1.0, 0.9}, {2.1, 1.2, 1.1});  // under the arch
+  world_.grid.inflate();
+  EXPECT_EQ(enclose(1), Status::kSegmentsFull);
+  EXPECT_EQ(tube_.count, 0);
+  ASSERT_EQ(enclose(2), Status::kOk);
+  EXPECT_EQ(tube_.count, 2);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(segments_[i].duration, 0.5);
+    EXPECT_EQ(segments_[i].polyhedron, i);
+  }
+  EXPECT_NEAR(segments_[1].points[0].y, 2.0 * (1.0 - 1.0 / 64.0), 1e-15);
+  world_.block({1.9, 2.8, 0.9}, {2.1, 3.2, 1.1});  // across it
+  world_.grid.inflate();
+  EXPECT_EQ(enclose(8), Status::kCorridorBlocked);
+}
+
+}  // namespace
+}  // namespace tern_test
