@@ -200,15 +200,15 @@ TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
 }
 
 TEST_F(FencesTest, CornersThatFitInNoWayAreRefused) {
-  // Pairs of planes a billionth of a radian apart about a ball of 0.5 m: what rounding leaves of their common edges is
+  // Pyramids as flat as a billionth of a radian all around a ball of 0.5 m: what rounding leaves of their edges is
   // farther apart than the coarsest tolerance.
   Random random(8);
   std::vector<Halfspace> planes;
-  while (static_cast<int>(planes.size()) + 2 <= tern::kMaxFencePlanes) {
+  while (static_cast<int>(planes.size()) + 4 <= tern::kMaxFencePlanes) {
     const Vec3 n = random_unit(random);
-    const Vec3 side = tern::perpendicular(n);
-    for (const double by : {-5e-10, 5e-10}) {
-      const Vec3 m = n + by * side;
+    const Vec3 u = tern::perpendicular(n);
+    for (const Vec3& side : {u, -1.0 * u, cross(n, u), cross(u, n)}) {
+      const Vec3 m = n + 1e-9 * side;
       planes.push_back({m, dot3(m, {2.0, 2.0, 1.0}) + 0.5 * norm3(m)});
     }
   }
