@@ -82,6 +82,23 @@ TEST(FastPath, ABoundOfOneIsTheOptimum) {
   EXPECT_GT(tight, 0);
 }
 
+/// A way along two bands of 700 walls each, around each of them. No search finds one with less turns.
+TEST(FastPath, AWayOfTooManyTurnsIsSearchedAgain) {
+  static_assert(2 * 2 * 700 > tern::kMaxJumpPoints, "two turns a wall");
+  VoxelWorld world({1401, 7, 1});
+  world.block({0, 3, 0}, {1399, 3, 0});
+  for (int k = 0; k < 700; ++k) {
+    for (const int band : {0, 4}) world.block({2 * k + 1, band + k % 2, 0}, {2 * k + 1, band + 1 + k % 2, 0});
+  }
+  PathRunner runner;
+  tern_test::PathQuery query = fast_query(world, {0, 0, 0}, {0, 6, 0});
+  ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
+  const std::uint32_t fast = runner.search().expansions;
+  query.search = tern::SearchMode::kOptimal;
+  ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
+  EXPECT_GT(fast, runner.search().expansions + 4000) << "the guided search goes from voxel to voxel";
+}
+
 TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
   PathRunner whole;
   PathRunner other;
