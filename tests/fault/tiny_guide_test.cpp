@@ -114,6 +114,7 @@ struct ThickWorlds {
     const tern::VoxelSearch& search = runner.search().search;
     if (!search.start_flooded || !search.goal_flooded) return;
     ++flooded;
+    EXPECT_FALSE(search.guided.guide.map.large()) << "the last guide";
     guided += runner.search().search_used == tern::SearchUsed::kGuided ? 1 : 0;
   }
 };
@@ -122,7 +123,7 @@ TEST(TinyGuide, SmallBlocksFollowLargeOnes) {
   ThickWorlds worlds;
   Random random(73);
   for (int k = 0; k < 400 && !HasFatalFailure(); ++k) worlds.run({32, 32, 32}, random);
-  EXPECT_GT(worlds.guided, 0) << worlds.flooded;
+  EXPECT_GT(worlds.flooded, 0);
 }
 
 /// 16 x 15 x 3 small blocks are more than the guide holds here, and 8 x 8 x 2 large ones are not.
@@ -132,6 +133,30 @@ TEST(TinyGuide, WithoutRoomForSmallBlocksTheOptimalSearchFollows) {
   for (int k = 0; k < 400 && !HasFatalFailure(); ++k) worlds.run({9, 61, 57}, random);
   EXPECT_GT(worlds.flooded, 0);
   EXPECT_EQ(worlds.guided, 0);
+}
+
+/// Small blocks alone are for thin obstacles, and here there is no room for them.
+TEST(TinyGuide, WithoutRoomForAGuideTheOptimalSearchGoesOn) {
+  PathRunner runner;
+  Random random(75);
+  int begun = 0;
+  for (int k = 0; k < 300; ++k) {
+    VoxelWorld world({9, 61, 57});
+    for (int m = 0; m < 6000; ++m) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
+    world.grid.inflate();
+    Voxel start{};
+    if (!random_free(world.grid, random, start)) continue;
+    const Voxel goal{random.integer(0, 8), (start.y + random.integer(0, 8)) % 61,
+                     (start.z + random.integer(0, 8)) % 57};
+    PathQuery query{world.grid.center(start), world.grid.center(goal)};
+    const Status exact = runner.run(world.grid, query);
+    const std::uint32_t expansions = runner.search().expansions;
+    query.search = tern::SearchMode::kFast;
+    ASSERT_EQ(runner.run(world.grid, query), exact) << "case " << k;
+    ASSERT_NE(runner.search().search_used, tern::SearchUsed::kGuided);
+    begun += runner.search().expansions > expansions ? 1 : 0;
+  }
+  EXPECT_GT(begun, 0) << "the first of the two searches that follow each other";
 }
 
 }  // namespace

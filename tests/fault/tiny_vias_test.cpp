@@ -4,8 +4,6 @@
 // Ways through vias that exceed a capacity of the tiny profile.
 #include <gtest/gtest.h>
 
-#include "base/math.hpp"
-#include "support/random.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {
@@ -53,34 +51,6 @@ TEST_F(TinyVias, AWayOfTooManyLegsIsFull) {
   EXPECT_TRUE(plane.trajectory_untouched());
   plane.request.via_count = 1;
   EXPECT_EQ(plane.plan(), Status::kOk);
-}
-
-// Programmes run out of iterations here. From stop to stop there is no way from a via to itself.
-TEST_F(TinyVias, TheSamePointTwiceIsPassedFromStopToStop) {
-  Random random(75);
-  int stops = 0;
-  for (int k = 0; k < 200; ++k) {
-    World world({24, 24, 12}, 0.25, 0.2);
-    const auto point = [&random] {
-      return tern::Vec3{random.real(0.3, 5.7), random.real(0.3, 5.7), random.real(0.3, 2.7)};
-    };
-    for (int b = random.integer(0, 6); b > 0; --b) {
-      const tern::Vec3 at = point();
-      world.block(at, {at.x + random.real(0.1, 1.5), at.y + random.real(0.1, 1.5), at.z + random.real(0.1, 1.5)});
-    }
-    world.from(point()).to(point());
-    vias_[0].position = vias_[1].position = point();
-    for (Via& via : vias_) via.stop = random.chance(0.5);
-    world.request.vias = vias_;
-    world.request.via_count = 2;
-    if (world.plan() != Status::kOk) continue;
-    for (int v = 0; v < 2; ++v) {
-      const tern::Vec3 gap = evaluate(world.trajectory, world.report.vias[v].time).position - vias_[v].position;
-      ASSERT_LT(dot(gap, gap), 1e-12) << k;
-    }
-    stops += world.report.quality == tern::Quality::kStopAndGo ? 1 : 0;
-  }
-  EXPECT_GT(stops, 0);
 }
 
 }  // namespace
