@@ -142,6 +142,17 @@ TEST(CPlanner, RefusesNullPointers) {
   EXPECT_EQ(c.plan(), kOk);
 }
 
+TEST(CPlanner, RefusesAGridThatWasNeverBound) {
+  PlannerInC c;
+  const tern_grid none{};
+  EXPECT_EQ(tern_plan(&c.planner, &none, &c.request, &c.trajectory, &c.report), kInvalid);
+  EXPECT_EQ(c.report.field, tern::Field::kStorage);
+  EXPECT_EQ(tern_plan_begin(&c.planner, &none, &c.request), kInvalid);
+  std::uint8_t bytes[8] = {};
+  std::size_t used = 0;
+  EXPECT_EQ(tern_record_plan(&none, &c.request, kOk, &c.trajectory, bytes, sizeof bytes, &used), kInvalid);
+}
+
 /// A planner without usable memory answers as one, whatever it is called for.
 TEST(CPlanner, AnswersWithoutMemory) {
   PlannerInC c;

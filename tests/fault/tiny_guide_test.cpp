@@ -16,6 +16,8 @@ namespace {
 
 using tern::Status;
 using tern::Voxel;
+using tern_test::PathQuery;
+using tern_test::PathRunner;
 using tern_test::Random;
 using tern_test::random_ends;
 using tern_test::random_free;
@@ -83,6 +85,78 @@ TEST(TinyGuide, TheOptimalSearchAnswersThen) {
     fallen_back += runner.search().search_used == tern::SearchUsed::kOptimal ? 1 : 0;
   }
   EXPECT_GT(fallen_back, 0);
+}
+
+/// What fast searches in worlds of thick obstacles end with, against optimal ones.
+struct ThickWorlds {
+  PathRunner runner;
+  int flooded = 0;  ///< after floods around both ends
+  int guided = 0;   ///< the same, with a path that the guided search found
+
+  void run(const Voxel& dims, Random& random) {
+    VoxelWorld world(dims, 1.0, 4.0);
+    for (int k = random.integer(0, 6); k > 0; --k) {
+      const Voxel at = random_voxel(random, dims);
+      const Voxel size{random.integer(0, 19), random.integer(0, 19), random.integer(0, 19)};
+      world.grid.mark_box({world.grid.center(at), world.grid.center(at + size)});
+    }
+    world.grid.inflate();
+    Voxel start{};
+    Voxel goal{};
+    if (!random_ends(world.grid, random, start, goal)) return;
+    PathQuery query{world.grid.center(start), world.grid.center(goal)};
+    const Status exact = runner.run(world.grid, query);
+    query.search = tern::SearchMode::kFast;
+    const Status fast = runner.run(world.grid, query);
+    if (exact == Status::kOk || exact == Status::kNoPath) {
+      ASSERT_TRUE(fast == exact || fast == Status::kSegmentsFull);
+    }
+    const tern::VoxelSearch& search = runner.search().search;
+    if (!search.start_flooded || !search.goal_flooded) return;
+    ++flooded;
+    EXPECT_FALSE(search.guided.guide.map.large()) << "the last guide";
+    guided += runner.search().search_used == tern::SearchUsed::kGuided ? 1 : 0;
+  }
+};
+
+TEST(TinyGuide, SmallBlocksFollowLargeOnes) {
+  ThickWorlds worlds;
+  Random random(73);
+  for (int k = 0; k < 400 && !HasFatalFailure(); ++k) worlds.run({32, 32, 32}, random);
+  EXPECT_GT(worlds.flooded, 0);
+}
+
+/// 16 x 15 x 3 small blocks are more than the guide holds here, and 8 x 8 x 2 large ones are not.
+TEST(TinyGuide, WithoutRoomForSmallBlocksTheOptimalSearchFollows) {
+  ThickWorlds worlds;
+  Random random(74);
+  for (int k = 0; k < 400 && !HasFatalFailure(); ++k) worlds.run({9, 61, 57}, random);
+  EXPECT_GT(worlds.flooded, 0);
+  EXPECT_EQ(worlds.guided, 0);
+}
+
+/// Small blocks alone are for thin obstacles, and here there is no room for them.
+TEST(TinyGuide, WithoutRoomForAGuideTheOptimalSearchGoesOn) {
+  PathRunner runner;
+  Random random(75);
+  int begun = 0;
+  for (int k = 0; k < 300; ++k) {
+    VoxelWorld world({9, 61, 57});
+    for (int m = 0; m < 6000; ++m) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
+    world.grid.inflate();
+    Voxel start{};
+    if (!random_free(world.grid, random, start)) continue;
+    const Voxel goal{random.integer(0, 8), (start.y + random.integer(0, 8)) % 61,
+                     (start.z + random.integer(0, 8)) % 57};
+    PathQuery query{world.grid.center(start), world.grid.center(goal)};
+    const Status exact = runner.run(world.grid, query);
+    const std::uint32_t expansions = runner.search().expansions;
+    query.search = tern::SearchMode::kFast;
+    ASSERT_EQ(runner.run(world.grid, query), exact) << "case " << k;
+    ASSERT_NE(runner.search().search_used, tern::SearchUsed::kGuided);
+    begun += runner.search().expansions > expansions ? 1 : 0;
+  }
+  EXPECT_GT(begun, 0) << "the first of the two searches that follow each other";
 }
 
 }  // namespace

@@ -125,6 +125,26 @@ TEST(TinySearch, ScansWithoutStopsFindTheSameCost) {
   EXPECT_GT(solved, 50);
 }
 
+// 3 x 16 x 15 blocks of 4 x 4 x 4 are more than there are records of: what is beyond them is dominated by nothing.
+TEST(TinySearch, BlocksWithoutARecordAreSearchedAtTheSameCost) {
+  static_assert(3 * 16 * 15 > tern::kDominanceBlocks, "the map must not fit");
+  PathRunner runner;
+  Random random(65);
+  int solved = 0;
+  for (int k = 0; k < 300; ++k) {
+    VoxelWorld world({9, 61, 57});
+    for (int m = 0; m < 4000; ++m) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
+    world.grid.inflate();
+    // The blocks are counted along x, then y, then z.
+    const Voxel start{random.integer(0, 8), random.integer(0, 54), random.integer(44, 56)};
+    const Voxel goal{random.integer(0, 8), start.y + random.integer(0, 6), random.integer(44, 56)};
+    if (runner.run(world.grid, start, goal) != Status::kOk) continue;
+    ASSERT_NEAR(runner.path().grid_length, tern_test::ReferenceSearch(world.grid).cost(start, goal), 1e-9);
+    ++solved;
+  }
+  EXPECT_GT(solved, 30);
+}
+
 TEST(TinySearch, OverflowIsTheSameInEverySlice) {
   PathRunner whole;
   PathRunner sliced;

@@ -64,6 +64,41 @@ TEST(FastPath, VerdictsAreRightAndBoundsHold) {
   EXPECT_GT(used[static_cast<int>(SearchUsed::kOptimal)], scaled(2500) / 20);
 }
 
+/// A way to and fro of straight moves alone, 12 along each row and 8 to the next, in walls that split no block. Where
+/// the optimal search has come to the last row, which leads straight to the goal, it has proven the cost of all of it.
+TEST(FastPath, ABoundOfOneIsTheOptimum) {
+  PathRunner runner;
+  int tight = 0;
+  for (int rows = 4; rows < 40; ++rows) {
+    VoxelWorld world({8 * rows - 7, 13, 1});
+    for (int k = 0; k + 1 < rows; ++k) world.block({8 * k + 1, k % 2, 0}, {8 * k + 7, 11 + k % 2, 0});
+    const Status status =
+        runner.run(world.grid, fast_query(world, {0, 0, 0}, {8 * rows - 8, rows % 2 == 0 ? 0 : 12, 0}));
+    ASSERT_TRUE(status == Status::kOk || status == Status::kSegmentsFull) << rows;
+    EXPECT_EQ(runner.path().grid_length, 12.0 * rows + 8.0 * (rows - 1)) << rows;
+    const bool guided = runner.search().search_used == SearchUsed::kGuided;
+    tight += guided && runner.search().search_bound == 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(tight, 0);
+}
+
+/// A way along two bands of 700 walls each, around each of them. No search finds one with less turns.
+TEST(FastPath, AWayOfTooManyTurnsIsSearchedAgain) {
+  static_assert(2 * 2 * 700 > tern::kMaxJumpPoints, "two turns a wall");
+  VoxelWorld world({1401, 7, 1});
+  world.block({0, 3, 0}, {1399, 3, 0});
+  for (int k = 0; k < 700; ++k) {
+    for (const int band : {0, 4}) world.block({2 * k + 1, band + k % 2, 0}, {2 * k + 1, band + 1 + k % 2, 0});
+  }
+  PathRunner runner;
+  tern_test::PathQuery query = fast_query(world, {0, 0, 0}, {0, 6, 0});
+  ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
+  const std::uint32_t fast = runner.search().expansions;
+  query.search = tern::SearchMode::kOptimal;
+  ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
+  EXPECT_GT(fast, runner.search().expansions + 4000) << "the guided search goes from voxel to voxel";
+}
+
 TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
   PathRunner whole;
   PathRunner other;

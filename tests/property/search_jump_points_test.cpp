@@ -88,6 +88,26 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
   EXPECT_GT(jumped, scaled(12000) / 2);
 }
 
+/// The longer a search lasts the farther its sweeps go, up to a bound: here it lasts that long.
+TEST(PathSearch, ALongSearchCostsWhatPlainAStarDoes) {
+  const std::unique_ptr<tern::Search> search(new tern::Search);
+  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
+  Random random(6);
+  VoxelWorld world({500, 500, 1});
+  for (int k = 0; k < 100000; ++k) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
+  const Voxel start{0, 0, 0};
+  const Voxel goal{499, 499, 0};
+  for (const Voxel& end : {start, goal}) world.grid.clear_voxel(end);
+  world.grid.inflate();
+  tern::search_begin(*search, *scans, world.grid, start, goal);
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
+  ASSERT_EQ(status, Status::kOk);
+  EXPECT_GT(search->expanded, 17u * 1024u);
+  const double cost = static_cast<double>(search->store.nodes[store_find_or_add(search->store, search->goal)].g);
+  EXPECT_NEAR(cost / static_cast<double>(tern::kStraightCost), ReferenceSearch(world.grid).cost(start, goal), 1e-6);
+}
+
 TEST(PathSearch, SlicesDoNotChangeThePath) {
   PathRunner whole;
   PathRunner sliced;

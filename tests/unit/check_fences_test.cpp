@@ -111,6 +111,29 @@ TEST_F(CheckFences, KeepOutsWithoutPointsAreClearOfAll) {
   }
 }
 
+TEST_F(CheckFences, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
+  const auto fences = std::make_unique<tern::AskedFences>();
+  const auto clear_of = [&](const std::vector<Halfspace>& shape) {
+    const tern::Fence fence{shape.data(), static_cast<std::int32_t>(shape.size()), tern::FenceKind::kKeepOut};
+    EXPECT_TRUE(copy_fences(&fence, 1, *fences));
+    return keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_);
+  };
+  const Halfspace above{{0.0, -1.0, 0.0}, -1.5};  // cuts the polyhedron
+  EXPECT_FALSE(clear_of({above}));
+  for (const double far : {50.0, 1e300}) {
+    EXPECT_FALSE(clear_of({{{1.0, 0.0, 0.0}, far}, above})) << "one that holds the whole map says nothing";
+    EXPECT_TRUE(clear_of({{{1.0, 0.0, 0.0}, -far}, above})) << "one that holds none of it leaves nothing";
+  }
+  const Segment segment = straight({0.5, 1.5, 1.0}, {3.0, 1.5, 1.0}, 4.0, 0);
+  for (const double far : {1e300, -1e300}) {
+    const Halfspace plane{{1.0, 0.0, 0.0}, far};
+    const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
+    ASSERT_TRUE(copy_fences(&fence, 1, *fences));
+    EXPECT_EQ(keep_ins_hold(segment, *fences, {0.0, 0.0, 0.0}, tern::kCheckDistance, stage_), far > 0.0);
+  }
+  EXPECT_EQ(stage_.finding, Finding::kFence);
+}
+
 TEST_F(CheckFences, KeepInsHoldToTheToleranceHoweverFarAway) {
   const auto fences = std::make_unique<tern::AskedFences>();
   for (const double away : {0.0, 1e6, 1e12}) {

@@ -70,6 +70,9 @@ TEST_F(CheckTest, ControlPointOutsideTheBoundary) {
   EXPECT_EQ(found.plane, -1);
   EXPECT_EQ(found.axis, 1);
   EXPECT_NEAR(found.excess, 0.25, 2e-9);
+  trajectory_->segments[1].points[5] = {3.0, 0.5, -0.125};
+  EXPECT_EQ(expect(Finding::kOutside, 1).axis, 2);
+  EXPECT_NEAR(stage_.excess, 0.125, 2e-9);
 }
 
 TEST_F(CheckTest, WrongPolyhedron) {

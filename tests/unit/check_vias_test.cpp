@@ -105,6 +105,12 @@ TEST_F(CheckVias, FindsAccelerationAtAStop) {
   expect_missed(0, 2, 1, 42.0 * 0.042 / 4.0);
 }
 
+TEST_F(CheckVias, FindsJerkAtAStop) {
+  plan_.segments[1].points[3] = {2.0, 0.0, -0.021};  // 210 / T^3 times as much
+  EXPECT_FALSE(met({{{3, 1, 1}, 0.0, true, false, {}}}, {1}));
+  expect_missed(0, 3, 2, 210.0 * 0.021 / 8.0);
+}
+
 TEST_F(CheckVias, FindsAnotherVelocity) {
   glide();
   EXPECT_TRUE(met({{{3, 1, 1}, 0.0, false, true, {1.0, 0.0, 0.0}}}, {1}));

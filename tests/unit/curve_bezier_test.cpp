@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "curve/bezier.hpp"
+#include "support/arc_curve.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -157,6 +158,18 @@ TEST(PeakBound, OfAConstantAndOfZero) {
   EXPECT_EQ(peak_bound(constant, kUnit, 3.0, 0.0), 3.0);
   const Curve zero{{}, 6};
   EXPECT_EQ(peak_bound(zero, kUnit, 0.0, 0.0), 0.0);
+}
+
+// The norm is 1 all along the arc, but the hulls of its parts exceed it: no number of pieces within the bound suffices.
+// What is left counts with its hull, 0.025 times the square of the part's angle beyond the arc.
+TEST(PeakBound, HoldsWhereThePiecesRunOut) {
+  Curve arc{};
+  arc.degree = tern_test::kSextic;
+  for (int i = 0; i <= arc.degree; ++i) arc.c[i] = tern_test::arc_point(0.5, i);
+  const double bound = peak_bound(arc, {{-9.0, -9.0, -9.0}, {9.0, 9.0, 9.0}, 1.0}, 0.0, 0.0);
+  EXPECT_GE(bound, sampled_peak(arc, {{-9.0, -9.0, -9.0}, {9.0, 9.0, 9.0}, 1.0}, 1000));
+  EXPECT_GT(bound, 1.0 + 1e-4) << "half of the curve was not looked into";
+  EXPECT_LT(bound, 1.0 + 0.025 * 0.25 * 0.25 * 1.1);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "curve/brake.hpp"
 #include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
+#include "curve/rest.hpp"
+#include "curve/stopping.hpp"
 #include "support/box_corridor.hpp"
 
 namespace {
@@ -104,6 +106,47 @@ TEST(FindBrake, RefusesWhatCannotStop) {
   EXPECT_FALSE(find_brake(kFast, box_around({1, 0, 0}, {1.9, 0, 0}, 0.1), kTwo, brake)) << "1 m at full deceleration";
   const State beyond{{1, 0, 0}, {2.0, 0, 0}, {0.5, 0, 0}};
   EXPECT_FALSE(find_brake(beyond, box_around({0, 0, 0}, {9, 0, 0}, 1.0), kTwo, brake)) << "past the speed limit";
+}
+
+TEST(Rest, IsNoVelocityNoAccelerationAndNoJerk) {
+  EXPECT_TRUE(at_rest({{1.0, 2.0, 3.0}, {}, {}, {}}));
+  EXPECT_FALSE(at_rest({{}, {0.0, 1e-9, 0.0}, {}, {}}));
+  EXPECT_FALSE(at_rest({{}, {}, {0.0, 0.0, 1e-9}, {}}));
+  EXPECT_FALSE(at_rest({{}, {}, {}, {1e-9, 0.0, 0.0}}));
+}
+
+// A state without a velocity counts as one that climbs: it brakes downwards, and turns to a side that is level.
+TEST(Stopping, TurnsAboutTheVerticalWithoutAVelocity) {
+  const State still{{0, 0, 5}, {0, 0, 0}, {0.5, 0, 0}};
+  const int first_turn = kBrakeShapes + kAxisBrakes;  // all of the limit to a side, 0.7 of it against the motion
+  Stopping stopping;
+  ASSERT_TRUE(make_stopping(still, kTwo, first_turn, stopping));
+  Trajectory plan{};
+  for (int i = 0; i < stopping.count; ++i) plan.segments[plan.count++] = stopping.segments[i];
+  const Sample turning = evaluate(plan, stopping.segments[0].duration + 0.5 * stopping.segments[1].duration);
+  EXPECT_NEAR(turning.acceleration.z, -1.4, 1e-6);
+  EXPECT_NEAR(std::hypot(turning.acceleration.x, turning.acceleration.y), 2.0, 1e-6);
+  const Sample end = evaluate(plan, duration(plan));
+  EXPECT_NEAR(dot(end.velocity, end.velocity), 0.0, 1e-18);
+}
+
+// Of all limits on jerk, one axis' alone counts, too.
+TEST(WithinLimits, TakesTheJerkOfEachAxis) {
+  for (int a = 0; a < 3; ++a) {
+    Segment segment{};
+    segment.duration = 1.0;
+    for (int k = kJointOrder; k <= kDegree; ++k) axis(segment.points[k], a) = 1.0;
+    Limits limits{{9.0, 9.0, 9.0}, {99.0, 99.0, 99.0}};
+    // From rest to rest over 1 m in 1 s the jerk is 52.5 m/s^3 half-way.
+    for (const double j : {52.4, 52.6}) {
+      axis(limits.j_max, a) = j;
+      EXPECT_EQ(within_limits(segment, limits), j > 52.5) << a;
+      Limits other = limits;
+      other.j_max = {0.0, 0.0, 0.0};
+      axis(other.j_max, (a + 1) % 3) = j;
+      EXPECT_TRUE(within_limits(segment, other)) << a;
+    }
+  }
 }
 
 }  // namespace

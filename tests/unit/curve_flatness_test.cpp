@@ -128,6 +128,20 @@ TEST(FlatState, SingularitiesAreNamedAndTotal) {
   }
 }
 
+TEST(FlatState, NumbersThatAreNoneGiveALevelAttitude) {
+  // 1e200: a number, but its square is none.
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1e200}) {
+    for (int a = 0; a < 6; ++a) {
+      Sample sample{};
+      axis(a < 3 ? sample.acceleration : sample.jerk, a % 3) = bad;
+      const FlatState state = flat_state(sample, kNorth);
+      EXPECT_EQ(state.singularity, Singularity::kNotFinite) << a;
+      EXPECT_EQ(state.thrust, kGravity);
+      expect_near(column(state, 2), {0, 0, 1}, 0.0);
+    }
+  }
+}
+
 TEST(FlatState, UpsideDownIsARotationToo) {
   Sample sample{};
   sample.acceleration = {0.3, 0.2, -3.0 * kGravity};

@@ -239,7 +239,34 @@ TEST(ExportCrazyflie, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(crazyflie_compressed(tern_test::hover(1.0), nullptr, bytes, sizeof bytes - 1, used),
             Status::kInvalidArgument);
   EXPECT_EQ(crazyflie_compressed(Trajectory{}, nullptr, bytes, sizeof bytes, used), Status::kInvalidArgument);
+  far.count = kMaxSegments + 1;
+  EXPECT_EQ(crazyflie_compressed(far, nullptr, bytes, 1 << 20, used), Status::kInvalidArgument);
   EXPECT_EQ(used, -1);
+  Poly4d piece{};
+  EXPECT_EQ(poly4d(far, nullptr, 0, piece), Status::kInvalidArgument);
+}
+
+/// As many pieces as there may be, each of 45 bytes after 8 of the start, and what ends them.
+TEST(ExportCrazyflie, AllPiecesAreReadAndNoMore) {
+  Trajectory full{};
+  full.count = kMaxSegments;
+  for (Segment& segment : full.segments) segment.duration = 0.5;
+  std::uint8_t bytes[crazyflie_compressed_bytes(kMaxSegments) + 45];
+  std::int32_t used = 0;
+  ASSERT_EQ(crazyflie_compressed(full, nullptr, bytes, sizeof bytes, used), Status::kOk);
+  Trajectory read{};
+  ASSERT_EQ(crazyflie_decompressed(bytes, used, full, read), Status::kOk);
+  EXPECT_EQ(read.count, kMaxSegments);
+  for (const std::int32_t end : {used - 2, used - 1}) {
+    bytes[end] = 1;
+    EXPECT_EQ(crazyflie_decompressed(bytes, used, full, read), Status::kInvalidArgument) << "the end has a duration";
+    bytes[end] = 0;
+  }
+  std::memcpy(bytes + used - 3, bytes + 8, 45);
+  std::memset(bytes + used + 42, 0, 3);
+  EXPECT_EQ(crazyflie_decompressed(bytes, used + 45, full, read), Status::kInvalidArgument) << "one piece too many";
+  const std::uint8_t nothing[11] = {};
+  EXPECT_EQ(crazyflie_decompressed(nothing, 11, full, read), Status::kInvalidArgument) << "no piece";
 }
 
 TEST(ExportLimits, AreTheParameters) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "base/math.hpp"
 #include "fence/fence_layer.hpp"
 #include "fence/fences.hpp"
 #include "support/corridor_reference.hpp"
@@ -102,6 +103,17 @@ TEST_F(FencesTest, KeepInsAreClosed) {
   EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.0001, 1.0, 1.0}, 0.2));
 }
 
+TEST_F(FencesTest, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
+  for (const double far : {50.0, 1e300}) {
+    ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{2.0, 0.0, 0.0}, far}}), Status::kOk);
+    EXPECT_TRUE(fences_clear(*fences_, {0.1, 1.0, 1.0}, {3.9, 1.0, 1.0}, 0.2));
+    ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{2.0, 0.0, 0.0}, -far}}), Status::kOk);
+    EXPECT_FALSE(fences_clear(*fences_, {0.1, 1.0, 1.0}, {0.1, 1.0, 1.0}, 0.2));
+  }
+  // 1e308 / 1e-3 is no number.
+  EXPECT_EQ(load_one(FenceKind::kKeepIn, {{{1e-3, 0.0, 0.0}, 1e308}}), Status::kNonFiniteInput);
+}
+
 TEST_F(FencesTest, RefusesWhatIsNoFence) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Halfspace good{{1.0, 0.0, 0.0}, 2.0};
@@ -114,6 +126,7 @@ TEST_F(FencesTest, RefusesWhatIsNoFence) {
   EXPECT_EQ(load({{&good, 1, static_cast<FenceKind>(7)}}), Status::kInvalidArgument);
   EXPECT_EQ(load_fences(world_.grid, nullptr, 1, *fences_), Status::kInvalidArgument);
   EXPECT_EQ(load_fences(world_.grid, nullptr, -1, *fences_), Status::kInvalidArgument);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, 0, *fences_), Status::kOk);
   EXPECT_EQ(load(std::vector<Fence>(tern::kMaxFences + 1, {&good, 1, FenceKind::kKeepIn})), Status::kFencesFull);
   EXPECT_EQ(load_one(FenceKind::kKeepOut, std::vector<Halfspace>(tern::kMaxFencePlanes + 1, good)),
             Status::kFencePlanesFull);
@@ -184,6 +197,22 @@ TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
       ASSERT_LE(out, dot3(h.normal, {2.0, 2.0, 1.0}) + 0.5 + 1e-4);
     }
   }
+}
+
+TEST_F(FencesTest, CornersThatFitInNoWayAreRefused) {
+  // Pyramids as flat as a billionth of a radian all around a ball of 0.5 m: what rounding leaves of their edges is
+  // farther apart than the coarsest tolerance.
+  Random random(8);
+  std::vector<Halfspace> planes;
+  while (static_cast<int>(planes.size()) + 4 <= tern::kMaxFencePlanes) {
+    const Vec3 n = random_unit(random);
+    const Vec3 u = tern::perpendicular(n);
+    for (const Vec3& side : {u, -1.0 * u, cross(n, u), cross(u, n)}) {
+      const Vec3 m = n + 1e-9 * side;
+      planes.push_back({m, dot3(m, {2.0, 2.0, 1.0}) + 0.5 * norm3(m)});
+    }
+  }
+  EXPECT_EQ(load_one(FenceKind::kKeepOut, planes), Status::kFencePlanesFull);
 }
 
 TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {

@@ -207,7 +207,11 @@ TEST(NearestFree, SearchesTheWholeGridAndSaysWhereNothingIsFree) {
   EXPECT_EQ(out.z, 4);
   ASSERT_TRUE(tern::nearest_free_voxel(owned.grid, {-1e300, 1e300, 7.0}, out));
   EXPECT_EQ(out.x, 129);
-  EXPECT_FALSE(tern::nearest_free_voxel(owned.grid, {std::nan(""), 0.0, 0.0}, out));
+  for (const Vec3 p : {Vec3{std::nan(""), 0.0, 0.0}, Vec3{0.0, HUGE_VAL, 0.0}, Vec3{0.0, 0.0, std::nan("")}}) {
+    EXPECT_FALSE(tern::nearest_free_voxel(owned.grid, p, out));
+  }
+  EXPECT_FALSE(tern::nearest_free_voxel(tern::Grid(), {0.0, 0.0, 0.0}, out)) << "no storage to read";
+  EXPECT_EQ(out.x, 129);
 }
 
 }  // namespace

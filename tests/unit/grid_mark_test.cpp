@@ -127,6 +127,7 @@ TEST_F(GridMark, RefusesBoxesThatAreNone) {
   EXPECT_EQ(grid.clear_box({{0, 0, 0}, {1, std::numeric_limits<double>::infinity(), 1}}), Status::kNonFiniteInput);
   EXPECT_EQ(grid.mark_box({{0, 0.2, 0}, {1, 0.1, 1}}), Status::kInvalidArgument);
   EXPECT_EQ(grid.clear_box({{0.2, 0, 0}, {0.1, 1, 1}}), Status::kInvalidArgument);
+  EXPECT_EQ(grid.mark_box({{0, 0, 0.2}, {1, 1, 0.1}}), Status::kInvalidArgument);
   EXPECT_EQ(count_obstacles(grid), 0);
 }
 
@@ -230,6 +231,7 @@ TEST_F(GridMark, CylindersOutsideTheGridMarkNothing) {
 TEST_F(GridMark, RefusesWhatIsNoCylinder) {
   EXPECT_EQ(grid.mark_cylinder({{kNan, 0.5, 0.0}, 1.0, 1.0}), Status::kNonFiniteInput);
   EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, kNan, 1.0}), Status::kNonFiniteInput);
+  EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, 1.0, kNan}), Status::kNonFiniteInput);
   EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, -1.0, 1.0}), Status::kInvalidArgument);
   EXPECT_EQ(grid.mark_cylinder({{1.0, 0.5, 0.0}, 1.0, -1.0}), Status::kInvalidArgument);
   EXPECT_EQ(tern::Grid().mark_cylinder({{1.0, 0.5, 0.0}, 1.0, 1.0}), Status::kInvalidArgument);

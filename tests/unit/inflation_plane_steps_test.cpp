@@ -105,6 +105,18 @@ TEST(InflationPlaneSteps, ALargerBallIsNotFollowed) {
   }
 }
 
+/// In a low grid a ball may reach few planes and more than a word along x.
+TEST(InflationPlaneSteps, ABallBeyondAWordIsNotFollowed) {
+  for (const int cells : {63, 64}) {
+    OwnedGrid owned(whole_grid({200, 20, 5}, 0.1, 0.1 * cells));
+    const Stencil stencil(owned.grid.spec());
+    PlaneSteps steps(owned.grid, stencil);
+    steps.begin({0, {0, 64}, {0, 1}}, 0);
+    steps.advance();
+    EXPECT_EQ(steps.known(), cells == 63);
+  }
+}
+
 TEST(InflationPlaneSteps, RestsWhereMarksAreOfNoUse) {
   OwnedGrid owned(whole_grid({20, 20, 90}, 0.1, 0.2));
   const Stencil stencil(owned.grid.spec());

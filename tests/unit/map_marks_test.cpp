@@ -91,4 +91,17 @@ TEST_F(MapMarks, TheRevisionGrowsWithEitherGrid) {
   EXPECT_GT(owned.map.revision(), revision);
 }
 
+// Both grids take the last of the map's words, the route grid first.
+TEST_F(MapMarks, AGridWhoseWordsWereBoundAnewCountsForNothing) {
+  const std::uint64_t revision = owned.map.revision();
+  ASSERT_GT(owned.map.safe().revision(), 0u);
+  const tern::GridSpec spec = owned.map.route().spec();
+  const std::size_t count = tern::grid_words(spec.dims);
+  tern::Grid other;
+  ASSERT_EQ(other.bind(spec, owned.words.data() + (owned.words.size() - 2 * count), count), Status::kOk);
+  EXPECT_FALSE(owned.map.route().bound());
+  EXPECT_LT(owned.map.revision(), revision);
+  EXPECT_EQ(owned.map.revision(), owned.map.safe().revision());
+}
+
 }  // namespace

@@ -177,6 +177,24 @@ TEST_F(ViasPlan, AStartThatMustStopFirstStillPassesItsVias) {
   expect_passes();
 }
 
+// No programme that begins towards the boundary has a solution, but one along the segments from stop to stop has.
+// From a via to itself there is no such segment, so there the plan stays what it is.
+TEST_F(ViasPlan, AStartThatMustStopFirstPassesTheSamePointTwiceFromStopToStop) {
+  world_.from({1.0, 0.375, 1.0});  // exact in doubles: a via and the goal are one point in any frame
+  world_.request.start.velocity = {0.0, -1.0, 0.0};
+  for (const Quality quality : {Quality::kOptimised, Quality::kStopAndGo}) {
+    via({3.0, 2.5, 1.0});
+    ASSERT_EQ(plan(), Status::kOk);
+    EXPECT_EQ(report().quality, quality) << vias_.size();
+    expect_passes();
+  }
+  vias_.pop_back();
+  via({7.0, 1.0, 1.0});  // nor from a via to the goal, in the same place
+  ASSERT_EQ(plan(), Status::kOk);
+  EXPECT_EQ(report().quality, Quality::kStopAndGo);
+  expect_passes();
+}
+
 TEST_F(ViasPlan, SlicesChangeNoBit) {
   via({4.0, 3.0, 1.0}).tolerance = 0.1;
   via({6.0, 2.0, 1.0}).stop = true;

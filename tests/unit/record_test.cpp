@@ -299,6 +299,10 @@ TEST(Record, RunsOfObstaclesThatAreNoneAreDamage) {
   EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 1)), Status::kRecordDamaged);    // the equal word is missing
   EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 2)), Status::kRecordDamaged);    // all of them are missing
   EXPECT_EQ(read_whole(altered(free, last, 4 * kWords + 3)), Status::kRecordDamaged);    // no kind of run
+  Bytes longer = free;
+  longer.insert(longer.end() - 8, 8, 0);
+  constexpr std::size_t kLengthWord = 3;
+  EXPECT_EQ(read_whole(altered(longer, kLengthWord, longer.size() / 8)), Status::kRecordDamaged);  // a word too many
   // All solid: a run of equal words. A voxel beyond the grid is none.
   world.block({0.0, 0.0, 0.0}, {2.0, 2.0, 1.0});
   world.plan();
@@ -327,6 +331,10 @@ TEST(Record, RequestsThatCannotBeWrittenAreRefused) {
   world.request.via_count = 1;
   EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
   world.request.via_count = -1;
+  EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
+  const std::vector<Via> many(kMaxVias + 1);
+  world.request.vias = many.data();
+  world.request.via_count = kMaxVias + 1;
   EXPECT_EQ(write(bytes.data(), &used), Status::kInvalidArgument);
   world.request.via_count = 0;
   Fence fence{nullptr, 3, FenceKind::kKeepIn};

@@ -128,6 +128,26 @@ TEST(PathStops, KeptStopsFollowTheMap) {
   EXPECT_GT(kept, 0) << "nothing was ever kept";
 }
 
+/// A flat map has more lines across it than a layer holds: there scans go step by step, after a change, too.
+TEST(PathStops, LayersThatDoNotFitForgetNothing) {
+  static_assert(1100 * 1100 > tern::kJumpStopWords, "the map must not fit");
+  Scans scans;
+  VoxelWorld world({1, 1100, 1100});
+  tern::scan_begin(*scans.map, world.grid);
+  EXPECT_EQ(scans.map->along[0].words, 0);
+  const Voxel from[] = {{0, 40, 40}, {0, 1080, 40}, {0, 1090, 1090}, {0, 40, 1090}};
+  // In a block of rows within the map, and in the last one, which ends with it.
+  for (const Voxel& change : {Voxel{0, 41, 60}, Voxel{0, 1099, 41}, Voxel{0, 1050, 1089}}) {
+    for (int m = 0; m < 80; ++m) {
+      for (const Voxel& at : from) ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, at));
+    }
+    world.block(change);
+    tern::scan_begin(*scans.map, world.grid);
+  }
+  for (const Voxel& at : from) ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, at));
+  EXPECT_GT(scans.something, 0);
+}
+
 /// Another grid with as many changes, over the same memory, is another map.
 TEST(PathStops, AnotherMapOfThatShapeIsNotTakenForTheOldOne) {
   Scans scans;

@@ -111,6 +111,55 @@ TEST(PathOpenList, PutsBackWhatItTakes) {
   EXPECT_EQ(f.open->high, 1);
 }
 
+/// Opens the voxel (20 + k, 50, 60) with this f, in bins.
+std::uint32_t open_at(Fixture& f, int k, std::uint64_t bin) {
+  const Voxel voxel{20 + k % 100, 50, 60 - k / 100};
+  const std::uint32_t index = tern::store_find_or_add(*f.store, voxel);
+  tern::SearchNode& node = f.store->nodes[index];
+  const tern::Cost h = tern::octile(voxel, kGoal);
+  node.g = (bin << tern::kBinBits) - h;
+  EXPECT_TRUE(tern::open_put(*f.open, *f.store, index, tern::open_key(node.g, h, node.voxel)));
+  return index;
+}
+
+TEST(PathOpenList, IsNotReadyWithoutAnEntry) {
+  Fixture f;
+  EXPECT_FALSE(tern::open_ready(*f.open, *f.store, kGoal));
+  EXPECT_EQ(f.open->count, 0);
+}
+
+TEST(PathOpenList, FindsTheBinsOfTheRingThatAreBehind) {
+  Fixture f;
+  tern::Cost cost = 0;
+  const std::uint64_t first = 64 * 1000 + 10;
+  const std::uint32_t near = open_at(f, 0, first);
+  ASSERT_EQ(f.take(cost), near);
+  // All but round: in the ring these lie before the first, in the same word of bins and in the one before.
+  const std::uint32_t far = open_at(f, 1, first + tern::kBins - 3);
+  const std::uint32_t nearer = open_at(f, 2, first + tern::kBins - 20);
+  EXPECT_EQ(f.take(cost), nearer);
+  EXPECT_EQ(f.take(cost), far);
+  EXPECT_EQ(cost, (first + tern::kBins - 3) << tern::kBinBits);
+  EXPECT_EQ(f.open->count, 0);
+}
+
+TEST(PathOpenList, PassesOverMoreEntriesThanOneCallMoves) {
+  Fixture f;
+  tern::Cost cost = 0;
+  const std::uint64_t bin = 64 * 1000;
+  const std::uint32_t last = open_at(f, 0, bin + 40);
+  for (int k = 1; k <= 700; ++k) open_at(f, k, bin + 40);
+  for (int k = 1; k <= 700; ++k) open_at(f, k, bin + 20);
+  for (int k = 1; k <= 700; ++k) ASSERT_NE(f.take(cost), last);
+  EXPECT_EQ(cost, (bin + 20) << tern::kBinBits);
+  int calls = 1;
+  while (!tern::open_ready(*f.open, *f.store, kGoal)) ++calls;
+  EXPECT_EQ(calls, 3) << "256 of 701 entries a call";
+  EXPECT_EQ(f.take(cost), last);
+  EXPECT_EQ(cost, (bin + 40) << tern::kBinBits);
+  EXPECT_EQ(f.open->count, 0);
+}
+
 TEST(PathOpenList, OrderIsCostThenHeuristicThenVoxel) {
   const tern::Cost one = tern::kStraightCost;
   EXPECT_TRUE(tern::before(tern::open_key(one, one, 9), tern::open_key(2 * one, one, 1)));
