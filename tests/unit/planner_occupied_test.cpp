@@ -111,6 +111,7 @@ TEST_F(OccupiedEnds, AViaAtSuchAStartIsOccupied) {
   world_.request.vias = &via;
   world_.request.via_count = 1;
   EXPECT_EQ(world_.plan(), Status::kViaOccupied);
+  EXPECT_EQ(report().via, 0);
   EXPECT_FALSE(report().raw_occupied);
   EXPECT_TRUE(report().has_nearest_free);
   EXPECT_TRUE(world_.trajectory_untouched());

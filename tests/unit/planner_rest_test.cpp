@@ -78,6 +78,13 @@ TEST_F(RestBeforeAWall, IsFullWhereALastSegmentIsBlocked) {
   EXPECT_TRUE(world_.trajectory_untouched());
 }
 
+/// More segments would not have helped the search.
+TEST_F(RestBeforeAWall, LeavesASpentBudgetWhereItWas) {
+  world_.request.budget.expansions = 0;
+  EXPECT_EQ(plan_after(2.8), Status::kBudgetSearch);
+  EXPECT_EQ(world_.report.stage, Stage::kSearch);
+}
+
 TEST_F(RestBeforeAWall, IsTriedAgainWhereItLedToTheGoal) {
   world_.to({5.0, 1.0, 1.0});
   EXPECT_EQ(plan_after(4.0), Status::kNoPath);

@@ -64,8 +64,8 @@ void FlightState::end_part() noexcept {
   const std::int64_t until = watched_commitment().begin + nanoseconds(watch.report().until);
   if (watched_part == Watched::kAlarm) {
     known = proven;
-  } else if (watched_part == Watched::kBefore && (proven || until >= next.begin)) {
-    watch_part(Watched::kLatest);
+  } else if (watched_part == Watched::kBefore && (proven || until >= next.begin || next.evades)) {
+    watch_part(Watched::kLatest);  // a brake that takes over was proven, and answers for what is flown until then
   } else if (proven) {
     threat = evaded = has_alarm = false;
   } else {

@@ -118,12 +118,13 @@ Progress Plan::run_previous(Work& work) noexcept {
 /// The reason for the plan's failure stays the same, unless the rest lacked only segments.
 Progress Plan::drop_previous(Status why) noexcept {
   if (tries_rest_) return end_trial(false);
+  const Stage stage = failed_stage_;
   const Status first = failed_status_;
   if (why == Status::kSegmentsFull) {
     failed_stage_ = Stage::kPrevious;
     failed_status_ = why;
   }
-  fail(failed_stage_, first);
+  fail(stage, first);
   return Progress::kFailed;
 }
 
