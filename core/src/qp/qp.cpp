@@ -198,6 +198,16 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   start(problem, solver);
 }
 
+void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution) noexcept {
+  const bool entering = solver.phase == QpPhase::kStep;
+  give_up(problem, solver, Status::kIterationLimit, solution);
+  if (!entering) return;
+  const QpRow row = solver.entering;
+  solution.active[solution.active_count] = row;
+  solution.multiplier[solution.active_count] = solver.entering_multiplier * solver.planes.scale[row.plane];
+  ++solution.active_count;
+}
+
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
   if (!solver.usable) return refuse(solver, solution);
   for (int unit = 0; unit <= kMaxQpIterations; ++unit) {

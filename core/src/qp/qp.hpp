@@ -111,6 +111,9 @@ Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolu
 double qp_lower_bound(const QpSolver& solver) noexcept;
 constexpr double kQpNoBound = 1e300;
 
+/// Ends a solve where there is such a bound, and fills `solution` with the x and the multipliers that it belongs to.
+void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution) noexcept;
+
 }  // namespace tern
 
 #endif

@@ -81,6 +81,10 @@ void curvature_scale(Curvature& curvature, double factor, int count) noexcept {
 
 void newton_step(Curvature& curvature, const double* extra, const double* descent, int count, double* step) noexcept {
   factorise(curvature, extra, count);
+  solve_curvature(curvature, descent, count, step);
+}
+
+void solve_curvature(const Curvature& curvature, const double* descent, int count, double* step) noexcept {
   const double* const factor = curvature.factor;
   for (int i = 0; i < count; ++i) {
     step[i] = (descent[i] - sum_of_products(factor + row(i), step, i)) / factor[row(i) + i];

@@ -33,6 +33,9 @@ void curvature_scale(Curvature& curvature, double factor, int count) noexcept;
 /// The step with  (curvature + diag(extra)) step = descent.  extra >= 0.
 void newton_step(Curvature& curvature, const double* extra, const double* descent, int count, double* step) noexcept;
 
+/// The same for another descent, with the factor of the last newton_step.
+void solve_curvature(const Curvature& curvature, const double* descent, int count, double* step) noexcept;
+
 }  // namespace tern
 
 #endif

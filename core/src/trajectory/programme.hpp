@@ -42,6 +42,9 @@ struct ProgrammeScale {
 void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
+/// Its inequalities: (point, plane) pairs.
+int count_rows(const QpProblem& problem) noexcept;
+
 /// The control points that x stands for. `points`: chain.count rows of kControlPoints, local frame. Joints are the same
 /// bits on both sides; the outermost control points are the start and the goal, bit for bit.
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

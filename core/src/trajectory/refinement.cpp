@@ -110,6 +110,7 @@ void keep(Refinement& refinement, const Round& round, const Chain& chain) {
   }
   refinement.best = round.offer;
   refinement.spent = 0;
+  move_base(refinement.planes, step, chain.count);
   if (first) return guess_curvature(refinement, chain.count);
   curvature_learn(refinement.curvature, step, change, chain.count);
 }
@@ -132,6 +133,8 @@ double retime(Refinement& refinement, Chain& chain) {
     descent[i] = refinement.prices[i] - extra[i];
   }
   newton_step(refinement.curvature, extra, descent, chain.count, step);
+  const double snap = refinement.best.snap / seventh_power(refinement.best.stretch);
+  if (refinement.planes.found > 0) bend_step(refinement.planes, refinement.curvature, snap, chain.count, step);
   const double beyond = excess(step, chain.count);
   const double scale = beyond > refinement.radius ? refinement.radius / beyond : 1.0;
   refinement.reach = scale * beyond;
@@ -151,10 +154,13 @@ void raise_rate(Refinement& refinement, const Chain& chain, double rate) {
   if (refinement.elastic) best.stretch = smaller(last, larger(best.least, cheapest_stretch(best, rate)));
   best.cost = cost_of(best, rate);
   const double factor = best.stretch / last;
+  double step[kMaxSegments];
   for (int i = 0; i < chain.count; ++i) {
     refinement.base[i] = factor * refinement.base[i];
     refinement.prices[i] = refinement.prices[i] / seventh_power(factor);
+    step[i] = logarithm(factor);
   }
+  move_base(refinement.planes, step, chain.count);
   curvature_scale(refinement.curvature, 1.0 / seventh_power(factor), chain.count);
 }
 
@@ -184,10 +190,23 @@ void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   }
 }
 
-/// Halfway back to the best plan, and no further until a step succeeds.
-void retreat(Refinement& refinement, Chain& chain) {
+void add_plane(Refinement& refinement, const Round& round, const Chain& chain) {
+  double step[kMaxSegments];
+  for (int i = 0; i < chain.count; ++i) step[i] = logarithm(chain.duration[i] / refinement.base[i]);
+  add_plane(refinement.planes, round.offer.snap, round.prices, step, chain.count);
+}
+
+/// Halfway back to the best plan, and no further until a step succeeds. Where the programme that was abandoned says
+/// which durations are too short, a shorter step in another direction.
+void retreat(Refinement& refinement, const Round& round, Chain& chain) {
   ++refinement.failures;
+  if (round.bounded) add_plane(refinement, round, chain);
   if (refinement.failures > kRungFailures) return next_rung(refinement, chain);
+  if (round.bounded) {
+    refinement.radius = kBentPart * refinement.reach;
+    retime(refinement, chain);
+    return;
+  }
   refinement.reach *= 0.5;
   refinement.radius = refinement.reach;
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = square_root(chain.duration[i] * refinement.base[i]);
@@ -211,7 +230,7 @@ void descend(Refinement& refinement, const Round& round, Chain& chain) {
   refinement.spent += round.iterations;
   if (round.better) return advance(refinement, round, chain);
   if (refinement.round == kRungRounds) return next_rung(refinement, chain);
-  retreat(refinement, chain);
+  retreat(refinement, round, chain);
 }
 
 }  // namespace
@@ -226,6 +245,7 @@ void refinement_begin(Refinement& refinement, const Chain& chain, const Question
   refinement.weight = question.weight;
   refinement.rate = question.unit * weight_of(refinement, refinement.rung);
   refinement.best = Offer{0.0, kNoPlan, 1.0, 1.0, kNoPlan};
+  refinement.planes.found = 0;
   for (int i = 0; i < chain.count; ++i) refinement.base[i] = chain.duration[i];
 }
 

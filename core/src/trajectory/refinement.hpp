@@ -22,6 +22,7 @@
 
 #include "times/chain.hpp"
 #include "trajectory/curvature.hpp"
+#include "trajectory/cutting_planes.hpp"
 
 namespace tern {
 
@@ -62,14 +63,16 @@ struct Refinement {
   double base[kMaxSegments];    ///< durations of that plan, stretched; of the feasibility phase, the last ones tried
   double prices[kMaxSegments];  ///< of each segment's time in that plan, m^2/s^7
   Curvature curvature;          ///< of its snap
+  CuttingPlanes planes;         ///< of programmes that were abandoned
 };
 
 /// What became of the round's programme.
 struct Round {
   bool better;                  ///< a plan came of it that keeps everything and improves on the best one
+  bool bounded;                 ///< or it was abandoned, and its bound is known
   int iterations;               ///< that it took
-  Offer offer;                  ///< that plan
-  double prices[kMaxSegments];  ///< of each segment's time, before the stretch
+  Offer offer;                  ///< that plan; of a bound, the snap alone
+  double prices[kMaxSegments];  ///< of each segment's time in that plan or bound, before the stretch
 };
 
 constexpr int kFeasibilityRounds = 6;
@@ -87,6 +90,8 @@ constexpr double kLeastPrice = 0.1;
 /// How long the descent stays on a rung.
 constexpr int kRungRounds = 24;
 constexpr int kRungFailures = 4;
+/// A step that bends away from cutting planes is this part of the last one, at most.
+constexpr double kBentPart = 0.7;
 /// Parts of the cost: what each iteration should gain, and what each round should.
 constexpr double kGainPerIteration = 5e-5;
 constexpr double kLeastGain = 1e-5;

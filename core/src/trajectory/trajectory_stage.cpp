@@ -44,15 +44,6 @@ bool stays(const Corridor& corridor) {
   return true;
 }
 
-int count_rows(const QpProblem& problem) {
-  int rows = 0;
-  for (int g = 0; g < problem.group_count; ++g) {
-    const QpGroup& group = problem.groups[g];
-    rows += (group.point_end - group.point_begin) * (group.plane_end - group.plane_begin);
-  }
-  return rows;
-}
-
 int most(int a, int b) {
   return a < b ? b : a;
 }
@@ -198,12 +189,25 @@ bool give_up_tolerances(TrajectoryStage& stage) {
   return had_some;
 }
 
+/// What an abandoned programme says about the durations of a chain with vias. Other chains do without.
+void weigh_bound(TrajectoryStage& stage) {
+  Round& round = stage.round;
+  const double bound = qp_lower_bound(stage.solver);
+  round.bounded = stage.chain.hold_count > 0 && stage.best.found && bound > -kQpNoBound;
+  if (!round.bounded) return;
+  round.offer.snap = stage.scale.snap_per_cost * bound + stage.fixed_snap;
+  qp_abandon(stage.solver, stage.problem, stage.solution);
+  read_points(stage.chain, stage.scale, stage.solution, stage.points);
+  time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
+}
+
 void judge(TrajectoryStage& stage, const Corridor& corridor) {
   if (stage.solve_status == Status::kNumerical && give_up_tolerances(stage)) {
     stage.phase = TrajectoryPhase::kPropose;
     return;
   }
   stage.round.better = false;
+  weigh_bound(stage);
   if (stage.solve_status == Status::kOk) accept(stage, corridor);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
