@@ -46,11 +46,9 @@ int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& heade
   put(at, 0, 2);  // no field is masked
   *at++ = header.target_system;
   *at++ = header.target_component;
-  *at++ = kLocalNed;
-  int length = kPayload;
-  while (length > 1 && frame[kHeader + length - 1] == 0) --length;
+  *at++ = kLocalNed;  // not 0: so MAVLink 2 has no zeros to leave out at the end
   const uint8_t head[kHeader] = {kMagic,
-                                 static_cast<uint8_t>(length),
+                                 kPayload,
                                  0,
                                  0,
                                  header.sequence,
@@ -61,11 +59,11 @@ int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& heade
                                  0};
   __builtin_memcpy(frame, head, kHeader);
   uint16_t crc = 0xFFFF;
-  for (int i = 1; i < kHeader + length; ++i) crc = accumulate(crc, frame[i]);
+  for (int i = 1; i < kHeader + kPayload; ++i) crc = accumulate(crc, frame[i]);
   crc = accumulate(crc, kCrcExtra);
-  at = frame + kHeader + length;
+  at = frame + kHeader + kPayload;
   put(at, crc, 2);
-  return kHeader + length + 2;
+  return kHeader + kPayload + 2;
 }
 
 }  // namespace tern

@@ -155,10 +155,6 @@ Box box_around(const Vec3* points, int count) noexcept {
   return box;
 }
 
-bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept {
-  return boxes_apart(box_around(points, count), box, distance) || plane_between(points, count, box, distance);
-}
-
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept {
   const GridSpec& spec = grid.spec();
   const double distance = clearance.distance;

@@ -14,10 +14,6 @@ namespace tern {
 /// The box around the points.
 Box box_around(const Vec3* points, int count) noexcept;
 
-/// True only where the hull of the points keeps `distance` > 0 from the closed box. The answer may be false although
-/// the hull keeps it, but hardly where the points lie nearly on a line.
-bool hull_apart(const Vec3* points, int count, const Box& box, double distance) noexcept;
-
 /// Obstacles that do not count: those of a range of voxels that are set in another layer, too.
 struct Pardon {
   const std::uint64_t* layer = nullptr;  ///< with the rows of the grid's; null: all count
@@ -32,8 +28,9 @@ struct Clearance {
   Pardon pardon;
 };
 
-/// The same for all obstacle cubes. `found` gets the first voxel for which it is false. Reads the voxels within the
-/// distance of the hull's box.
+/// True only where the hull of the points keeps the clearance from all obstacle cubes. `found` gets the first voxel for
+/// which it is false. The answer may be false although the hull keeps it, but hardly where the points lie nearly on a
+/// line. Reads the voxels within the distance of the hull's box.
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept;
 
 }  // namespace tern
