@@ -111,7 +111,7 @@ std::string trajectory_lines(const PlanResult& result) {
 std::string yaw_line(const PlanResult& result) {
   const tern_host::YawWish& wish = result.scenario.yaw;
   const tern_host::YawPeaks peaks = tern_host::yaw_peaks(*result.yaw);
-  return "  yaw         " + std::string(tern_host::yaw_mode_word(wish.mode)) + ", rests after " +
+  return "  yaw         " + std::string(tern_host::yaw_mode_word(wish.mode)) + ", ends after " +
          fixed(tern::duration(*result.yaw), 3) + " s; rate " + fixed(peaks.rate, 3) + " of " + fixed(wish.rate_max, 3) +
          " rad/s, accel. " + fixed(peaks.acceleration, 3) + " of " + fixed(wish.acceleration_max, 3) + " rad/s^2\n";
 }

@@ -79,6 +79,14 @@ tern::Box box_of(const std::vector<double>& v, const std::string& key, const Pla
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
+tern::Box block_box(const Words& words, const Place& place) {
+  const std::vector<double> values = numbers(words, place);
+  if (values.size() != 6 && values.size() != 9) {
+    throw_count(words.front(), "6 numbers, or 9 with a colour", values.size(), place);
+  }
+  return box_of({values.begin(), values.begin() + 6}, words.front(), place);
+}
+
 bool is_fence(const std::string& key) {
   return key == "keepin" || key == "keepout" || key == "keepin_halfspaces" || key == "keepout_halfspaces";
 }

@@ -22,6 +22,9 @@ struct FenceRecord {
 /// Of six numbers, the lower corner first. Throws RecordError.
 tern::Box box_of(const std::vector<double>& values, const std::string& key, const Place& place);
 
+/// The box of a `block`, whose colour, three further numbers, has no meaning. Throws RecordError.
+tern::Box block_box(const Words& words, const Place& place);
+
 bool is_fence(const std::string& key);
 
 /// Appends the fence of a record for which is_fence() holds. Throws RecordError, also where the core takes no more.

@@ -191,7 +191,7 @@ std::string describe_failure(const tern::Report& report) {
     text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
   }
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
-  if (report.has_nearest_free) text += "; the nearest free cell is at " + point_text(report.nearest_free);
+  if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
   return text + finding_text(report.check);
 }
 

@@ -12,7 +12,7 @@
 namespace tern_host {
 
 /// One sentence on how the plan went: empty for an optimised plan, why and how it fell back for another, and what is
-/// wrong (stage, field, nearest free cell) where there is none.
+/// wrong (stage, field, nearest free voxel) where there is none.
 std::string describe_status(const tern::Report& report);
 
 /// The plan as JSON: world frame, numbers that read back to the same bits.

@@ -53,7 +53,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name, const 
 
 Scenario read_scenario(const std::string& path, const std::vector<std::string>& overrides, Ends ends) {
   FamilyMember member;
-  const std::string text = parse_member(path, member) ? scenario_text(read_flight_world(path, {})) : read_text(path);
+  const std::string text = is_member(path, member) ? scenario_text(read_flight_world(path, {})) : read_text(path);
   Scenario scenario = parse_scenario(text, path, overrides, ends);
   load_map_files(scenario);
   return scenario;

@@ -163,15 +163,11 @@ void ScenarioBuilder::check_yaw() const {
 
 void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Place& place) {
   const bool keepout = words.front() == "keepout";
-  const std::vector<double> values = numbers(words, place);
-  const bool coloured = !keepout && values.size() == 9;
-  if (values.size() != 6 && !coloured) {
-    throw_count(words.front(), keepout ? "6 numbers" : "6 numbers, or 9 with a colour", values.size(), place);
-  }
+  const tern::Box box = keepout ? box_of(numbers(words, place), words.front(), place) : block_box(words, place);
   if (scenario_.blocks.size() == kMaxBlocks) {
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
-  scenario_.blocks.push_back({box_of({values.begin(), values.begin() + 6}, words.front(), place), keepout});
+  scenario_.blocks.push_back({box, keepout});
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {

@@ -8,7 +8,7 @@ namespace tern_verify {
 namespace {
 
 constexpr std::size_t kVerdictWidth = 9;
-constexpr std::size_t kWhatWidth = 22;
+constexpr std::size_t kWhatWidth = 35;
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');

@@ -35,7 +35,7 @@ struct FlightSpec {
   uint32_t work_per_tick;
   /// Units after which a plan is dropped, > 0. With work_per_tick it says how many ticks ahead a new plan begins.
   uint32_t plan_work;
-  /// How far ahead plans lead, metres, > 0. About 1.5 times the map's range, and less than half the window.
+  /// How far ahead plans lead, metres, > 0. A little less than the map's range, and less than half the window.
   double horizon;
   /// Up to this distance along each axis, plans take the unseen for solid. Metres, >= 0.
   double near;

@@ -21,7 +21,8 @@ enum class Status : uint8_t {
 
   /// A number is NaN or infinite.
   kNonFiniteInput = 10,
-  /// An argument is null, zero, out of range or beyond a capacity, or a call came out of order.
+  /// An argument is null, zero, out of range, beyond a capacity or excluded by another one, or a call came out of
+  /// order.
   kInvalidArgument = 11,
   /// A limit or the time weight is outside its range (tern/request.hpp), or a lower limit is positive.
   kLimitsInvalid = 12,

@@ -72,7 +72,7 @@ uint8_t tern_yaw_plan_begin(tern_yaw_planner* planner, const tern_trajectory* tr
 uint8_t tern_yaw_plan_step(tern_yaw_planner* planner, uint32_t work);
 /* The plan, or the plan so far. ok or invalid_argument. */
 uint8_t tern_yaw_plan_finish(tern_yaw_planner* planner, tern_yaw_plan* plan);
-/* Seconds until the nose rests. 0 for null. */
+/* Duration in seconds: the trajectory's, and the time of half a turn. The nose may rest earlier. 0 for null. */
 double tern_yaw_duration(const tern_yaw_plan* plan);
 /* The heading at `t`: any time has an answer. For a null plan, that of an empty one. */
 void tern_yaw_evaluate(const tern_yaw_plan* plan, double t, tern_yaw_sample* sample);

@@ -90,7 +90,7 @@ struct YawPlan {
   double points[kMaxYawPieces + 3];
 };
 
-/// Seconds until the nose rests: never less than the trajectory's duration. 0 for an empty plan.
+/// Duration in seconds: the trajectory's, and the time of half a turn. The nose may rest earlier. 0 for an empty plan.
 double duration(const YawPlan& plan) noexcept;
 
 /// The heading `t` seconds after the beginning. Every input has an answer: the beginning for NaN and before it, rest

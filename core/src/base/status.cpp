@@ -63,7 +63,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kOk: return "a checked plan";
     case Status::kRunning: return "the plan has work left: call step() again";
     case Status::kNonFiniteInput: return "a field is NaN or infinite";
-    case Status::kInvalidArgument: return "a null, zero or oversized argument, or a call out of order";
+    case Status::kInvalidArgument: return "an argument is null, zero, too large or excluded by another one, or a call came out of order";
     case Status::kLimitsInvalid: return "a limit has the wrong sign or a size outside 0.001 to 1000 (jerk: to 1e6), or the time weight is outside 0.001 to 1e6";
     case Status::kOutOfMap: return "start, goal or a via lies outside the boundary";
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";

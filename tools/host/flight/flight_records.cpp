@@ -167,7 +167,7 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   if (key == "boundary") {
     world.boundary = box_of(numbers(words, place), key, place);
   } else if (key == "block") {
-    world.blocks.push_back(box_of(numbers(words, place), key, place));
+    world.blocks.push_back(block_box(words, place));
   } else if (key == "cylinder") {
     world.cylinders.push_back(cylinder_of(words, place));
   } else if (is_fence(key)) {
@@ -181,7 +181,8 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "via_policy") {
     world.via_policy = policy_of(words, place);
   } else {
-    throw RecordError(place, "there is no record " + quote(key) + " for flights");
+    const char* const hint = key == "radius" ? ": body_radius is the vehicle's, and the margins come on top" : "";
+    throw RecordError(place, "there is no record " + quote(key) + " for flights" + hint);
   }
 }
 
@@ -232,7 +233,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   FlightWorld world;
   world.name = path;
   FamilyMember member;
-  const std::string text = parse_member(path, member) ? world_text(member) : read_text(path);
+  const std::string text = is_member(path, member) ? world_text(member) : read_text(path);
   const Place end =
       for_each_record(text, path, [&](const Words& words, const Place& place) { add_record(words, place, world); });
   replace_settings(overrides, world);

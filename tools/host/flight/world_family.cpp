@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include "host/flight/family_worlds.hpp"
 #include "host/number.hpp"
+#include "host/text_records.hpp"
 
 namespace tern_host {
 namespace {
@@ -74,6 +76,20 @@ bool parse_member(const std::string& text, FamilyMember& member) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || !parse_whole(text.substr(colon + 1), member.seed)) return false;
   return parse_family(text.substr(0, colon), member);
+}
+
+bool is_member(const std::string& path, FamilyMember& member) {
+  if (parse_member(path, member)) return true;
+  if (std::filesystem::exists(path)) return false;
+  const Place place{path, 0};
+  if (parse_family(path, member)) throw RecordError(place, "a family's world needs a seed, such as " + path + ":7");
+  const std::size_t colon = path.find(':');
+  if (colon != std::string::npos && parse_whole(path.substr(colon + 1), member.seed)) {
+    std::string names;
+    for (const std::string& name : family_names()) names += (names.empty() ? "" : ", ") + name;
+    throw RecordError(place, "no file, and no family of worlds; these are " + names);
+  }
+  return false;
 }
 
 std::string world_text(const FamilyMember& member) {

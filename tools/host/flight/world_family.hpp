@@ -28,6 +28,9 @@ bool parse_family(const std::string& text, FamilyMember& member);
 /// True where the text names one world of a family.
 bool parse_member(const std::string& text, FamilyMember& member);
 
+/// The same for what may be a file's path, too. Throws RecordError where it is neither, but reads like a family.
+bool is_member(const std::string& path, FamilyMember& member);
+
 /// The world's file: obstacles, limits and seed. Equal members give equal text on every platform.
 std::string world_text(const FamilyMember& member);
 
