@@ -132,17 +132,21 @@ class Moves {
   JointState from_;
 };
 
-/// What is left of the segment that is being flown is too short to be made anew like the others. It becomes one piece
-/// with the first `joined` seconds of the next segment, or stays alone if they are 0.
-void cut_short(const Cut& cut, double joined, const State& goal, Previous& rest) {
+/// Appends what is left of the segment that is being flown, in one piece with the first `joined` >= 0 seconds of the
+/// next one, and then the other segments. An end at the goal has the motion that is asked for there.
+void append_moves(const Cut& cut, double joined, const State& goal, Previous& rest) {
   const Trajectory& plan = rest.plan;
-  const Segment& first = plan.segments[cut.segment];
-  const Segment& next = plan.segments[cut.segment + 1];
-  const bool joins = joined > 0.0;
+  Vec3 move = last_move(plan.segments[cut.segment], cut.left);
+  JointState to = joint_behind(plan, cut.segment);
+  if (joined > 0.0) {
+    const Segment& next = plan.segments[cut.segment + 1];
+    move = move + first_move(next, joined);
+    to = state_at(next, joined / next.duration);
+  } else if (cut.segment + 1 == plan.count && rest.meets_goal) {
+    to = as_asked(goal, to);
+  }
   Moves moves(cut, rest);
-  moves.append_move(last_move(first, cut.left) + first_move(next, joined),
-                    joins ? state_at(next, joined / next.duration) : joint_behind(plan, cut.segment),
-                    cut.left + joined);
+  moves.append_move(move, to, cut.left + joined);
   for (int i = cut.segment + 1; i < plan.count; ++i) {
     const Segment& segment = plan.segments[i];
     const double left = i == cut.segment + 1 ? segment.duration - joined : segment.duration;
@@ -188,8 +192,8 @@ void cut_previous(const Grid& grid, const Request& request, Previous& rest) noex
   const Vec3 end = (plan.origin - request.start.position) + plan.segments[plan.count - 1].points[kDegree];
   rest.meets_goal = distance(end, request.goal.position - request.start.position) <= contact_tolerance(grid.spec());
   if (cut.segment == plan.count) return;
-  rest.last_try = cut.left < kLeastRest ? kPreviousTries : 2;
-  if (cut.left < kLeastRest) return cut_short(cut, joined_at(plan, cut, 0), request.goal, rest);
+  rest.last_try = cut.left < kLeastRest ? kPreviousTries : kLongRestTries;
+  if (cut.left < kLeastRest) return append_moves(cut, joined_at(plan, cut, 0), request.goal, rest);
   JointState from = state_of(cut);
   from.d[0] = kZero;
   for (int i = cut.segment; i < plan.count; ++i) {
@@ -207,9 +211,9 @@ void cut_again(const Request& request, Previous& rest) noexcept {
   const Cut cut = cut_at(plan, request.previous_time);
   const bool is_short = cut.left < kLeastRest;
   const double joined = is_short ? joined_at(plan, cut, rest.tries - 1) : 0.0;
-  rest.in_place = !is_short || rest.tries == kPreviousTries;
+  rest.in_place = rest.tries == (is_short ? kPreviousTries : kLongRestTries - 1);
   begin_rest(rest.in_place ? plan.origin : request.start.position, rest);
-  if (!rest.in_place) return cut_short(cut, joined, request.goal, rest);
+  if (!rest.in_place) return append_moves(cut, joined, request.goal, rest);
   int next = cut.segment + 1;
   if (joined > 0.0) {
     const Segment& after = plan.segments[next++];

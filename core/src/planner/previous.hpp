@@ -20,6 +20,9 @@ constexpr std::int32_t kFollowed = 3;
 /// Ways in which the rest is tried at most: cut_previous(), then cut_again().
 constexpr int kPreviousTries = 6;
 
+/// The same if kLeastRest or more is left of the segment that is being flown.
+constexpr int kLongRestTries = 3;
+
 /// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
 /// ends would round its derivatives too much.
 constexpr double kLeastRest = 1e-3;
@@ -35,7 +38,7 @@ struct Previous {
   int next;         ///< the first segment that has no polyhedron yet
   int enclosed;     ///< parts of segments that have a polyhedron
   int tries;        ///< 0 .. last_try
-  int last_try;     ///< kPreviousTries if less than kLeastRest is left of the first segment; else 2
+  int last_try;     ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
   bool flown;       ///< the current plan begins with it
   bool meets_goal;  ///< it ends at the goal of the current plan
   bool in_place;    ///< `origin` is that of the previous plan; else the requested start
@@ -55,9 +58,9 @@ bool previous_fits(const Request& request) noexcept;
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
 /// Cuts rest.plan once more, for try number rest.tries, 2 .. rest.last_try, as the one before failed. The rest must not
-/// be empty. In the frame of the previous plan, where all segments but the first keep their bits: moving coordinates
-/// rounds them. Or, if less than kLeastRest is left of the first, as cut_previous() does, with less of the next
-/// segment, then with none.
+/// be empty. In the frame of the previous plan, all segments but the first keep their bits, where moving coordinates
+/// rounds them; then relative to the requested start, each segment by how far it moves. If less than kLeastRest is left
+/// of the first, as cut_previous() does, with less of the next segment, then with none, and last in that frame.
 void cut_again(const Request& request, Previous& rest) noexcept;
 
 /// The end of the rest, relative to `origin`. The rest must not be empty.
