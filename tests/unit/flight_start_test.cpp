@@ -41,6 +41,21 @@ TEST(FlightStart, BeforeItThereIsNowhereToRest) {
   EXPECT_EQ(room.flight.rest_position().x, room.start.x);
 }
 
+TEST(FlightStart, VehicleRestsUntilItsFirstPlanTakesOver) {
+  FlightRoom room;
+  ASSERT_EQ(room.flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  bool committed = false;
+  while (!room.state().has_next || room.time < room.state().next.begin) {
+    ASSERT_LT(room.time, 1000000000);
+    room.tick();
+    committed = committed || room.report.committed;
+    EXPECT_EQ(room.report.mode, FlightMode::kRest) << room.time;
+  }
+  EXPECT_TRUE(committed);
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kFly);
+}
+
 TEST(FlightStart, RouteCopyNeedsItsWords) {
   FlightRoom room;
   const std::size_t count = grid_words(FlightRoom::map_spec().dims);

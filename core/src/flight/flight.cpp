@@ -134,7 +134,7 @@ void FlightState::take_over() noexcept {
 FlightMode FlightState::mode() const noexcept {
   const bool gave_up = parked && rests();
   if (alarmed || (threat && !gave_up)) return FlightMode::kThreat;
-  if (rests()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
+  if (hovers()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
 

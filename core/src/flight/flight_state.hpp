@@ -154,6 +154,8 @@ class FlightState {
   const Commitment& latest() const noexcept { return has_next ? next : now; }
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
+  /// Also before the takeover of what was committed at rest, and on what start() begins with.
+  bool hovers() const noexcept { return time >= rest_begins() || !(duration(now.flown) > kMinDuration); }
   /// Where nothing new takes over before; two ticks more or less do not matter.
   bool rests_at_takeover() const noexcept { return takeover + 2 * spec.tick >= rest_begins(); }
   void take_over() noexcept;
