@@ -121,6 +121,25 @@ TEST(FlightSlowDown, SharpestBrakesAtTheLimit) {
   EXPECT_NEAR(evaluate(slow, time).position.x, 4.0 * 0.5 * time, 1e-12);
 }
 
+/// 0.6 m/s along x at 40 m/s^3: the root of 10 / 3^0.5 * 0.6 / 40 seconds. At 8 m/s^2 alone, it would be the least
+/// time.
+TEST(FlightSlowDown, SharpestKeepsTheLimitOfJerk) {
+  Limits limits{{5.0, 5.0, 5.0}, {8.0, 8.0, 8.0}};
+  EXPECT_DOUBLE_EQ(slow_down_time({0.6, 0.0, 0.0}, MotionLimits(limits), 0), 0.2);
+  limits.j_max = {40.0, 40.0, 40.0};
+  const double time = slow_down_time({0.6, 0.0, 0.0}, MotionLimits(limits), 0);
+  EXPECT_DOUBLE_EQ(time, std::sqrt(10.0 / std::sqrt(3.0) * 0.6 / 40.0));
+  Trajectory straight{};
+  const JointState a{{kZero, {0.6, 0.0, 0.0}, kZero, kZero}};
+  const JointState b{{{1.2, 0.0, 0.0}, {0.6, 0.0, 0.0}, kZero, kZero}};
+  ASSERT_TRUE(append_between(a, b, 2.0, straight));
+  Trajectory slow{};
+  ASSERT_TRUE(append_slow_down(straight, 0.0, time, slow));
+  double most = 0.0;
+  for (int k = 0; k < 1000; ++k) most = std::fmax(most, std::fabs(evaluate(slow, time * k / 1000.0).jerk.x));
+  EXPECT_NEAR(most, 40.0, 0.5);
+}
+
 TEST(FlightSlowDown, RefusesWhatHasNoRoom) {
   Trajectory full{};
   full.count = kMaxSegments - 8;

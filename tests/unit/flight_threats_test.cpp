@@ -27,7 +27,8 @@ struct Threatened : Flying {
     s.takeover = time + kEvadeTicks * spec.tick;
     s.deadline = s.takeover - spec.tick;
     s.job = Job::kEvade;
-    s.extends = s.pardons = false;
+    s.extends = false;
+    s.proves = BrakeProof::kAlarm;
     s.branch = kEvasions - 1;
   }
   /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
@@ -99,7 +100,7 @@ TEST(FlightThreats, BrakesAreCompared) {
     state.branch = kEvasions - 1;
     state.tried = tried;
     state.best = other;
-    state.pardons = true;
+    state.proves = BrakeProof::kAlarm;
     // Resting is proven where all is free, and not beyond the window.
     Trajectory rest = state.now.flown;
     rest.count = 1;
@@ -134,10 +135,12 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     state.best.number = -1;
     state.branch = 0;
     ASSERT_TRUE(state.make_evasion());
-    ASSERT_EQ(state.begin_proof(state.draft.flown, 0.0), Status::kRunning);
+    ASSERT_TRUE(state.begin_brake_proof(BrakeProof::kClear));
     Work work{4000};
     EXPECT_EQ(state.run_evade(work), Progress::kDone);
-    EXPECT_EQ(state.pardons, has_alarm);
+    ASSERT_EQ(state.proves, BrakeProof::kLimits);
+    EXPECT_EQ(state.run_evade(work), Progress::kDone);
+    EXPECT_EQ(state.proves, has_alarm ? BrakeProof::kAlarm : BrakeProof::kClear);
     EXPECT_EQ(state.best.number, has_alarm ? -1 : 0);
     EXPECT_FALSE(state.best.known && !has_alarm);
   }
@@ -223,6 +226,53 @@ TEST(FlightThreats, BrakeThatIsAboutToTakeOverIsNotReplaced) {
   EXPECT_FALSE(state.evaded);
   ASSERT_TRUE(room.tick_until([&] { return !state.has_next; }, 3));
   EXPECT_TRUE(room.tick_until([&] { return state.evaded || !state.threat; }, 3));
+}
+
+/// Something comes into the way of a plan that is about to take over, and not into the way of the one that is flown:
+/// that one goes on, as if there had been no other, and no brake is tried.
+TEST(FlightThreats, PlanThatIsFlownIsKeptWhereOnlyTheNextOneIsBlocked) {
+  Flying room;
+  FlightState& state = room.state();
+  const Vec3 end = room.flight.rest_position();
+  state.next = state.now;
+  state.next.begin = room.time + 3 * room.spec.tick;
+  state.next.flown.origin.y -= 6.0;
+  state.has_next = true;
+  room.mark({{4.0, -7.0, -2.0}, {5.0, -5.0, 4.0}});
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);  // in this tick alone
+  EXPECT_FALSE(state.threat);
+  EXPECT_FALSE(state.has_next);
+  EXPECT_NE(state.job, Job::kEvade);
+  EXPECT_EQ(room.flight.rest_position().y, end.y);
+  room.tick();
+  EXPECT_NE(room.report.mode, FlightMode::kThreat);
+}
+
+/// A brake that would exceed a limit, before its contact or after it, is not flown.
+TEST(FlightThreats, BrakesBeyondALimitAreNotFlown) {
+  for (const bool is_weak : {false, true}) {
+    for (const BrakeProof proves : {BrakeProof::kClear, BrakeProof::kLimits}) {
+      Threatened room;
+      FlightState& state = room.state();
+      const Vec3 p = room.position();
+      room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
+      state.best.number = -1;
+      state.branch = 0;
+      ASSERT_TRUE(state.make_evasion());
+      if (is_weak) state.spec.limits.a_max = {0.5, 0.5, 0.5};  // for the proof alone: brakes are made by state.limits
+      state.tried = {0, 0.0, 1.0, true};
+      ASSERT_TRUE(state.begin_brake_proof(proves));
+      Work work{4000};
+      EXPECT_EQ(state.run_evade(work), Progress::kDone);
+      if (proves == BrakeProof::kClear) {
+        EXPECT_EQ(state.proves, is_weak ? BrakeProof::kClear : BrakeProof::kLimits);
+      }
+      if (proves == BrakeProof::kLimits) {
+        EXPECT_EQ(state.best.number, is_weak ? -1 : 0);
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -17,6 +17,15 @@ bool is_better(const Evasion& a, const Evasion& b) {
   return a.speed < b.speed || (!(a.speed > b.speed) && a.until > b.until);
 }
 
+/// Something in the way ended the proof, not the brake itself.
+bool is_contact(ProofEnd end) {
+  return end == ProofEnd::kObstacle || end == ProofEnd::kOutside || end == ProofEnd::kFence;
+}
+
+/// No trajectory comes near to this.
+constexpr double kNowhere = 1e300;
+constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
+
 }  // namespace
 
 void FlightState::begin_evade() noexcept {
@@ -29,7 +38,7 @@ void FlightState::begin_evade() noexcept {
   deadline = takeover - spec.tick;
   job = Job::kEvade;
   best.number = branch = -1;
-  extends = pardons = false;
+  extends = false;
   next_evasion();
 }
 
@@ -61,41 +70,51 @@ bool FlightState::append_evasion(const Commitment& flown, double from) noexcept 
 
 /// The sharpest brake first.
 void FlightState::next_evasion() noexcept {
-  pardons = false;
   while (++branch < kEvasions) {
-    if (!make_evasion()) continue;
-    if (begin_proof(draft.flown, 0.0) == Status::kRunning) return;
+    if (make_evasion() && begin_brake_proof(BrakeProof::kClear)) return;
   }
   end_evade();
+}
+
+bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
+  proves = what;
+  ProofGrounds grounds = grounds_of(draft);
+  if (what == BrakeProof::kAlarm) grounds.alarm = &alarm;
+  if (what == BrakeProof::kLimits) grounds.added = &kNowhereBox;
+  const double from = what == BrakeProof::kLimits ? tried.until : 0.0;
+  const Beyond beyond = what == BrakeProof::kLimits ? Beyond::kEmpty : Beyond::kSolid;
+  return proof.begin(map.safe(), draft.flown, from, &spec.limits, beyond, grounds) == Status::kRunning;
 }
 
 Progress FlightState::run_evade(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   const bool proven = proof.report().end == ProofEnd::kProven;
-  if (proven && !pardons) {
+  if (proven && proves == BrakeProof::kClear) {
     commit();
     return Progress::kDone;
   }
-  if (pardons) {
-    tried.known = proven;
-  } else {
-    const double until = proof.report().until;
-    tried = {branch, until, length(evaluate(draft.flown, until).velocity), true};
-    if (is_better(tried, best) && begin_pardon()) return Progress::kDone;
-    tried.known = false;
-  }
-  if (is_better(tried, best)) best = tried;
+  if (go_on_proving(proven)) return Progress::kDone;
   next_evasion();
   return Progress::kDone;
 }
 
-/// Is the brake at hand clear of everything but the alarm?
-bool FlightState::begin_pardon() noexcept {
-  if (!has_alarm) return false;
-  ProofGrounds grounds = grounds_of(draft);
-  grounds.alarm = &alarm;
-  pardons = proof.begin(map.safe(), draft.flown, 0.0, &spec.limits, Beyond::kSolid, grounds) == Status::kRunning;
-  return pardons;
+/// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True where
+/// there is more to prove of it.
+bool FlightState::go_on_proving(bool proven) noexcept {
+  if (proves == BrakeProof::kClear) {
+    if (!is_contact(proof.report().end)) return false;
+    const double until = proof.report().until;
+    tried = {branch, until, length(evaluate(draft.flown, until).velocity), true};
+    return is_better(tried, best) && begin_brake_proof(BrakeProof::kLimits);
+  }
+  if (proves == BrakeProof::kLimits) {
+    if (!proven) return false;
+    if (has_alarm && begin_brake_proof(BrakeProof::kAlarm)) return true;
+    proven = false;
+  }
+  tried.known = proven;
+  if (is_better(tried, best)) best = tried;
+  return false;
 }
 
 /// None is proven. Of those that touch at most the alarm, the one with the slowest contact is flown; of the others,

@@ -54,6 +54,13 @@ enum class Watched : std::uint8_t {
   kAlarm,   ///< the same, but for the alarm
 };
 
+/// What is being proven of a brake.
+enum class BrakeProof : std::uint8_t {
+  kClear,   ///< that it may be flown
+  kLimits,  ///< where it is not clear: that it keeps the limits after its contact, too
+  kAlarm,   ///< that it is clear of everything but the alarm
+};
+
 /// What the flight works on. A cycle makes one plan; evading makes a brake.
 enum class Job : std::uint8_t {
   kIdle,
@@ -114,7 +121,7 @@ class FlightState {
   bool tries_branch;  ///< it is being proven
   Evasion tried;      ///< the brake at hand
   Evasion best;       ///< of those that were tried
-  bool pardons;       ///< the brake at hand is being proven but for the alarm
+  BrakeProof proves;  ///< what is being proven of it
 
   // The proof of what is flown.
   Proof watch;
@@ -253,7 +260,8 @@ class FlightState {
   void begin_evade() noexcept;
   bool make_evasion() noexcept;
   bool append_evasion(const Commitment& flown, double from) noexcept;
-  bool begin_pardon() noexcept;
+  bool begin_brake_proof(BrakeProof what) noexcept;
+  bool go_on_proving(bool proven) noexcept;
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;

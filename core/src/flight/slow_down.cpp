@@ -9,8 +9,9 @@
 namespace tern {
 namespace {
 
-/// The largest slope of the pace, times the duration.
+/// The largest slope of the pace, times the duration, and of the slope's slope, times its square.
 constexpr double kSteepest = 1.875;
+constexpr double kMostCurved = 5.7735026918962576;
 /// From one slow-down to the next one, and the shortest one, seconds.
 constexpr double kSlower = 1.3;
 constexpr double kShortest = 0.2;
@@ -100,7 +101,9 @@ double joint_after(const Trajectory& plan, double planned) {
 }  // namespace
 
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept {
-  double time = larger(kShortest, kSteepest * gauge(limits.acceleration, -1.0 * velocity));
+  const Vec3 back = -1.0 * velocity;
+  double time = larger(kShortest, kSteepest * gauge(limits.acceleration, back));
+  time = larger(time, square_root(kMostCurved * gauge(limits.jerk, back)));
   for (int i = 0; i < way; ++i) time *= kSlower;
   return time;
 }

@@ -13,8 +13,8 @@ namespace tern {
 /// Slow-downs that are worth a try, sharp ones first.
 constexpr int kSlowDowns = 6;
 
-/// How long slow-down `way` of 0 .. kSlowDowns - 1 takes from this velocity, seconds. The sharpest one brakes at the
-/// limit of acceleration on a straight path.
+/// How long slow-down `way` of 0 .. kSlowDowns - 1 takes from this velocity, seconds. On a straight path flown at a
+/// constant speed, the sharpest one brakes at the limit of acceleration or of jerk.
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept;
 
 /// Appends the plan's path from `from` on, flown ever slower until it rests after `time` > 0. It begins in the plan's

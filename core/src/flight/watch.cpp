@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-constexpr int kWatchedParts = 3;
+constexpr int kWatchedParts = 4;
 
 Box around(const Box& a, const Box& b) {
   Box box = a;
@@ -80,8 +80,8 @@ void FlightState::note_threat() noexcept {
   contact = commitment.begin + nanoseconds(watch.report().until);
   contact_speed = length(evaluate(commitment.flown, watch.report().until).velocity);
   if (has_next && !next.evades) {
-    has_next = false;  // what is flown until then may still be proven
-    watch_all = true;
+    has_next = has_added = false;  // what is flown until then may still be proven
+    watch_part(Watched::kLatest);
   } else if (has_alarm) {
     watch_part(Watched::kAlarm);
   }

@@ -144,8 +144,9 @@ void FlightWatch::take_commit(std::int64_t t, bool proven) {
   if (proven) {
     for (const Sample& sample : fresh) check_limits(sample, t);
     note_place();
-    if (map_.safe().bound()) check_clear(t, t + old_ticks(fresh) * spec_.tick, last);
   }
+  // Whatever alarms it raised: the true world stands still.
+  if (map_.safe().bound()) check_clear(t, proven ? t + old_ticks(fresh) * spec_.tick : last + 1, last);
   ahead_.assign(fresh.begin(), fresh.end());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   origin_ = {kNone, kNone, kNone};
@@ -242,8 +243,8 @@ void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_
     const double real = clearance(world_, p) - kept;
     const double solid = t < fresh ? real : solid_room(p);
     const std::string when = fixed(1e-9 * static_cast<double>(t - from), 3) + " s after its commit";
-    if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + when, from);
     if (real < -kDistanceError) fail(6, fixed(-real, 4) + " m too near to the true world, " + when, from);
+    if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + when, from);
     const double fenced = fence_room(p);
     if (fenced < -kDistanceError) fail(2, fixed(-fenced, 4) + " m into a fence, " + when, from);
     t += std::max(kLeastStep, static_cast<std::int64_t>(1e9 * std::min({solid, real, fenced}) / speed_));
