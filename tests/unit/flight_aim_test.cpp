@@ -79,6 +79,78 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
   expect_same(look(above, {{p.x - 0.1, p.y - 0.1, p.z + 0.4}, {p.x + 0.1, p.y + 0.1, p.z + 0.6}}), old);
 }
 
+/// Something straight ahead along x is too near to be seen: two metres back, which are four radii, and then an eighth
+/// of a turn to either side of that, and a quarter.
+TEST(FlightAim, RetreatsLeadBackAndAside) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  const Vec3& p = room.start;
+  state.look_at = {p.x + 1.0, p.y, p.z + 0.75};
+  const double diagonal = 2.0 * 0.70710678118654752;
+  const Vec3 offsets[] = {
+      {-2.0, 0.0, 0.0}, {-diagonal, -diagonal, 0.0}, {-diagonal, diagonal, 0.0}, {0.0, -2.0, 0.0}, {0.0, 2.0, 0.0},
+      {-2.0, 0.0, 0.0}};
+  for (state.retreat = 1; state.retreat <= 6; ++state.retreat) {
+    state.aims_at_goal = true;
+    state.choose_retreat(p);
+    expect_same(state.aim, p + offsets[state.retreat - 1]);
+    EXPECT_FALSE(state.aims_at_goal);
+  }
+  state.retreat = 1;
+  state.look_at = {p.x, p.y, p.z + 0.75};  // straight above: any direction will do
+  state.choose_retreat(p);
+  expect_same(state.aim, {p.x + 2.0, p.y, p.z});
+}
+
+/// No plan leads anywhere: the vehicle looks around, then tries each of five places twice, and gives up. Where
+/// something is within its radius, or after three retreats that led no nearer, it gives up at once.
+TEST(FlightAim, RetreatsAreTriedBeforeItGivesUp) {
+  const auto cycles_until_parked = [](bool leaves, int retreats) {
+    FlightRoom room;
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = 2000000000;
+    EXPECT_TRUE(state.rests());
+    state.leaves = leaves;
+    state.retreats = retreats;
+    for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
+    EXPECT_TRUE(state.is_looking);
+    state.note_idle();
+    EXPECT_EQ(state.retreat, 0);
+    state.time += 9000000000;  // 13 directions of 0.614 s
+    int cycles = 0;
+    for (; cycles < 100 && !state.parked; ++cycles) state.note_idle();
+    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
+    return cycles;
+  };
+  EXPECT_EQ(cycles_until_parked(false, 0), 11);
+  EXPECT_EQ(cycles_until_parked(false, 2), 11);
+  EXPECT_EQ(cycles_until_parked(false, 3), 1);
+  EXPECT_EQ(cycles_until_parked(true, 0), 1);
+}
+
+/// The plan of a retreat leads to its place alone, past no point of the mission. It counts until the vehicle comes
+/// nearer.
+TEST(FlightAim, RetreatsAreFlownAndCounted) {
+  FlightRoom room;
+  Via points[2];
+  points[0].position = {5.0, 0.0, 1.125};
+  points[1].position = {8.0, 0.0, 1.125};
+  ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
+  FlightState& state = room.state();
+  state.nearest = 1.0;
+  state.retreat = 4;
+  state.retreats = 1;
+  state.look_at = {room.start.x + 1.0, room.start.y, room.start.z};
+  ASSERT_TRUE(room.tick_until([&] { return room.report.committed == 1; }));
+  expect_same(room.flight.rest_position(), {room.start.x, room.start.y - 2.0, room.start.z});
+  EXPECT_EQ(state.retreat, 0);
+  EXPECT_EQ(state.retreats, 2);
+  state.nearest = 20.0;
+  state.note_progress();
+  EXPECT_EQ(state.retreats, 0);
+}
+
 /// The goal is in an obstacle, and nothing free is nearer to it than the vehicle: it rests where it is.
 TEST(FlightAim, GoalInAnObstacleBesideTheVehicleIsReachedAtOnce) {
   FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});

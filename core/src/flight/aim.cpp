@@ -15,6 +15,13 @@ namespace {
 constexpr double kAimRest = 0.6;
 /// Voxels around the vehicle that are looked at for a way out, along each axis and direction.
 constexpr std::int32_t kMaxWayOut = 8;
+/// How far a retreat leads, in radii: from there, a camera sees what is a radius and a voxel above or below the blocked
+/// place.
+constexpr double kRetreatRadii = 4.0;
+/// Retreats to try before the vehicle gives up, and how often each place is tried: the copies of the route differ.
+constexpr int kRetreats = 3;
+constexpr int kRetreatPlaces = 5;
+constexpr int kRetreatRounds = 2;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
@@ -84,6 +91,18 @@ void FlightState::choose_way_out(const Vec3& from) noexcept {
   aims_at_goal = false;
 }
 
+/// Back from what ended the last proof, which may be too near to be seen, or to either side.
+void FlightState::choose_retreat(const Vec3& from) noexcept {
+  constexpr int kEighths[kRetreatPlaces] = {0, 1, 7, 2, 6};
+  Vec3 back = from - look_at;
+  const double size = square_root(back.x * back.x + back.y * back.y);
+  back = size > 0.0 ? (1.0 / size) * back : Vec3{1.0, 0.0, 0.0};
+  const Vec3 turn = offset_of(kEighths[(retreat - 1) % kRetreatPlaces]);
+  const Vec3 way{turn.x * back.x - turn.y * back.y, turn.y * back.x + turn.x * back.y, 0.0};
+  aim = from + (kRetreatRadii * map.safe().spec().clearance()) * way;
+  aims_at_goal = false;
+}
+
 /// A plan keeps its aim until little of the way is left, so that plans are compared by their times.
 bool FlightState::keeps_aim(const Vec3& from) const noexcept {
   return (now.to_goal && now.target == itinerary.last()) || way_length(from, now.aim) > kAimRest * spec.horizon;
@@ -136,7 +155,8 @@ void FlightState::look_at_obstacle() noexcept {
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-/// A cycle ended without a commit. At rest the vehicle then looks around, once; after that it gives up.
+/// A cycle ended without a commit. At rest the vehicle then looks around, once; after that it goes back a little, to
+/// see what is too near to be seen from here. If that does not help, it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
@@ -145,7 +165,11 @@ void FlightState::note_idle() noexcept {
     is_looking = true;
     look_since = time;
   } else if (sector_at(time) > kDirections + kStares) {
-    park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
+    if (!leaves && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
+      ++retreat;
+    } else {
+      park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
+    }
   }
 }
 
@@ -178,7 +202,10 @@ bool FlightState::is_nearest() noexcept {
 void FlightState::note_progress() noexcept {
   const double left = distance(start.d[0], itinerary.points[itinerary.leg].position);
   const bool comes_nearer = nearest < 0.0 || left < nearest - map.safe().spec().cell;
-  if (comes_nearer) nearest = left;
+  if (comes_nearer) {
+    nearest = left;
+    retreats = 0;
+  }
   wandering = comes_nearer ? 0 : wandering + 1;
   const bool learns = map.learned() - learned >= kLearned;
   if (learns) learned = map.learned();

@@ -149,11 +149,11 @@ void FlightState::begin_plan() noexcept {
     aims_at_goal = now.to_goal;
     return ask_planner();
   }
-  const bool leads_out = leaves && idle_cycles % 2 == 1;
+  const bool leads_out = retreat > 0 || (leaves && idle_cycles % 2 == 1);
   choose_points(start.d[0]);
   if (leads_out) ask_for_first(0);
   choose_aim(place_before_target(start.d[0]), leads_out ? spec.horizon : kAnywhere);
-  if (leads_out) choose_way_out(start.d[0]);
+  if (leads_out) retreat > 0 ? choose_retreat(start.d[0]) : choose_way_out(start.d[0]);
   way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
 }
 

@@ -151,6 +151,8 @@ class FlightState {
   double nearest;         ///< metres to the goal; negative: not known yet
   bool is_looking;
   std::int64_t look_since;
+  int retreat;   ///< number of the place to go back to, from 1 on; 0: none
+  int retreats;  ///< since the vehicle came nearer to the goal
   Vec3 look_at;  ///< what the next plan needs to know
   FlightReport report;
 
@@ -174,6 +176,7 @@ class FlightState {
   // aim.cpp: where to, and where to look.
   void choose_aim(const Vec3& from, double most) noexcept;
   void choose_way_out(const Vec3& from) noexcept;
+  void choose_retreat(const Vec3& from) noexcept;
   bool keeps_aim(const Vec3& from) const noexcept;
   void follow_window() noexcept;
   Vec3 looking_at(std::int64_t t) const noexcept;

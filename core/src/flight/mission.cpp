@@ -61,7 +61,7 @@ void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy
 /// Whatever made the vehicle give up is forgotten.
 void FlightState::try_anew() noexcept {
   parked = is_looking = false;
-  idle_cycles = fruitless = wandering = 0;
+  idle_cycles = fruitless = wandering = retreat = retreats = 0;
   nearest = -1.0;
   reason = FlightReason::kNone;
 }

@@ -122,7 +122,8 @@ void FlightState::commit() noexcept {
   if (!extends && job != Job::kEvade) note_progress();
   job = Job::kIdle;
   ++report.committed;
-  idle_cycles = 0;
+  retreats += retreat > 0 ? 1 : 0;
+  idle_cycles = retreat = 0;
   is_looking = false;
   if (watching) watch_all = true;
   watching = threat = has_alarm = false;

@@ -1,0 +1,34 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Flights that went wrong once, in campaigns of thousands: each must reach its goal, with all invariants.
+#include <gtest/gtest.h>
+
+#include "host/flight/simulated_flight.hpp"
+
+namespace {
+
+struct HardWorld {
+  const char* name;
+  const char* what;
+};
+
+constexpr HardWorld kHardWorlds[] = {
+    {"P25@8:68", "braked towards a tree that it knew: only the plan that was to take over was blocked"},
+    {"P25@8:85", "a brake along the path exceeded the limit of jerk"},
+    {"C@6:8", "gave up before voxels that were too near to be seen: above the camera's view"},
+    {"C@8:97", "likewise"},
+};
+
+TEST(HardWorlds, AreCrossed) {
+  for (const HardWorld& hard : kHardWorlds) {
+    SCOPED_TRACE(std::string(hard.name) + " " + hard.what);
+    const tern_host::FlightWorld world = tern_host::read_flight_world(
+        hard.name, {"tracking=bounded", "tracking_margin=0.1", "depth_noise=0.01", "outliers=0.01"});
+    const tern_host::FlightResult result = tern_host::simulate_flight(world);
+    EXPECT_EQ(result.status, "reached") << result.reason;
+    EXPECT_GT(result.min_clearance, world.settings.body_radius);
+  }
+}
+
+}  // namespace
