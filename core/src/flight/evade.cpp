@@ -76,6 +76,7 @@ void FlightState::next_evasion() noexcept {
   end_evade();
 }
 
+/// Limits alone are proven from the contact on, with nothing in the way.
 bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
   proves = what;
   ProofGrounds grounds = grounds_of(draft);
