@@ -16,10 +16,10 @@ struct Body {
   static constexpr double kMass = 1.0;
   static constexpr double kArm = 0.12;              ///< of a motor along x and along y
   static constexpr double kTorqueOfThrust = 0.016;  ///< about the thrust, of a propeller
-  static constexpr double kMotorLag = 0.03;
+  static constexpr double kMotorLag = 0.015;
   static constexpr double kDrag = 0.1;  ///< deceleration a speed through the air, 1/s
   static constexpr double kThrustToWeight = 4.0;
-  static Eigen::Vector3d inertia() { return {0.010, 0.010, 0.018}; }
+  static Eigen::Vector3d inertia() { return {0.004, 0.004, 0.007}; }
 };
 
 /// Force along the body's z and torque, in the body's frame (x ahead, y left).
