@@ -92,8 +92,8 @@ struct Pose {
 /// A depth image of yours. Depth is measured along the optical axis. Pixel (u, v) covers [u - 1/2, u + 1/2] by
 /// [v - 1/2, v + 1/2]; a ray through (u, v) has the direction ((u - cx) / fx, (v - cy) / fy, 1).
 ///
-/// A pixel has no measurement if its depth is 0, NaN, below `min`, at least `max`, or the number 65535. Nothing is seen
-/// in such a pixel, not even close to the camera.
+/// A pixel has no measurement if its depth is 0, NaN, below `min`, at least `max`, or 65535 in an image of 16 bits.
+/// Nothing is seen in such a pixel, not even close to the camera.
 struct DepthView {
   /// Rows of numbers, `stride` numbers from one row to the next. Set one of the two; the other one is null.
   const uint16_t* z16;

@@ -144,8 +144,8 @@ struct Request {
   /// kInvalidArgument, field kPrevious.
   ///
   /// On an unchanged map with the same limits and fences, a plan is always found if `previous` was kOk, if at least a
-  /// millisecond is left of its segment at previous_time, if the goal is the same or can be reached from the previous
-  /// one, and if budget and capacities suffice.
+  /// millisecond is left of it (if it leads more than a kilometre away, of its segment), if the goal is the same or can
+  /// be reached from the previous one, and if budget and capacities suffice.
   ///
   /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;
