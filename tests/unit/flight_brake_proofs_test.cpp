@@ -9,6 +9,7 @@
 namespace {
 
 using namespace tern;
+using tern_test::FlightRoom;
 using tern_test::Flying;
 using tern_test::kNothing;
 
@@ -70,11 +71,13 @@ TEST(FlightBrakeProofs, FenceIsAContact) {
   room.expect_contact(ProofEnd::kFence);
 }
 
-/// The brake begins near the window's face and comes to rest beyond it.
+/// The brake comes to rest half of the radius before the window's face.
 TEST(FlightBrakeProofs, EndOfTheWindowIsAContact) {
   Braking room;
   const GridSpec& window = room.map().safe().spec();
-  room.state().draft.flown.origin.x = window.origin.x + window.cell * window.dims.x - 0.75;
+  Trajectory& brake = room.state().draft.flown;
+  const double way = brake.segments[brake.count - 1].points[kDegree].x;
+  brake.origin.x = window.origin.x + window.cell * window.dims.x - 0.5 * FlightRoom::kRadius - way;
   room.expect_contact(ProofEnd::kOutside);
 }
 

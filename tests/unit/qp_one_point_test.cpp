@@ -231,16 +231,4 @@ TEST_F(OnePoint, ProgrammesThatAreNoneAreNumerical) {
   EXPECT_EQ(bench.solve(), Status::kOk);
 }
 
-/// No row is about to enter yet: what is left is the minimum without rows.
-TEST_F(OnePoint, AbandonedBeforeItsFirstStepHasNoRow) {
-  bench.add_plane({1.0, 0.0, 0.0}, 1.0);
-  bound();
-  tern::qp_begin(*bench.solver, *bench.problem, nullptr, 0);
-  tern::qp_abandon(*bench.solver, *bench.problem, *bench.solution);
-  expect_point(3.0, 2.0, 1.0);
-  EXPECT_EQ(bench.solution->active_count, 0);
-  tern::Work work{10};
-  EXPECT_EQ(tern::qp_advance(*bench.solver, *bench.problem, work, *bench.solution), Status::kIterationLimit);
-}
-
 }  // namespace
