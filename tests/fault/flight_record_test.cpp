@@ -3,6 +3,8 @@
 //
 // What a recorder of flights refuses: null pointers, and counts and sizes that cannot be. A call that is refused leaves
 // the record as it was.
+#include "tern/flight_record.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "record/envelope.hpp"
-#include "tern/flight_record.hpp"
 #include "tern/record.hpp"
 
 namespace {
