@@ -131,7 +131,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, scaled(1500) * 6);
+  EXPECT_GT(refused, scaled(1500) * 5);
 }
 
 void expect_kept(const Case& c) {

@@ -102,4 +102,14 @@ TEST_F(BentSteps, ForgetTheOldestPlane) {
   EXPECT_EQ(step_[1], 0.3);
 }
 
+/// A plane without slope asks for nothing, however high it is.
+TEST_F(BentSteps, StayAsTheyAreWhereAPlaneIsLevel) {
+  constexpr double kLevel[] = {0.0, 0.0};
+  constexpr double kStep[] = {-1.0, 0.0};
+  tern::add_plane(*planes_, 3.0, kLevel, kStep, kSegments);
+  bend(-0.4, 0.3);
+  EXPECT_EQ(step_[0], -0.4);
+  EXPECT_EQ(step_[1], 0.3);
+}
+
 }  // namespace

@@ -1,0 +1,123 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the rest of a previous plan is cut: where the time since its beginning rounds, and in the later tries.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "planner/previous.hpp"
+#include "support/world.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Previous;
+using tern::Trajectory;
+using tern::Vec3;
+
+constexpr double kUlp = 0x1p-52;  ///< of numbers from 1 to 2
+const Vec3 kOrigin{1.0, 2.0, 1.0};
+
+/// Along x at 1 m/s, in segments that take so long.
+Trajectory straight_on(const std::vector<double>& durations) {
+  Trajectory plan{};
+  plan.origin = kOrigin;
+  double begin = 0.0;
+  for (const double duration : durations) {
+    tern::Segment& segment = plan.segments[plan.count++];
+    segment.duration = duration;
+    for (int k = 0; k < tern::kControlPoints; ++k) segment.points[k] = {begin + duration * k / tern::kDegree, 0.0, 0.0};
+    begin += duration;
+  }
+  return plan;
+}
+
+class CutPlan : public testing::Test {
+ protected:
+  CutPlan() : world_({80, 40, 20}, 0.1, 0.2) {}
+  /// Cuts at `time`, with the goal so far from the plan's end, and its motion there, and then for try `tries`.
+  void cut(const Trajectory& plan, double time, int tries, double beside = 0.0) {
+    plan_ = plan;
+    tern::Request& request = world_.request;
+    const tern::Sample now = evaluate(plan_, time);
+    request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+    request.previous = &plan_;
+    request.previous_time = time;
+    request.goal = {{kOrigin.x + duration(plan_), kOrigin.y + beside, kOrigin.z}, {1.0, 0.5, 0.0}, {}};
+    ASSERT_TRUE(previous_fits(request));
+    tern::cut_previous(world_.grid, request, *rest_);
+    if (tries < 2) return;
+    ASSERT_LE(tries, rest_->last_try);
+    rest_->tries = tries;
+    tern::cut_again(request, *rest_);
+  }
+  /// Along y, where the last segment ends.
+  double end_speed() const {
+    const tern::Segment& last = rest_->segments[rest_->count - 1];
+    return (last.points[7].y - last.points[6].y) * 7.0 / last.duration;
+  }
+
+  World world_;
+  Trajectory plan_{};
+  std::unique_ptr<Previous> rest_ = std::make_unique<Previous>();
+};
+
+/// The first segment lasts 1.5 ulp more than 0.25 s. Both that and 1.25 s add up to 1.5 + 2 ulp, as a tie rounds to an
+/// even number. One ulp before, 1.25 s less half an ulp have gone since the first segment, and that tie rounds to
+/// 1.25 s: the second segment is over, although the sum is not reached.
+TEST_F(CutPlan, SegmentIsOverWhereTheTimeLeftRoundsToNone) {
+  const double first = 0.25 + 1.5 * kUlp;
+  const double time = 1.5 + kUlp;
+  ASSERT_LT(time, first + 1.25);
+  ASSERT_EQ(time - first, 1.25);
+  cut(straight_on({first, 1.25, 0.5}), time, 1);
+  ASSERT_EQ(rest_->count, 1);
+  EXPECT_EQ(rest_->segments[0].duration, 0.5);
+  EXPECT_TRUE(rest_->meets_goal);
+}
+
+/// Half of the last segment is left: a rest that meets the goal ends with the motion that is asked for there, and one
+/// that does not ends with its own.
+TEST_F(CutPlan, LastSegmentEndsAsAskedAtTheGoalAlone) {
+  for (const double beside : {0.0, 0.5}) {
+    cut(straight_on({1.0, 1.0}), 1.5, tern::kLongRestTries, beside);
+    EXPECT_EQ(rest_->meets_goal, beside == 0.0);
+    EXPECT_FALSE(rest_->in_place);
+    ASSERT_EQ(rest_->count, 1);
+    EXPECT_EQ(rest_->segments[0].duration, 0.5);
+    EXPECT_NEAR(rest_->segments[0].points[7].x, 0.5, 1e-12);
+    EXPECT_NEAR(end_speed(), beside == 0.0 ? 0.5 : 0.0, 1e-12);
+  }
+}
+
+/// The same where another segment follows.
+TEST_F(CutPlan, SegmentsAfterwardsEndAsAskedAtTheGoalAlone) {
+  for (const double beside : {0.0, 0.5}) {
+    cut(straight_on({1.0, 1.0}), 0.5, tern::kLongRestTries, beside);
+    ASSERT_EQ(rest_->count, 2);
+    EXPECT_NEAR(rest_->segments[1].points[7].x, 1.5, 1e-12);
+    EXPECT_NEAR(end_speed(), beside == 0.0 ? 0.5 : 0.0, 1e-12);
+  }
+}
+
+/// Too little is left of the first segment. The last try keeps the previous plan's frame, and joins 2 ms of the next
+/// segment.
+TEST_F(CutPlan, LastTryJoinsInThePlansFrame) {
+  constexpr double kLeft = 0x1p-11;
+  cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft, tern::kPreviousTries);
+  EXPECT_TRUE(rest_->in_place);
+  EXPECT_EQ(rest_->origin.x, kOrigin.x);
+  ASSERT_EQ(rest_->count, 3);
+  EXPECT_EQ(rest_->segments[0].duration, kLeft + 2e-3);
+  EXPECT_EQ(rest_->segments[1].duration, 1.0 - 2e-3);
+  EXPECT_EQ(rest_->segments[2].duration, 0.5);
+  EXPECT_NEAR(rest_->segments[0].points[0].x, 1.0 - kLeft, 1e-12);
+  EXPECT_NEAR(rest_->segments[0].points[7].x, 1.0 + 2e-3, 1e-12);
+  EXPECT_NEAR(rest_->segments[1].points[0].x, 1.0 + 2e-3, 1e-12);
+  EXPECT_NEAR(rest_->segments[1].points[7].x, 2.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace tern_test
