@@ -76,7 +76,7 @@ void FlightState::next_evasion() noexcept {
   end_evade();
 }
 
-/// Limits alone are proven from the contact on, with nothing in the way.
+/// Limits alone are proven from the contact on, with no obstacle in the way; the brake must end within the window.
 bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
   proves = what;
   ProofGrounds grounds = grounds_of(draft);
