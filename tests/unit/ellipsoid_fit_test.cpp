@@ -167,6 +167,24 @@ TEST(CorridorEllipsoid, AWallBesideShrinksYAndLeavesZ) {
   EXPECT_NEAR(std::fabs(frame.direction(1, 1)), 1.0, 1e-12);
 }
 
+/// A wall 1 m to the side and a ceiling 1.2 m above: y shrinks to the wall, round about the segment, so that the
+/// ceiling is not met before z stretches. With the ceiling nearer, y points up. Obstacles come in either order.
+TEST(CorridorEllipsoid, YPointsToTheNearestOfTwo) {
+  const LocalBox wall{{-5.0, 1.0, -5.0}, {5.0, 2.0, 5.0}};
+  for (const double height : {1.2, 0.8}) {
+    const LocalBox ceiling{{-5.0, -5.0, height}, {5.0, 5.0, 2.0}};
+    for (const bool wall_first : {true, false}) {
+      const LocalBox boxes[] = {wall_first ? wall : ceiling, wall_first ? ceiling : wall};
+      std::int32_t inside[2];
+      const EllipsoidFrame frame = fit_ellipsoid({-3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {boxes, 2, 0.0}, 0.1, inside);
+      const bool wall_is_nearer = height > 1.0;
+      EXPECT_NEAR(frame.semi_axis[1], wall_is_nearer ? 1.0 : height, 2e-3);
+      EXPECT_NEAR(frame.semi_axis[2], wall_is_nearer ? height : 1.0, 2e-3);
+      EXPECT_NEAR(std::abs(frame.direction(wall_is_nearer ? 1 : 2, 1)), 1.0, 1e-9);
+    }
+  }
+}
+
 TEST(CorridorEllipsoid, TheRadiusCountsAsObstacle) {
   const LocalBox wall{{-10.0, 1.0, -10.0}, {10.0, 2.0, 10.0}};
   std::int32_t inside[1];
