@@ -53,10 +53,13 @@ FlightWorld nearby(const FlightWorld& world, const tern::Vec3& eye, double reach
   for (const tern::Box& b : world.blocks) {
     const double x = std::max({b.lower.x - eye.x, eye.x - b.upper.x, 0.0});
     const double y = std::max({b.lower.y - eye.y, eye.y - b.upper.y, 0.0});
-    if (std::hypot(x, y) < reach) near.blocks.push_back(b);
+    if (x * x + y * y < reach * reach) near.blocks.push_back(b);
   }
   for (const Cylinder& c : world.cylinders) {
-    if (std::hypot(c.x - eye.x, c.y - eye.y) < reach + c.radius) near.cylinders.push_back(c);
+    const double x = c.x - eye.x;
+    const double y = c.y - eye.y;
+    const double most = reach + c.radius;
+    if (x * x + y * y < most * most) near.cylinders.push_back(c);
   }
   return near;
 }
