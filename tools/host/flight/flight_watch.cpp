@@ -25,7 +25,7 @@ constexpr double kSearchVoxels = 1.5;         // beyond the radius, in which the
 constexpr std::int64_t kLeastStep = 5000000;  // nanoseconds between two points where the way is narrow
 
 double length(const Vec3& v) {
-  return std::hypot(v.x, std::hypot(v.y, v.z));
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 Vec3 off(const Vec3& a, const Vec3& b) {
