@@ -22,8 +22,8 @@ struct GrowScratch {
   std::int32_t boxes_high;       ///< of the busiest local box
 
   LocalBox boxes[kMaxLocalBoxes];
-  double scale[kMaxLocalBoxes];            ///< scale at which the growing ellipsoid meets each box, or a bound of it
-  std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet
+  std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet, in ascending order
+  double scale[kMaxLocalBoxes];            ///< at which the growing ellipsoid meets each of these, or a bound of it
   Polyhedron trial;                        ///< of the current round
   ExtractScratch extract;
 };

@@ -11,6 +11,8 @@ namespace {
 /// A box counts as cut off even if it falls short by this much, relative to the size of its coordinates. Otherwise
 /// rounding would give each box of a row along one face a half-space of its own.
 constexpr double kRounding = 1e-15;
+/// Scale of the next box where only one remains: above all that matter.
+constexpr double kNoOther = 1e300;
 
 bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   const double short_of = plane.offset + radius - support(plane.normal, box_of(box));
@@ -27,19 +29,30 @@ void list_all(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScr
   }
 }
 
-/// The remaining box with the least scale or bound; of equals, the one with the lower index.
-std::int32_t nearest_remaining(const GrowScratch& scratch, int count) {
-  std::int32_t nearest = scratch.remaining[0];
+/// The least scale or bound of the remaining boxes; of equals, the first, whose box has the lowest index.
+struct Nearest {
+  int place;  ///< among the remaining
+  double scale;
+  double second;  ///< least of all others
+};
+
+Nearest nearest_remaining(const GrowScratch& scratch, int count) {
+  Nearest nearest{0, scratch.scale[0], kNoOther};
   for (int k = 1; k < count; ++k) {
-    const std::int32_t i = scratch.remaining[k];
-    if (scratch.scale[i] < scratch.scale[nearest]) nearest = i;
+    const double scale = scratch.scale[k];
+    if (!(scale < nearest.second)) continue;
+    if (scale < nearest.scale) {
+      nearest = {k, scale, nearest.scale};
+    } else {
+      nearest.second = scale;
+    }
   }
   return nearest;
 }
 
 /// The remaining box that the growing ellipsoid meets first.
 struct Met {
-  std::int32_t box;
+  int place;  ///< among the remaining
   Contact contact;
 };
 
@@ -49,10 +62,11 @@ Met first_met(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScr
   Met met{-1, {}};
   // Each iteration but the last two turns a bound into a scale.
   for (int k = 0; k < count + 2; ++k) {
-    const std::int32_t nearest = nearest_remaining(scratch, count);
-    if (nearest == met.box) break;
-    met = {nearest, contact_of(metric, obstacles.boxes[nearest], obstacles.radius)};
-    scratch.scale[nearest] = met.contact.scale;
+    const Nearest nearest = nearest_remaining(scratch, count);
+    if (nearest.place == met.place) break;
+    met = {nearest.place, contact_of(metric, obstacles.boxes[scratch.remaining[nearest.place]], obstacles.radius)};
+    scratch.scale[nearest.place] = met.contact.scale;
+    if (met.contact.scale < nearest.second) break;
   }
   return met;
 }
@@ -65,6 +79,7 @@ int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_
   for (int k = 0; k < count; ++k) {
     const std::int32_t i = scratch.remaining[k];
     if (i == made_for || cut_off(plane, obstacles.boxes[i], obstacles.radius)) continue;
+    scratch.scale[kept] = scratch.scale[k];
     scratch.remaining[kept++] = i;
   }
   return kept;
@@ -88,11 +103,12 @@ Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles
   int count = obstacles.count;
   while (count > 0) {
     const Met met = first_met(metric, obstacles, scratch, count);
+    const std::int32_t box = scratch.remaining[met.place];
     Halfspace plane;
-    Status status = separate(segment, obstacles.boxes[met.box], obstacles.radius, to_vec3(met.contact.normal), plane);
+    Status status = separate(segment, obstacles.boxes[box], obstacles.radius, to_vec3(met.contact.normal), plane);
     if (status == Status::kOk) status = append(plane, scratch, out);
     if (status != Status::kOk) return status;
-    count = drop_cut_off(plane, obstacles, met.box, scratch, count);
+    count = drop_cut_off(plane, obstacles, box, scratch, count);
   }
   return Status::kOk;
 }

@@ -14,6 +14,8 @@ constexpr std::int32_t kCopiedPlanes = 4;
 /// Words of a unit.
 constexpr std::int32_t kCopiedWords = 64;
 constexpr std::int32_t kInflatedWords = 16;
+/// No voxels of a row.
+constexpr IndexRange kNone{0, 0};
 
 /// Rows that one piece copies.
 std::int32_t rows_of_piece(std::int32_t row_words) {
@@ -26,7 +28,7 @@ std::uint32_t units_for(std::int64_t words, std::int32_t unit) {
 
 /// Along one axis, in voxels; none for a reach of 0.
 IndexRange voxels_around(double center, double reach, std::int32_t count) {
-  if (!(reach > 0.0)) return {0, 0};
+  if (!(reach > 0.0)) return kNone;
   return {floor_index(center - reach, 0, count), ceil_index(center + reach, 0, count)};
 }
 
@@ -57,13 +59,13 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, do
   paid_ = 0;
 }
 
-/// The voxels of a word that the ball meets.
-std::uint64_t RouteCopy::emptied_bits(std::int32_t y, std::int32_t z, std::int32_t k) const noexcept {
+/// The voxels of a row that the ball meets.
+IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexcept {
   const double off_y = center_.y - clamp(center_.y, y, y + 1);
   const double off_z = center_.z - clamp(center_.z, z, z + 1);
   const double rest = emptied_ * emptied_ - off_y * off_y - off_z * off_z;
-  if (!(rest > 0.0)) return 0;
-  return bits_met(voxels_around(center_.x, square_root(rest), grid_.spec().dims.x), k);
+  if (!(rest > 0.0)) return kNone;
+  return voxels_around(center_.x, square_root(rest), grid_.spec().dims.x);
 }
 
 void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
@@ -71,14 +73,16 @@ void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const std::int32_t rows_along_y = grid_.spec().dims.y;
   const std::int32_t y = row % rows_along_y;
   const std::int32_t z = row / rows_along_y;
-  const bool in_hole = contains(hole_[1], y) && contains(hole_[2], z);
-  const bool is_near = contains(near_[1], y) && contains(near_[2], z);
+  const IndexRange near = contains(near_[1], y) && contains(near_[2], z) ? near_[0] : kNone;
+  const IndexRange hole = contains(hole_[1], y) && contains(hole_[2], z) ? hole_[0] : kNone;
+  const IndexRange emptied = emptied_voxels(y, z);
   const std::uint64_t* const hit = route.obstacle_row(y, z);
   const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
+  const std::uint64_t* const before = grid_.obstacle_row(y, z);
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
-    std::uint64_t unseen = is_near ? solid[k] & bits_met(near_[0], k) : 0;
-    if (in_hole) unseen &= ~bits_met(hole_[0], k);
-    GridWords(grid_).store(y, z, k, (hit[k] | unseen) & ~emptied_bits(y, z, k));
+    const std::uint64_t unseen = solid[k] & bits_met(near, k) & ~bits_met(hole, k);
+    const std::uint64_t word = (hit[k] | unseen) & ~bits_met(emptied, k);
+    if (word != before[k]) GridWords(grid_).store(y, z, k, word);
   }
 }
 

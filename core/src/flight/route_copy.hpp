@@ -29,7 +29,7 @@ class RouteCopy {
   const Grid& grid() const noexcept { return grid_; }
 
  private:
-  std::uint64_t emptied_bits(std::int32_t y, std::int32_t z, std::int32_t k) const noexcept;
+  IndexRange emptied_voxels(std::int32_t y, std::int32_t z) const noexcept;
   void copy_row(const RollingMap& map, std::int32_t row) noexcept;
   void inflate_piece() noexcept;
   std::uint32_t price() const noexcept;
