@@ -14,9 +14,11 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools/campaigns"))
+import kinds  # noqa: E402
+
 FOLDER = ROOT / "docs/measurements"
 PAGE = FOLDER / "evidence.md"
-CAMPAIGN = ["kind", "date", "seeds"]
 SHOWN = ["family", "runs", "success", "contacts", "invariants broken", "time over full knowledge, mean", "plans",
          "units a plan"]
 
@@ -43,9 +45,12 @@ def percent(part, whole):
 
 
 def add_campaign(name, folder):
-    """A campaign of the same kind, families and seeds takes the place of an earlier one."""
+    """A campaign of the same kind, families, settings and seeds takes the place of an earlier one."""
     state = (folder / f"{name}.csv").read_text().splitlines()
     kind = state[0].split()[1]
+    given = re.search(r"settings ([^,]*)", state[0])
+    defaults = kinds.KINDS[kind].settings_default
+    settings = " ".join(word for word in (given.group(1).split() if given else []) if word not in defaults)
     date = datetime.date.fromtimestamp((folder / f"{name}.csv").stat().st_mtime).isoformat()
     seeds = collections.defaultdict(list)
     for row in csv.DictReader(state[1:]):
@@ -55,8 +60,8 @@ def add_campaign(name, folder):
     for row in csv.DictReader((folder / f"{name}-table.csv").read_text().splitlines()):
         which = seeds[row["family"]]
         said = f"seed {seed.group(1)}" if seed else f"{min(which)} to {max(which)}"
-        added.append({"kind": kind, "date": date, "seeds": said, **row})
-    key = lambda row: (row["kind"], row["family"], row["seeds"].split(" to ")[0])
+        added.append({"kind": kind, "date": date, "seeds": said, "settings": settings, **row})
+    key = lambda row: (row["kind"], row["family"], row["settings"], row["seeds"].split(" to ")[0])
     kept = [row for row in read("campaigns.csv") if key(row) not in set(map(key, added))]
     with (FOLDER / "campaigns.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, list(added[0]), lineterminator="\n")
@@ -73,10 +78,10 @@ def campaigns():
             continue
         number = lambda column: sum(int(row[column] or 0) for row in chosen)
         text += f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)).\n\n"
-        body = [[row["date"], row["seeds"], *(row[column] for column in SHOWN)] for row in chosen]
-        body.append(["all", "", "", *map(number, ("runs", "success", "contacts", "invariants broken")), "",
+        body = [[row["date"], row["seeds"], row["settings"], *(row[column] for column in SHOWN)] for row in chosen]
+        body.append(["all", "", "", "", *map(number, ("runs", "success", "contacts", "invariants broken")), "",
                      number("plans"), ""])
-        text += table(["date", "seeds", *SHOWN], body)
+        text += table(["date", "seeds", "settings", *SHOWN], body)
     return text
 
 
@@ -123,7 +128,8 @@ def fuzzers():
         chosen = [row for row in rows if row["entry"] == entry]
         seconds, inputs = (sum(int(row[column]) for row in chosen) for column in ("seconds", "inputs"))
         body.append([entry, chosen[-1]["date"], len(chosen), f"{seconds / 3600.0:.2f}", inputs,
-                     f"{inputs / max(1, seconds):.0f}", max(int(row["coverage edges"]) for row in chosen), sum(int(row["found wrong"]) for row in chosen)])
+                     f"{inputs / max(1, seconds):.0f}", max(int(row["coverage edges"]) for row in chosen),
+                     sum(int(row["found wrong"]) for row in chosen)])
     return ("\n## Fuzzers\n\n`tools/fuzz`: libFuzzer with address and undefined-behaviour sanitizers.\n\n" +
             table(["entry", "last run", "runs", "hours", "inputs", "inputs/s", "edges", "found wrong"], body))
 
