@@ -10,6 +10,12 @@ import sys
 
 CALLS = "calls"
 PRETENDER = """#!/bin/sh
+# Without a log: a short flight, to learn whether there is such a family.
+case "$*" in
+  *--json*) ;;
+  *P99:*) echo "tern: P99 is no family" >&2; exit 2 ;;
+  *) exit 0 ;;
+esac
 echo "$2" >>"{folder}/calls"
 while [ "$1" != --json ]; do world=${{world:-$2}}; shift; done
 status=reached
@@ -67,6 +73,13 @@ def main():
     done = run("C@8", "--flights", "2", "--set", "v_max=4")
     expect("other settings begin anew, a contact is status 1", len(calls()) == 13 and done.returncode == 1)
     expect("settings are passed on", "--set v_max=4" in done.stdout and "| C@8 | 2 | 1 | 1 | 0 |" in done.stdout)
+    expect("the runs with the settings before are put aside", "P25,5" in (folder / "t-1.csv").read_text() and
+           f"it is now {folder / 't-1.csv'}" in done.stdout)
+    done = run("C@8", "--flights", "2", "--set", "v_max=4")
+    expect("it says how many runs are there already", "2 runs are there already" in done.stdout)
+    done = run("C@8", "P99")
+    expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 13 and
+           "P99: tern: P99 is no family" in done.stderr)
     return 1 if failures else 0
 
 

@@ -46,8 +46,11 @@ TEST(MapC, EqualsTheMapInCpp) {
   ASSERT_EQ(tern_map_mark_box(&map, &box), kOk);
   ASSERT_EQ(tern_map_mark_cylinder(&map, &trunk), kOk);
   ASSERT_EQ(tern_map_mark_points(&map, &point, 1), kOk);
+  EXPECT_EQ(tern_map_busy(&map), 0);
   ASSERT_EQ(tern_map_begin_frame(&map, &image.view, &pose, 5), kRunning);
+  EXPECT_EQ(tern_map_busy(&map), 1);
   finish(map);
+  EXPECT_EQ(tern_map_busy(&map), 0);
   ASSERT_EQ(tern_map_begin_scan(&map, &point, 1, &pose.position, 6), kRunning);
   finish(map);
   ASSERT_EQ(tern_map_follow(&map, &box.upper), kRunning);
@@ -142,6 +145,7 @@ TEST(MapC, AnswersWithoutAMap) {
     EXPECT_EQ(tern_map_begin_scan(none, &point, 1, &point, 0), kInvalid);
     EXPECT_EQ(tern_map_follow(none, &point), kInvalid);
     EXPECT_EQ(tern_map_step(none, 1), kInvalid);
+    EXPECT_EQ(tern_map_busy(none), 0);
     EXPECT_EQ(tern_map_assume_free(none, &point, 1.0), kInvalid);
     EXPECT_EQ(tern_map_mark_box(none, &box), kInvalid);
     EXPECT_EQ(tern_map_mark_cylinder(none, &trunk), kInvalid);

@@ -254,6 +254,14 @@ TEST_F(ViasPlan, AViaInAnObstacleIsOccupied) {
   EXPECT_TRUE(report().has_nearest_free);
 }
 
+TEST_F(ViasPlan, AStartInAnObstacleIsNoFaultOfAVia) {
+  world_.block({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5});
+  via({2.0, 2.0, 1.0});
+  EXPECT_EQ(plan(), Status::kStartOccupied);
+  EXPECT_EQ(report().via, kNoVia);
+  EXPECT_TRUE(report().raw_occupied);
+}
+
 TEST_F(ViasPlan, AFencedViaNamesBoth) {
   tern::Halfspace faces[2][tern::kBoxPlanes];
   tern::box_planes({at({0.0, 3.9, 0.0}), at({0.5, 4.0, 2.0})}, faces[0]);

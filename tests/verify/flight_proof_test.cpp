@@ -35,6 +35,8 @@ Json log() {
             {"v_max", 2.0},
             {"a_max", 2.0},
             {"j_max", 0.0}}},
+          {"tracking_error", {{"max", 0.125}}},
+          {"min_clearance", 0.25},
           {"true_world",
            {{"boundary", {0.0, 0.0, 0.0, 10.0, 6.0, 3.0}},
             {"blocks", {{4.0, 0.0, 0.0, 5.0, 2.0, 3.0}}},
@@ -77,6 +79,24 @@ TEST(FlightProof, APlanThatGoesOnElsewhere) {
   Json json = log();
   json["commits"][1]["begin_ns"] = 1;
   EXPECT_EQ(verdict_of(claims_of(json), "takeover velocity"), Verdict::kRefuted);
+}
+
+TEST(FlightProof, AVehicleThatLeavesItsMargin) {
+  Json json = log();
+  json["tracking_error"]["max"] = 0.12500001;
+  EXPECT_EQ(verdict_of(claims_of(json), "flown: tracking error"), Verdict::kRefuted);
+}
+
+TEST(FlightProof, ABodyThatTouchesATree) {
+  Json json = log();
+  json["min_clearance"] = 0.24999999;
+  EXPECT_EQ(verdict_of(claims_of(json), "flown: body off the world"), Verdict::kRefuted);
+}
+
+TEST(FlightProof, AFlightThatCommittedNothingProvesNothing) {
+  Json json = log();
+  json["commits"] = Json::array();
+  EXPECT_EQ(verdict_of(claims_of(json)), Verdict::kOpen);
 }
 
 TEST(FlightProof, ACommitThatDoesNotEndAtRest) {

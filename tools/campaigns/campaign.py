@@ -9,8 +9,9 @@
 
 A row of the table is a family, such as P25, or P25@8 at 8 m/s (`tern fly --help`), or noise, boxes, ... for attack
 (docs/attack.md). Run k of a row is FAMILY:k. Finished runs are kept in FOLDER/NAME.csv, so that the same command goes
-on where a killed one was; another build of the program or other settings begin anew. Tables go to
-FOLDER/NAME-table.csv and .md, failing worlds with as few obstacles as still fail to FOLDER/NAME-failures/.
+on where a killed one was. With another build of the program or other settings, it begins anew and keeps the old runs as
+FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md, failing worlds with as few obstacles as still fail to
+FOLDER/NAME-failures/.
 
 Exit status: 0; 1 where a run touched something, broke an invariant or crashed, or where fewer than --least of a row's
 runs succeeded; 2 for wrong usage."""
@@ -43,7 +44,7 @@ def parse_arguments():
     parser.add_argument("--seconds", type=float, default=0.0, help="begin no run after this time; 0: make all")
     parser.add_argument("--fresh", action="store_true", help="forget what was run before")
     parser.add_argument("--share", type=float, default=1.0, help="part of the runs to make, 0 < share <= 1")
-    parser.add_argument("--least", type=float, default=0.0, help="part of each row's runs that must succeed")
+    parser.add_argument("--least", type=float, default=0.0, help="part of each row's runs that must succeed (default 0: none)")
     parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of a row (default 0)")
     parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world small (default 200)")
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
@@ -142,7 +143,19 @@ def verdict(arguments, kind, state):
     return 1 if failed else 0
 
 
+def is_refused(arguments, kind):
+    """True where the program does not know a row or a setting."""
+    for row in arguments.rows:
+        refusal = kind.refusal(row)
+        if refusal:
+            print(f"tools/campaign: {row}: {refusal}", file=sys.stderr)
+            return True
+    return False
+
+
 def make(arguments, kind, executor, width):
+    if is_refused(arguments, kind):
+        return 2
     program = hashlib.sha256(pathlib.Path(kind.program).read_bytes()).hexdigest()[:16]
     seed = f", seed {arguments.seed}" if kind.name == "attack" else ""
     identity = f"{kind.name} program {program}, settings {' '.join(arguments.settings)}{seed}"
@@ -153,6 +166,10 @@ def make(arguments, kind, executor, width):
     if arguments.fresh:
         path.unlink(missing_ok=True)
     state = State(path, identity, kind.fields)
+    if state.put_aside:
+        print(f"{path} has runs of another program or of other settings: it is now {state.put_aside}", flush=True)
+    if state.runs:
+        print(f"{len(state.runs)} runs are there already, from {path}", flush=True)
     for entry in state.runs.values():
         if entry["status"] != kind.good:
             print(describe(kind, entry), flush=True)

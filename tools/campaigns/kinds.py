@@ -36,6 +36,12 @@ class Kind:
         """What a smaller world must answer, too."""
         return entry["status"]
 
+    def refusal(self, row):
+        """What the program says where it knows no such family or setting; a short run tells. None where it does."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = self.call(self.probe(row, folder), 120)
+        return done.stderr.strip() if done is not None and done.returncode == 2 else None
+
     def call(self, words, seconds):
         try:
             return subprocess.run([self.program, *words], capture_output=True, text=True, timeout=seconds)
@@ -57,6 +63,9 @@ class Fly(Kind):
 
     def command(self, row, seed):
         return [self.program, "fly", f"{row}:{seed}", "--compare", *settings_words(self.settings)]
+
+    def probe(self, row, folder):
+        return ["fly", f"{row}:{self.seed}", *settings_words(self.settings), "--set", "time_limit=0.1"]
 
     def run(self, job):
         """One flight in a process of its own: a crash costs that flight alone."""
@@ -110,6 +119,9 @@ class Plan(Kind):
     def command(self, row, seed):
         return [self.program, "plan", f"{row}:{seed}", *settings_words(self.settings)]
 
+    def probe(self, row, folder):
+        return self.command(row, self.seed)[1:]
+
     def run(self, job):
         row, first, count = job
         seeds = range(first, first + count)
@@ -162,6 +174,9 @@ class Attack(Kind):
 
     def command(self, row, seed):
         return [self.program, "--seed", str(self.seed), "--family", row, "--first", str(seed), "--cases", str(BLOCK)]
+
+    def probe(self, row, folder):
+        return ["--family", row, "--cases", "1", "--quiet", "--folder", folder]
 
     def run(self, job):
         row, first, count = job

@@ -1,19 +1,27 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finished runs in a file, one line each, written as they finish: a killed campaign goes on from it."""
+"""Finished runs in a file, one line each, written as they finish: a killed campaign goes on from it. The runs of
+another program or of other settings are put aside, not deleted."""
 import csv
+import itertools
 
 
 class State:
     def __init__(self, path, identity, fields):
-        self.path, self.runs = path, {}
+        self.path, self.runs, self.put_aside = path, {}, None
         kept = self.load(identity)
+        if not kept and path.exists() and path.stat().st_size:
+            self.put_aside = next(free for k in itertools.count(1) if not (free := self.path_aside(k)).exists())
+            path.rename(self.put_aside)
         self.file = path.open("a" if kept else "w", newline="")
         self.writer = csv.DictWriter(self.file, fields, restval="")
         if not kept:
             self.file.write(f"# {identity}\n")
             self.writer.writeheader()
             self.file.flush()
+
+    def path_aside(self, k):
+        return self.path.with_name(f"{self.path.stem}-{k}.csv")
 
     def load(self, identity):
         """False where there is nothing to go on with. A line that was cut off does not count."""

@@ -56,6 +56,10 @@ void print(const std::string& plan, const Claims& claims, bool brief) {
 Claims prove_file(const std::vector<std::string>& files, std::size_t& next) {
   const std::string& name = files[next++];
   const std::string text = tern_verify::read_file(name);
+  if (text.find_first_not_of(" \t\r\n") != text.find('{')) {
+    throw std::runtime_error(
+        name + ": not a plan file, nor the log of a flight: both are JSON. A scenario comes after its plan");
+  }
   if (tern_verify::is_flight(text)) return tern_verify::prove(tern_verify::parse_flight(text, name));
   if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
   const tern_verify::Plan plan = tern_verify::parse_plan(text, name);

@@ -4,7 +4,8 @@
 """Writes docs/measurements/evidence.md from the results that the other tools left in docs/measurements: campaigns.csv,
 coverage.csv, mutation.csv and fuzz.csv. What has no results has no rows.
 
-  add NAME [FOLDER]   first takes over the table of a campaign, with the date and the seeds of its state
+  add NAME [FOLDER]   first takes over the table of a campaign, with the date and the seeds of its state. It takes the
+                      place of an earlier one of the same families and settings; --replace: even if that has more runs
   check               writes nothing; exit status 1 where the page is not what would be written"""
 import collections
 import csv
@@ -44,8 +45,9 @@ def percent(part, whole):
     return f"{100.0 * part / whole:.1f} %" if whole else "-"
 
 
-def add_campaign(name, folder):
-    """A campaign of the same kind, families, settings and seeds takes the place of an earlier one."""
+def add_campaign(name, folder, replaces):
+    """A campaign takes the place of an earlier one of the same kind, families, settings and first seed; of one with more
+    runs, only if it `replaces` it. Returns the exit status."""
     state = (folder / f"{name}.csv").read_text().splitlines()
     kind = state[0].split()[1]
     given = re.search(r"settings ([^,]*)", state[0])
@@ -62,11 +64,19 @@ def add_campaign(name, folder):
         said = f"seed {seed.group(1)}" if seed else f"{min(which)} to {max(which)}"
         added.append({"kind": kind, "date": date, "seeds": said, "settings": settings, **row})
     key = lambda row: (row["kind"], row["family"], row["settings"], row["seeds"].split(" to ")[0])
-    kept = [row for row in read("campaigns.csv") if key(row) not in set(map(key, added))]
+    before = {key(row): row for row in read("campaigns.csv")}
+    for row in added:
+        larger = before.get(key(row), row)
+        if int(larger["runs"]) > int(row["runs"]) and not replaces:
+            print(f"tools/evidence: {row['family']} is there already with {larger['runs']} runs, more than {row['runs']}: "
+                  "nothing is added; --replace adds it all the same", file=sys.stderr)
+            return 1
+    kept = [row for at, row in before.items() if at not in set(map(key, added))]
     with (FOLDER / "campaigns.csv").open("w", newline="") as file:
         writer = csv.DictWriter(file, list(added[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(sorted([*kept, *added], key=key))
+    return 0
 
 
 def campaigns():
@@ -135,9 +145,11 @@ def fuzzers():
 
 
 def main():
-    words = sys.argv[1:]
+    words = [word for word in sys.argv[1:] if word != "--replace"]
     if words[:1] == ["add"] and len(words) in (2, 3):
-        add_campaign(words[1], pathlib.Path(words[2]) if len(words) == 3 else ROOT / "build/campaign")
+        folder = pathlib.Path(words[2]) if len(words) == 3 else ROOT / "build/campaign"
+        if add_campaign(words[1], folder, "--replace" in sys.argv):
+            return 1
     elif words and words != ["check"]:
         print(__doc__, file=sys.stderr)
         return 2

@@ -84,6 +84,10 @@ Flight flight_of(const Json& json) {
   for (const char* const part : {"body_radius", "tracking_margin", "pose_margin"}) {
     flight.radius += number_of(settings.at(part));
   }
+  flight.body = number_of(settings.at("body_radius"));
+  flight.tracking_margin = number_of(settings.at("tracking_margin"));
+  flight.tracking_error = number_of(json.at("tracking_error").at("max"));
+  flight.clearance = number_of(json.at("min_clearance"));
   flight.cell = number_of(settings.at("cell"));
   const Rational speed = number_of(settings.at("v_max"));
   const Rational acceleration = number_of(settings.at("a_max"));
@@ -107,6 +111,14 @@ Claim clearance_of(const Flight& flight, const Commit& commit) {
   claim.tolerance = decimal(4, 9) * std::max<Rational>(1, flight.cell);
   claim.place = place_of(commit.segments, nearest.curve, nearest.u);
   return claim;
+}
+
+/// What the simulator saw at its ticks: that the vehicle kept its margin, which all proofs assume, and touched nothing.
+void prove_flown(const Flight& flight, Claims& claims) {
+  const Rational left = flight.tracking_margin - flight.tracking_error;
+  const Rational room = flight.clearance - flight.body;
+  claims.push_back({"flown: tracking error", "m", left, left, decimal(1, 9) * flight.tracking_margin, ""});
+  claims.push_back({"flown: body off the world", "m", room, room, 0, ""});
 }
 
 /// At the end, nothing moves.
@@ -176,6 +188,8 @@ bool is_flight(const std::string& text) {
 
 Claims prove(const Flight& flight) {
   Claims tightest;
+  if (flight.commits.empty()) return tightest;
+  prove_flown(flight, tightest);
   for (std::size_t c = 0; c < flight.commits.size(); ++c) {
     Claims claims = claims_of(flight, flight.commits[c]);
     // A brake may take the place of a plan that has not begun.

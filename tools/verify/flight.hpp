@@ -27,7 +27,11 @@ struct Flight {
   std::string name;
   std::vector<Solid> solids;  ///< blocks, cylinders and the walls around the boundary
   std::vector<Bound> bounds;
-  Rational radius;  ///< body, pose error and tracking error
+  Rational body;             ///< radius of the body
+  Rational radius;           ///< body, pose error and tracking margin
+  Rational tracking_margin;  ///< within which the vehicle is to follow its commands
+  Rational tracking_error;   ///< the largest that the simulator saw
+  Rational clearance;        ///< the least of the body's centre that the simulator saw
   Rational cell;
   std::vector<Commit> commits;
 };

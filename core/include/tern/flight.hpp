@@ -163,9 +163,8 @@ class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
   /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, too few words);
-  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free: see RollingMap::assume_free; or
-  /// if the position breaks a fence. Whatever
-  /// is refused leaves the flight without a binding.
+  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free), or if the
+  /// position breaks a fence. Whatever is refused leaves the flight without a binding.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
                const Vec3& position, int64_t t) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves

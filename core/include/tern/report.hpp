@@ -166,8 +166,8 @@ struct Report {
   /// kNoFence.
   int32_t fence = kNoFence;
   /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
-  /// plan could not be led to. kNoVia where the way from the last via to the goal is at fault, or no single part of the
-  /// way.
+  /// plan could not be led to. kNoVia where the start or the way from the last via to the goal is at fault, or no
+  /// single part of the way.
   int32_t via = kNoVia;
   /// How the plan passes the vias, one entry each; those of Request::vias beyond via_count are zero, and all of them
   /// without a plan. At vias with equal positions, one after the other, several may have the same time.

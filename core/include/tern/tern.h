@@ -8,7 +8,7 @@
  * inflate it. Initialise a planner over a workspace of yours. Fill in a request, call tern_plan(), and fly the
  * trajectory with tern_evaluate(). docs/integration.md has a program.
  *
- * Answers: a function that returns uint8_t returns a tern::Status; 0 is ok. A null pointer where none is allowed
+ * Answers: a function that returns uint8_t returns a tern_status; 0 is ok. A null pointer where none is allowed
  * answers invalid_argument and changes nothing. Nothing here allocates, throws, blocks or reads a clock of its own. */
 #ifndef TERN_TERN_H
 #define TERN_TERN_H
@@ -164,6 +164,63 @@ typedef struct {
 typedef struct { uint64_t opaque[TERN_GRID_WORDS]; } tern_grid;
 typedef struct { uint64_t opaque[TERN_PLANNER_WORDS]; } tern_planner;
 /* clang-format on */
+
+/* Every answer: tern::Status, tern/status.hpp, which says when each arises. A function that answers with a uint8_t
+ * returns one of these. */
+typedef enum {
+  /* Success, or work left. */
+  TERN_OK = 0,
+  TERN_RUNNING = 1,
+  /* The request or the call is wrong: correct it. */
+  TERN_NON_FINITE_INPUT = 10,
+  TERN_INVALID_ARGUMENT = 11,
+  TERN_LIMITS_INVALID = 12,
+  TERN_OUT_OF_MAP = 13,
+  TERN_START_EXCEEDS_LIMITS = 14,
+  TERN_GOAL_EXCEEDS_LIMITS = 15,
+  TERN_VIA_EXCEEDS_LIMITS = 16,
+  TERN_POSE_INVALID = 18,
+  TERN_CAMERA_INVALID = 19,
+  TERN_RECORD_DAMAGED = 20,
+  TERN_RECORD_VERSION = 21,
+  /* The request is right, but the world has no answer to it. */
+  TERN_START_OCCUPIED = 30,
+  TERN_GOAL_OCCUPIED = 31,
+  TERN_NO_PATH = 32,
+  TERN_MAP_CHANGED = 33,
+  TERN_CORRIDOR_BLOCKED = 34,
+  TERN_NO_TRAJECTORY = 35,
+  TERN_START_FENCED = 36,
+  TERN_GOAL_FENCED = 37,
+  TERN_VIA_OCCUPIED = 38,
+  TERN_VIA_FENCED = 39,
+  /* A capacity ran out. */
+  TERN_NODES_FULL = 50,
+  TERN_OPEN_FULL = 51,
+  TERN_JUMP_POINTS_FULL = 52,
+  TERN_SEGMENTS_FULL = 53,
+  TERN_PLANES_FULL = 54,
+  TERN_OBSTACLES_FULL = 55,
+  TERN_WORKING_SET_FULL = 56,
+  TERN_ITERATION_LIMIT = 57,
+  TERN_FENCES_FULL = 58,
+  TERN_FENCE_PLANES_FULL = 59,
+  TERN_FENCE_LAYER_FULL = 60,
+  TERN_VIAS_FULL = 61,
+  TERN_PIXELS_FULL = 63,
+  TERN_PRIOR_FULL = 64,
+  TERN_RECORD_FULL = 65,
+  /* The solver or the machine did not hold up. */
+  TERN_INFEASIBLE = 70,
+  TERN_NUMERICAL = 71,
+  TERN_CHECK_FAILED = 72,
+  TERN_SELF_TEST_FAILED = 73,
+  /* The request's budget ran out. */
+  TERN_BUDGET_SEARCH = 90,
+  TERN_BUDGET_SHORTCUT = 91,
+  TERN_BUDGET_CORRIDOR = 92,
+  TERN_BUDGET_OPTIMISE = 93
+} tern_status;
 
 /* What tern_size_of() can be asked for. All sizes are in bytes. */
 typedef enum {

@@ -62,6 +62,8 @@ uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, size_t count
 uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);
 /* Continues the job for at most `work` units. running: call it again. ok: no job is left. */
 uint8_t tern_map_step(tern_map* map, uint32_t work);
+/* 1 while the map has a job to be continued with tern_map_step(): it then accepts no other. Else 0. */
+uint8_t tern_map_busy(const tern_map* map);
 /* States, before take-off, that a ball is free: the voxels wholly inside it count as seen. */
 uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double radius);
 /* Marks a box, an upright cylinder, or the voxels of points, as obstacles. */

@@ -87,6 +87,10 @@ std::uint8_t tern_map_step(tern_map* map, std::uint32_t work) {
   return code(object(map).step(work));
 }
 
+std::uint8_t tern_map_busy(const tern_map* map) {
+  return object(map).busy() ? 1 : 0;
+}
+
 std::uint8_t tern_map_assume_free(tern_map* map, const tern_vec3* center, double radius) {
   return center == nullptr ? kInvalid : code(object(map).assume_free(*center, radius));
 }

@@ -72,13 +72,14 @@ Status Plan::status_of_leg(Status status) const noexcept {
   return via_at_start || via_at_goal ? Status::kViaOccupied : status;
 }
 
-/// The via that the failed part of the way leads to, or begins at if that cannot be left.
+/// The via that the failed part of the way leads to, or begins at if that cannot be left: no via where that is the
+/// start.
 std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
   const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
-  const bool at_start = stage == Stage::kSearch && leg_ > 0 && memory_->stage.search.status == Status::kStartOccupied;
+  const bool at_start = stage == Stage::kSearch && memory_->stage.search.status == Status::kStartOccupied;
   const std::int32_t leg = at_start ? leg_ - 1 : leg_;
   const std::int32_t via = on_leg ? leg : (stage == Stage::kCorridor ? memory_->stage.corridor.passed : via_count());
-  return via < via_count() ? via : kNoVia;
+  return via >= 0 && via < via_count() ? via : kNoVia;
 }
 
 /// A via whose voxel is not free is flown through exactly: the legs that join it to the grid are short, and a

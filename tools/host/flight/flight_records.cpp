@@ -150,6 +150,7 @@ Cylinder cylinder_of(const Words& words, const Place& place) {
 tern::Via flown_via(const Words& words, const FlightWorld& world, const Place& place) {
   const tern::Via via = read_via(words, place);
   if (via.has_velocity) throw RecordError(place, "a flight promises no velocity at a via");
+  if (via.tolerance < 0.0) throw RecordError(place, "a via's tolerance is 0 or more");
   if (world.vias.size() + 1 == std::size_t{tern::kMaxMissionPoints}) throw RecordError(place, "too many vias");
   return via;
 }

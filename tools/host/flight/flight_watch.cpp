@@ -16,7 +16,7 @@ namespace {
 using tern::Sample;
 using tern::Vec3;
 
-constexpr int kMostTicks = 6000;              // of a plan, at 100 Hz a minute
+constexpr int kMostTicks = 1000000;           // of a plan: the slowest take some ten thousand
 constexpr int kPicks = 6;                     // instants that are compared where nothing was committed
 constexpr double kLimitExcess = 1e-6;         // relative
 constexpr double kDistanceError = 1e-6;       // metres

@@ -15,6 +15,7 @@
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/mission_watch.hpp"
 #include "host/flight/sensor.hpp"
+#include "host/number.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
@@ -104,6 +105,8 @@ class Simulation {
     std::string status = "timeout";
     while (time_ <= end && !tick(status)) move_on();
     tape_.finish();
+    if (status == "timeout") reason_ = "still on its way at time_limit, " + brief(world_.settings.time_limit) + " s";
+    if (status == "stuck") reason_ += last_plan();
     FlightResult result = recorder_.finish();
     result.status = status;
     result.reason = reason_;
@@ -116,6 +119,12 @@ class Simulation {
   }
 
  private:
+  /// Why the last plan led nowhere, if there was none.
+  std::string last_plan() const {
+    if (report_.plan == tern::Status::kOk || report_.plan == tern::Status::kRunning) return "";
+    return std::string("; the last plan: ") + tern::status_name(report_.plan);
+  }
+
   void start() {
     spec_.fences = fences_.data();
     spec_.fence_count = static_cast<std::int32_t>(fences_.size());
@@ -146,7 +155,9 @@ class Simulation {
     const auto count = static_cast<std::int32_t>(mission.size());
     const tern::Status set = flight_.set_mission(mission.data(), count, world_.via_policy);
     tape_.recorder().set_mission(mission.data(), count, world_.via_policy, set);
-    if (set != tern::Status::kOk) throw std::runtime_error(world_.name + ": the mission is refused");
+    if (set != tern::Status::kOk) {
+      throw std::runtime_error(world_.name + ": the mission is refused: " + tern::status_name(set));
+    }
     const tern::Vec3& first = mission.front().position;
     yaw_ = std::atan2(first.y - world_.start.y, first.x - world_.start.x);
     plans_yaw_ = world_.settings.yaw != "gimbal";

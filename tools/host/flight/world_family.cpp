@@ -84,6 +84,10 @@ bool is_member(const std::string& path, FamilyMember& member) {
   const Place place{path, 0};
   if (parse_family(path, member)) throw RecordError(place, "a family's world needs a seed, such as " + path + ":7");
   const std::size_t colon = path.find(':');
+  if (find_family(path.substr(0, path.find_first_of("@:"))) != nullptr) {
+    throw RecordError(place,
+                      "no file; a family's world has a seed of 0 or more and may have a speed above 0: P25:7, P25@8:7");
+  }
   if (colon != std::string::npos && parse_whole(path.substr(colon + 1), member.seed)) {
     std::string names;
     for (const std::string& name : family_names()) names += (names.empty() ? "" : ", ") + name;
