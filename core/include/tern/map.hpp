@@ -28,7 +28,8 @@ struct MapSpec {
   /// Voxels along each axis, as for a grid. Along x the window moves by 64 voxels at a time, so choose at least 128
   /// there.
   Voxel dims;
-  /// Radius of the vehicle's body, and how far it may be off the plan, as GridSpec::radius and tracking_margin.
+  /// Radius of the vehicle's body plus the error of its pose, and how far it may be off the plan, as GridSpec::radius
+  /// and tracking_margin.
   double radius;
   double tracking_margin;
 

@@ -6,7 +6,7 @@
  *
  * In order: check tern_abi(), tern_size_of() and tern_self_test(). Bind a grid to storage of yours, mark obstacles,
  * inflate it. Initialise a planner over a workspace of yours. Fill in a request, call tern_plan(), and fly the
- * trajectory with tern_evaluate(). docs/integration.md has a program.
+ * trajectory with tern_evaluate(). docs/examples/replan_once_c.c is a program.
  *
  * Answers: a function that returns uint8_t returns a tern_status; 0 is ok. A null pointer where none is allowed
  * answers invalid_argument and changes nothing. Nothing here allocates, throws, blocks or reads a clock of its own. */
