@@ -22,6 +22,7 @@ constexpr HardWorld kHardWorlds[] = {
     {"P25@8:85", "a brake along the path exceeded the limit of jerk"},
     {"C@6:8", "gave up before voxels that were too near to be seen: above the camera's view"},
     {"C@8:97", "likewise"},
+    {"C@8:991", "came back to its start, where the operator had called a wall's outermost 4 cm free"},
 };
 
 TEST(HardWorlds, AreCrossed) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "host/flight/assumed_ball.hpp"
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/lidar.hpp"
@@ -27,6 +28,31 @@ using tern_host::read_flight_world;
 
 FlightWorld member(const std::string& name) {
   return read_flight_world(name, {});
+}
+
+/// A start in the middle of a voxel of 0.2 m.
+double assumed_beside(const std::vector<tern::Box>& blocks, const std::vector<tern_host::Cylinder>& cylinders) {
+  FlightWorld world;
+  world.boundary = {{-4.0, -4.0, -4.0}, {4.0, 4.0, 4.0}};
+  world.start = {0.1, 0.1, 0.1};
+  world.blocks = blocks;
+  world.cylinders = cylinders;
+  tern::GridSpec grid{};
+  grid.origin = {-4.0, -4.0, -4.0};
+  grid.cell = 0.2;
+  return tern_host::assumed_radius(world, grid, 1.55);
+}
+
+TEST(AssumedBall, HoldsNothingOfAnObstacle) {
+  EXPECT_EQ(assumed_beside({}, {}), 1.55);
+  // The voxel from x = 1.0 to 1.2 reaches 1.1 m from the start, and 1.109 m at its corners.
+  EXPECT_NEAR(assumed_beside({{{1.15, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), 0.95, 1e-12);
+  // One that begins where a voxel ends is in the next voxel alone, which reaches 1.3 m.
+  EXPECT_NEAR(assumed_beside({{{1.2, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), 1.15, 1e-12);
+  EXPECT_NEAR(assumed_beside({}, {{1.5, 0.1, -1.0, 1.0, 0.35}}), 0.95, 1e-12);
+  EXPECT_EQ(assumed_beside({}, {{2.5, 0.1, -1.0, 1.0, 0.35}}), 1.55);
+  // No voxel is wholly inside 0.15 m.
+  EXPECT_NEAR(assumed_beside({{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}}, {}), 0.15, 1e-12);
 }
 
 TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "flight/flight_state.hpp"
+#include "host/flight/assumed_ball.hpp"
 #include "host/flight/flight_recorder.hpp"
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
@@ -22,7 +23,7 @@
 namespace tern_host {
 namespace {
 
-constexpr double kAssumedVoxels = 6.0;                 ///< that the operator knows to be free beyond the radius
+constexpr double kAssumedVoxels = 6.0;                 ///< that the operator knows beyond the radius, if they are free
 constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
 constexpr double kYawSlack = 1e-9;                     ///< rad, rad/s and rad/s^2: rounding
 constexpr double kLeastLook = 0.4;                     ///< metres: nearer points say nothing about where to look
@@ -136,7 +137,8 @@ class Simulation {
     }
     tern::FlightRecorder& record = tape_.recorder();
     record.bind(map_spec_, bound);
-    const double free = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
+    const double most = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
+    const double free = assumed_radius(world_, map_.safe().spec(), most);
     record.assume_free(world_.start, free, map_.assume_free(world_.start, free));
     const tern::Status begun = flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0);
     record.start(spec_, world_.start, 0, begun);
