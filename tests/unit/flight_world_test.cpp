@@ -45,14 +45,15 @@ double assumed_beside(const std::vector<tern::Box>& blocks, const std::vector<te
 
 TEST(AssumedBall, HoldsNothingOfAnObstacle) {
   EXPECT_EQ(assumed_beside({}, {}), 1.55);
-  // The voxel from x = 1.0 to 1.2 reaches 1.1 m from the start, and 1.109 m at its corners.
-  EXPECT_NEAR(assumed_beside({{{1.15, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), 0.95, 1e-12);
-  // One that begins where a voxel ends is in the next voxel alone, which reaches 1.3 m.
-  EXPECT_NEAR(assumed_beside({{{1.2, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), 1.15, 1e-12);
-  EXPECT_NEAR(assumed_beside({}, {{1.5, 0.1, -1.0, 1.0, 0.35}}), 0.95, 1e-12);
+  // The voxel that reaches from x = 1.0 to 1.2 has corners at (1.1, 0.1, 0.1) from the start.
+  const double before = std::sqrt(1.23) - 1e-6;
+  EXPECT_NEAR(assumed_beside({{{1.15, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), before, 1e-9);
+  EXPECT_NEAR(assumed_beside({}, {{1.5, 0.1, -1.0, 1.0, 0.35}}), before, 1e-9);
+  // An obstacle that begins where a voxel ends is in the next voxel alone.
+  EXPECT_NEAR(assumed_beside({{{1.2, -1.0, -1.0}, {2.0, 1.0, 1.0}}}, {}), std::sqrt(1.71) - 1e-6, 1e-9);
   EXPECT_EQ(assumed_beside({}, {{2.5, 0.1, -1.0, 1.0, 0.35}}), 1.55);
-  // No voxel is wholly inside 0.15 m.
-  EXPECT_NEAR(assumed_beside({{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}}, {}), 0.15, 1e-12);
+  // The start's own voxel.
+  EXPECT_NEAR(assumed_beside({{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}}, {}), std::sqrt(0.03) - 1e-6, 1e-9);
 }
 
 TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {

@@ -12,6 +12,7 @@ using tern::Box;
 using tern::Vec3;
 
 constexpr double kRounding = 1e-9;  // metres: voxels that only touch something hold nothing of it
+constexpr double kShort = 1e-6;     // metres short of the first voxel that is not free
 
 bool overlap(const Box& a, const Box& b) {
   return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y &&
@@ -60,9 +61,7 @@ double assumed_radius(const FlightWorld& world, const tern::GridSpec& grid, doub
     const Vec3 in{low.x + kRounding, low.y + kRounding, low.z + kRounding};
     if (reached < nearest && !is_free(world, {in, {in.x + size, in.y + size, in.z + size}})) nearest = reached;
   }
-  double radius = most;
-  while (radius >= nearest) radius -= cell;
-  return std::max(radius, 0.0);
+  return std::min(most, nearest - kShort);
 }
 
 }  // namespace tern_host

@@ -10,8 +10,8 @@
 
 namespace tern_host {
 
-/// Radius of a ball around the start for RollingMap::assume_free(), metres: `most`, or less by as many voxels as it
-/// takes until no voxel wholly inside the ball holds part of an obstacle or of a wall. 0 where that takes all of it.
+/// Radius of a ball around the start for RollingMap::assume_free(), metres: `most`, or less if a voxel wholly inside
+/// that ball holds part of an obstacle or of a wall. No voxel wholly inside the smaller ball does.
 double assumed_radius(const FlightWorld& world, const tern::GridSpec& grid, double most);
 
 }  // namespace tern_host
