@@ -20,8 +20,16 @@ import kinds  # noqa: E402
 
 FOLDER = ROOT / "docs/measurements"
 PAGE = FOLDER / "evidence.md"
-SHOWN = ["family", "runs", "success", "contacts", "invariants broken", "time over full knowledge, mean", "plans",
-         "units a plan"]
+# Of each kind, the columns of a campaign's table, with titles of their own where a campaign's say too little.
+SHOWN = {
+    "plan": {"family": "", "runs": "plans", "success": "status ok", "contacts": "", "invariants broken": "crashes",
+             "units a plan": ""},
+    "fly": {"family": "", "runs": "flights", "success": "reached", "contacts": "", "invariants broken": "",
+            "time over full knowledge, mean": "", "plans": "", "units a plan": ""},
+    "attack": {"family": "", "runs": "cases", "plans": "", "success": "plans with status ok", "contacts": "",
+               "invariants broken": "other violations", "units a plan": ""},
+}
+SUMMED = {"runs", "success", "contacts", "invariants broken", "plans"}
 
 HEAD = """# Evidence
 
@@ -46,8 +54,8 @@ def percent(part, whole):
 
 
 def add_campaign(name, folder, replaces):
-    """A campaign takes the place of an earlier one of the same kind, families, settings and first seed; of one with more
-    runs, only if it `replaces` it. Returns the exit status."""
+    """A campaign takes the place of an earlier one of the same kind, families, settings and first seed; if that had more
+    runs, only where `replaces` says so. Returns the exit status."""
     state = (folder / f"{name}.csv").read_text().splitlines()
     kind = state[0].split()[1]
     given = re.search(r"settings ([^,]*)", state[0])
@@ -68,8 +76,8 @@ def add_campaign(name, folder, replaces):
     for row in added:
         larger = before.get(key(row), row)
         if int(larger["runs"]) > int(row["runs"]) and not replaces:
-            print(f"tools/evidence: {row['family']} is there already with {larger['runs']} runs, more than {row['runs']}: "
-                  "nothing is added; --replace adds it all the same", file=sys.stderr)
+            print(f"tools/evidence: {row['family']} is there already with {larger['runs']} runs, more than "
+                  f"{row['runs']}: nothing is added; --replace adds it all the same", file=sys.stderr)
             return 1
     kept = [row for at, row in before.items() if at not in set(map(key, added))]
     with (FOLDER / "campaigns.csv").open("w", newline="") as file:
@@ -86,12 +94,12 @@ def campaigns():
         chosen = [row for row in rows if row["kind"] == kind]
         if not chosen:
             continue
+        shown = SHOWN[kind]
         number = lambda column: sum(int(row[column] or 0) for row in chosen)
         text += f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)).\n\n"
-        body = [[row["date"], row["seeds"], row["settings"], *(row[column] for column in SHOWN)] for row in chosen]
-        body.append(["all", "", "", "", *map(number, ("runs", "success", "contacts", "invariants broken")), "",
-                     number("plans"), ""])
-        text += table(["date", "seeds", "settings", *SHOWN], body)
+        body = [[row["date"], row["seeds"], row["settings"], *(row[column] for column in shown)] for row in chosen]
+        body.append(["all", "", "", *(number(column) if column in SUMMED else "" for column in shown)])
+        text += table(["date", "seeds", "settings", *(title or column for column, title in shown.items())], body)
     return text
 
 
