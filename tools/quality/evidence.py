@@ -54,7 +54,7 @@ def percent(part, whole):
 
 
 def add_campaign(name, folder, replaces):
-    """A campaign takes the place of an earlier one of the same kind, families, settings and first seed; if that had more
+    """A campaign takes the place of an earlier one of the same kind, family, settings and first seed; if that had more
     runs, only where `replaces` says so. Returns the exit status."""
     state = (folder / f"{name}.csv").read_text().splitlines()
     kind = state[0].split()[1]
