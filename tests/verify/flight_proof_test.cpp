@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "verify/flight.hpp"
@@ -40,7 +41,8 @@ Json log() {
           {"true_world",
            {{"boundary", {0.0, 0.0, 0.0, 10.0, 6.0, 3.0}},
             {"blocks", {{4.0, 0.0, 0.0, 5.0, 2.0, 3.0}}},
-            {"cylinders", {{5.0, 4.0, 0.0, 3.0, 0.5}}}}},
+            {"cylinders", {{5.0, 4.0, 0.0, 3.0, 0.5}}},
+            {"fences", Json::array()}}},
           {"commits", {commit(0.0, false), commit(1.0, false)}}};
 }
 
@@ -79,6 +81,66 @@ TEST(FlightProof, APlanThatGoesOnElsewhere) {
   Json json = log();
   json["commits"][1]["begin_ns"] = 1;
   EXPECT_EQ(verdict_of(claims_of(json), "takeover velocity"), Verdict::kRefuted);
+}
+
+/// Six half-spaces of a box.
+Json fence(const char* kind, const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  Json planes = Json::array();
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::array<double, 4> plane{0.0, 0.0, 0.0, high[a]};
+    plane[a] = 1.0;
+    planes.push_back(plane);
+    plane[a] = -2.0;  // of any length
+    plane[3] = -2.0 * low[a];
+    planes.push_back(plane);
+  }
+  return {{"kind", kind}, {"half_spaces", planes}};
+}
+
+Claim fence_claim(const Json& fence) {
+  Json json = log();
+  json["true_world"]["fences"] = {fence};
+  const Claims claims = claims_of(json);
+  const auto found = std::find_if(claims.begin(), claims.end(), [](const Claim& c) { return c.what == "fence 1"; });
+  EXPECT_NE(found, claims.end());
+  return found == claims.end() ? Claim{} : *found;
+}
+
+// The flight goes from (1, 3, 1) to (9, 3, 1), and keeps 0.5 m from keep-outs.
+TEST(FlightProof, KeepInsHoldTheCentre) {
+  const Claim touching = fence_claim(fence("keep_in", {1.0, 0.0, 0.0}, {9.0, 6.0, 3.0}));
+  EXPECT_EQ(touching.verdict(), Verdict::kProven) << line_of(touching);
+  EXPECT_EQ(touching.most, 0);
+  const Claim left = fence_claim(fence("keep_in", {0.0, 0.0, 0.0}, {8.99999999, 6.0, 3.0}));
+  EXPECT_EQ(left.verdict(), Verdict::kRefuted) << line_of(left);
+}
+
+TEST(FlightProof, KeepOutsAreLeftAloneByTheRadius) {
+  const Claim face = fence_claim(fence("keep_out", {4.0, 3.5, 0.0}, {5.0, 6.0, 3.0}));
+  EXPECT_EQ(face.verdict(), Verdict::kProven) << line_of(face);
+  EXPECT_EQ(face.most, 0);
+  const Claim nearer = fence_claim(fence("keep_out", {4.0, 3.49999999, 0.0}, {5.0, 6.0, 3.0}));
+  EXPECT_EQ(nearer.verdict(), Verdict::kRefuted) << line_of(nearer);
+  const Claim entered = fence_claim(fence("keep_out", {4.0, 0.0, 0.0}, {5.0, 6.0, 3.0}));
+  EXPECT_EQ(entered.verdict(), Verdict::kRefuted) << line_of(entered);
+}
+
+TEST(FlightProof, KeepOutsHaveEdgesAndCorners) {
+  // An edge 0.3 m above and 0.4 m beside the way, and a corner in front of its end.
+  const Claim edge = fence_claim(fence("keep_out", {4.0, 3.4, 1.3000001}, {5.0, 6.0, 3.0}));
+  EXPECT_EQ(edge.verdict(), Verdict::kProven) << line_of(edge);
+  EXPECT_LT(edge.most, decimal(1, 6));
+  const Claim nearer = fence_claim(fence("keep_out", {4.0, 3.4, 1.2999999}, {5.0, 6.0, 3.0}));
+  EXPECT_EQ(nearer.verdict(), Verdict::kRefuted) << line_of(nearer);
+  const Claim corner = fence_claim(fence("keep_out", {9.3, 3.3, 1.3}, {9.6, 6.0, 3.0}));
+  EXPECT_EQ(corner.verdict(), Verdict::kProven) << line_of(corner);
+  EXPECT_LT(corner.most, Rational(2) / 100);
+}
+
+TEST(FlightProof, ALogWithoutFencesIsRefused) {
+  Json json = log();
+  json["true_world"].erase("fences");
+  EXPECT_THROW(claims_of(json), InputError);
 }
 
 TEST(FlightProof, AVehicleThatLeavesItsMargin) {

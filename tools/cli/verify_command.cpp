@@ -101,8 +101,8 @@ void add_verify_command(CLI::App& app, int& exit_status) {
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
       "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"
-      "flight's committed plans: joints, rest at the end, limits, and the distance from the true world "
-      "(docs/verify.md).\n"
+      "flight's committed plans: joints, rest at the end, limits, fences, and the distance from the true world; and\n"
+      "that the simulated vehicle kept its margins (docs/verify.md).\n"
       "Exit status 0 where all is proven, 1 where a claim is refuted or not proven, 2 for a bad file.");
   command->callback([options, &exit_status] { exit_status = verify(*options); });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "verify/fence_room.hpp"
 #include "verify/json.hpp"
 #include "verify/proofs.hpp"
 
@@ -55,6 +56,13 @@ std::vector<Solid> solids_of(const Json& world) {
   return solids;
 }
 
+Fence fence_of(const Json& json) {
+  Fence fence{json.at("kind").get<std::string>() == "keep_in", {}};
+  for (const Json& plane : json.at("half_spaces")) fence.planes.push_back({point_of(plane), number_of(plane.at(3))});
+  if (fence.planes.empty()) throw InputError("a fence has no half-spaces");
+  return fence;
+}
+
 void add_bounds(int derivative, const Rational& most, const Rational& climb, bool horizontal, Flight& flight) {
   for (int a = 0; a < 3; ++a) {
     for (const int sign : {1, -1}) flight.bounds.push_back({derivative, a, sign, a < 2 ? most : climb});
@@ -79,7 +87,9 @@ Flight flight_of(const Json& json) {
   if (!json.contains("commits")) throw InputError("it has no 'commits': fly it with 'tern fly --json FILE --commits'");
   const Json& settings = json.at("settings");
   Flight flight;
+  flight.boundary = box_of(json.at("true_world").at("boundary"));
   flight.solids = solids_of(json.at("true_world"));
+  for (const Json& fence : json.at("true_world").at("fences")) flight.fences.push_back(fence_of(fence));
   flight.radius = 0;
   for (const char* const part : {"body_radius", "tracking_margin", "pose_margin"}) {
     flight.radius += number_of(settings.at(part));
@@ -99,18 +109,36 @@ Flight flight_of(const Json& json) {
   return flight;
 }
 
-Claim clearance_of(const Flight& flight, const Commit& commit) {
+/// In the world frame.
+std::vector<Polygon<3>> curves_of(const Commit& commit) {
   std::vector<Polygon<3>> curves;
   for (const Segment& segment : commit.segments) {
     curves.push_back(segment.points);
     for (Point& point : curves.back()) point = point + commit.origin;
   }
-  const Nearest nearest = nearest_of(curves, flight.solids);
+  return curves;
+}
+
+/// What the flight's proof forgives: docs/flight.md.
+Rational proof_tolerance(const Flight& flight) {
+  return decimal(4, 9) * std::max<Rational>(1, flight.cell);
+}
+
+Claim clearance_of(const Flight& flight, const Commit& commit) {
+  const Nearest nearest = nearest_of(curves_of(commit), flight.solids);
   Claim claim{"curve off the world", "m", nearest.least - flight.radius, nearest.most - flight.radius, 0, ""};
-  // What the flight's proof forgives: docs/flight.md.
-  claim.tolerance = decimal(4, 9) * std::max<Rational>(1, flight.cell);
+  claim.tolerance = proof_tolerance(flight);
   claim.place = place_of(commit.segments, nearest.curve, nearest.u);
   return claim;
+}
+
+void prove_fences(const Flight& flight, const Commit& commit, Claims& claims) {
+  const std::vector<Polygon<3>> curves = curves_of(commit);
+  for (std::size_t f = 0; f < flight.fences.size(); ++f) {
+    const FenceRoom room = fence_room(curves, flight.fences[f], flight.boundary, flight.radius);
+    claims.push_back({"fence " + std::to_string(f + 1), "m", room.least, room.most, proof_tolerance(flight),
+                      place_of(commit.segments, room.curve, room.u)});
+  }
 }
 
 /// What the simulator saw at its ticks: that the vehicle kept its margin, which all proofs assume, and touched nothing.
@@ -169,6 +197,7 @@ Claims claims_of(const Flight& flight, const Commit& commit) {
   if (!claims.empty()) claims.front().tolerance += kTakeover[0];
   prove_rest(commit, claims);
   prove_bounds(commit.segments, flight.bounds, claims);
+  prove_fences(flight, commit, claims);
   if (!commit.evades && !commit.leaves) claims.push_back(clearance_of(flight, commit));
   return claims;
 }

@@ -25,7 +25,9 @@ struct Commit {
 
 struct Flight {
   std::string name;
+  Box boundary;
   std::vector<Solid> solids;  ///< blocks, cylinders and the walls around the boundary
+  std::vector<Fence> fences;
   std::vector<Bound> bounds;
   Rational body;             ///< radius of the body
   Rational radius;           ///< body, pose error and tracking margin

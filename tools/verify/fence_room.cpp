@@ -1,0 +1,175 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A piece of a curve has as much room as any direction proves for all its control points. Doubles only guess
+// directions.
+#include "verify/fence_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "verify/polyhedron.hpp"
+
+namespace tern_verify {
+namespace {
+
+using Guess = std::array<double, 3>;
+
+/// Halvings after which a piece counts with what is proven of it.
+constexpr int kMostHalvings = 60;
+/// Rounds of alternating projections; where they have not converged, only a guess is worse.
+constexpr int kRounds = 100;
+
+/// Over the length of a normal, rounded down.
+Rational over_length(const Rational& room, const Point& normal) {
+  const Rational square = dot(normal, normal);
+  return room / (room < 0 ? root_below(square) : root_above(square));
+}
+
+Guess guess(const Point& p) {
+  return {p[0].convert_to<double>(), p[1].convert_to<double>(), p[2].convert_to<double>()};
+}
+
+/// One fence, and the room that it leaves the hull of some points.
+class Room {
+ public:
+  Room(const Fence& fence, const Box& boundary, const Rational& distance) : fence_(fence), distance_(distance) {
+    if (fence.keep_in) return;
+    planes_ = cut_to(boundary, distance, fence.planes);
+    for (const HalfSpace& plane : fence.planes) faces_.push_back({-1 * plane.normal, -plane.offset});
+    for (const HalfSpace& plane : planes_) guesses_.push_back(unit(plane));
+  }
+
+  /// Of all points of the hull, from below. Stops trying once there is more than `enough`.
+  Rational of(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    return fence_.keep_in ? inside(hull) : beyond(hull, enough);
+  }
+
+ private:
+  struct Unit {
+    Guess normal;
+    double offset;
+  };
+
+  static Unit unit(const HalfSpace& plane) {
+    const Guess n = guess(plane.normal);
+    const double length = std::hypot(n[0], std::hypot(n[1], n[2]));
+    return {{n[0] / length, n[1] / length, n[2] / length}, plane.offset.convert_to<double>() / length};
+  }
+
+  Rational inside(const Polygon<3>& hull) const {
+    std::optional<Rational> least;
+    for (const HalfSpace& plane : fence_.planes) {
+      for (const Point& point : hull) {
+        const Rational room = over_length(plane.offset - dot(plane.normal, point), plane.normal);
+        if (!least || room < *least) least = room;
+      }
+    }
+    return *least;
+  }
+
+  Rational beyond(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    std::optional<Rational> best;
+    // The keep-out has n . p >= offset for each of its faces, seen from outside.
+    for (const HalfSpace& face : faces_) raise(best, hull, face.normal, face.offset);
+    if (enough && *best >= *enough) return *best;
+    const Point direction = towards(hull);
+    const std::optional<Rational> least = least_along(direction, planes_);
+    if (least && dot(direction, direction) > 0) raise(best, hull, direction, *least);
+    return *best;
+  }
+
+  /// With a direction along which the keep-out is no less than `least`.
+  void raise(std::optional<Rational>& best, const Polygon<3>& hull, const Point& n, const Rational& least) const {
+    Rational most = dot(n, hull.front());
+    for (const Point& point : hull) most = std::max<Rational>(most, dot(n, point));
+    const Rational room = over_length(least - most, n) - distance_;
+    if (!best || room > *best) best = room;
+  }
+
+  /// From the middle of the hull to the nearest point of the keep-out, by Dykstra's alternating projections.
+  Point towards(const Polygon<3>& hull) const {
+    Guess middle{0.0, 0.0, 0.0};
+    for (const Point& point : hull) {
+      const Guess p = guess(point);
+      for (std::size_t a = 0; a < 3; ++a) middle[a] += p[a] / static_cast<double>(hull.size());
+    }
+    Guess at = middle;
+    std::vector<double> pushed(guesses_.size(), 0.0);
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t k = 0; k < guesses_.size(); ++k) {
+        const Guess& n = guesses_[k].normal;
+        const double before = pushed[k];
+        pushed[k] = std::max(0.0, n[0] * at[0] + n[1] * at[1] + n[2] * at[2] - guesses_[k].offset + before);
+        for (std::size_t a = 0; a < 3; ++a) at[a] += (before - pushed[k]) * n[a];
+      }
+    }
+    // Single precision is short to multiply with, and guess enough.
+    Point direction;
+    for (std::size_t a = 0; a < 3; ++a) direction[a] = static_cast<float>(at[a] - middle[a]);
+    return direction;
+  }
+
+  const Fence& fence_;
+  Rational distance_;
+  std::vector<HalfSpace> planes_, faces_;
+  std::vector<Unit> guesses_;
+};
+
+class Search {
+ public:
+  Search(const std::vector<Polygon<3>>& curves, const Room& room) : curves_(curves), room_(room) {
+    for (curve_ = 0; curve_ < curves.size(); ++curve_) {
+      reach(curves[curve_].front(), 0);
+      reach(curves[curve_].back(), 1);
+    }
+  }
+
+  FenceRoom run() {
+    proven_ = found_.most - close_;
+    for (curve_ = 0; curve_ < curves_.size(); ++curve_) search(curves_[curve_], 0, 1, 0);
+    found_.least = std::min<Rational>(proven_, found_.most - close_);
+    return found_;
+  }
+
+ private:
+  void reach(const Point& point, const Rational& u) {
+    const Rational room = room_.of({point}, std::nullopt);
+    if (begun_ && room >= found_.most) return;
+    begun_ = true;
+    found_ = {0, room, curve_, u};
+  }
+
+  void search(const Polygon<3>& piece, const Rational& u, const Rational& width, int halvings) {
+    const Rational enough = found_.most - close_;
+    const Rational room = room_.of(piece, enough);
+    if (room >= enough) return;
+    if (halvings == kMostHalvings) {
+      proven_ = std::min(proven_, room);
+      return;
+    }
+    const Halves<3> halves = halves_of(piece);
+    reach(halves.right.front(), u + width / 2);
+    search(halves.left, u, width / 2, halvings + 1);
+    search(halves.right, u + width / 2, width / 2, halvings + 1);
+  }
+
+  const std::vector<Polygon<3>>& curves_;
+  const Room& room_;
+  const Rational close_ = decimal(1, 10);
+  FenceRoom found_{};
+  Rational proven_ = 0;
+  std::size_t curve_ = 0;
+  bool begun_ = false;
+};
+
+}  // namespace
+
+FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary,
+                     const Rational& distance) {
+  const Room room(fence, boundary, distance);
+  return Search(curves, room).run();
+}
+
+}  // namespace tern_verify

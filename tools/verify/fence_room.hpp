@@ -1,0 +1,31 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How much room fences leave a curve, for all t.
+#ifndef TERN_VERIFY_FENCE_ROOM_HPP
+#define TERN_VERIFY_FENCE_ROOM_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "verify/bezier.hpp"
+#include "verify/problem.hpp"
+
+namespace tern_verify {
+
+/// The least room of curves, in metres: inside a keep-in, or beyond a keep-out's distance. Below 0, they break it.
+struct FenceRoom {
+  Rational least;  ///< no point of a curve has less
+  Rational most;   ///< this point has no more, as far as the directions that were tried say
+  std::size_t curve;
+  Rational u;  ///< of that point, in [0, 1]
+};
+
+/// To within 1e-10 m. There are curves, in the world frame. `distance`: what is to be kept from a keep-out. `boundary`:
+/// of the world; what a keep-out has beyond it does not matter.
+FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary,
+                     const Rational& distance);
+
+}  // namespace tern_verify
+
+#endif
