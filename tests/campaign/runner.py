@@ -18,15 +18,16 @@ case "$*" in
 esac
 echo "$2" >>"{folder}/calls"
 while [ "$1" != --json ]; do world=${{world:-$2}}; shift; done
-status=reached
+status=reached error=0.1
 case $world in
   P25:3) kill -SEGV $$ ;;
   P25:4) status=stuck ;;
   C@8:2) status=collision ;;
+  S20:2) error=0.15 ;;
 esac
 cat >"$2" <<EOF
 {{"status": "$status", "reason": "as told", "time_s": 12.0, "length_m": 60.0, "mean_speed": 5.0, "min_clearance": 0.4,
- "tracking_error": {{"max": 0.1}}, "full_knowledge_s": 10.0, "states": {{"threat": 0.0}},
+ "tracking_error": {{"max": $error}}, "full_knowledge_s": 10.0, "states": {{"threat": 0.0}},
  "plans": {{"asked": 10, "committed": 9, "dropped": 0, "failed": 1}}, "work": {{"max": 4000, "total": 50000}},
  "watched": {{"points": 7, "voxels": 7}}, "commands_hash": "0"}}
 EOF
@@ -77,8 +78,13 @@ def main():
            f"it is now {folder / 't-1.csv'}" in done.stdout)
     done = run("C@8", "--flights", "2", "--set", "v_max=4")
     expect("it says how many runs are there already", "2 runs are there already" in done.stdout)
+    done = run("S20", "--flights", "2", "--set", "v_max=4")
+    expect("a flight beyond its tracking margin is named, and the status is 1", done.returncode == 1 and
+           f"\ntracking error 0.150 m, margin 0.1 m: {program} fly S20:2" in done.stdout)
+    done = run("S20", "--flights", "2", "--set", "tracking_margin=0.15")
+    expect("a flight within its tracking margin is not", done.returncode == 0 and "margin" not in done.stdout)
     done = run("C@8", "P99")
-    expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 13 and
+    expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 17 and
            "P99: tern: P99 is no family" in done.stderr)
     return 1 if failures else 0
 

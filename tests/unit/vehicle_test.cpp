@@ -48,9 +48,8 @@ Setpoint circle(double t, double speed) {
   return {sample, 0.0, 0.0};
 }
 
-/// The largest distance from the command over 15 s of the circle.
-double error_on_circle(const VehicleSettings& settings, double speed) {
-  const Setpoints setpoints = [speed](double t) { return circle(t, speed); };
+/// The largest distance from the command over 15 s.
+double largest_error(const VehicleSettings& settings, const Setpoints& setpoints) {
   const auto vehicle = make_vehicle(settings, setpoints(0.0));
   double worst = 0.0;
   for (int k = 1; k <= 1500; ++k) {
@@ -58,6 +57,10 @@ double error_on_circle(const VehicleSettings& settings, double speed) {
     worst = std::max(worst, distance(vehicle->position(), setpoints(0.01 * k).sample.position));
   }
   return worst;
+}
+
+double error_on_circle(const VehicleSettings& settings, double speed) {
+  return largest_error(settings, [speed](double t) { return circle(t, speed); });
 }
 
 TEST(Vehicle, RigidBodiesHoverWhereTheyBegan) {
@@ -89,6 +92,19 @@ TEST(Vehicle, FeedForwardOfTheFlatStateIsWorthAnOrderOfMagnitude) {
   EXPECT_LT(quadrotor, 0.02);
   EXPECT_GT(px4, 5.0 * quadrotor);
   EXPECT_LT(px4, 0.5);
+}
+
+/// The body cannot follow a step of its heading, and turns for most of a second. Thrust points where the motion needs
+/// it all the while: that is all that keeps the body on the circle.
+TEST(Vehicle, AHeadingThatLagsDoesNotMoveTheBody) {
+  for (const double step : {1.5, 3.0, -2.5}) {
+    const Setpoints setpoints = [step](double t) {
+      Setpoint setpoint = circle(t, 4.5);
+      if (t > 5.0) setpoint.yaw = step;
+      return setpoint;
+    };
+    EXPECT_LT(largest_error(settings_of("quadrotor"), setpoints), 0.05) << "a step of " << step;
+  }
 }
 
 TEST(Vehicle, WindPushesAndEqualSeedsGiveEqualFlights) {

@@ -13,8 +13,8 @@ on where a killed one was. With another build of the program or other settings, 
 FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md, failing worlds with as few obstacles as still fail to
 FOLDER/NAME-failures/.
 
-Exit status: 0; 1 where a run touched something, broke an invariant or crashed, or where fewer than --least of a row's
-runs succeeded; 2 for wrong usage."""
+Exit status: 0; 1 where a run touched something, broke an invariant, exceeded its tracking margin or crashed, or where
+fewer than --least of a row's runs succeeded; 2 for wrong usage."""
 import argparse
 import hashlib
 import os
@@ -44,7 +44,8 @@ def parse_arguments():
     parser.add_argument("--seconds", type=float, default=0.0, help="begin no run after this time; 0: make all")
     parser.add_argument("--fresh", action="store_true", help="forget what was run before")
     parser.add_argument("--share", type=float, default=1.0, help="part of the runs to make, 0 < share <= 1")
-    parser.add_argument("--least", type=float, default=0.0, help="part of each row's runs that must succeed (default 0: none)")
+    parser.add_argument("--least", type=float, default=0.0,
+                        help="part of each row's runs that must succeed (default 0: none)")
     parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of a row (default 0)")
     parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world small (default 200)")
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
@@ -84,8 +85,13 @@ class Progress:
 
 
 def describe(kind, entry):
-    command = shlex.join(kind.command(entry["row"], entry["seed"]))
-    return f"{entry['status']}: {entry.get('reason') or entry.get('stage', '')}: {command}"
+    """What went wrong and the command that repeats it. Empty where nothing did."""
+    wrong = [kind.excess(entry)]
+    if entry["status"] != kind.good:
+        wrong.insert(0, f"{entry['status']}: {entry.get('reason') or entry.get('stage', '')}")
+    if not any(wrong):
+        return ""
+    return f"{', '.join(filter(None, wrong))}: {shlex.join(kind.command(entry['row'], entry['seed']))}"
 
 
 def missing_jobs(arguments, kind, state):
@@ -110,7 +116,7 @@ def run_all(arguments, kind, state, executor, width):
             if (entry["row"], entry["seed"]) in state.runs:
                 continue
             state.add(entry)
-            if entry["status"] != kind.good:
+            if describe(kind, entry):
                 progress.say(describe(kind, entry))
             progress.show(entry["status"] != kind.good)
     if progress.shown:
@@ -138,8 +144,8 @@ def verdict(arguments, kind, state):
     for row in arguments.rows:
         runs = state.of_row(row)
         good = sum(entry["status"] == kind.good for entry in runs)
-        failed = failed or any(entry["status"] in kind.broken | {"violation", "check_failed"} for entry in runs) or \
-            good < arguments.least * len(runs)
+        failed = failed or good < arguments.least * len(runs) or \
+            any(entry["status"] in kind.broken | {"violation", "check_failed"} or kind.excess(entry) for entry in runs)
     return 1 if failed else 0
 
 
@@ -171,7 +177,7 @@ def make(arguments, kind, executor, width):
     if state.runs:
         print(f"{len(state.runs)} runs are there already, from {path}", flush=True)
     for entry in state.runs.values():
-        if entry["status"] != kind.good:
+        if describe(kind, entry):
             print(describe(kind, entry), flush=True)
     run_all(arguments, kind, state, executor, width)
     keep_failures(arguments, kind, state, stem, executor, width)

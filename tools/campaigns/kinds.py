@@ -36,6 +36,10 @@ class Kind:
         """What a smaller world must answer, too."""
         return entry["status"]
 
+    def excess(self, entry):
+        """What voids a run's promise although nothing broke. Empty where nothing does."""
+        return ""
+
     def refusal(self, row):
         """What the program says where it knows no such family or setting; a short run tells. None where it does."""
         with tempfile.TemporaryDirectory() as folder:
@@ -94,6 +98,12 @@ class Fly(Kind):
                 **log["plans"], "work_max": log["work"]["max"], "work_total": log["work"]["total"],
                 "threat_s": log["states"]["threat"], "watched_points": log["watched"]["points"],
                 "watched_voxels": log["watched"]["voxels"], "commands_hash": log["commands_hash"]}
+
+    def excess(self, entry):
+        margin = dict(text.split("=", 1) for text in self.settings)["tracking_margin"]
+        if float(entry.get("tracking_max") or 0.0) <= float(margin) * (1.0 + 1e-9):
+            return ""
+        return f"tracking error {float(entry['tracking_max']):.3f} m, margin {margin} m"
 
     def world_file(self, entry):
         return self.call(["world", f"{entry['row']}:{entry['seed']}"], 60).stdout

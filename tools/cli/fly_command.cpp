@@ -32,10 +32,13 @@ struct FlyOptions {
   bool commits = false;
 };
 
+bool keeps(const tern_host::FlightResult& result, double margin) {
+  return result.tracking_max <= margin * (1.0 + 1e-9);
+}
+
 void print_tracking(const tern_host::FlightResult& result, double margin) {
-  const bool kept = result.tracking_max <= margin * (1.0 + 1e-9);
   std::printf("tracking error %.3f m at most, %.3f m rms; margin %.3f m: %s\n", result.tracking_max,
-              result.tracking_rms, margin, kept ? "kept" : "EXCEEDED");
+              result.tracking_rms, margin, keeps(result, margin) ? "kept" : "EXCEEDED");
 }
 
 void print_mission(const tern_host::FlightResult& result) {
@@ -80,7 +83,7 @@ int fly_finished_plan(const FlyOptions& options) {
   if (!options.csv.empty()) tern_host::write_files({{options.csv, result.samples}});
   std::printf("%s flew the plan in %.2f s\n", settings.tracking.c_str(), result.time);
   print_tracking(result, settings.tracking_margin);
-  return result.status == "kept" ? kExitOk : kExitNoPlan;
+  return keeps(result, settings.tracking_margin) ? kExitOk : kExitNoPlan;
 }
 
 /// Nobody looks on where there is no film.
@@ -114,7 +117,7 @@ int fly(const FlyOptions& options) {
   if (!options.record.empty()) outputs.push_back({options.record, record});
   tern_host::write_files(outputs);
   print(world, result);
-  return result.reached() ? kExitOk : kExitNoPlan;
+  return result.reached() && keeps(result, world.settings.tracking_margin) ? kExitOk : kExitNoPlan;
 }
 
 }  // namespace
@@ -147,7 +150,7 @@ void add_fly_command(CLI::App& app, int& exit_status) {
       "Families: P49, P36, P25, P12 (forests of thin trees), S05, S10, S20 (thick cylinders), C (hidden corner),\n"
       "B (bug trap), O (storey with doors), M (maze); missions: L (survey lines), G (lap through ten gates),\n"
       "I (inspection), D (delivery).\n"
-      "Exit status 3 where the goal is not reached; with --plan, where the tracking error exceeds its margin.");
+      "Exit status 3 where the goal is not reached, or the tracking error exceeds its margin.");
   command->callback([options, &exit_status] { exit_status = fly(*options); });
 }
 

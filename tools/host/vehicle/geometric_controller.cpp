@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/vehicle/geometric_controller.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "tern/flatness.hpp"
@@ -42,8 +43,15 @@ Vector3d effort(const Setpoint& setpoint) {
   return eigen(setpoint.sample.acceleration) + Body::kDrag * eigen(setpoint.sample.velocity);
 }
 
-Vector3d vee(const Matrix3d& m) {
-  return {m(2, 1), m(0, 2), m(1, 0)};
+/// How far the body is turned beyond its target, about its own axes: twice the sine of half the angle, of the thrust's
+/// tilt and of the heading each for itself. `back` is the target's attitude in the body's frame. Near free fall, a
+/// motion asks for faster turns about the thrust than the motors can give; the thrust then keeps its direction, and the
+/// heading lags.
+Vector3d turned_beyond(const Matrix3d& back) {
+  const Eigen::Quaterniond whole(back);
+  const Eigen::Quaterniond heading = Eigen::Quaterniond(whole.w(), 0.0, 0.0, whole.z()).normalized();
+  const Eigen::Quaterniond tilt = whole * heading.conjugate();
+  return -2.0 * Vector3d(tilt.x(), tilt.y(), whole.w() < 0.0 ? -heading.z() : heading.z());
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ Wrench geometric_control(const Believed& state, double t, const Setpoints& setpo
   const Matrix3d r = state.attitude.toRotationMatrix();
   const tern::FlatState target = flat(soon, wanted);
   const Matrix3d back = r.transpose() * rotation(target);
-  const Vector3d turned = 0.5 * vee(back.transpose() - back);
+  const Vector3d turned = turned_beyond(back);
   const Vector3d planned = eigen(flat(soon, effort(soon)).body_rates);
   const Vector3d spin_up = (eigen(flat(later, effort(later)).body_rates) - planned) / kAhead;
   const Vector3d rates_off = state.body_rates - back * eigen(target.body_rates);

@@ -16,9 +16,10 @@ struct Believed {
   Eigen::Vector3d body_rates;
 };
 
-/// Geometric tracking control on SE(3) (Lee, Leok and McClamroch, CDC 2010). Thrust direction, body rates and angular
-/// acceleration come from the flat state of the commanded motion; it is read one motor's lag ahead, and drag is made up
-/// for.
+/// Geometric tracking control on SE(3) (Lee, Leok and McClamroch, CDC 2010), but with separate errors of the thrust
+/// direction and the heading (Brescianini and D'Andrea, Tilt-Prioritized Quadrocopter Attitude Control, 2018). Thrust
+/// direction, body rates and angular acceleration come from the flat state of the commanded motion; it is read one
+/// motor's lag ahead, and drag is made up for.
 Wrench geometric_control(const Believed& state, double t, const Setpoints& setpoints);
 
 }  // namespace tern_host
