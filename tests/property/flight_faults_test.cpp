@@ -204,39 +204,115 @@ double flown_contact(Flown& flown) {
   return 0.0;
 }
 
-/// Something appears in the tube, too near to brake for or not: the contact is no faster than after an immediate brake.
-TEST(FlightFaults, WhatAppearsIsMetNoFasterThanByAnImmediateBrake) {
+struct Met {
   int threats = 0;
-  int hard = 0;
-  for (int k = 0; k < tern_test::scaled(40) && !HasFatalFailure(); ++k) {
-    Random random(static_cast<std::uint64_t>(1200 + k));
-    FlightSettings settings = fast();
-    settings.v = random.real(2.0, 8.0);
-    Flown flown(Scene{}, settings);
-    flown.flight.set_goal({40.0, random.real(-3.0, 3.0), 1.5});
-    flown.fly(random.real(1.0, 2.5));
-    const Vec3 p = flown.position();
-    const Vec3 v = flown.flight.command(flown.time).sample.velocity;
-    const double ahead = random.real(0.8, 4.0) / size(v);
-    flown.scene.cylinders.push_back({p.x + ahead * v.x, p.y + ahead * v.y + random.real(-0.3, 0.3), 0.3, 5.0});
-    flown.may_touch = true;
-    for (int t = 0; t < 100 && flown.report.mode != FlightMode::kThreat && !HasFatalFailure(); ++t) {
-      const Ahead before(flown);
-      flown.tick();
-      if (flown.report.mode != FlightMode::kThreat) continue;
-      flown.frames = false;
-      EXPECT_GE(flown.report.contact_time, flown.time - flown.spec.tick);
-      const double brake = immediate_brake(flown, before);
-      const double contact = flown_contact(flown);
-      EXPECT_LE(contact, brake + 0.02) << k << ": " << story(flown);
-      ++threats;
-      hard += brake > 0.0 ? 1 : 0;
-    }
+  int hard = 0;    ///< where even an immediate brake touches something
+  int missed = 0;  ///< brakes that were not ready before the skipped ticks
+};
+
+/// A cylinder appears in the tube, too near to brake for or not. From the tick of the threat on, ticks are skipped. The
+/// contact is no faster than after an immediate brake in the tick after those.
+void meet(int k, const FlightSettings& settings, int skipped, Met& met) {
+  Random random(static_cast<std::uint64_t>(1200 + k));
+  FlightSettings chosen = settings;
+  chosen.v = random.real(2.0, 8.0);
+  Flown flown(Scene{}, chosen);
+  flown.flight.set_goal({40.0, random.real(-3.0, 3.0), 1.5});
+  flown.fly(random.real(1.0, 2.5));
+  const Vec3 p = flown.position();
+  const Vec3 v = flown.flight.command(flown.time).sample.velocity;
+  const double ahead = random.real(0.8, 4.0) / size(v);
+  flown.scene.cylinders.push_back({p.x + ahead * v.x, p.y + ahead * v.y + random.real(-0.3, 0.3), 0.3, 5.0});
+  flown.may_touch = true;
+  for (int t = 0; t < 100 && flown.report.mode != FlightMode::kThreat && !testing::Test::HasFatalFailure(); ++t) {
+    const Ahead before(flown);
+    flown.tick();
+    if (flown.report.mode != FlightMode::kThreat) continue;
+    flown.frames = false;
+    EXPECT_GE(flown.report.contact_time, flown.time - flown.spec.tick);
+    flown.skip(skipped);
+    const double brake = immediate_brake(flown, skipped > 0 ? Ahead(flown) : before);
+    const std::uint32_t dropped = flown.report.dropped;
+    const double contact = flown_contact(flown);
+    EXPECT_LE(contact, brake + 0.02) << k << ": " << story(flown);
+    ++met.threats;
+    met.hard += brake > 0.0 ? 1 : 0;
+    met.missed += flown.report.dropped > dropped ? 1 : 0;
   }
-  EXPECT_GT(threats, tern_test::scaled(40) / 4);
-  EXPECT_GT(hard, tern_test::scaled(40) / 13);
-  RecordProperty("threats", threats);
-  RecordProperty("hard", hard);
+}
+
+TEST(FlightFaults, WhatAppearsIsMetNoFasterThanByAnImmediateBrake) {
+  for (const double jerk : {0.0, 30.0}) {
+    FlightSettings settings = fast();
+    settings.jerk = jerk;
+    Met met;
+    for (int k = 0; k < tern_test::scaled(40) && !HasFatalFailure(); ++k) meet(k, settings, 0, met);
+    EXPECT_GT(met.threats, tern_test::scaled(40) / 4);
+    EXPECT_GT(met.hard, tern_test::scaled(40) / 13);
+  }
+}
+
+/// As if the tick after those were the first: a brake that was at hand, and came too late, is tried again.
+TEST(FlightFaults, TicksSkippedUnderAThreatOnlyDelayTheBrake) {
+  FlightSettings settings = fast();
+  settings.work_per_tick = 2000;
+  Met met;
+  for (int k = 0; k < tern_test::scaled(40) && !HasFatalFailure(); ++k) meet(k, settings, 3 + k % 6, met);
+  EXPECT_GT(met.threats, tern_test::scaled(40) / 4);
+  EXPECT_GT(met.missed, tern_test::scaled(40) / 13);
+}
+
+/// Likewise, and the vehicle does not fly on to its old goal. With so little work a tick, no brake is ready in one.
+TEST(FlightFaults, TicksSkippedAfterAStopOnlyDelayTheBrake) {
+  int missed = 0;
+  for (int k = 0; k < tern_test::scaled(30) && !HasFatalFailure(); ++k) {
+    FlightSettings settings = fast();
+    settings.work_per_tick = 270;
+    const auto flown = begin(static_cast<std::uint64_t>(1250 + k), settings, 1.0 / 15.0);
+    flown->fly(1.0 + 0.1 * k);
+    EXPECT_EQ(flown->flight.stop(), Status::kOk);
+    flown->tick();
+    const std::uint32_t dropped = flown->report.dropped;
+    flown->skip(4);
+    flown->fly(2.0);
+    EXPECT_EQ(flown->report.mode, FlightMode::kRest) << k << ": " << story(*flown);
+    missed += flown->report.dropped > dropped ? 1 : 0;
+  }
+  EXPECT_GT(missed, 0);
+}
+
+/// A plan is in work at rest. It must not be flown once the user says stop.
+TEST(FlightFaults, AStopTakesBackThePlanInWork) {
+  int planning = 0;
+  for (int k = 0; k < tern_test::scaled(20) && !HasFatalFailure(); ++k) {
+    FlightSettings settings = fast();
+    settings.work_per_tick = 400;
+    const auto flown = begin(static_cast<std::uint64_t>(1260 + k), settings, 1.0 / 15.0);
+    for (int t = 0; t < 5 + k; ++t) flown->tick();
+    const Vec3 before = flown->position();
+    planning += flown->report.asked > 0 && flown->report.committed == 0 ? 1 : 0;
+    EXPECT_EQ(flown->flight.stop(), Status::kOk);
+    for (int t = 0; t < 200; ++t) flown->tick();
+    EXPECT_EQ(flown->report.mode, FlightMode::kRest) << k;
+    EXPECT_EQ(flown->report.reason, FlightReason::kNoGoal) << k;
+    EXPECT_LT(size(flown->position() - before), 0.05) << k << ": " << story(*flown);
+  }
+  EXPECT_GT(planning, 0);
+}
+
+/// Whatever was in work when the goal moved: the vehicle arrives at the new one.
+TEST(FlightFaults, APlanInWorkForTheOldGoalDoesNotReachTheNewOne) {
+  for (int k = 0; k < tern_test::scaled(30) && !HasFatalFailure(); ++k) {
+    FlightSettings settings = fast();
+    settings.work_per_tick = k % 2 == 0 ? 300 : 700;
+    settings.assumed = 12.0;  // plans in space that is known to be free are committed as a whole
+    Flown flown(Scene{}, settings);
+    EXPECT_EQ(flown.flight.set_goal({6.0, 0.0, 1.5}), Status::kOk);
+    for (int t = 0; t <= k; ++t) flown.tick();
+    EXPECT_EQ(flown.flight.set_goal({2.0, 6.0, 1.5}), Status::kOk);
+    EXPECT_EQ(flown.fly(15.0), FlightReason::kArrived) << k << ": " << story(flown);
+    EXPECT_LT(size(flown.position() - Vec3{2.0, 6.0, 1.5}), 0.01) << k << ": " << story(flown);
+  }
 }
 
 TEST(FlightFaults, GoalsOutOfReachEndWithAReason) {

@@ -133,18 +133,38 @@ TEST(FlightSlices, BrakeThatIsNotDoneInTimeIsNotFlown) {
   EXPECT_EQ(room.flight.rest_position().x, end.x);
 }
 
-/// Ticks were skipped: the brake is dropped, and the next plan gets no more time for it.
-TEST(FlightSlices, BrakeThatIsLateIsDropped) {
+/// Ticks were skipped: the brake is dropped and tried again, with twice the lead after every second time. Plans get no
+/// more time for it.
+TEST(FlightSlices, BrakeThatIsLateIsTriedAgain) {
+  Flying room;
+  FlightState& state = room.state();
+  room.flight.stop();
+  room.advance(kNothing);
+  for (const int lead : {1, 1, 2, 2, 4, 4, 8, 8, 8}) {
+    EXPECT_EQ(state.job, Job::kEvade);
+    EXPECT_EQ(state.takeover - room.time, lead * kEvadeTicks * room.spec.tick);
+    room.time = state.takeover;
+    room.advance(kNothing);
+  }
+  EXPECT_EQ(state.report.dropped, 9u);
+  EXPECT_EQ(state.late, 0);
+  room.advance(4000);
+  EXPECT_TRUE(state.next.branch == 0.0 && state.has_next);
+  EXPECT_EQ(state.missed, 0);
+}
+
+/// With a new goal, there is no reason to brake any more.
+TEST(FlightSlices, BrakeThatIsLateIsNotTriedAgainWithANewGoal) {
   Flying room;
   FlightState& state = room.state();
   room.flight.stop();
   room.advance(kNothing);
   EXPECT_EQ(state.job, Job::kEvade);
+  room.flight.set_goal({8.125, 0.125, 1.125});
   room.time = state.takeover;
   room.advance(kNothing);
-  EXPECT_EQ(state.report.dropped, 1u);
-  EXPECT_EQ(state.late, 0);
-  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_NE(state.job, Job::kEvade);
+  EXPECT_FALSE(state.stopping);
 }
 
 /// A plan from rest is about to take over: it is dropped, and the vehicle stays.

@@ -30,7 +30,6 @@ constexpr double kHoleVoxels = 2.0;
 constexpr double kAnywhere = 1e9;
 /// Ticks from the beginning of a plan to the instant when it takes over: twice as many for each plan that was dropped
 /// before.
-constexpr int kMostDoublings = 3;
 std::int64_t lead_ticks(const FlightSpec& spec, int late) {
   const std::uint32_t half = spec.work_per_tick / 2;
   return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
@@ -84,7 +83,11 @@ void FlightState::advance(Work& work) noexcept {
   note_rest();
   if (job != Job::kIdle && time > deadline) {
     ++report.dropped;
-    if (job != Job::kEvade) ++late;
+    if (job == Job::kEvade) {
+      miss_evasion();
+    } else {
+      ++late;
+    }
     give_up();
   }
   const bool is_braking_soon = has_next && next.evades;
@@ -134,13 +137,14 @@ Progress FlightState::run_copy(Work& work) noexcept {
 
 Progress FlightState::run_keep(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
-  keeps = proof.report().end == ProofEnd::kProven;
+  keeps = proof.report().end == ProofEnd::kProven && now.goal == goal_number;
   begin_plan();
   return Progress::kDone;
 }
 
 /// From where the vehicle will be at the takeover.
 void FlightState::begin_plan() noexcept {
+  planned_goal = goal_number;
   start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
   moved_aim = beside_goal = false;
   if (keeps) keep_points();
@@ -186,11 +190,11 @@ Progress FlightState::run_route(Work& work) noexcept {
   }
   Report found;
   planner->finish(plan, found);
-  if (note_fault(found)) {
+  if (is_outdated()) {
+    choose_draft(false);
+  } else if (note_fault(found)) {
     give_up();
-    return Progress::kDone;
-  }
-  if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
+  } else if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
     moved_aim = true;
     aim = found.nearest_free;
     beside_goal = aims_at_goal;
@@ -255,10 +259,8 @@ Progress FlightState::run_plan(Work& work) noexcept {
 /// Where the planner found none, there may be one that asks for less.
 void FlightState::end_plan(const Report& found) noexcept {
   const bool planned = found.status == Status::kOk;
-  if (planned) {
-    list_passages(found);
-    return choose_draft(true);
-  }
+  if (planned) list_passages(found);
+  if (planned || is_outdated()) return choose_draft(planned);
   if (note_fault(found)) return give_up();
   if (!move_aim(found) && !ask_for_less(found)) choose_draft(false);
 }
@@ -285,7 +287,7 @@ void FlightState::compose() noexcept {
   draft.aim = aim;
   draft.to_goal = aims_at_goal;
   draft.beside_goal = beside_goal;
-  draft.goal = goal_number;
+  draft.goal = planned_goal;
   draft.evades = false;
   draft.leaves = leaves;
   draft.left = start.d[0];

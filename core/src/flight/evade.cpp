@@ -29,12 +29,14 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 }  // namespace
 
 void FlightState::begin_evade() noexcept {
+  const std::int64_t lead = (kEvadeTicks << missed / 2) * spec.tick;
   const bool needed = !rests() && (threat || commitment_at(time).branch > 0.0);
+  stops = stopping;
   stopping = false;
   evaded = true;
-  if (!needed || (threat && rest_begins() <= time + kEvadeTicks * spec.tick)) return;
+  if (!needed || (threat && rest_begins() <= time + lead)) return;
   has_next = false;
-  takeover = time + kEvadeTicks * spec.tick;
+  takeover = time + lead;
   deadline = takeover - spec.tick;
   job = Job::kEvade;
   best.number = branch = -1;
@@ -91,6 +93,7 @@ Progress FlightState::run_evade(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   const bool proven = proof.report().end == ProofEnd::kProven;
   if (proven && proves == BrakeProof::kClear) {
+    missed = 0;
     commit();
     return Progress::kDone;
   }
@@ -122,6 +125,7 @@ bool FlightState::go_on_proving(bool proven) noexcept {
 /// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown. The
 /// threat remains.
 void FlightState::end_evade() noexcept {
+  missed = 0;
   branch = best.number;
   const bool helps = best.number >= 0 && (best.speed < contact_speed || (best.known && !known));
   if (!threat || !helps || (known && !best.known) || !make_evasion()) return give_up();
@@ -134,6 +138,14 @@ void FlightState::end_evade() noexcept {
   known = best.known;
   contact = takeover + nanoseconds(best.until);
   contact_speed = best.speed;
+}
+
+/// Ticks were skipped until the brake at hand was due. Brakes are tried again from here, unless there is a new goal now
+/// and no threat.
+void FlightState::miss_evasion() noexcept {
+  evaded = false;
+  stopping = stopping || (stops && !has_goal);
+  if (missed < 2 * kMostDoublings) ++missed;
 }
 
 /// A plan in work may go on under a threat if its end leaves time to brake, should it fail: twice as long as the

@@ -107,6 +107,7 @@ Status Flight::stop() noexcept {
   state_->has_goal = state_->is_looking = false;
   state_->stopping = true;
   state_->reason = FlightReason::kNoGoal;
+  if (state_->job != Job::kEvade) state_->job = Job::kIdle;  // its plan led to the goal
   return Status::kOk;
 }
 

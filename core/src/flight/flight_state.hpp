@@ -29,8 +29,11 @@ constexpr int kBranches = 16;
 constexpr int kBranchShapes = kStops;
 /// Brakes for a threat: straight ahead, and along what is flown.
 constexpr int kEvasions = kStops + kSlowDowns;
-/// Ticks that getting out of the way may take before it begins.
+/// Ticks that getting out of the way may take before it begins. Twice as many after every second time that ticks were
+/// skipped until it was too late for that.
 constexpr int kEvadeTicks = 3;
+/// The most doublings of the lead of plans and brakes.
+constexpr int kMostDoublings = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
 constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
@@ -92,7 +95,8 @@ class FlightState {
   bool has_goal;
   std::uint32_t goal_number;  ///< counts the missions
   bool parked;                ///< no more plans until the next goal
-  bool stopping;
+  bool stopping;              ///< a brake is due
+  bool stops;                 ///< the brakes at hand were due for that
   FlightReason reason;
 
   // The job at hand.
@@ -107,8 +111,9 @@ class FlightState {
   Via asked[kMaxVias];  ///< what the plan passes
   std::int32_t asked_point[kMaxVias];
   std::int32_t asked_count;
-  std::int32_t target;  ///< the point after those
-  Vec3 goal;            ///< its place
+  std::int32_t target;         ///< the point after those
+  std::uint32_t planned_goal;  ///< the mission that they belong to
+  Vec3 goal;                   ///< its place
   Vec3 aim;
   bool aims_at_goal;  ///< the aim is the target
   bool moved_aim;     ///< the nearest free point took the aim's place,
@@ -134,6 +139,7 @@ class FlightState {
   bool threat;
   bool alarmed;  ///< in this tick
   bool evaded;   ///< it was tried on this map
+  int missed;    ///< evasions that were dropped, one after the other
   std::int64_t contact;
   double contact_speed;  ///< m/s, along what was flown when the threat was found
   bool has_alarm;
@@ -211,6 +217,7 @@ class FlightState {
   std::int32_t point_at_fault(const Report& found) const noexcept;
   bool note_fault(const Report& found) noexcept;
   bool leave_out(std::int32_t point, FlightReason why) noexcept;
+  bool is_outdated() const noexcept;
   void list_passages(const Report& found) noexcept;
   bool passes_later() const noexcept;
 
@@ -268,6 +275,7 @@ class FlightState {
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;
+  void miss_evasion() noexcept;
   bool leaves_time_to_brake() const noexcept;
 
   // watch.cpp

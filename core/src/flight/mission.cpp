@@ -259,8 +259,18 @@ void FlightState::shorten_way(const Path& way) noexcept {
   }
 }
 
+/// There is a new mission since the plan at hand was begun. The plan may be flown, but reaches none of its points, and
+/// where it fails, that says nothing about them.
+bool FlightState::is_outdated() const noexcept {
+  return planned_goal != goal_number;
+}
+
 /// When the planner's trajectory passes the points that it was asked for, and the target where it ends there.
 void FlightState::list_passages(const Report& found) noexcept {
+  if (is_outdated()) {
+    asked_count = 0;
+    aims_at_goal = beside_goal = false;
+  }
   draft.passages = asked_count;
   for (std::int32_t i = 0; i < asked_count; ++i) draft.passage[i] = {asked_point[i], found.vias[i].time};
   draft.target = target;

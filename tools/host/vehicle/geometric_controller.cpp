@@ -13,9 +13,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gains a mass and a moment of inertia: natural frequencies of about 4 and 18 rad/s, of yaw 4.5, damped.
-constexpr double kPosition = 16.0;
-constexpr double kVelocity = 6.4;
+// Gains a mass and a moment of inertia: natural frequencies of about 6 and 18 rad/s, of yaw 4.5, damped.
+constexpr double kPosition = 36.0;
+constexpr double kVelocity = 9.6;
 const Vector3d kAttitude(320.0, 320.0, 20.0);
 const Vector3d kRates(30.0, 30.0, 8.0);
 constexpr double kAhead = 1e-3;  // seconds, of the difference quotient
