@@ -74,6 +74,11 @@ class Planner {
   /// kInvalidArgument, field kCallOrder.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
 
+  /// The stage that the next unit of work belongs to, or the last one of a plan that is done. kRequest if no plan was
+  /// begun. Units of different stages take different times: a unit of kSearch takes the least, one of kCorridor up
+  /// to fifty times as long.
+  Stage stage() const noexcept;
+
   /// The path of the last plan, in the grid's local frame, for displays and logs. Null if the plan has none. If the
   /// plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid
   /// until the next begin() or plan().

@@ -11,9 +11,10 @@ namespace tern {
 namespace {
 
 /// What units of the planner cost here, so that all units of a flight take about as long: a step of the search or the
-/// shortcut, a polyhedron, and an iteration of the optimiser or what comes after it.
+/// shortcut, a polyhedron, a way to come to rest first, and an iteration of the optimiser or what else comes after it.
 constexpr std::uint32_t kPathPrice = 2;
 constexpr std::uint32_t kPolyhedronPrice = 96;
+constexpr std::uint32_t kEscapePrice = 64;
 constexpr std::uint32_t kTrajectoryPrice = 32;
 /// The same for a piece of a proof.
 constexpr std::uint32_t kPiecePrice = 6;
@@ -36,6 +37,7 @@ std::int64_t lead_ticks(const FlightSpec& spec, int late) {
 }
 
 std::uint32_t price_of_unit(const Planner& planner) {
+  if (planner.stage() == Stage::kEscape) return kEscapePrice;
   if (planner.corridor() != nullptr) return kTrajectoryPrice;
   return planner.path() != nullptr ? kPolyhedronPrice : kPathPrice;
 }

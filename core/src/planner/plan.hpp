@@ -41,6 +41,7 @@ class Plan {
   Status begin(const Grid& grid, const Request& request) noexcept;
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
+  Stage stage() const noexcept { return stage_; }
   const Path* path() const noexcept;
   const Corridor* corridor() const noexcept;
 

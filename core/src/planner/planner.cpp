@@ -72,6 +72,10 @@ Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
   return report.status;
 }
 
+Stage Planner::stage() const noexcept {
+  return workspace_ == nullptr ? Stage::kRequest : plan_at_hand().stage();
+}
+
 const Path* Planner::path() const noexcept {
   return workspace_ == nullptr ? nullptr : plan_at_hand().path();
 }

@@ -13,11 +13,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Gains a mass and a moment of inertia: natural frequencies of about 6 and 18 rad/s, of yaw 4.5, damped.
-constexpr double kPosition = 36.0;
-constexpr double kVelocity = 9.6;
-const Vector3d kAttitude(320.0, 320.0, 20.0);
-const Vector3d kRates(30.0, 30.0, 8.0);
+// Gains a mass and a moment of inertia: natural frequencies of about 8 and 22 rad/s, of yaw 4.5, damped.
+constexpr double kPosition = 64.0;
+constexpr double kVelocity = 12.8;
+const Vector3d kAttitude(500.0, 500.0, 20.0);
+const Vector3d kRates(36.0, 36.0, 8.0);
 constexpr double kAhead = 1e-3;  // seconds, of the difference quotient
 
 Vector3d eigen(const tern::Vec3& v) {
