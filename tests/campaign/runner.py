@@ -52,8 +52,8 @@ def main():
     program.chmod(0o755)
 
     def run(*arguments):
-        return subprocess.run([sys.executable, campaign, "fly", "--tern", str(program), "--folder", str(folder), "--name",
-                               "t", *arguments], capture_output=True, text=True)
+        own = ["--tern", str(program), "--folder", str(folder), "--name", "t", "--keep", "0"]
+        return subprocess.run([sys.executable, campaign, "fly", *own, *arguments], capture_output=True, text=True)
 
     calls = lambda: (folder / CALLS).read_text().split()
     done = run("P25", "--flights", "2")
@@ -69,10 +69,15 @@ def main():
     done = run("P25", "--flights", "5")
     expect("a line that was cut off is flown again", len(calls()) == 6)
     expect("what is kept is reported again", "stuck: as told" in done.stdout)
+    done = run("P25", "--flights", "1", "--seed", "6")
+    expect("other seeds have a table of their own", done.returncode == 0 and "stuck" not in done.stdout and
+           "| P25 | 1 | 1 | 0 | 0 |" in done.stdout)
+    done = run("P25", "--flights", "2")
+    expect("so do fewer", "| P25 | 2 | 2 | 0 | 0 |" in done.stdout and len(calls()) == 7 and done.returncode == 0)
     done = run("P25", "--flights", "5", "--fresh", "--least", "0.9")
-    expect("--fresh flies all again", len(calls()) == 11 and done.returncode == 1)
+    expect("--fresh flies all again", len(calls()) == 12 and done.returncode == 1)
     done = run("C@8", "--flights", "2", "--set", "v_max=4")
-    expect("other settings begin anew, a contact is status 1", len(calls()) == 13 and done.returncode == 1)
+    expect("other settings begin anew, a contact is status 1", len(calls()) == 14 and done.returncode == 1)
     expect("settings are passed on", "--set v_max=4" in done.stdout and "| C@8 | 2 | 1 | 1 | 0 |" in done.stdout)
     expect("the runs with the settings before are put aside", "P25,5" in (folder / "t-1.csv").read_text() and
            f"it is now {folder / 't-1.csv'}" in done.stdout)
@@ -80,11 +85,11 @@ def main():
     expect("it says how many runs are there already", "2 runs are there already" in done.stdout)
     done = run("S20", "--flights", "2", "--set", "v_max=4")
     expect("a flight beyond its tracking margin is named, and the status is 1", done.returncode == 1 and
-           f"\ntracking error 0.150 m, margin 0.1 m: {program} fly S20:2" in done.stdout)
+           f"tracking error 0.150 m, margin 0.1 m: {program} fly S20:2" in done.stdout)
     done = run("S20", "--flights", "2", "--set", "tracking_margin=0.15")
     expect("a flight within its tracking margin is not", done.returncode == 0 and "margin" not in done.stdout)
     done = run("C@8", "P99")
-    expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 17 and
+    expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 18 and
            "P99: tern: P99 is no family" in done.stderr)
     return 1 if failures else 0
 

@@ -10,8 +10,8 @@
 A row of the table is a family, such as P25, or P25@8 at 8 m/s (`tern fly --help`), or noise, boxes, ... for attack
 (docs/attack.md). Run k of a row is FAMILY:k. Finished runs are kept in FOLDER/NAME.csv, so that the same command goes
 on where a killed one was. With another build of the program or other settings, it begins anew and keeps the old runs as
-FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md, failing worlds with as few obstacles as still fail to
-FOLDER/NAME-failures/.
+FOLDER/NAME-1.csv. Tables go to FOLDER/NAME-table.csv and .md. The first failing world of each row goes to
+FOLDER/NAME-failures/, with as few obstacles as still fail.
 
 Exit status: 0; 1 where a run touched something, broke an invariant, exceeded its tracking margin or crashed, or where
 fewer than --least of a row's runs succeeded; 2 for wrong usage."""
@@ -20,6 +20,7 @@ import hashlib
 import os
 import pathlib
 import shlex
+import shutil
 import sys
 import time
 
@@ -46,7 +47,7 @@ def parse_arguments():
     parser.add_argument("--share", type=float, default=1.0, help="part of the runs to make, 0 < share <= 1")
     parser.add_argument("--least", type=float, default=0.0,
                         help="part of each row's runs that must succeed (default 0: none)")
-    parser.add_argument("--keep", type=int, default=0, metavar="K", help="failing worlds to keep of a row (default 0)")
+    parser.add_argument("--keep", type=int, default=1, metavar="K", help="failing worlds to keep of a row (default 1)")
     parser.add_argument("--trials", type=int, default=200, metavar="T", help="to make a kept world small (default 200)")
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
     parser.add_argument("--attack", default="build/host/tests/attack/tern_attack", help=argparse.SUPPRESS)
@@ -102,6 +103,12 @@ def missing_jobs(arguments, kind, state):
     return [job for job in ordered if not done(job)]
 
 
+def wanted(arguments, kind, state, row):
+    """The runs that were asked for. There may be others: of an earlier command with other seeds, or more of them."""
+    jobs = kind.jobs(row, arguments.seed, arguments.runs)
+    return state.of_row(row, {seed for job in jobs for seed in kind_seeds(kind, job)})
+
+
 def kind_seeds(kind, job):
     return [job[1]] if kind.name == "attack" else range(job[1], job[1] + job[2])
 
@@ -128,7 +135,7 @@ def keep_failures(arguments, kind, state, stem, executor, width):
     folder = pathlib.Path(f"{stem}-failures")
     jobs = []
     for row in arguments.rows:
-        failed = [entry for entry in state.of_row(row) if entry["status"] != kind.good]
+        failed = [entry for entry in wanted(arguments, kind, state, row) if entry["status"] != kind.good]
         jobs += [(kind, entry, str(folder), arguments.trials) for entry in failed[:arguments.keep]
                  if not (folder / f"{row}-{entry['seed']}.txt").exists()]
     for row, seed, text, words in pool.as_they_finish(executor, width, minimise.keep, jobs):
@@ -142,7 +149,7 @@ def verdict(arguments, kind, state):
     """The exit status: what must never happen, and the least part that succeeds."""
     failed = False
     for row in arguments.rows:
-        runs = state.of_row(row)
+        runs = wanted(arguments, kind, state, row)
         good = sum(entry["status"] == kind.good for entry in runs)
         failed = failed or good < arguments.least * len(runs) or \
             any(entry["status"] in kind.broken | {"violation", "check_failed"} or kind.excess(entry) for entry in runs)
@@ -169,19 +176,25 @@ def make(arguments, kind, executor, width):
     stem = pathlib.Path(arguments.folder, arguments.name or hashlib.sha256(words.encode()).hexdigest()[:8])
     stem.parent.mkdir(parents=True, exist_ok=True)
     path = pathlib.Path(f"{stem}.csv")
+    failures = pathlib.Path(f"{stem}-failures")
     if arguments.fresh:
         path.unlink(missing_ok=True)
+        shutil.rmtree(failures, ignore_errors=True)
     state = State(path, identity, kind.fields)
     if state.put_aside:
+        if failures.exists():
+            failures.rename(state.put_aside.with_name(f"{state.put_aside.stem}-failures"))
         print(f"{path} has runs of another program or of other settings: it is now {state.put_aside}", flush=True)
-    if state.runs:
-        print(f"{len(state.runs)} runs are there already, from {path}", flush=True)
-    for entry in state.runs.values():
+    there = [entry for row in arguments.rows for entry in wanted(arguments, kind, state, row)]
+    if there:
+        print(f"{len(there)} runs are there already, from {path}", flush=True)
+    for entry in there:
         if describe(kind, entry):
             print(describe(kind, entry), flush=True)
     run_all(arguments, kind, state, executor, width)
     keep_failures(arguments, kind, state, stem, executor, width)
-    table.write_tables([table.ROWS[kind.name](row, state.of_row(row)) for row in arguments.rows], stem)
+    rows = {row: wanted(arguments, kind, state, row) for row in arguments.rows}
+    table.write_tables([table.ROWS[kind.name](row, runs) for row, runs in rows.items()], stem)
     return verdict(arguments, kind, state)
 
 

@@ -45,5 +45,6 @@ class State:
         self.runs[entry["row"], entry["seed"]] = {key: "" if value is None else str(value)
                                                   for key, value in entry.items()}
 
-    def of_row(self, row):
-        return [entry for (name, _), entry in sorted(self.runs.items()) if name == row]
+    def of_row(self, row, seeds):
+        """The runs with these seeds that there are."""
+        return [self.runs[row, seed] for seed in sorted(seeds) if (row, seed) in self.runs]

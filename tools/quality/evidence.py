@@ -58,7 +58,7 @@ def add_campaign(name, folder, replaces):
     runs, only where `replaces` says so. Returns the exit status."""
     state = (folder / f"{name}.csv").read_text().splitlines()
     kind = state[0].split()[1]
-    given = re.search(r"settings ([^,]*)", state[0])
+    given = re.search(r"settings (.*?)(, seed \d+)?$", state[0])
     defaults = kinds.KINDS[kind].settings_default
     settings = " ".join(word for word in (given.group(1).split() if given else []) if word not in defaults)
     date = datetime.date.fromtimestamp((folder / f"{name}.csv").stat().st_mtime).isoformat()
@@ -69,6 +69,10 @@ def add_campaign(name, folder, replaces):
     added = []
     for row in csv.DictReader((folder / f"{name}-table.csv").read_text().splitlines()):
         which = seeds[row["family"]]
+        if not seed and len(which) != int(row["runs"]):
+            print(f"tools/evidence: {row['family']} has {len(which)} runs, and the table {row['runs']} of them: run "
+                  "the campaign again with all its seeds first", file=sys.stderr)
+            return 1
         said = f"seed {seed.group(1)}" if seed else f"{min(which)} to {max(which)}"
         added.append({"kind": kind, "date": date, "seeds": said, "settings": settings, **row})
     key = lambda row: (row["kind"], row["family"], row["settings"], row["seeds"].split(" to ")[0])
@@ -117,7 +121,7 @@ def coverage():
 
 
 def mutation():
-    rows = read("mutation.csv")
+    rows = list({row["id"]: row for row in read("mutation.csv")}.values())  # one that was tried again counts once
     if not rows:
         return ""
     path = ROOT / "tests/mutation/survivors.txt"
