@@ -116,7 +116,7 @@ Progress FlightState::run_confirm(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// An extension has the same bits up to the branch that is flown, and so replaces it in place. A new plan takes over at
+/// An extension is the same curve up to the branch that is flown, and so replaces it in place. A new plan takes over at
 /// its beginning.
 void FlightState::commit() noexcept {
   if (!extends && job != Job::kEvade) note_progress();
