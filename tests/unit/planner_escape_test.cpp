@@ -72,6 +72,27 @@ TEST_F(EscapePlan, StartThatCannotBrakeStraightAhead) {
   expect_escaped();
 }
 
+/// Each unit counts for the stage that was said before it.
+TEST_F(EscapePlan, ThePlannerSaysItsStage) {
+  world_.from({2.0, 2.0, 1.0}).to({6.0, 1.0, 1.0});
+  world_.request.start.velocity = {2.0, 1.0, 0.0};
+  EXPECT_EQ(tern::Planner(nullptr, 0).stage(), tern::Stage::kRequest);
+  world_.grid.inflate();
+  ASSERT_EQ(world_.planner.begin(world_.grid, world_.request), Status::kRunning);
+  std::uint32_t units[tern::kStageCount] = {};
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    ++units[static_cast<int>(world_.planner.stage())];
+    status = world_.planner.step(1);
+  }
+  EXPECT_EQ(status, Status::kOk);
+  world_.planner.finish(world_.trajectory, world_.report);
+  const int escape = static_cast<int>(tern::Stage::kEscape);
+  EXPECT_GT(units[escape], 0u);
+  EXPECT_LE(units[escape], world_.report.stages[escape].work);
+  EXPECT_EQ(world_.planner.stage(), tern::Stage::kCheck);
+}
+
 TEST_F(EscapePlan, GoalThatCannotBeLedUpToStraight) {
   world_.from({1.0, 1.0, 1.0}).to({6.0, 2.0, 1.0});
   world_.request.goal.velocity = {2.0, -1.0, 0.0};
