@@ -153,13 +153,69 @@ TEST(Proofs, BothEnds) {
   expect_refuted("goal velocity", straight_plan(), problem_of("goal_velocity 0 0 0.001\n"));
 }
 
-TEST(Proofs, APlanMayEndElsewhereOnlyWhereThatIsAllowed) {
-  const std::string elsewhere = "boundary 0 0 0 10 4 4\nstart 1 2 2\ngoal 9 3 2\n";
+/// The goal is beside the way, and the plan says of itself that it could not get there.
+constexpr const char* kElsewhere = "boundary 0 0 0 10 4 4\nstart 1 2 2\ngoal 9 3 2\n";
+
+Plan plan_that_missed() {
   Plan plan = straight_plan();
   plan.reachable = Point{9, 2, 2};
-  expect_refuted("goal position", plan, parse_problem(elsewhere, "exact"));
-  const Claims claims = prove(parse_problem(elsewhere + "goal_mode nearest\n", "near"), plan);
-  EXPECT_EQ(claim_in(claims, "goal position").verdict(), Verdict::kProven);
+  return plan;
+}
+
+Problem nearest_problem(const std::string& scenario = kElsewhere) {
+  return parse_problem(scenario + "goal_mode nearest\n", "near");
+}
+
+bool mentions(const Claims& claims, const std::string& what) {
+  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) { return claim.what == what; });
+}
+
+TEST(Proofs, APlanCannotSayItselfThatItMayEndElsewhere) {
+  for (const char* const mode : {"", "goal_mode exact\n"}) {
+    const Problem problem = parse_problem(std::string(kElsewhere) + mode, "exact");
+    expect_refuted("goal position", plan_that_missed(), problem);
+    EXPECT_FALSE(mentions(prove(problem, plan_that_missed()), "reachable position")) << mode;
+    EXPECT_EQ(assumed_of(problem, plan_that_missed()), "") << mode;
+  }
+}
+
+TEST(Proofs, WhereAPlanMayEndElsewhereItsOwnPointIsNamedAsSuch) {
+  const Claims claims = prove(nearest_problem(), plan_that_missed());
+  for (const char* const what :
+       {"reachable position", "reachable velocity", "reachable acceleration", "reachable jerk", "reachable distance"}) {
+    EXPECT_EQ(claim_in(claims, what).verdict(), Verdict::kProven) << what;
+  }
+  EXPECT_FALSE(mentions(claims, "goal position")) << "the goal itself is not proven";
+  const std::string assumed = assumed_of(nearest_problem(), plan_that_missed());
+  EXPECT_NE(assumed.find("own 'reachable' point, 1 m from the goal"), std::string::npos) << assumed;
+  EXPECT_NE(assumed.find("not proven"), std::string::npos) << assumed;
+}
+
+TEST(Proofs, APlanThatDoesNotSayThatItMissedTheGoalMustEndThere) {
+  expect_refuted("goal position", straight_plan(), nearest_problem());
+  EXPECT_EQ(assumed_of(nearest_problem(), straight_plan()), "");
+}
+
+TEST(Proofs, APlanThatEndsElsewhereEndsAtItsOwnPointAtRest) {
+  Plan plan = plan_that_missed();
+  (*plan.reachable)[1] += decimal(1, 12);
+  expect_refuted("reachable position", plan, nearest_problem());
+  plan = plan_that_missed();
+  plan.segments[1].points[6][0] -= decimal(1, 12);
+  expect_refuted("reachable velocity", plan, nearest_problem());
+  const Claims claims = prove(nearest_problem(std::string(kElsewhere) + "goal_velocity 1 0 0\n"), plan_that_missed());
+  EXPECT_EQ(claim_in(claims, "reachable velocity").verdict(), Verdict::kProven) << "whatever the goal's was to be";
+}
+
+TEST(Proofs, APlanThatLeadsAwayFromTheGoalDidNotMissItByNecessity) {
+  // Start and end are 8 m apart with the goal between them. A plan may lose 2.5 sqrt(3) voxels: 0.433 m.
+  const auto goal_at = [](const char* x) {
+    return nearest_problem("boundary 0 0 0 10 4 4\nstart 1 2 2\ngoal " + std::string(x) + " 2 2\n");
+  };
+  const Claim claim = claim_in(prove(goal_at("4.784"), plan_that_missed()), "reachable distance");
+  EXPECT_EQ(claim.verdict(), Verdict::kProven) << line_of(claim);
+  EXPECT_LT(claim.most, 0);
+  expect_refuted("reachable distance", plan_that_missed(), goal_at("4.783"));
 }
 
 TEST(Proofs, Vias) {
@@ -216,6 +272,12 @@ TEST(Scenarios, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(message("boundary 0 0 0 1 1 x\n"), "s.txt:1: 'x' is no number");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nstart 0 0 0\n"), "s.txt: there is no 'goal'");
   EXPECT_NE(message("boundary 0 0 0 1 1 1\ncloud a.pcd\n").find("not verified"), std::string::npos);
+  EXPECT_EQ(message("boundary 0 0 0 1 1 1\nunknown solid\n"),
+            "s.txt:2: 'unknown solid': space that no map shows is not verified; write it as blocks");
+  EXPECT_EQ(message("unknown\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
+  EXPECT_EQ(message("unknown space\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
+  EXPECT_EQ(message(std::string(kScenario) + "unknown free\n"), "");
+  EXPECT_NE(message("unknown free\nunknown free\n").find("given twice"), std::string::npos);
 }
 
 }  // namespace

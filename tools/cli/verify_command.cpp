@@ -41,29 +41,46 @@ Json claims_json(const Claims& claims) {
   return all;
 }
 
-void print(const std::string& plan, const Claims& claims, bool brief) {
+/// What is proven of one file, and what is not but would be taken for it.
+struct Proof {
+  Claims claims;
+  std::string assumed;
+};
+
+void print(const std::string& plan, const Proof& proof, bool brief) {
+  const Claims& claims = proof.claims;
   std::size_t proven = 0;
   for (const tern_verify::Claim& claim : claims) {
     const bool holds = claim.verdict() == Verdict::kProven;
     proven += holds ? 1 : 0;
     if (!brief || !holds) std::printf("%s\n", tern_verify::line_of(claim).c_str());
   }
+  if (!proof.assumed.empty()) std::printf("ASSUMED  %s\n", proof.assumed.c_str());
   std::printf("%s: %s: %zu of %zu claims are proven\n", plan.c_str(),
               tern_verify::verdict_word(tern_verify::verdict_of(claims)), proven, claims.size());
 }
 
 /// What one file claims, proven: a flight's log, or a plan with the scenario after it.
-Claims prove_file(const std::vector<std::string>& files, std::size_t& next) {
+Proof prove_file(const std::vector<std::string>& files, std::size_t& next) {
   const std::string& name = files[next++];
   const std::string text = tern_verify::read_file(name);
   if (text.find_first_not_of(" \t\r\n") != text.find('{')) {
     throw std::runtime_error(
         name + ": not a plan file, nor the log of a flight: both are JSON. A scenario comes after its plan");
   }
-  if (tern_verify::is_flight(text)) return tern_verify::prove(tern_verify::parse_flight(text, name));
+  if (tern_verify::is_flight(text)) return {tern_verify::prove(tern_verify::parse_flight(text, name)), ""};
   if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
   const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
-  return tern_verify::prove(tern_verify::read_problem(files[next++]), plan);
+  const tern_verify::Problem problem = tern_verify::read_problem(files[next++]);
+  return {tern_verify::prove(problem, plan), tern_verify::assumed_of(problem, plan)};
+}
+
+Json file_json(const std::string& name, const Proof& proof) {
+  const Verdict verdict = tern_verify::verdict_of(proof.claims);
+  Json file{{"file", name}, {"verdict", tern_verify::verdict_word(verdict)}};
+  if (!proof.assumed.empty()) file["assumed"] = proof.assumed;
+  file["claims"] = claims_json(proof.claims);
+  return file;
 }
 
 int verify(const VerifyOptions& options) {
@@ -72,12 +89,10 @@ int verify(const VerifyOptions& options) {
   int exit_status = kExitOk;
   for (std::size_t next = 0; next < options.files.size();) {
     const std::string& name = options.files[next];
-    const Claims claims = prove_file(options.files, next);
-    print(name, claims, options.brief);
-    const Verdict verdict = tern_verify::verdict_of(claims);
-    if (verdict != Verdict::kProven) exit_status = kExitRefuted;
-    verdicts.push_back(
-        {{"file", name}, {"verdict", tern_verify::verdict_word(verdict)}, {"claims", claims_json(claims)}});
+    const Proof proof = prove_file(options.files, next);
+    print(name, proof, options.brief);
+    if (tern_verify::verdict_of(proof.claims) != Verdict::kProven) exit_status = kExitRefuted;
+    verdicts.push_back(file_json(name, proof));
   }
   if (!options.json.empty()) {
     tern_host::write_file(options.json, Json({{"format", "tern-verify/1"}, {"files", verdicts}}).dump(1) + "\n");
@@ -97,7 +112,7 @@ void add_verify_command(CLI::App& app, int& exit_status) {
                    "a log of `tern fly --json FILE --commits`. Any number of them")
       ->required()
       ->type_name("");
-  command->add_flag("--brief", options->brief, "Print only what is not proven, and a line a plan");
+  command->add_flag("--brief", options->brief, "Print only what is not proven or is assumed, and a line a plan");
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
       "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"

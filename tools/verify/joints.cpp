@@ -13,6 +13,9 @@ constexpr const char* kNames[] = {"position", "velocity", "acceleration", "jerk"
 constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 const Point kZero{};
 
+/// On each axis, from the start to the centre of a voxel that it joins: up to two voxels on (docs/search.md).
+const Rational kJoinedVoxels = Rational(5) / 2;
+
 /// Position to jerk at a segment's beginning or end; positions relative to the plan's origin.
 Motion motion_at(const Segment& segment, bool at_end) {
   Motion motion;
@@ -30,22 +33,36 @@ Rational largest_gap(const Point& a, const Point& b) {
   return largest;
 }
 
-void prove_end(const Subject& subject, bool at_end, Claims& claims) {
+/// Only the scenario may allow it. A plan that is to end at the goal gains nothing by saying that it missed it.
+bool ends_elsewhere(const Problem& problem, const Plan& plan) {
+  return problem.may_end_near && plan.reachable.has_value();
+}
+
+/// A segment's beginning or end is in the state asked for, world frame. `name` is for the claims.
+void prove_end(const Subject& subject, bool at_end, const std::string& name, Motion asked, Claims& claims) {
   const std::vector<Segment>& segments = subject.plan.segments;
   const Segment& segment = at_end ? segments.back() : segments.front();
   const Motion motion = motion_at(segment, at_end);
-  Motion asked = at_end ? subject.problem.goal : subject.problem.start;
-  if (at_end && subject.plan.reachable && subject.problem.may_end_near) {
-    asked = {*subject.plan.reachable, kZero, kZero, kZero};
-  }
   asked[0] = asked[0] - subject.plan.origin;
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const int derivative = static_cast<int>(k);
     const Rational tolerance = k == 0 ? subject.tolerance.place : joint_tolerance(segment, derivative);
-    Tightest tightest((at_end ? "goal " : "start ") + std::string(kNames[k]), kUnits[k]);
+    Tightest tightest(name + " " + kNames[k], kUnits[k]);
     tightest.note(-largest_gap(motion[k], asked[k]), tolerance, [] { return ""; });
     claims.push_back(tightest.claim());
   }
+}
+
+/// The planner can end in any voxel that the start joins, so it never ends further from the goal than those are. How
+/// near it could come depends on all paths, and is not proven.
+void prove_no_further(const Subject& subject, Claims& claims) {
+  const Problem& problem = subject.problem;
+  const Point from_start = problem.goal[0] - problem.start[0];
+  const Point from_end = problem.goal[0] - *subject.plan.reachable;
+  const Rational gain = root_below(dot(from_start, from_start)) - root_above(dot(from_end, from_end));
+  Tightest tightest("reachable distance", "m");
+  tightest.note(gain, root_above(3) * kJoinedVoxels * problem.cell, [] { return ""; });
+  claims.push_back(tightest.claim());
 }
 
 /// The state that a joint has, the end of the plan being one: that of the segment which begins there.
@@ -95,8 +112,21 @@ void prove_joints(const std::vector<Segment>& segments, Claims& claims) {
 }
 
 void prove_ends(const Subject& subject, Claims& claims) {
-  prove_end(subject, false, claims);
-  prove_end(subject, true, claims);
+  prove_end(subject, false, "start", subject.problem.start, claims);
+  if (!ends_elsewhere(subject.problem, subject.plan)) {
+    prove_end(subject, true, "goal", subject.problem.goal, claims);
+    return;
+  }
+  // Another name, so that nobody takes it for a proof that the goal was reached.
+  prove_end(subject, true, "reachable", {*subject.plan.reachable, kZero, kZero, kZero}, claims);
+  prove_no_further(subject, claims);
+}
+
+std::string assumed_of(const Problem& problem, const Plan& plan) {
+  if (!ends_elsewhere(problem, plan)) return "";
+  const Point gap = problem.goal[0] - *plan.reachable;
+  return "end at the plan's own 'reachable' point, " + text_above(root_above(dot(gap, gap))) +
+         " m from the goal; not proven to be the nearest";
 }
 
 /// The first joint that does is as good as any: later vias then have the most joints left.

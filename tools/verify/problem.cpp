@@ -157,7 +157,6 @@ const std::set<std::string> kSettings = {"start",
                                          "time_weight",
                                          "search",
                                          "goal_mode",
-                                         "unknown",
                                          "yaw",
                                          "start_yaw",
                                          "start_yaw_rate",
@@ -192,6 +191,15 @@ void apply(const Settings& settings, Problem& problem) {
   if (problem.cell <= 0) throw InputError(problem.name + ": 'resolution' must be more than 0");
 }
 
+/// What is free is in map files, which are not read here: a plan cannot be held against unknown space that is solid.
+void check_unknown(const Record& record) {
+  const bool has_word = record.words.size() == 2;
+  if (has_word && record.words[1] == "solid") {
+    record.refuse("'unknown solid': space that no map shows is not verified; write it as blocks");
+  }
+  if (!has_word || record.words[1] != "free") record.refuse("'unknown' needs 'free' or 'solid'");
+}
+
 /// Adds a record to the problem, or to the settings.
 void add(const Record& record, Problem& problem, Settings& settings) {
   const std::string& key = record.words[0];
@@ -208,6 +216,9 @@ void add(const Record& record, Problem& problem, Settings& settings) {
     settings.add(record);
   } else if (key == "octomap" || key == "cloud") {
     record.refuse("'" + key + "': maps of other files are not verified; write them as blocks");
+  } else if (key == "unknown") {
+    check_unknown(record);
+    settings.add(record);
   } else if (kSettings.count(key) != 0) {
     settings.add(record);
   } else {

@@ -69,7 +69,7 @@ struct Problem {
   bool may_end_near = false;  ///< `goal_mode nearest`
 };
 
-/// Reads a scenario file (docs/formats.md). Throws InputError; maps of `octomap` and `cloud` are refused.
+/// Reads a scenario file (docs/formats.md). Throws InputError; `octomap`, `cloud` and `unknown solid` are refused.
 Problem read_problem(const std::string& path);
 
 /// A scenario as text; `name` is for messages.

@@ -5,6 +5,7 @@
 #ifndef TERN_VERIFY_PROOFS_HPP
 #define TERN_VERIFY_PROOFS_HPP
 
+#include <string>
 #include <vector>
 
 #include "verify/claim.hpp"
@@ -33,7 +34,7 @@ std::string place_of(const std::vector<Segment>& segments, std::size_t segment, 
 
 /// Joints: position to jerk have no jump.
 void prove_joints(const std::vector<Segment>& segments, Claims& claims);
-/// The plan begins and ends in the states asked for.
+/// The plan begins and ends in the states asked for. Where it may end elsewhere, it ends at rest where it says itself.
 void prove_ends(const Subject& subject, Claims& claims);
 /// It passes each via at a joint, in order.
 void prove_vias(const Subject& subject, Claims& claims);
@@ -47,6 +48,9 @@ void prove_fences(const Subject& subject, Claims& claims);
 void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>& bounds, Claims& claims);
 /// The curve itself, for all t, keeps the clearance from each solid voxel: without the corridor.
 void prove_clearance(const Subject& subject, Claims& claims);
+
+/// What no proof of the plan covers and its reader must know: that it ends where it says itself. Empty if it does not.
+std::string assumed_of(const Problem& problem, const Plan& plan);
 
 /// All of them.
 Claims prove(const Problem& problem, const Plan& plan);
