@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "host/atomic_file.hpp"
 #include "host/flight/assumed_ball.hpp"
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/full_knowledge.hpp"
@@ -17,6 +19,7 @@
 #include "host/flight/simulated_flight.hpp"
 #include "host/flight/speckle_filter.hpp"
 #include "host/flight/world_family.hpp"
+#include "host/text_records.hpp"
 
 namespace {
 
@@ -172,6 +175,21 @@ TEST(SpeckleFilter, TakesOutLonePixelsAndKeepsThinThings) {
   }
 }
 
+/// Three pixels that touch across the first and last columns: one thing in a scan, lone pixels in an image.
+TEST(SpeckleFilter, JoinsTheSidesOfAScan) {
+  constexpr int kSide = 9;
+  const std::size_t thing[3] = {4 * kSide, 4 * kSide + 8, 5 * kSide + 8};
+  std::vector<double> clean(kSide * kSide, 8.0);
+  std::vector<double> scan = clean;
+  for (const std::size_t at : thing) scan[at] = 3.0;
+  const std::vector<double> before = scan;
+  std::vector<double> image = scan;
+  tern_host::filter_speckle(scan, kSide, kSide, 0.0, tern_host::Sides::kJoined);
+  EXPECT_EQ(scan, before);
+  tern_host::filter_speckle(image, kSide, kSide, 0.0, tern_host::Sides::kApart);
+  EXPECT_EQ(image, clean);
+}
+
 /// The least depth of a pixel and its neighbours.
 float least_around(const DepthFrame& frame, int u, int v) {
   float least = 1e9f;
@@ -227,6 +245,109 @@ TEST(Lidar, BeamsEndWhereTheWorldBegins) {
     on_trunk += std::abs(std::hypot(p.x - 3.0, p.y) - 0.5) < 0.05 ? 1 : 0;
   }
   EXPECT_GT(on_trunk, 200);
+}
+
+double length_of(const tern_host::LidarScan& scan, std::size_t beam) {
+  const tern::Vec3& p = scan.points[beam];
+  return std::hypot(p.x - scan.origin.x, std::hypot(p.y - scan.origin.y, p.z - scan.origin.z));
+}
+
+tern_host::LidarScan scan_at_start(const std::vector<std::string>& overrides, Noise& noise) {
+  const FlightWorld world = read_flight_world("P25:1", overrides);
+  return take_scan(world, world.start, world.start, 0, noise);
+}
+
+/// The least length of a beam and its neighbours. Scans have one column of beams after the other, 0.02 rad apart.
+double least_around(const tern_host::LidarScan& scan, std::size_t beam) {
+  constexpr int kColumns = 315;
+  const int rows = static_cast<int>(scan.points.size()) / kColumns;
+  const int column = static_cast<int>(beam) / rows;
+  const int row = static_cast<int>(beam) % rows;
+  double least = 1e9;
+  for (int c = column + kColumns - 1; c <= column + kColumns + 1; ++c) {
+    for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r) {
+      least = std::min(least, length_of(scan, static_cast<std::size_t>(c % kColumns * rows + r)));
+    }
+  }
+  return least;
+}
+
+/// How many beams of ten scans with one outlier in a hundred end before what a clean scan shows around them.
+int wrong_beams(const std::string& filter) {
+  Noise noise(2);
+  const tern_host::LidarScan clean = scan_at_start({"sensor=lidar"}, noise);
+  int wrong = 0;
+  for (int k = 0; k < 10; ++k) {
+    const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=0.01", filter}, noise);
+    for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
+      wrong += length_of(scan, beam) < 0.95 * least_around(clean, beam) ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+TEST(Lidar, FiltersLoneReturns) {
+  EXPECT_GT(wrong_beams("speckle_filter=0"), 400);  // of 2050 outliers
+  EXPECT_LE(wrong_beams("speckle_filter=1"), 10);
+}
+
+/// Where no neighbour is right either, a beam says nothing: the map skips points at the origin.
+TEST(Lidar, BeamsWithoutALengthEndAtTheOrigin) {
+  Noise noise(3);
+  const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=1", "speckle_filter=1"}, noise);
+  int at_origin = 0;
+  for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
+    ASSERT_TRUE(std::isfinite(length_of(scan, beam)));
+    at_origin += length_of(scan, beam) <= 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(at_origin, 10);
+}
+
+/// Why a flight with these settings is refused; empty where it is not.
+std::string refusal(const std::string& world, const std::vector<std::string>& overrides) {
+  try {
+    read_flight_world(world, overrides);
+  } catch (const tern_host::RecordError& error) {
+    return error.reason();
+  }
+  return "";
+}
+
+TEST(SensorFov, IsAllAroundForALidarAlone) {
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,40"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=360,40", "sensor=lidar"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=90,74"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=150,10"}), "");
+  const std::string allowed = ": both are 10 to 150 degrees; with sensor lidar, the first may also be 360";
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=360,40"}), "sensor_fov 360 40" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=151,40"}), "sensor_fov 151 40" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=200,40"}), "sensor_fov 200 40" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,360"}), "sensor_fov 360 360" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,40", "sensor=camera"}), "sensor_fov 360 40" + allowed);
+  EXPECT_THROW(tern_host::flight_settings({"sensor_fov=360,40"}), tern_host::RecordError);
+  EXPECT_EQ(tern_host::flight_settings({"sensor_fov=360,40", "sensor=lidar"}).fov_vertical, 40.0);
+}
+
+TEST(SensorFov, OfAFileMayComeBeforeItsSensor) {
+  const std::string path = testing::TempDir() + "tern_lidar_world.txt";
+  const std::string world = "boundary -5 -5 0 5 5 3\nsensor_fov 360 40\n";
+  tern_host::write_files({{path, world + "sensor lidar\n"}});
+  EXPECT_EQ(refusal(path, {}), "");
+  EXPECT_EQ(read_flight_world(path, {}).settings.fov_horizontal, 360.0);
+  EXPECT_NE(refusal(path, {"sensor=camera"}), "");
+  tern_host::write_files({{path, world}});
+  EXPECT_NE(refusal(path, {}), "");
+  EXPECT_EQ(refusal(path, {"sensor=lidar"}), "");
+}
+
+/// Both were hemmed in by lone returns before they had left the start.
+TEST(Lidar, FliesAmongOutliers) {
+  for (const char* const name : {"P25@5:7003", "P25@5:7006"}) {
+    const FlightWorld world = read_flight_world(
+        name, {"sensor=lidar", "sensor_fov=360,74", "depth_noise=0.01", "outliers=0.01", "time_limit=60"});
+    const tern_host::FlightResult result = tern_host::simulate_flight(world);
+    EXPECT_EQ(result.status, "reached") << name << ": " << result.reason;
+  }
 }
 
 TEST(Lidar, FliesThroughAForest) {

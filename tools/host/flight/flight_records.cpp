@@ -8,6 +8,7 @@
 #include "host/fence_record.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/world_family.hpp"
+#include "host/number.hpp"
 #include "host/text_records.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "host/via_record.hpp"
@@ -21,10 +22,14 @@ struct Range {
   double most;
 };
 
+bool holds(const Range& range, double value) {
+  return value >= range.least && value <= range.most;
+}
+
 double number_within(const Words& words, const Range& range, const Place& place) {
   const std::vector<double> values = numbers(words, place);
   if (values.size() != 1) throw_count(words[0], "one number", values.size(), place);
-  if (values[0] >= range.least && values[0] <= range.most) return values[0];
+  if (holds(range, values[0])) return values[0];
   throw RecordError(place, words[0] + " " + words[1] + " is not within " + std::to_string(range.least) + " .. " +
                                std::to_string(range.most));
 }
@@ -44,23 +49,39 @@ Setter whole(int FlightSettings::*field, double least, double most) {
 }
 
 /// Two numbers of one record.
-std::vector<double> pair(const Words& words, double least, double most, const Place& place) {
+std::vector<double> pair(const Words& words, const Place& place) {
   const std::vector<double> values = numbers(words, place);
   if (values.size() != 2) throw_count(words[0], "two numbers", values.size(), place);
-  for (const double value : values) {
-    if (value < least || value > most) throw RecordError(place, words[0] + ": out of range");
-  }
   return values;
 }
 
+constexpr Range kFov{10.0, 150.0};
+/// The horizontal field of view of what sees all around.
+constexpr double kAllAround = 360.0;
+
+[[noreturn]] void throw_fov(double horizontal, double vertical, const Place& place) {
+  throw RecordError(place, "sensor_fov " + brief(horizontal) + " " + brief(vertical) +
+                               ": both are 10 to 150 degrees; with sensor lidar, the first may also be 360");
+}
+
+/// Whether 360 degrees fit depends on the sensor, whose record may come later: check_fov.
 void set_fov(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = pair(words, 10.0, 150.0, place);
+  const std::vector<double> values = pair(words, place);
+  const bool fits = (holds(kFov, values[0]) || values[0] == kAllAround) && holds(kFov, values[1]);
+  if (!fits) throw_fov(values[0], values[1], place);
   s.fov_horizontal = values[0];
   s.fov_vertical = values[1];
 }
 
+void check_fov(const FlightSettings& s, const Place& place) {
+  if (s.sensor != "lidar" && !holds(kFov, s.fov_horizontal)) throw_fov(s.fov_horizontal, s.fov_vertical, place);
+}
+
 void set_size(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = pair(words, 8.0, 1000.0, place);
+  const std::vector<double> values = pair(words, place);
+  for (const double value : values) {
+    if (!holds({8.0, 1000.0}, value)) throw RecordError(place, words[0] + ": out of range");
+  }
   s.width = static_cast<int>(std::lround(values[0]));
   s.height = static_cast<int>(std::lround(values[1]));
 }
@@ -227,6 +248,7 @@ FlightSettings flight_settings(const std::vector<std::string>& overrides, const 
   FlightWorld world;
   world.settings = defaults;
   replace_settings(overrides, world);
+  check_fov(world.settings, {"--set", 0});
   return world.settings;
 }
 
@@ -242,6 +264,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
     throw RecordError(end, "there is no boundary");
   }
+  check_fov(world.settings, {path, 0});
   choose_voxels(world);
   choose_evidence(world.settings);
   return world;

@@ -32,7 +32,7 @@ struct FlightSettings {
   std::string sensor = "camera";  ///< or lidar
   double scan_pixel = 0.04;       ///< as MapSpec::scan_pixel, for the lidar
   double sensor_range = 10.0;
-  double fov_horizontal = 90.0;
+  double fov_horizontal = 90.0;  ///< of the camera; the lidar sees all around, and may say 360
   double fov_vertical = 74.0;
   int width = 160;
   int height = 120;
@@ -43,7 +43,7 @@ struct FlightSettings {
   double outliers = 0.0;     ///< part of the pixels with a random depth
   int hits = 0;              ///< as MapSpec::hits; 0 in a file that does not say: 2 with outliers, unfiltered, else 1
   int support = -1;          ///< as MapSpec::support; negative in a file that does not say: likewise 1, else 0
-  int speckle_filter = -1;   ///< 1: the camera's driver takes lone pixels out; negative: with outliers
+  int speckle_filter = -1;   ///< 1: the sensor's driver takes lone pixels out; negative: with outliers
   double v_max = 3.0;
   double a_max = 6.0;
   double j_max = 0.0;  ///< 0: no limit

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/ray_fan.hpp"
+#include "host/flight/speckle_filter.hpp"
 
 namespace tern_host {
 namespace {
@@ -25,6 +26,8 @@ struct BeamGrid {
         high(s.fov_vertical * kTurn / 360.0 / rows) {}
   double azimuth(double column) const { return kTurn * column / columns; }
   double elevation(double row) const { return lowest + high * row; }
+  std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns + column); }
 
   int columns, rows;
   double lowest, high;  ///< rad
@@ -46,29 +49,44 @@ std::vector<double> border_distances(const FlightWorld& world, const BeamGrid& b
   return distances;
 }
 
+/// What the beams measure, row by row. A beam shows what is nearest in its part of the view.
+std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
+                                     Noise& noise) {
+  const FlightSettings& s = world.settings;
+  const double far = kFarther * s.sensor_range;
+  const std::vector<double> borders = border_distances(world, beams, eye, far);
+  const auto border = [&](int c, int r) { return borders[static_cast<std::size_t>(c * (beams.rows + 1) + r)]; };
+  std::vector<double> lengths(beams.count());
+  for (int c = 0; c < beams.columns; ++c) {
+    for (int r = 0; r < beams.rows; ++r) {
+      double length = std::min({border(c, r), border(c, r + 1), border(c + 1, r), border(c + 1, r + 1)});
+      if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
+      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestOutlier, far);
+      lengths[beams.index(c, r)] = length;
+    }
+  }
+  return lengths;
+}
+
 }  // namespace
 
 std::size_t beam_count(const FlightSettings& settings) {
-  const BeamGrid beams(settings);
-  return static_cast<std::size_t>(beams.columns) * static_cast<std::size_t>(beams.rows);
+  return BeamGrid(settings).count();
 }
 
 LidarScan take_scan(const FlightWorld& world, const tern::Vec3& eye, const tern::Vec3& believed, std::int64_t t,
                     Noise& noise) {
   const FlightSettings& s = world.settings;
   const BeamGrid beams(s);
-  const double far = kFarther * s.sensor_range;
-  const std::vector<double> borders = border_distances(world, beams, eye, far);
-  const auto border = [&](int c, int r) { return borders[static_cast<std::size_t>(c * (beams.rows + 1) + r)]; };
+  std::vector<double> lengths = measured_lengths(world, beams, eye, noise);
+  if (s.speckle_filter > 0) filter_speckle(lengths, beams.columns, beams.rows, s.depth_noise, Sides::kJoined);
   LidarScan scan;
   scan.origin = believed;
   scan.taken = t;
   for (int c = 0; c < beams.columns; ++c) {
     const double azimuth = beams.azimuth(c + 0.5);
     for (int r = 0; r < beams.rows; ++r) {
-      double length = std::min({border(c, r), border(c, r + 1), border(c + 1, r), border(c + 1, r + 1)});
-      if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
-      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestOutlier, far);
+      const double length = lengths[beams.index(c, r)];
       const double elevation = beams.elevation(r + 0.5);
       const double flat = length * std::cos(elevation);
       scan.points.push_back({believed.x + flat * std::cos(azimuth), believed.y + flat * std::sin(azimuth),

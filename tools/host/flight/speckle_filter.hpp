@@ -7,11 +7,18 @@
 
 namespace tern_host {
 
-/// What a depth camera's driver does about wrong pixels. A pixel that fewer than two of its eight neighbours agree with
-/// is taken for wrong, and replaced by the least depth among the neighbours that are not. Two depths agree within 0.1
-/// m, a fiftieth of the depth, and twice the noise. So things one pixel wide stay as long as they are three pixels
-/// long. `noise`: largest error, metres a metre of depth.
-void filter_speckle(std::vector<float>& depths, int width, int height, double noise);
+/// What is beside an image's first and last columns: nothing, or each other, as in a scan all around.
+enum class Sides { kApart, kJoined };
+
+/// What a sensor's driver does about wrong pixels. A pixel that fewer than two of its eight neighbours agree with is
+/// taken for wrong, and replaced by the least depth among the neighbours that are not; without one, by 0: no depth. Two
+/// depths agree within 0.1 m, a fiftieth of the depth, and twice the noise. So things one pixel wide stay as long as
+/// they are three pixels long. `noise`: largest error, metres a metre of depth. For a scan, a pixel is a beam.
+template <typename Depth>
+void filter_speckle(std::vector<Depth>& depths, int width, int height, double noise, Sides sides = Sides::kApart);
+
+extern template void filter_speckle(std::vector<float>&, int, int, double, Sides);
+extern template void filter_speckle(std::vector<double>&, int, int, double, Sides);
 
 }  // namespace tern_host
 
