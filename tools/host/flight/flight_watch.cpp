@@ -129,11 +129,13 @@ void FlightWatch::check_unchanged(std::int64_t t) {
 void FlightWatch::take_commit(std::int64_t t, bool proven) {
   ++counts_.commits;
   const Vec3 end = flight_.rest_position();
+  // Near rest is not enough: the vehicle may rest where a plan that hardly moves it is about to take over.
+  const Sample rest = at(t + static_cast<std::int64_t>(kMostTicks) * spec_.tick);
   std::vector<Sample> fresh;
   do {
     fresh.push_back(at(t + static_cast<std::int64_t>(fresh.size()) * spec_.tick));
     if (!is_finite(fresh.back())) fail(1, "a command is not finite", t);
-  } while (!at_rest(fresh.back(), end) && fresh.size() < kMostTicks);
+  } while (!same_bits(fresh.back(), rest) && fresh.size() < kMostTicks);
   const std::int64_t last = t + static_cast<std::int64_t>(fresh.size() - 1) * spec_.tick;
   if (!at_rest(fresh.back(), end) || !at_rest(at(last + 60 * 1000000000LL), end)) {
     fail(1, "the committed plan does not end at rest", t);
