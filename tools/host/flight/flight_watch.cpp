@@ -200,12 +200,13 @@ void FlightWatch::check_motion(const std::vector<Sample>& fresh, std::int64_t t)
 void FlightWatch::check_limits(const Sample& s, std::int64_t t) {
   const tern::Limits& limits = spec_.limits;
   const double wider = 1.0 + kLimitExcess;
+  const double lowest = limits.a_min.z < 0.0 ? limits.a_min.z : -limits.a_max.z;
   if (std::hypot(s.velocity.x, s.velocity.y) > wider * limits.v_horizontal ||
       std::abs(s.velocity.z) > wider * limits.v_max.z) {
     fail(2, "a committed plan is faster than its limit", t);
   }
   if (std::hypot(s.acceleration.x, s.acceleration.y) > wider * limits.a_horizontal ||
-      std::abs(s.acceleration.z) > wider * limits.a_max.z) {
+      s.acceleration.z > wider * limits.a_max.z || s.acceleration.z < wider * lowest) {
     fail(2, "a committed plan accelerates beyond its limit", t);
   }
   const double jerk = std::max({std::abs(s.jerk.x), std::abs(s.jerk.y), std::abs(s.jerk.z)});

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 #include "tern/planner.hpp"
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr double kSlowest = 2.0;   ///< m/s and
 constexpr double kGentlest = 6.0;  ///< m/s^2 up and down at most
+/// The same down for rigid bodies: near free fall, the thrust is small, and its direction would have to turn faster
+/// than the motors can turn the body.
+constexpr double kGentlestFall = 3.0;
 
 tern::GridSpec spec_of(const FlightWorld& world) {
   const tern::Box& b = world.boundary;
@@ -43,6 +47,7 @@ double radius_of(const FlightSettings& settings) {
 tern::Limits limits_of(const FlightSettings& s) {
   tern::Limits limits{{s.v_max, s.v_max, std::min(s.v_max, kSlowest)},
                       {s.a_max, s.a_max, std::min(s.a_max, kGentlest)}};
+  if (is_rigid_body(s.tracking)) limits.a_min.z = -std::min(s.a_max, kGentlestFall);
   limits.v_horizontal = s.v_max;
   limits.a_horizontal = s.a_max;
   limits.j_max = {s.j_max, s.j_max, s.j_max};

@@ -43,6 +43,17 @@ Vector3d effort(const Setpoint& setpoint) {
   return eigen(setpoint.sample.acceleration) + Body::kDrag * eigen(setpoint.sample.velocity);
 }
 
+/// How fast the thrust's direction turns, about the body's x and y.
+Vector3d tilting(const tern::FlatState& state) {
+  return {state.body_rates.x, state.body_rates.y, 0.0};
+}
+
+/// The rates to follow. About the thrust, that is only the turn that the heading asks for: near free fall, keeping the
+/// nose level as the thrust swings would take faster turns than the motors can give.
+Vector3d rates_of(const tern::FlatState& state, const Setpoint& setpoint) {
+  return tilting(state) + Vector3d(0.0, 0.0, setpoint.yaw_rate * state.attitude[2][2]);
+}
+
 /// How far the body is turned beyond its target, about its own axes: twice the sine of half the angle, of the thrust's
 /// tilt and of the heading each for itself. `back` is the target's attitude in the body's frame. Near free fall, a
 /// motion asks for faster turns about the thrust than the motors can give; the thrust then keeps its direction, and the
@@ -66,9 +77,9 @@ Wrench geometric_control(const Believed& state, double t, const Setpoints& setpo
   const tern::FlatState target = flat(soon, wanted);
   const Matrix3d back = r.transpose() * rotation(target);
   const Vector3d turned = turned_beyond(back);
-  const Vector3d planned = eigen(flat(soon, effort(soon)).body_rates);
-  const Vector3d spin_up = (eigen(flat(later, effort(later)).body_rates) - planned) / kAhead;
-  const Vector3d rates_off = state.body_rates - back * eigen(target.body_rates);
+  const Vector3d planned = tilting(flat(soon, effort(soon)));
+  const Vector3d spin_up = (tilting(flat(later, effort(later))) - planned) / kAhead;
+  const Vector3d rates_off = state.body_rates - back * rates_of(target, soon);
   const Vector3d angular = back * spin_up - kAttitude.cwiseProduct(turned) - kRates.cwiseProduct(rates_off);
   const Vector3d inertia = Body::inertia();
   const Vector3d gyroscopic = state.body_rates.cross(Vector3d(inertia.cwiseProduct(state.body_rates)));

@@ -122,11 +122,15 @@ const std::vector<std::string>& vehicle_kinds() {
   return kinds;
 }
 
+bool is_rigid_body(const std::string& kind) {
+  return kind == "quadrotor" || kind == "px4";
+}
+
 std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start) {
   if (settings.kind == "perfect" || settings.kind == "bounded") {
     return std::make_unique<ShiftedVehicle>(settings, start);
   }
-  if (settings.kind == "quadrotor" || settings.kind == "px4") return std::make_unique<FlownBody>(settings, start);
+  if (is_rigid_body(settings.kind)) return std::make_unique<FlownBody>(settings, start);
   throw std::runtime_error("there is no vehicle " + settings.kind);
 }
 

@@ -55,6 +55,9 @@ struct VehicleSettings {
 /// same body under PX4's cascade.
 const std::vector<std::string>& vehicle_kinds();
 
+/// True for the kinds that are rigid bodies.
+bool is_rigid_body(const std::string& kind);
+
 /// A vehicle that hovers at a setpoint at time 0.
 std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start);
 
