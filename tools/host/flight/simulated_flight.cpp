@@ -16,6 +16,7 @@
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/mission_watch.hpp"
 #include "host/flight/sensor.hpp"
+#include "host/flight/yaw_watch.hpp"
 #include "host/number.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
@@ -25,7 +26,6 @@ namespace {
 
 constexpr double kAssumedVoxels = 6.0;                 ///< that the operator knows beyond the radius, if they are free
 constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
-constexpr double kYawSlack = 1e-9;                     ///< rad, rad/s and rad/s^2: rounding
 constexpr double kLeastLook = 0.4;                     ///< metres: nearer points say nothing about where to look
 constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan_pixel of 1 rad
 constexpr double kTurn = 6.28318530717958648;
@@ -149,6 +149,8 @@ class Simulation {
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
     watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, flight_);
     mission_ = std::make_unique<MissionWatch>(world_, flight_);
+    yaw_watch_ =
+        std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](std::int64_t t) { return flight_.yaw(t); });
   }
 
   /// The mission, and how to turn on it.
@@ -193,7 +195,7 @@ class Simulation {
     note_commit();
     if (onlooker_) tell(command);
     if (!plans_yaw_) turn(command);
-    watch_yaw();
+    if (plans_yaw_) yaw_watch_->look(time_);
     if (report_.waits_for_view) ++view_waits_;
     reason_ = tern::flight_reason_text(report_.reason);
     if (recorder_.clearance_now() < world_.settings.body_radius) {
@@ -201,7 +203,7 @@ class Simulation {
       reason_ = "the body touched something";
       return true;
     }
-    reason_ = watch_->broken() + sensor_.watch().broken() + mission_->broken() + yaw_broken_;
+    reason_ = watch_->broken() + sensor_.watch().broken() + mission_->broken() + yaw_watch_->broken();
     if (!reason_.empty()) {
       status = "invariant";
       return true;
@@ -234,25 +236,6 @@ class Simulation {
     time_ = next;
   }
 
-  /// Limits of the yaw, and no step in it, half a tick apart.
-  void watch_yaw() {
-    if (!plans_yaw_ || !yaw_broken_.empty()) return;
-    const FlightSettings& s = world_.settings;
-    for (const std::int64_t t : {time_, time_ + spec_.tick / 2}) {
-      const tern::YawSample now = flight_.yaw(t);
-      const double step = 0.5 / s.tick_hz;
-      const bool within = std::abs(now.yaw.rate) <= s.yaw_rate + kYawSlack &&
-                          std::abs(now.acceleration) <= s.yaw_acceleration + kYawSlack;
-      const double turned = std::abs(std::remainder(now.angle - last_angle_, kTurn));
-      const double changed = std::abs(now.yaw.rate - last_rate_);
-      const bool smooth =
-          time_ == 0 || (turned <= s.yaw_rate * step + kYawSlack && changed <= s.yaw_acceleration * step + kYawSlack);
-      if (!within || !smooth) yaw_broken_ = "yaw: beyond its limits at " + std::to_string(seconds()) + " s";
-      last_angle_ = now.angle;
-      last_rate_ = now.yaw.rate;
-    }
-  }
-
   /// The camera turns to where the flight looks, as fast as it may.
   void turn(const tern::Command& command) {
     const double x = command.look_at.x - command.sample.position.x;
@@ -281,13 +264,12 @@ class Simulation {
   FlightTape tape_;
   std::unique_ptr<FlightWatch> watch_;
   std::unique_ptr<MissionWatch> mission_;
+  std::unique_ptr<YawWatch> yaw_watch_;
   Sensor sensor_;
   std::int64_t time_ = 0;
   double yaw_ = 0.0;
   double yaw_rate_ = 0.0;
   bool plans_yaw_ = false;
-  double last_angle_ = 0.0, last_rate_ = 0.0;
-  std::string yaw_broken_;
   std::uint32_t committed_ = 0;
   std::vector<FlightCommit> commits_;
   std::int64_t view_waits_ = 0;  // ticks
