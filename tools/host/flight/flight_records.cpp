@@ -1,12 +1,10 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
 
 #include "host/fence_record.hpp"
 #include "host/flight/flight_world.hpp"
+#include "host/flight/setting_readers.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/number.hpp"
 #include "host/text_records.hpp"
@@ -15,45 +13,6 @@
 
 namespace tern_host {
 namespace {
-
-/// What a setting of one number may be.
-struct Range {
-  double least;
-  double most;
-};
-
-bool holds(const Range& range, double value) {
-  return value >= range.least && value <= range.most;
-}
-
-double number_within(const Words& words, const Range& range, const Place& place) {
-  const std::vector<double> values = numbers(words, place);
-  if (values.size() != 1) throw_count(words[0], "one number", values.size(), place);
-  if (holds(range, values[0])) return values[0];
-  throw RecordError(place, words[0] + " " + words[1] + " is not within " + std::to_string(range.least) + " .. " +
-                               std::to_string(range.most));
-}
-
-using Setter = std::function<void(FlightSettings&, const Words&, const Place&)>;
-
-Setter real(double FlightSettings::*field, double least, double most) {
-  return [=](FlightSettings& s, const Words& words, const Place& place) {
-    s.*field = number_within(words, {least, most}, place);
-  };
-}
-
-Setter whole(int FlightSettings::*field, double least, double most) {
-  return [=](FlightSettings& s, const Words& words, const Place& place) {
-    s.*field = static_cast<int>(std::lround(number_within(words, {least, most}, place)));
-  };
-}
-
-/// Two numbers of one record.
-std::vector<double> pair(const Words& words, const Place& place) {
-  const std::vector<double> values = numbers(words, place);
-  if (values.size() != 2) throw_count(words[0], "two numbers", values.size(), place);
-  return values;
-}
 
 constexpr Range kFov{10.0, 150.0};
 /// The horizontal field of view of what sees all around.
@@ -66,7 +25,7 @@ constexpr double kAllAround = 360.0;
 
 /// Whether 360 degrees fit depends on the sensor, whose record may come later: check_fov.
 void set_fov(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = pair(words, place);
+  const std::vector<double> values = two_numbers(words, place);
   const bool fits = (holds(kFov, values[0]) || values[0] == kAllAround) && holds(kFov, values[1]);
   if (!fits) throw_fov(values[0], values[1], place);
   s.fov_horizontal = values[0];
@@ -78,12 +37,9 @@ void check_fov(const FlightSettings& s, const Place& place) {
 }
 
 void set_size(FlightSettings& s, const Words& words, const Place& place) {
-  const std::vector<double> values = pair(words, place);
-  for (const double value : values) {
-    if (!holds({8.0, 1000.0}, value)) throw RecordError(place, words[0] + ": out of range");
-  }
-  s.width = static_cast<int>(std::lround(values[0]));
-  s.height = static_cast<int>(std::lround(values[1]));
+  const std::vector<double> values = two_numbers(words, place);
+  s.width = static_cast<int>(whole_within(words[0], values[0], {8.0, 1000.0}, place));
+  s.height = static_cast<int>(whole_within(words[0], values[1], {8.0, 1000.0}, place));
 }
 
 void set_window(FlightSettings& s, const Words& words, const Place& place) {
@@ -121,43 +77,42 @@ void set_yaw(FlightSettings& s, const Words& words, const Place& place) {
   if (needed == 1) s.yaw_heading = values[0];
 }
 
-const std::map<std::string, Setter>& setters() {
+const Setters& setters() {
   using S = FlightSettings;
-  static const std::map<std::string, Setter> all = {
-      {"body_radius", real(&S::body_radius, 0.01, 10.0)},
-      {"tracking_margin", real(&S::tracking_margin, 0.0, 10.0)},
-      {"pose_margin", real(&S::pose_margin, 0.0, 10.0)},
-      {"depth_margin", real(&S::depth_margin, 0.0, 10.0)},
-      {"cell", real(&S::cell, 0.01, 10.0)},
-      {"sensor_range", real(&S::sensor_range, 0.5, 1000.0)},
-      {"sensor_hz", real(&S::sensor_hz, 0.1, 1000.0)},
-      {"sensor_latency", real(&S::sensor_latency, 0.0, 10.0)},
-      {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
-      {"dropout", real(&S::dropout, 0.0, 1.0)},
-      {"outliers", real(&S::outliers, 0.0, 1.0)},
-      {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
-      {"hits", whole(&S::hits, 1.0, 4.0)},
-      {"support", whole(&S::support, 0.0, 8.0)},
-      {"v_max", real(&S::v_max, 0.01, 100.0)},
-      {"a_max", real(&S::a_max, 0.01, 100.0)},
-      {"j_max", real(&S::j_max, 0.0, 1e6)},
-      {"wind", real(&S::wind, 0.0, 100.0)},
-      {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
-      {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
-      {"yaw", set_yaw},
-      {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
-      {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
-      {"time_limit", real(&S::time_limit, 0.1, 1e4)},
-      {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
-      {"sensor", set_sensor},
-      {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
-      {"sensor_fov", set_fov},
-      {"sensor_size", set_size},
-      {"window", set_window},
-      {"tracking", set_tracking},
-      {"seed", [](S& s, const Words& words, const Place& place) {
-         s.seed = static_cast<std::uint64_t>(number_within(words, {0.0, 9e15}, place));
-       }}};
+  static const Setters all = {{"body_radius", real(&S::body_radius, 0.01, 10.0)},
+                              {"tracking_margin", real(&S::tracking_margin, 0.0, 10.0)},
+                              {"pose_margin", real(&S::pose_margin, 0.0, 10.0)},
+                              {"depth_margin", real(&S::depth_margin, 0.0, 10.0)},
+                              {"cell", real(&S::cell, 0.01, 10.0)},
+                              {"sensor_range", real(&S::sensor_range, 0.5, 1000.0)},
+                              {"sensor_hz", real(&S::sensor_hz, 0.1, 1000.0)},
+                              {"sensor_latency", real(&S::sensor_latency, 0.0, 10.0)},
+                              {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
+                              {"dropout", real(&S::dropout, 0.0, 1.0)},
+                              {"outliers", real(&S::outliers, 0.0, 1.0)},
+                              {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
+                              {"hits", whole(&S::hits, 1.0, 4.0)},
+                              {"support", whole(&S::support, 0.0, 8.0)},
+                              {"v_max", real(&S::v_max, 0.01, 100.0)},
+                              {"a_max", real(&S::a_max, 0.01, 100.0)},
+                              {"j_max", real(&S::j_max, 0.0, 1e6)},
+                              {"wind", real(&S::wind, 0.0, 100.0)},
+                              {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
+                              {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
+                              {"yaw", set_yaw},
+                              {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
+                              {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
+                              {"time_limit", real(&S::time_limit, 0.1, 1e4)},
+                              {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
+                              {"sensor", set_sensor},
+                              {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
+                              {"sensor_fov", set_fov},
+                              {"sensor_size", set_size},
+                              {"window", set_window},
+                              {"tracking", set_tracking},
+                              {"seed", [](S& s, const Words& words, const Place& place) {
+                                 s.seed = static_cast<std::uint64_t>(whole_number_within(words, {0.0, 9e15}, place));
+                               }}};
   return all;
 }
 
