@@ -23,6 +23,7 @@ struct OddTicks {
 const OddTicks kOddTicks[] = {
     {"P25@5:1", {"tick_hz=60", "yaw=unseen"}, "yaw: beyond its limits, at half a tick of 16666667 ns"},
     {"L:3", {"tick_hz=15", "time_limit=10"}, "likewise"},
+    {"P25:3", {"tick_hz=15", "j_max=0", "time_limit=6"}, "not smooth: the largest jerk lay between two ticks"},
 };
 
 TEST(OddTicks, RaiseNoFalseAlarm) {

@@ -53,7 +53,8 @@ Json states_json(const FlightResult& result) {
 }
 
 Json watched_json(const WatchTotals& w) {
-  return {{"ticks", w.ticks}, {"commits", w.commits}, {"points", w.points}, {"voxels", w.voxels}, {"hits", w.hits}};
+  return {{"ticks", w.ticks}, {"commits", w.commits}, {"points", w.points},  {"voxels", w.voxels},
+          {"hits", w.hits},   {"snap", w.snap},       {"slivers", w.slivers}};
 }
 
 Json mission_json(const std::vector<MissionPoint>& points) {

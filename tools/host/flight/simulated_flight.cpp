@@ -115,7 +115,9 @@ class Simulation {
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
     result.commits = std::move(commits_);
-    result.watched = {counts.ticks, counts.commits, counts.points, sensor_.watch().seen(), sensor_.watch().hits()};
+    const FrameWatch& frames = sensor_.watch();
+    result.watched = {counts.ticks,  counts.commits, counts.points, frames.seen(),
+                      frames.hits(), counts.slivers, counts.snap};
     return result;
   }
 
@@ -147,7 +149,7 @@ class Simulation {
     }
     set_wishes();
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
-    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, flight_);
+    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_of(flight_));
     mission_ = std::make_unique<MissionWatch>(world_, flight_);
     yaw_watch_ =
         std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](std::int64_t t) { return flight_.yaw(t); });
@@ -185,6 +187,7 @@ class Simulation {
   /// True where the flight is over.
   bool tick(std::string& status) {
     sensor_.sense(time_, *vehicle_, yaw_);
+    watch_->before(time_);
     const tern::Status ticked = flight_.tick(time_, report_);
     tape_.recorder().tick(flight_, time_, report_, ticked);
     tape_.save();

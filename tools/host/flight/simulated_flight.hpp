@@ -28,9 +28,11 @@ struct TrackPoint {
   bool committed;  ///< a plan was committed in this tick
 };
 
-/// What was looked at to hold the flight to its invariants.
+/// What was looked at to hold the flight to its invariants, and what was found: the largest snap, and slivers
+/// (curve_pieces.hpp).
 struct WatchTotals {
-  std::uint64_t ticks = 0, commits = 0, points = 0, voxels = 0, hits = 0;
+  std::uint64_t ticks = 0, commits = 0, points = 0, voxels = 0, hits = 0, slivers = 0;
+  double snap = 0.0;
 };
 
 /// What became of a point of the mission; the goal is the last one.

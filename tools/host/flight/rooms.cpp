@@ -1,0 +1,91 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/rooms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/flight/full_knowledge.hpp"
+
+namespace tern_host {
+namespace {
+
+using tern::Vec3;
+
+constexpr double kSearchVoxels = 1.5;  // beyond the radius, in which the nearest solid voxel is looked for
+
+/// Distances of a point from voxels, which are solid cubes.
+class VoxelGaps {
+ public:
+  VoxelGaps(const Vec3& p, const tern::GridSpec& grid)
+      : at_{p.x - grid.origin.x, p.y - grid.origin.y, p.z - grid.origin.z}, cell_(grid.cell) {}
+  double to(const tern::Voxel& v) const {
+    const double x = gap(v.x, at_.x);
+    const double y = gap(v.y, at_.y);
+    const double z = gap(v.z, at_.z);
+    return std::sqrt(x * x + y * y + z * z);
+  }
+  double to_faces(const tern::GridSpec& grid) const {
+    return std::min(
+        {at_.x, at_.y, at_.z, grid.dims.x * cell_ - at_.x, grid.dims.y * cell_ - at_.y, grid.dims.z * cell_ - at_.z});
+  }
+  /// The voxel that holds the point moved by `by` along every axis; it may be outside.
+  tern::Voxel voxel_at(double by) const { return {index(at_.x + by), index(at_.y + by), index(at_.z + by)}; }
+
+ private:
+  int index(double x) const { return static_cast<int>(std::floor(x / cell_)); }
+  double gap(int k, double x) const { return std::max({k * cell_ - x, x - (k + 1) * cell_, 0.0}); }
+  Vec3 at_;
+  double cell_;
+};
+
+}  // namespace
+
+Rooms::Rooms(const FlightWorld& world, const tern::RollingMap& map)
+    : world_(world), map_(map), radius_(radius_of(world.settings)) {}
+
+double Rooms::from_solid(const Vec3& p) const {
+  const tern::Grid& safe = map_.safe();
+  const tern::GridSpec& grid = safe.spec();
+  const VoxelGaps here(p, grid);
+  const VoxelGaps there(left_, grid);
+  const double most = radius_ + kSearchVoxels * grid.cell;
+  double room = std::min(most, here.to_faces(grid)) - radius_;
+  const tern::Voxel low = here.voxel_at(-most);
+  const tern::Voxel high = here.voxel_at(most);
+  for (int z = low.z; z <= high.z; ++z) {
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        const double distance = here.to({x, y, z});
+        const double kept = leaves_ ? std::min(radius_, there.to({x, y, z})) : radius_;
+        if (distance - kept < room && safe.obstacle({x, y, z})) room = distance - kept;
+      }
+    }
+  }
+  return room;
+}
+
+double Rooms::from_faces(const Vec3& p) const {
+  return VoxelGaps(p, window()).to_faces(window()) - radius_;
+}
+
+double Rooms::from_fences(const Vec3& p) const {
+  double room = std::numeric_limits<double>::infinity();
+  for (const FenceRecord& fence : world_.fences) {
+    room = std::min(room, fence_gap(fence, p) - (fence.kind == tern::FenceKind::kKeepOut ? radius_ : 0.0));
+  }
+  return room;
+}
+
+double Rooms::from_world(const Vec3& p) const {
+  return clearance(world_, p) - (world_.settings.body_radius + world_.settings.tracking_margin);
+}
+
+void Rooms::rest_at(const Vec3& place) {
+  leaves_ = false;
+  left_ = place;
+  leaves_ = readable() && from_solid(place) < 0.0;
+}
+
+}  // namespace tern_host

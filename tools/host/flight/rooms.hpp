@@ -1,0 +1,45 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How much further than it must be a commanded centre is from what it may not come near to. Metres; negative where it
+// is too near. None changes faster than the centre moves.
+#ifndef TERN_HOST_FLIGHT_ROOMS_HPP
+#define TERN_HOST_FLIGHT_ROOMS_HPP
+
+#include "host/flight/flight_world.hpp"
+#include "tern/map.hpp"
+
+namespace tern_host {
+
+class Rooms {
+ public:
+  /// Both must outlive it.
+  Rooms(const FlightWorld& world, const tern::RollingMap& map);
+
+  /// The map can be read: it does not slide.
+  bool readable() const { return map_.safe().bound(); }
+  const tern::GridSpec& window() const { return map_.safe().spec(); }
+
+  /// From all voxels that are not known to be free, and from the window's faces; at most a little more than a voxel.
+  double from_solid(const tern::Vec3& p) const;
+  /// From the window's faces alone.
+  double from_faces(const tern::Vec3& p) const;
+  /// From where the fences let the centre be; keep-outs are left alone by the radius.
+  double from_fences(const tern::Vec3& p) const;
+  /// From the true world, for a body that is off the command by the tracking error.
+  double from_world(const tern::Vec3& p) const;
+
+  /// The vehicle rests here. If something is within the radius, from_solid() lets it stay as near to that as it is.
+  void rest_at(const tern::Vec3& place);
+
+ private:
+  const FlightWorld& world_;
+  const tern::RollingMap& map_;
+  double radius_;
+  bool leaves_ = false;  ///< something is within the radius of
+  tern::Vec3 left_{};    ///< this place
+};
+
+}  // namespace tern_host
+
+#endif
