@@ -339,51 +339,100 @@ TEST(YawWatch, TellsAYawAtItsLimitsFromOneBeyondThem) {
             std::string::npos);
 }
 
-/// One frame of a room, entered into a map that knows nothing, or all; the watch is shown `then` in its place.
-std::string after_frame(Watched& w, bool known, const DepthFrame& shown, const DepthFrame& then) {
-  FrameWatch watch(w.world, w.map_spec, w.map);
+/// Frames of a room, entered one after the other into a map that knows nothing, or all; the watch is shown `then` in
+/// the place of each.
+struct FrameCase {
+  bool known = false;
+  int frames = 1;
+  DepthFrame shown, then;
+};
+
+std::string after_frames(Watched& w, const FrameCase& c) {
+  std::uint64_t looked_at = 0;
+  std::int64_t t = 0;
   for (int k = 0; k < 20; ++k) {
+    FrameWatch watch(w.world, w.map_spec, w.map);
     w.map.bind(w.map_spec, w.map_words.data(), w.map_words.size());
-    if (known) w.map.assume_free({4.0, 0.0, 2.0}, 30.0);
-    watch.before(shown);
-    EXPECT_EQ(w.map.begin_frame(shown.view, shown.pose, k), tern::Status::kRunning);
-    while (w.map.step(100000) == tern::Status::kRunning) {
+    if (c.known) w.map.assume_free({4.0, 0.0, 2.0}, 30.0);
+    for (int frame = 0; frame < c.frames; ++frame) {
+      watch.before(c.shown);
+      EXPECT_EQ(w.map.begin_frame(c.shown.view, c.shown.pose, t++), tern::Status::kRunning);
+      while (w.map.step(100000) == tern::Status::kRunning) {
+      }
+      watch.after(c.then);
     }
-    watch.after(then);
+    looked_at += watch.seen() + watch.hits();
+    if (!watch.broken().empty()) return watch.broken();
   }
-  EXPECT_GT(watch.seen() + watch.hits(), 0u);
-  return watch.broken();
+  EXPECT_GT(looked_at, 0u);
+  return "";
 }
 
-DepthFrame frame_of(const FlightWorld& world) {
+DepthFrame frame_of(const FlightWorld& world, double farther = 1.0) {
   tern_host::Noise noise(1);
-  return take_frame(world, world.start, 0.0, 0, noise);
-}
-
-void scale(DepthFrame& frame, float by) {
-  for (float& depth : frame.depths) depth *= by;
+  DepthFrame frame = take_frame(world, world.start, 0.0, 0, noise);
+  for (float& depth : frame.depths) depth *= static_cast<float>(farther);
+  return frame;
 }
 
 TEST(FrameWatch, IsContentWithASoundMap) {
   Watched w;
-  const DepthFrame frame = frame_of(w.world);
-  EXPECT_EQ(after_frame(w, false, frame, frame), "");
+  EXPECT_EQ(after_frames(w, {false, 1, frame_of(w.world), frame_of(w.world)}), "");
 }
 
 TEST(FrameWatch, NoticesVoxelsThatWereNotSeenWhole) {
   Watched w;
-  const DepthFrame frame = frame_of(w.world);
-  DepthFrame nearer = frame_of(w.world);
-  scale(nearer, 0.5f);
-  EXPECT_NE(after_frame(w, false, frame, nearer).find("not seen whole"), std::string::npos);
+  EXPECT_TRUE(says(after_frames(w, {false, 1, frame_of(w.world), frame_of(w.world, 0.5)}), "not seen whole"));
 }
 
 TEST(FrameWatch, NoticesHitsThatStayFree) {
   Watched w;
-  DepthFrame farther = frame_of(w.world);
-  scale(farther, 1.6f);
+  EXPECT_TRUE(says(after_frames(w, {true, 1, frame_of(w.world, 1.6), frame_of(w.world)}), "was hit and is free"));
+}
+
+/// Where several hits make an obstacle, that many frames do, and fewer need not.
+TEST(FrameWatch, CountsHits) {
+  Watched w;
+  w.map_spec.hits = 3;
+  w.map_spec.support = 2;
+  EXPECT_EQ(after_frames(w, {true, 3, frame_of(w.world), frame_of(w.world)}), "");
+  EXPECT_TRUE(says(after_frames(w, {true, 3, frame_of(w.world, 1.6), frame_of(w.world)}), "was hit and is free"));
+}
+
+/// A map that needs more hits than the watch was told.
+TEST(FrameWatch, NoticesAVoxelThatNeedsMoreHits) {
+  Watched w;
+  tern::MapSpec told = w.map_spec;
+  told.hits = 2;
+  w.map_spec.hits = 3;
+  std::swap(told, w.map_spec);
+  FrameWatch watch(w.world, w.map_spec, w.map);
+  w.map.bind(told, w.map_words.data(), w.map_words.size());
+  w.map.assume_free({4.0, 0.0, 2.0}, 30.0);
   const DepthFrame frame = frame_of(w.world);
-  EXPECT_NE(after_frame(w, true, farther, frame).find("was hit and is free"), std::string::npos);
+  for (int k = 0; k < 2; ++k) {
+    watch.before(frame);
+    EXPECT_EQ(w.map.begin_frame(frame.view, frame.pose, k), tern::Status::kRunning);
+    while (w.map.step(100000) == tern::Status::kRunning) {
+    }
+    watch.after(frame);
+  }
+  EXPECT_TRUE(says(watch.broken(), "was hit and is free"));
+}
+
+/// A pixel whose neighbours are all elsewhere hits nothing, and so need not.
+TEST(FrameWatch, LeavesLonePixelsOut) {
+  Watched w;
+  w.map_spec.support = 1;
+  DepthFrame lone = frame_of(w.world);
+  for (std::size_t k = 0; k < lone.depths.size(); ++k) {
+    lone.depths[k] = static_cast<float>(2.0 + 0.5 * static_cast<double>((k % 2 + 2 * (k / 160 % 2))));
+  }
+  lone.view.z32 = lone.depths.data();
+  FrameWatch watch(w.world, w.map_spec, w.map);
+  watch.before(lone);
+  watch.after(lone);
+  EXPECT_EQ(watch.hits(), 0u);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "host/number.hpp"
 
@@ -38,8 +39,7 @@ double dot(const Vec3& a, const Vec3& b) {
 }
 
 /// A point at a depth behind a pixel.
-Vec3 point_behind(const DepthFrame& frame, double u, double v, double depth) {
-  const CameraAxes axes(frame.pose);
+Vec3 point_behind(const DepthFrame& frame, const CameraAxes& axes, double u, double v, double depth) {
   const double r = depth * (u - frame.view.cx) / frame.view.fx;
   const double d = depth * (v - frame.view.cy) / frame.view.fy;
   const Vec3& p = frame.pose.position;
@@ -48,10 +48,14 @@ Vec3 point_behind(const DepthFrame& frame, double u, double v, double depth) {
           p.z + r * axes.right.z + d * axes.down.z + depth * axes.ahead.z};
 }
 
+std::string place(const Vec3& p) {
+  return "(" + fixed(p.x, 2) + ", " + fixed(p.y, 2) + ", " + fixed(p.z, 2) + ")";
+}
+
 }  // namespace
 
 FrameWatch::FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map)
-    : world_(world), spec_(spec), map_(map), noise_(world.settings.seed) {}
+    : world_(world), pose_error_(spec.pose_margin), spec_(spec), map_(map), noise_(world.settings.seed) {}
 
 bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
   const tern::GridSpec& grid = map_.safe().spec();
@@ -74,13 +78,16 @@ bool FrameWatch::end() {
   return watched;
 }
 
+Vec3 FrameWatch::center_of(const Voxel& voxel) const {
+  const tern::GridSpec& grid = map_.safe().spec();
+  return {grid.origin.x + grid.cell * (voxel.x + 0.5), grid.origin.y + grid.cell * (voxel.y + 0.5),
+          grid.origin.z + grid.cell * (voxel.z + 0.5)};
+}
+
 /// Remembers the centre of the point's voxel, unless that was seen before.
 void FrameWatch::note_unseen(const Vec3& point) {
   Voxel voxel;
-  if (!voxel_at(point, voxel) || map_.seen(voxel)) return;
-  const tern::GridSpec& grid = map_.safe().spec();
-  unseen_.push_back({grid.origin.x + grid.cell * (voxel.x + 0.5), grid.origin.y + grid.cell * (voxel.y + 0.5),
-                     grid.origin.z + grid.cell * (voxel.z + 0.5)});
+  if (voxel_at(point, voxel) && !map_.seen(voxel)) unseen_.push_back(center_of(voxel));
 }
 
 /// Of those that are seen now, is_whole(centre) must hold.
@@ -91,32 +98,25 @@ void FrameWatch::check_seen(IsWhole is_whole) {
     if (!voxel_at(center, voxel) || !map_.seen(voxel)) continue;
     ++seen_;
     if (!is_whole(center) && broken_.empty()) {
-      broken_ = "invariant 6: the voxel at (" + fixed(center.x, 2) + ", " + fixed(center.y, 2) + ", " +
-                fixed(center.z, 2) + ") became free, but was not seen whole";
+      broken_ = "invariant 6: the voxel at " + place(center) + " became free, but was not seen whole";
     }
   }
 }
 
 void FrameWatch::before(const DepthFrame& frame) {
   if (!begin()) return;
+  const CameraAxes axes(frame.pose);
   for (int k = 0; k < kVoxels; ++k) {
     const double u = noise_.within(0.0, frame.view.width - 1.0);
     const double v = noise_.within(0.0, frame.view.height - 1.0);
-    note_unseen(point_behind(frame, u, v, noise_.within(0.3, spec_.range)));
+    note_unseen(point_behind(frame, axes, u, v, noise_.within(0.3, spec_.range)));
   }
 }
 
 void FrameWatch::after(const DepthFrame& frame) {
   if (!end()) return;
   check_seen([&](const Vec3& center) { return wholly_in_front(frame, center); });
-  // With more than one hit, and where lone pixels do not count, a hit need not block.
-  if (spec_.hits > 1 || spec_.support > 0) return;
-  for (int k = 0; k < kHits; ++k) {
-    const int x = noise_.below(frame.view.width);
-    const int y = noise_.below(frame.view.height);
-    const double z = static_cast<double>(frame.view.z32[y * frame.view.stride + x]);
-    if (z >= frame.view.min && z < 0.999 * spec_.range) check_hit(point_behind(frame, x, y, z));
-  }
+  check_hits(hits_of(frame));
 }
 
 void FrameWatch::before(const LidarScan& scan) {
@@ -137,15 +137,9 @@ const Vec3& FrameWatch::point_of(const LidarScan& scan) {
 /// Scans have no pixels of their own to look into: what they show is compared with the true world.
 void FrameWatch::after(const LidarScan& scan) {
   if (!end()) return;
-  const double inside = 0.5 * spec_.cell - spec_.pose_margin - kRounding;
+  const double inside = 0.5 * spec_.cell - pose_error_ - kRounding;
   check_seen([&](const Vec3& center) { return clearance(world_, center) >= inside; });
-  if (spec_.hits > 1) return;
-  for (int k = 0; k < kHits; ++k) {
-    const Vec3& point = point_of(scan);
-    const Vec3& o = scan.origin;
-    const double far = std::hypot(point.x - o.x, std::hypot(point.y - o.y, point.z - o.z));
-    if (far > kNearest && far < 0.999 * spec_.range) check_hit(point);
-  }
+  check_hits(hits_of(scan));
 }
 
 bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) const {
@@ -181,20 +175,88 @@ bool FrameWatch::wholly_in_front(const DepthFrame& frame, const Vec3& center) co
   return back <= spec_.range;
 }
 
-/// A point that was hit, where it is clear in which voxel that is.
-void FrameWatch::check_hit(const Vec3& point) {
-  Voxel voxel;
-  if (!voxel_at(point, voxel)) return;
+/// True where it is clear in which voxel a point is that was hit.
+bool FrameWatch::is_hit(const Vec3& point, Voxel& voxel) const {
+  if (!voxel_at(point, voxel)) return false;
   const tern::GridSpec& grid = map_.safe().spec();
   const double from[3] = {point.x - grid.origin.x, point.y - grid.origin.y, point.z - grid.origin.z};
-  for (const double f : from) {
-    if (std::abs(std::remainder(f, grid.cell)) < kFaceRoom) return;
+  return std::all_of(std::begin(from), std::end(from),
+                     [&grid](double f) { return std::abs(std::remainder(f, grid.cell)) >= kFaceRoom; });
+}
+
+/// As many neighbours as MapSpec::support asks for are as deep but for a voxel: their errors may come on top.
+bool FrameWatch::is_supported(const DepthFrame& frame, int u, int v) const {
+  const tern::DepthView& view = frame.view;
+  const float at = view.z32[v * view.stride + u];
+  if (spec_.support == 0) return true;
+  int agreeing = -1;  // the pixel itself
+  for (int y = std::max(0, v - 1); y <= std::min(view.height - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(view.width - 1, u + 1); ++x) {
+      const float z = view.z32[y * view.stride + x];
+      agreeing += z >= static_cast<float>(view.min) && std::abs(z - at) < 0.999f * static_cast<float>(spec_.cell);
+    }
   }
-  ++hits_;
-  if (!map_.safe().obstacle(voxel) && broken_.empty()) {
-    broken_ = "invariant 6: the voxel at (" + fixed(point.x, 2) + ", " + fixed(point.y, 2) + ", " + fixed(point.z, 2) +
-              ") was hit and is free";
+  return agreeing >= spec_.support;
+}
+
+/// Some points that were hit; all of them where a voxel needs several.
+std::vector<Vec3> FrameWatch::hits_of(const DepthFrame& frame) {
+  const CameraAxes axes(frame.pose);
+  const tern::DepthView& view = frame.view;
+  std::vector<Vec3> points;
+  const int pixels = view.width * view.height;
+  const int count = spec_.hits > 1 ? pixels : kHits;
+  for (int k = 0; k < count; ++k) {
+    const int pixel = spec_.hits > 1 ? k : noise_.below(pixels);
+    const int u = pixel % view.width;
+    const int v = pixel / view.width;
+    const double z = static_cast<double>(view.z32[v * view.stride + u]);
+    if (z < view.min || z >= 0.999 * spec_.range || !is_supported(frame, u, v)) continue;
+    points.push_back(point_behind(frame, axes, u, v, z));
   }
+  return points;
+}
+
+std::vector<Vec3> FrameWatch::hits_of(const LidarScan& scan) const {
+  std::vector<Vec3> points;
+  for (const Vec3& point : scan.points) {
+    const Vec3& o = scan.origin;
+    const double far = std::hypot(point.x - o.x, std::hypot(point.y - o.y, point.z - o.z));
+    if (far > kNearest && far < 0.999 * spec_.range) points.push_back(point);
+  }
+  return points;
+}
+
+/// Of the voxels that are remembered, those that these points hit once more must be solid if that makes enough; the
+/// others begin anew. Some of those that are hit now are remembered.
+void FrameWatch::check_hits(const std::vector<Vec3>& points) {
+  const tern::GridSpec& grid = map_.safe().spec();
+  const auto key = [&grid](const Voxel& v) { return (std::int64_t{v.z} * grid.dims.y + v.y) * grid.dims.x + v.x; };
+  Voxel voxel;
+  std::unordered_set<std::int64_t> hit;
+  if (spec_.hits > 1) {
+    for (const Vec3& point : points) {
+      if (is_hit(point, voxel)) hit.insert(key(voxel));
+    }
+  }
+  const auto is_over = [&](HitVoxel& h) {
+    ++h.frames;
+    return !voxel_at(h.center, voxel) || hit.count(key(voxel)) == 0;
+  };
+  hit_.erase(std::remove_if(hit_.begin(), hit_.end(), is_over), hit_.end());
+  for (int k = 0; k < kHits && !points.empty(); ++k) {
+    const Vec3& point = points[static_cast<std::size_t>(noise_.below(static_cast<int>(points.size())))];
+    if (is_hit(point, voxel)) hit_.push_back({center_of(voxel), 1});
+  }
+  for (const HitVoxel& h : hit_) {
+    if (h.frames < spec_.hits || !voxel_at(h.center, voxel)) continue;
+    ++hits_;
+    if (!map_.safe().obstacle(voxel) && broken_.empty()) {
+      broken_ = "invariant 6: the voxel at " + place(h.center) + " was hit and is free";
+    }
+  }
+  const auto is_done = [this](const HitVoxel& h) { return h.frames >= spec_.hits; };
+  hit_.erase(std::remove_if(hit_.begin(), hit_.end(), is_done), hit_.end());
 }
 
 }  // namespace tern_host

@@ -13,8 +13,9 @@
 namespace tern_host {
 
 /// Holds a map to the sixth invariant, with code of its own and at random voxels of every frame: a voxel becomes free
-/// only where its whole cube is in front of every pixel that covers it, and is not free once it was hit. After a scan,
-/// a voxel becomes free only where its whole cube is free in the true world.
+/// only where its whole cube is in front of every pixel that covers it, and is not free once it was hit in as many
+/// frames, one after the other, as MapSpec::hits says. After a scan, a voxel becomes free only where its whole cube is
+/// free in the true world.
 class FrameWatch {
  public:
   /// World and map must outlive the watch.
@@ -35,18 +36,30 @@ class FrameWatch {
   bool wholly_in_front(const DepthFrame& frame, const tern::Vec3& center) const;
   bool begin();
   bool end();
+  tern::Vec3 center_of(const tern::Voxel& voxel) const;
   void note_unseen(const tern::Vec3& point);
   const tern::Vec3& point_of(const LidarScan& scan);
   template <typename IsWhole>
   void check_seen(IsWhole is_whole);
-  void check_hit(const tern::Vec3& point);
+  bool is_hit(const tern::Vec3& point, tern::Voxel& voxel) const;
+  bool is_supported(const DepthFrame& frame, int u, int v) const;
+  std::vector<tern::Vec3> hits_of(const DepthFrame& frame);
+  std::vector<tern::Vec3> hits_of(const LidarScan& scan) const;
+  void check_hits(const std::vector<tern::Vec3>& points);
 
   const FlightWorld& world_;
+  double pose_error_;  ///< largest of the poses', metres
   tern::MapSpec spec_;
   const tern::RollingMap& map_;
   Noise noise_;
   bool watches_ = false;
+  /// A voxel that was hit in all of the last frames.
+  struct HitVoxel {
+    tern::Vec3 center;
+    int frames;
+  };
   std::vector<tern::Vec3> unseen_;  ///< centres of voxels
+  std::vector<HitVoxel> hit_;
   std::uint64_t seen_ = 0, hits_ = 0;
   std::string broken_;
 };
