@@ -135,6 +135,58 @@ TEST(Vehicle, EstimateIsOffTheTruthByAtMostItsMargin) {
   }
 }
 
+/// The controller sees what is estimated: a body that began at the setpoint itself would begin with a step.
+TEST(Vehicle, BeginsWhereItBelievesToBeAtTheSetpoint) {
+  const Setpoints still = [](double) {
+    tern::Sample sample{};
+    sample.position = {1.0, -2.0, 3.0};
+    return Setpoint{sample, 0.7, 0.0};
+  };
+  for (const char* const kind : {"quadrotor", "px4"}) {
+    VehicleSettings settings = settings_of(kind);
+    settings.pose_margin = 0.5;
+    const auto vehicle = make_vehicle(settings, still(0.0));
+    EXPECT_LT(distance(vehicle->estimate(), {1.0, -2.0, 3.0}), 1e-9) << kind;
+    EXPECT_GT(distance(vehicle->position(), {1.0, -2.0, 3.0}), 0.1) << kind;
+    double worst = 0.0;
+    for (int k = 1; k <= 10; ++k) {
+      vehicle->fly_to(0.01 * k, still);
+      worst = std::max(worst, distance(vehicle->estimate(), {1.0, -2.0, 3.0}));
+    }
+    EXPECT_LT(worst, 0.02) << kind;
+  }
+}
+
+/// How far the estimate is off, at most, and how far it jumps.
+TEST(Vehicle, EstimatesJumpAsTold) {
+  for (const double margin : {0.0, 0.2, 0.3}) {
+    VehicleSettings settings = settings_of("perfect");
+    settings.pose_margin = margin;
+    settings.pose_jumps = {0.2, 0.5};
+    const Setpoints still = [](double) { return Setpoint{}; };
+    const auto vehicle = make_vehicle(settings, still(0.0));
+    double worst = 0.0;
+    int jumps = 0;
+    tern::Vec3 before = vehicle->position();
+    for (int k = 1; k <= 1000; ++k) {
+      vehicle->fly_to(0.01 * k, still);
+      worst = std::max(worst, distance(vehicle->position(), vehicle->estimate()));
+      const double moved = distance(vehicle->position(), before);
+      if (moved < 0.05) {
+        EXPECT_LT(moved, 0.01) << margin;
+      } else {
+        ++jumps;
+        EXPECT_NEAR(moved, 0.2, 0.01) << margin;
+        EXPECT_EQ(k % 50, 0) << margin;
+      }
+      before = vehicle->position();
+    }
+    EXPECT_EQ(jumps, 20);
+    EXPECT_LE(worst, (margin < 0.2 ? 0.2 : margin) + 1e-12);
+    EXPECT_GT(worst, 0.8 * (margin < 0.2 ? 0.2 : margin));
+  }
+}
+
 TEST(Vehicle, UnknownKindsAreRefused) {
   EXPECT_THROW(make_vehicle(settings_of("balloon"), Setpoint{}), std::runtime_error);
 }

@@ -36,14 +36,14 @@ constexpr double kMostThrust = Body::kThrustToWeight * Body::kMass * tern::kGrav
 
 }  // namespace
 
-RigidBody::RigidBody(const Vector3d& position, double yaw) {
+RigidBody::RigidBody(const Vector3d& position, const Vector3d& velocity, double yaw) {
   const double each = Body::kMass * tern::kGravity / 4.0;
   state_ = {position.x(),
             position.y(),
             position.z(),
-            0.0,
-            0.0,
-            0.0,
+            velocity.x(),
+            velocity.y(),
+            velocity.z(),
             std::cos(0.5 * yaw),
             0.0,
             0.0,

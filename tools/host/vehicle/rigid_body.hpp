@@ -30,7 +30,8 @@ struct Wrench {
 
 class RigidBody {
  public:
-  RigidBody(const Eigen::Vector3d& position, double yaw);
+  /// Level, with thrust that carries its weight.
+  RigidBody(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double yaw);
 
   /// What the motors are told; what is beyond their range is cut off.
   void command(const Wrench& wrench);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "host/vehicle/geometric_controller.hpp"
+#include "host/vehicle/pose_error.hpp"
 #include "host/vehicle/px4_cascade.hpp"
 #include "host/vehicle/smooth_error.hpp"
 #include "host/vehicle/wind.hpp"
@@ -41,7 +42,7 @@ class ShiftedVehicle : public Vehicle {
   ShiftedVehicle(const VehicleSettings& s, const Setpoint& start)
       : noise_(s.seed),
         tracking_(s.kind == "perfect" ? 0.0 : s.tracking_margin, noise_),
-        estimating_(s.pose_margin, noise_) {
+        estimating_(s.pose_margin, s.pose_jumps, s.seed, noise_) {
     place(0.0, start);
   }
 
@@ -64,7 +65,7 @@ class ShiftedVehicle : public Vehicle {
 
   Noise noise_;
   SmoothError tracking_;
-  SmoothError estimating_;
+  PoseError estimating_;
   std::array<double, 4> attitude_{};
   tern::Vec3 estimate_{};
   tern::Vec3 position_{};
@@ -75,11 +76,12 @@ class FlownBody : public Vehicle {
  public:
   FlownBody(const VehicleSettings& s, const Setpoint& start)
       : noise_(s.seed),
-        estimating_(s.pose_margin, noise_),
+        estimating_(s.pose_margin, s.pose_jumps, s.seed, noise_),
         wind_(s.wind, s.seed),
         is_px4_(s.kind == "px4"),
         cascade_(s.tick),
-        body_(eigen(start.sample.position), start.yaw) {}
+        body_(eigen(difference(start.sample.position, estimating_.at(0.0))),
+              eigen(difference({}, estimating_.rate_at(0.0))), start.yaw) {}
 
   void fly_to(double t, const Setpoints& setpoints) override {
     // The steps' number is fixed by the time, so that rounding does not add one.
@@ -107,7 +109,7 @@ class FlownBody : public Vehicle {
   }
 
   Noise noise_;
-  SmoothError estimating_;
+  PoseError estimating_;
   Wind wind_;
   bool is_px4_;
   Px4Cascade cascade_;

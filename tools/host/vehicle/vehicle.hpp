@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "host/vehicle/pose_error.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
 
@@ -45,7 +46,8 @@ class Vehicle {
 struct VehicleSettings {
   std::string kind;            ///< one of vehicle_kinds()
   double tracking_margin = 0;  ///< of "bounded": its largest error, metres
-  double pose_margin = 0;      ///< largest error of the estimate, metres
+  double pose_margin = 0;      ///< largest error of the estimate, metres, but for jumps beyond it
+  PoseJumps pose_jumps;        ///< of the estimate
   double wind = 0;             ///< mean speed of a gusty wind, m/s; for the rigid bodies
   double tick = 0.01;          ///< seconds from one setpoint to the next, where they come as a stream
   std::uint64_t seed = 1;
@@ -58,7 +60,7 @@ const std::vector<std::string>& vehicle_kinds();
 /// True for the kinds that are rigid bodies.
 bool is_rigid_body(const std::string& kind);
 
-/// A vehicle that hovers at a setpoint at time 0.
+/// A vehicle that believes to hover at a setpoint at time 0: it is off that by the estimate's error.
 std::unique_ptr<Vehicle> make_vehicle(const VehicleSettings& settings, const Setpoint& start);
 
 }  // namespace tern_host
