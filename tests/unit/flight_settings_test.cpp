@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "host/atomic_file.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/text_records.hpp"
 
@@ -36,6 +38,67 @@ TEST(FlightSettings, SayTheirRangesBriefly) {
   EXPECT_EQ(refusal("seed=-1"), "seed -1 is not within 0 .. 9e+15");
   EXPECT_EQ(refusal("v_max=0"), "v_max 0 is not within 0.01 .. 100");
   EXPECT_EQ(refusal("sensor_size=7,120"), "sensor_size 7 is not within 8 .. 1000");
+}
+
+/// Faults are settings like the others.
+TEST(FlightSettings, OfFaults) {
+  const tern_host::FlightSettings s =
+      tern_host::flight_settings({"pose_jump=0.2,1.5", "tick_skip=0.3,7", "goal_jitter=2,8", "frames_until=3",
+                                  "appear_ahead=4,2.5", "goal_place=outside"});
+  EXPECT_EQ(s.pose_jump.size, 0.2);
+  EXPECT_EQ(s.pose_jump.every, 1.5);
+  EXPECT_EQ(s.tick_skip.share, 0.3);
+  EXPECT_EQ(s.tick_skip.longest, 7);
+  EXPECT_EQ(s.goal_jitter.size, 2.0);
+  EXPECT_EQ(s.goal_jitter.until, 8.0);
+  EXPECT_EQ(s.frames_until, 3.0);
+  EXPECT_EQ(s.appear_ahead.time, 4.0);
+  EXPECT_EQ(s.appear_ahead.distance, 2.5);
+  EXPECT_EQ(s.goal_place, "outside");
+  EXPECT_EQ(tern_host::flight_settings({"goal_jitter=2"}).goal_jitter.until, tern_host::kLongestFlight);
+}
+
+TEST(FlightSettings, RefuseFaultsThatCannotBe) {
+  EXPECT_EQ(refusal("tick_skip=0.6,1"), "tick_skip: with runs of up to 1 ticks, at most 0.500 of all are skipped");
+  EXPECT_EQ(refusal("tick_skip=0.5,51"), "tick_skip 51 is not within 1 .. 50");
+  EXPECT_EQ(refusal("tick_skip=0.5,2.5"), "tick_skip 2.5 is not a whole number");
+  EXPECT_EQ(refusal("pose_jump=0.2"), "'pose_jump' needs two numbers, found 1");
+  EXPECT_EQ(refusal("goal_place=moon"), "goal_place is given, occupied or outside");
+}
+
+/// Why a world with these further lines is refused.
+std::string world_refusal(const std::string& lines) {
+  const std::string path = testing::TempDir() + "tern_faulty_world.txt";
+  tern_host::write_file(path, "boundary -5 -5 0 15 5 3\ngoal 8 0 1\n" + lines);
+  try {
+    tern_host::read_flight_world(path, {});
+  } catch (const tern_host::RecordError& error) {
+    return error.reason();
+  }
+  return "";
+}
+
+TEST(FlightSettings, ObstaclesAppear) {
+  EXPECT_EQ(world_refusal("appear 2 block 1 1 1 2 2 2\nappear 3.5 cylinder 4 0 0 3 0.3\n"), "");
+  EXPECT_EQ(world_refusal("appear 2 wall 1 1 1 2 2 2\n"), "appear is followed by a time, and by a block or a cylinder");
+  EXPECT_EQ(world_refusal("appear block 1 1 1 2 2 2\n"), "appear is followed by a time, and by a block or a cylinder");
+  EXPECT_EQ(world_refusal("appear -1 cylinder 4 0 0 3 0.3\n"), "appear -1 is not within 0 .. 10000");
+  EXPECT_EQ(world_refusal("appear 1 cylinder 4 0 0 3\n"), "'cylinder' needs x y z0 z1 r, found 4");
+}
+
+TEST(FlightSettings, TheGoalMayLieInAnObstacleOrOutside) {
+  const auto goal = [](const std::string& name, const std::string& place) {
+    const tern_host::FlightWorld world = tern_host::read_flight_world(name, {"goal_place=" + place});
+    return std::make_pair(clearance(world, world.goal), world.goal);
+  };
+  for (const char* const name : {"P25:3", "O:2", "S20:1"}) {
+    EXPECT_GT(goal(name, "given").first, 0.5) << name;
+    EXPECT_EQ(goal(name, "occupied").first, 0.0) << name;
+    EXPECT_EQ(goal(name, "outside").first, -5.0) << name;
+  }
+  EXPECT_EQ(world_refusal("goal_place occupied\n"), "goal_place occupied: there is no obstacle");
+  EXPECT_EQ(world_refusal("via 1 0 1\ngoal_jitter 1\n"),
+            "goal_jitter is for worlds without vias: each new goal begins the mission anew");
 }
 
 }  // namespace

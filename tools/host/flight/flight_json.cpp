@@ -44,7 +44,13 @@ Json settings_json(const FlightSettings& s) {
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
           {"wind", s.wind},
-          {"seed", s.seed}};
+          {"seed", s.seed},
+          {"frames_until", s.frames_until},
+          {"pose_jump", {s.pose_jump.size, s.pose_jump.every}},
+          {"tick_skip", {s.tick_skip.share, s.tick_skip.longest}},
+          {"goal_jitter", {s.goal_jitter.size, s.goal_jitter.until}},
+          {"appear_ahead", {s.appear_ahead.time, s.appear_ahead.distance}},
+          {"goal_place", s.goal_place}};
 }
 
 Json states_json(const FlightResult& result) {
@@ -55,6 +61,29 @@ Json states_json(const FlightResult& result) {
 Json watched_json(const WatchTotals& w) {
   return {{"ticks", w.ticks}, {"commits", w.commits}, {"points", w.points},  {"voxels", w.voxels},
           {"hits", w.hits},   {"snap", w.snap},       {"slivers", w.slivers}};
+}
+
+Json appeared_json(const std::vector<Appearance>& appeared) {
+  Json all = Json::array();
+  for (const Appearance& a : appeared) {
+    const tern::Box& b = a.block;
+    const Cylinder& c = a.cylinder;
+    Json one = {{"time_s", a.time}};
+    if (a.is_block) one["block"] = {b.lower.x, b.lower.y, b.lower.z, b.upper.x, b.upper.y, b.upper.z};
+    if (!a.is_block) one["cylinder"] = {c.x, c.y, c.bottom, c.top, c.radius};
+    all.push_back(one);
+  }
+  return all;
+}
+
+Json contact_json(const FlightContact& c) {
+  Json json = {{"time_s", c.time}, {"speed", c.speed}, {"broken_assumption", c.broken_assumption}};
+  if (c.with_appeared) {
+    json["shown"] = c.threat.shown;
+    json["announced_speed"] = c.threat.announced_speed;
+    json["brake_speed"] = c.threat.brake_speed;
+  }
+  return json;
 }
 
 Json mission_json(const std::vector<MissionPoint>& points) {
@@ -84,6 +113,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                {"mean_speed", result.time > 0.0 ? result.length / result.time : 0.0},
                {"min_clearance", result.min_clearance},
                {"tracking_error", {{"max", result.tracking_max}, {"rms", result.tracking_rms}}},
+               {"pose_error", result.pose_max},
                {"plans",
                 {{"asked", result.asked},
                  {"committed", result.committed},
@@ -94,6 +124,9 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                {"work", {{"max", result.work_max}, {"p99", result.work_p99}, {"total", result.work_total}}},
                {"watched", watched_json(result.watched)},
                {"commands_hash", hash}};
+  if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
+  if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);
+  if (result.contact.happened) json["contact"] = contact_json(result.contact);
   if (result.full_knowledge > 0.0) json["full_knowledge_s"] = result.full_knowledge;
   if (with_commits) {
     json["true_world"] = true_world_json(world);

@@ -35,36 +35,43 @@ VehicleSettings vehicle_settings_of(const FlightSettings& s) {
   vehicle.kind = s.tracking;
   vehicle.tracking_margin = s.tracking_margin;
   vehicle.pose_margin = s.pose_margin;
+  vehicle.pose_jumps = s.pose_jump;
   vehicle.wind = s.wind;
   vehicle.tick = 1.0 / s.tick_hz;
   vehicle.seed = s.seed;
   return vehicle;
 }
 
-void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Vehicle& vehicle, double yaw,
-                          const tern::FlightReport& report) {
-  const tern::Vec3 p = vehicle.position();
-  const double seconds = 1e-9 * static_cast<double>(t);
-  clearance_ = clearance(world_, p);
-  const double error = distance(vehicle.estimate(), command.sample.position);
+void FlightRecorder::note_clearance(const Vehicle& vehicle) {
+  clearance_ = clearance(world_, vehicle.position());
   const double before = result_.track.empty() ? clearance_ : result_.min_clearance;
   result_.min_clearance = std::min(before, clearance_);
+}
+
+void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Vehicle& vehicle, double yaw,
+                          const tern::FlightReport& report, bool skipped) {
+  const tern::Vec3 p = vehicle.position();
+  const double seconds = 1e-9 * static_cast<double>(t);
+  note_clearance(vehicle);
+  const double error = distance(vehicle.estimate(), command.sample.position);
   result_.tracking_max = std::max(result_.tracking_max, error);
+  result_.pose_max = std::max(result_.pose_max, distance(vehicle.estimate(), p));
   squares_ += error * error;
   if (!result_.track.empty()) result_.length += distance(p, result_.track.back().position);
   const bool committed = report.committed != last_.committed;
   result_.track.push_back({p, distance(vehicle.velocity(), {}), committed});
   result_.seconds_in[static_cast<std::size_t>(report.mode)] += 1.0 / world_.settings.tick_hz;
   result_.time = seconds;
-  work_.push_back(report.work);
-  result_.work_total += report.work;
+  result_.skipped += skipped ? 1 : 0;
+  work_.push_back(skipped ? 0 : report.work);
+  result_.work_total += work_.back();
   hash(command.sample);
-  add_row(seconds, command, vehicle, yaw, report);
+  add_row(seconds, command, vehicle, yaw, report, skipped ? "skipped" : (committed ? "commit" : ""));
   last_ = report;
 }
 
 void FlightRecorder::add_row(double t, const tern::Command& command, const Vehicle& vehicle, double yaw,
-                             const tern::FlightReport& report) {
+                             const tern::FlightReport& report, const char* event) {
   std::string& rows = result_.samples;
   if (rows.empty()) rows = kColumns;
   rows += exact(t);
@@ -72,8 +79,7 @@ void FlightRecorder::add_row(double t, const tern::Command& command, const Vehic
   append(rows, vehicle.velocity());
   const tern::Sample& set = command.sample;
   for (const tern::Vec3& v : {set.position, set.velocity, set.acceleration, set.jerk}) append(rows, v);
-  const char* const event = report.committed != last_.committed ? "commit" : "";
-  rows += "," + exact(yaw) + "," + std::to_string(report.work) + "," + mode_name(report.mode) + "," + event + "\n";
+  rows += "," + exact(yaw) + "," + std::to_string(work_.back()) + "," + mode_name(report.mode) + "," + event + "\n";
 }
 
 void FlightRecorder::hash(const tern::Sample& sample) {

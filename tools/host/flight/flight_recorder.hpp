@@ -20,17 +20,23 @@ class FlightRecorder {
  public:
   explicit FlightRecorder(const FlightWorld& world) : world_(world) {}
 
+  /// At every tick. `skipped`: it was not done, and the report is that of the last one that was.
   void note(std::int64_t t, const tern::Command& command, const Vehicle& vehicle, double yaw,
-            const tern::FlightReport& report);
+            const tern::FlightReport& report, bool skipped = false);
+  /// Between two ticks.
+  void note_clearance(const Vehicle& vehicle);
   /// The vehicle's distance from everything after the last note.
   double clearance_now() const { return clearance_; }
+  /// The largest errors so far.
+  double tracking_max() const { return result_.tracking_max; }
+  double pose_max() const { return result_.pose_max; }
   /// The record, complete but for what only the simulation knows.
   FlightResult finish();
 
  private:
   void hash(const tern::Sample& sample);
   void add_row(double t, const tern::Command& command, const Vehicle& vehicle, double yaw,
-               const tern::FlightReport& report);
+               const tern::FlightReport& report, const char* event);
 
   const FlightWorld& world_;
   FlightResult result_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/fence_record.hpp"
+#include "host/flight/fault_records.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/flight/setting_readers.hpp"
 #include "host/flight/world_family.hpp"
@@ -77,50 +78,49 @@ void set_yaw(FlightSettings& s, const Words& words, const Place& place) {
   if (needed == 1) s.yaw_heading = values[0];
 }
 
-const Setters& setters() {
+Setters all_setters() {
   using S = FlightSettings;
-  static const Setters all = {{"body_radius", real(&S::body_radius, 0.01, 10.0)},
-                              {"tracking_margin", real(&S::tracking_margin, 0.0, 10.0)},
-                              {"pose_margin", real(&S::pose_margin, 0.0, 10.0)},
-                              {"depth_margin", real(&S::depth_margin, 0.0, 10.0)},
-                              {"cell", real(&S::cell, 0.01, 10.0)},
-                              {"sensor_range", real(&S::sensor_range, 0.5, 1000.0)},
-                              {"sensor_hz", real(&S::sensor_hz, 0.1, 1000.0)},
-                              {"sensor_latency", real(&S::sensor_latency, 0.0, 10.0)},
-                              {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
-                              {"dropout", real(&S::dropout, 0.0, 1.0)},
-                              {"outliers", real(&S::outliers, 0.0, 1.0)},
-                              {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
-                              {"hits", whole(&S::hits, 1.0, 4.0)},
-                              {"support", whole(&S::support, 0.0, 8.0)},
-                              {"v_max", real(&S::v_max, 0.01, 100.0)},
-                              {"a_max", real(&S::a_max, 0.01, 100.0)},
-                              {"j_max", real(&S::j_max, 0.0, 1e6)},
-                              {"wind", real(&S::wind, 0.0, 100.0)},
-                              {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
-                              {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
-                              {"yaw", set_yaw},
-                              {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
-                              {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
-                              {"time_limit", real(&S::time_limit, 0.1, 1e4)},
-                              {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
-                              {"sensor", set_sensor},
-                              {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
-                              {"sensor_fov", set_fov},
-                              {"sensor_size", set_size},
-                              {"window", set_window},
-                              {"tracking", set_tracking},
-                              {"seed", [](S& s, const Words& words, const Place& place) {
-                                 s.seed = static_cast<std::uint64_t>(whole_number_within(words, {0.0, 9e15}, place));
-                               }}};
+  Setters all = {{"body_radius", real(&S::body_radius, 0.01, 10.0)},
+                 {"tracking_margin", real(&S::tracking_margin, 0.0, 10.0)},
+                 {"pose_margin", real(&S::pose_margin, 0.0, 10.0)},
+                 {"depth_margin", real(&S::depth_margin, 0.0, 10.0)},
+                 {"cell", real(&S::cell, 0.01, 10.0)},
+                 {"sensor_range", real(&S::sensor_range, 0.5, 1000.0)},
+                 {"sensor_hz", real(&S::sensor_hz, 0.1, 1000.0)},
+                 {"sensor_latency", real(&S::sensor_latency, 0.0, 10.0)},
+                 {"depth_noise", real(&S::depth_noise, 0.0, 0.5)},
+                 {"dropout", real(&S::dropout, 0.0, 1.0)},
+                 {"outliers", real(&S::outliers, 0.0, 1.0)},
+                 {"speckle_filter", whole(&S::speckle_filter, 0.0, 1.0)},
+                 {"hits", whole(&S::hits, 1.0, 4.0)},
+                 {"support", whole(&S::support, 0.0, 8.0)},
+                 {"v_max", real(&S::v_max, 0.01, 100.0)},
+                 {"a_max", real(&S::a_max, 0.01, 100.0)},
+                 {"j_max", real(&S::j_max, 0.0, 1e6)},
+                 {"wind", real(&S::wind, 0.0, 100.0)},
+                 {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
+                 {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
+                 {"yaw", set_yaw},
+                 {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
+                 {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},
+                 {"time_limit", real(&S::time_limit, 0.1, kLongestFlight)},
+                 {"goal_tolerance", real(&S::goal_tolerance, 1e-9, 10.0)},
+                 {"sensor", set_sensor},
+                 {"scan_pixel", real(&S::scan_pixel, 0.01, 0.2)},
+                 {"sensor_fov", set_fov},
+                 {"sensor_size", set_size},
+                 {"window", set_window},
+                 {"tracking", set_tracking},
+                 {"seed", [](S& s, const Words& words, const Place& place) {
+                    s.seed = static_cast<std::uint64_t>(whole_number_within(words, {0.0, 9e15}, place));
+                  }}};
+  add_fault_setters(all);
   return all;
 }
 
-Cylinder cylinder_of(const Words& words, const Place& place) {
-  const std::vector<double> v = numbers(words, place);
-  if (v.size() != 5) throw_count(words[0], "x y z0 z1 r", v.size(), place);
-  if (v[2] > v[3] || !(v[4] > 0.0)) throw RecordError(place, "cylinder: z0 above z1, or no radius");
-  return {v[0], v[1], v[2], v[3], v[4]};
+const Setters& setters() {
+  static const Setters all = all_setters();
+  return all;
 }
 
 tern::Via flown_via(const Words& words, const FlightWorld& world, const Place& place) {
@@ -146,7 +146,9 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
   } else if (key == "block") {
     world.blocks.push_back(block_box(words, place));
   } else if (key == "cylinder") {
-    world.cylinders.push_back(cylinder_of(words, place));
+    world.cylinders.push_back(read_cylinder(words, place));
+  } else if (key == "appear") {
+    world.appearing.push_back(read_appearance(words, place));
   } else if (is_fence(key)) {
     add_fence(words, place, world.fences);
   } else if (key == "start") {
@@ -222,6 +224,10 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   check_fov(world.settings, {path, 0});
   choose_voxels(world);
   choose_evidence(world.settings);
+  if (world.settings.goal_jitter.size > 0.0 && !world.vias.empty()) {
+    throw RecordError({path, 0}, "goal_jitter is for worlds without vias: each new goal begins the mission anew");
+  }
+  place_goal(world, {path, 0});
   return world;
 }
 

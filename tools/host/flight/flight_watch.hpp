@@ -46,6 +46,7 @@ class FlightWatch {
   /// The first invariant that did not hold, with what was seen; empty while all hold.
   const std::string& broken() const { return broken_; }
   const WatchCounts& counts() const { return counts_; }
+  const Rooms& rooms() const { return rooms_; }
 
  private:
   tern::Sample at(std::int64_t t) const { return commands_.at(t); }

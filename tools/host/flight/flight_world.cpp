@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace tern_host {
-namespace {
 
 double distance_to(const tern::Box& b, const tern::Vec3& p) {
   const double x = std::max({b.lower.x - p.x, p.x - b.upper.x, 0.0});
@@ -26,7 +25,9 @@ double distance_to(const Cylinder& c, const tern::Vec3& p) {
   return std::sqrt(side * side + above * above);
 }
 
-}  // namespace
+double distance_to(const Appearance& appearance, const tern::Vec3& p) {
+  return appearance.is_block ? distance_to(appearance.block, p) : distance_to(appearance.cylinder, p);
+}
 
 std::vector<tern::Via> mission_of(const FlightWorld& world) {
   std::vector<tern::Via> mission = world.vias;

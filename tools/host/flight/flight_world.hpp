@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/fence_record.hpp"
+#include "host/vehicle/pose_error.hpp"
 #include "tern/flight.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
@@ -19,6 +20,27 @@ namespace tern_host {
 /// An upright cylinder between two heights.
 struct Cylinder {
   double x, y, bottom, top, radius;
+};
+
+/// The longest that a flight may take, seconds; what ends then, never does.
+constexpr double kLongestFlight = 1e4;
+
+/// Ticks that are not done: a share of all, in runs of up to so many.
+struct TickSkips {
+  double share = 0.0;
+  int longest = 1;
+};
+
+/// A goal that is somewhere else at every tick: up to `size` metres away along x and y, until so many seconds.
+struct GoalJitter {
+  double size = 0.0;
+  double until = kLongestFlight;
+};
+
+/// A pillar that appears on the way: once the vehicle moves at this time or later, so many metres before it.
+struct AppearAhead {
+  double time = 0.0;      ///< seconds
+  double distance = 0.0;  ///< metres of way; 0: none appears
 };
 
 /// One record each in a world's file, and a key of `--set`. SI units; angles in degrees.
@@ -59,12 +81,29 @@ struct FlightSettings {
   std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
   double wind = 0.0;                 ///< mean speed, m/s; for rigid bodies
   std::uint64_t seed = 1;
+
+  // Faults.
+  double frames_until = kLongestFlight;  ///< seconds; no frame is taken later
+  PoseJumps pose_jump;                   ///< of the estimated position
+  TickSkips tick_skip;
+  GoalJitter goal_jitter;
+  AppearAhead appear_ahead;
+  std::string goal_place = "given";  ///< or occupied, in the nearest obstacle; or outside the boundary
+};
+
+/// An obstacle that is not there from the beginning.
+struct Appearance {
+  double time;  ///< seconds
+  bool is_block;
+  tern::Box block;
+  Cylinder cylinder;
 };
 
 struct FlightWorld {
   std::string name;  ///< the file's
   std::vector<tern::Box> blocks;
   std::vector<Cylinder> cylinders;
+  std::vector<Appearance> appearing;
   tern::Box boundary{};  ///< its faces are walls
   tern::Vec3 start{};
   tern::Vec3 goal{};
@@ -83,6 +122,11 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
 
 /// `defaults` with `overrides`, for what has no world. Throws RecordError.
 FlightSettings flight_settings(const std::vector<std::string>& overrides, const FlightSettings& defaults = {});
+
+/// Distance of a point from an obstacle, metres; 0 inside.
+double distance_to(const tern::Box& block, const tern::Vec3& point);
+double distance_to(const Cylinder& cylinder, const tern::Vec3& point);
+double distance_to(const Appearance& appearance, const tern::Vec3& point);
 
 /// Distance of a point from the nearest block, cylinder or wall, metres; negative outside the boundary.
 double clearance(const FlightWorld& world, const tern::Vec3& point);

@@ -55,7 +55,7 @@ std::string place(const Vec3& p) {
 }  // namespace
 
 FrameWatch::FrameWatch(const FlightWorld& world, const tern::MapSpec& spec, const tern::RollingMap& map)
-    : world_(world), pose_error_(spec.pose_margin), spec_(spec), map_(map), noise_(world.settings.seed) {}
+    : world_(world), spec_(spec), map_(map), noise_(world.settings.seed) {}
 
 bool FrameWatch::voxel_at(const Vec3& point, Voxel& voxel) const {
   const tern::GridSpec& grid = map_.safe().spec();
@@ -137,8 +137,8 @@ const Vec3& FrameWatch::point_of(const LidarScan& scan) {
 /// Scans have no pixels of their own to look into: what they show is compared with the true world.
 void FrameWatch::after(const LidarScan& scan) {
   if (!end()) return;
-  const double inside = 0.5 * spec_.cell - pose_error_ - kRounding;
-  check_seen([&](const Vec3& center) { return clearance(world_, center) >= inside; });
+  const double inside = 0.5 * spec_.cell - spec_.pose_margin - kRounding;
+  check_seen([&](const Vec3& center) { return !knows_world_ || clearance(world_, center) >= inside; });
   check_hits(hits_of(scan));
 }
 

@@ -26,6 +26,8 @@ class FrameWatch {
   void after(const DepthFrame& frame);
   void before(const LidarScan& scan);
   void after(const LidarScan& scan);
+  /// From now on, poses are off by more than their margin, and what scans show is not compared with the true world.
+  void forget_world() { knows_world_ = false; }
   const std::string& broken() const { return broken_; }
   /// Voxels that became free while they were watched, and hits that were looked at.
   std::uint64_t seen() const { return seen_; }
@@ -48,7 +50,7 @@ class FrameWatch {
   void check_hits(const std::vector<tern::Vec3>& points);
 
   const FlightWorld& world_;
-  double pose_error_;  ///< largest of the poses', metres
+  bool knows_world_ = true;
   tern::MapSpec spec_;
   const tern::RollingMap& map_;
   Noise noise_;

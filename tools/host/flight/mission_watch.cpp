@@ -54,6 +54,12 @@ void MissionWatch::close(std::size_t i) {
   broken_ = "mission: point " + std::to_string(i + 1) + " counts as passed from " + brief(point.distance) + " m away";
 }
 
+void MissionWatch::move_goal(const tern::Vec3& goal, std::int64_t t) {
+  points_.back().position = goal;
+  points_.back().distance = std::numeric_limits<double>::infinity();
+  last_ = t;
+}
+
 void MissionWatch::look(std::int64_t t, const tern::FlightReport& report) {
   const std::size_t leg =
       static_cast<std::size_t>(report.leg) + (report.reason == tern::FlightReason::kArrived ? 1 : 0);

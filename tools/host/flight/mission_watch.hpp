@@ -22,6 +22,8 @@ class MissionWatch {
 
   /// To be called after every tick.
   void look(std::int64_t t, const tern::FlightReport& report);
+  /// The goal moved, before the tick at time `t`.
+  void move_goal(const tern::Vec3& goal, std::int64_t t);
   /// The first thing that did not hold; empty while all holds.
   const std::string& broken() const { return broken_; }
   const std::vector<MissionPoint>& points() const { return points_; }

@@ -40,12 +40,17 @@ class VoxelGaps {
   double cell_;
 };
 
+Vec3 center_of(const tern::Voxel& v, const tern::GridSpec& grid) {
+  return {grid.origin.x + grid.cell * (v.x + 0.5), grid.origin.y + grid.cell * (v.y + 0.5),
+          grid.origin.z + grid.cell * (v.z + 0.5)};
+}
+
 }  // namespace
 
 Rooms::Rooms(const FlightWorld& world, const tern::RollingMap& map)
     : world_(world), map_(map), radius_(radius_of(world.settings)) {}
 
-double Rooms::from_solid(const Vec3& p) const {
+double Rooms::from_solid(const Vec3& p, const LeaveOut& leave_out) const {
   const tern::Grid& safe = map_.safe();
   const tern::GridSpec& grid = safe.spec();
   const VoxelGaps here(p, grid);
@@ -59,7 +64,8 @@ double Rooms::from_solid(const Vec3& p) const {
       for (int x = low.x; x <= high.x; ++x) {
         const double distance = here.to({x, y, z});
         const double kept = leaves_ ? std::min(radius_, there.to({x, y, z})) : radius_;
-        if (distance - kept < room && safe.obstacle({x, y, z})) room = distance - kept;
+        if (distance - kept >= room || !safe.obstacle({x, y, z})) continue;
+        if (!leave_out || !leave_out(center_of({x, y, z}, grid))) room = distance - kept;
       }
     }
   }

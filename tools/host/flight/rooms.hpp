@@ -6,6 +6,8 @@
 #ifndef TERN_HOST_FLIGHT_ROOMS_HPP
 #define TERN_HOST_FLIGHT_ROOMS_HPP
 
+#include <functional>
+
 #include "host/flight/flight_world.hpp"
 #include "tern/map.hpp"
 
@@ -21,7 +23,9 @@ class Rooms {
   const tern::GridSpec& window() const { return map_.safe().spec(); }
 
   /// From all voxels that are not known to be free, and from the window's faces; at most a little more than a voxel.
-  double from_solid(const tern::Vec3& p) const;
+  /// Voxels for whose centre `leave_out` answers true do not count; it may be empty.
+  using LeaveOut = std::function<bool(const tern::Vec3& center)>;
+  double from_solid(const tern::Vec3& p, const LeaveOut& leave_out = {}) const;
   /// From the window's faces alone.
   double from_faces(const tern::Vec3& p) const;
   /// From where the fences let the centre be; keep-outs are left alone by the radius.

@@ -17,19 +17,22 @@ std::size_t frame_bytes(const FlightSettings& settings) {
   return tern::frame_record_bytes(view);
 }
 
-Sensor::Sensor(const FlightWorld& world, const tern::MapSpec& spec, tern::RollingMap& map, Noise& noise,
-               FlightTape& tape)
-    : world_(world), map_(map), noise_(noise), tape_(tape), watch_(world, spec, map) {}
+Sensor::Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec,
+               tern::RollingMap& map, Noise& noise, FlightTape& tape)
+    : world_(world), map_(map), noise_(noise), tape_(tape), watch_(still_world, spec, map) {}
 
-void Sensor::sense(std::int64_t t, const Vehicle& vehicle, double yaw) {
+void Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw) {
   const FlightSettings& s = world_.settings;
-  if (static_cast<double>(taken_) <= 1e-9 * static_cast<double>(t) * s.sensor_hz) {
-    ++taken_;
-    if (!noise_.chance(s.dropout)) waiting_.push_back(take(t, vehicle, yaw));
-  }
-  const std::int64_t latency = std::llround(1e9 * s.sensor_latency);
-  const auto arrived = [&](const Frame& frame) {
-    return std::visit([](const auto& f) { return f.taken; }, frame) + latency <= t;
+  const double seconds = 1e-9 * static_cast<double>(t);
+  if (seconds >= s.frames_until || static_cast<double>(taken_) > seconds * s.sensor_hz) return;
+  ++taken_;
+  if (!noise_.chance(s.dropout)) waiting_.push_back(frame(t, vehicle, yaw));
+}
+
+void Sensor::deliver(std::int64_t t) {
+  const std::int64_t latency = std::llround(1e9 * world_.settings.sensor_latency);
+  const auto arrived = [&](const Frame& taken) {
+    return std::visit([](const auto& f) { return f.taken; }, taken) + latency <= t;
   };
   // Of those that have arrived, only the last one counts.
   while (waiting_.size() > 1 && arrived(waiting_[1])) waiting_.pop_front();
@@ -46,11 +49,11 @@ void Sensor::sense(std::int64_t t, const Vehicle& vehicle, double yaw) {
 }
 
 /// The image is of what is, the pose what the vehicle believes.
-Sensor::Frame Sensor::take(std::int64_t t, const Vehicle& vehicle, double yaw) {
+Sensor::Frame Sensor::frame(std::int64_t t, const Vehicle& vehicle, double yaw) {
   if (world_.settings.sensor == "lidar") return take_scan(world_, vehicle.position(), vehicle.estimate(), t, noise_);
-  DepthFrame frame = take_frame(world_, vehicle.position(), yaw, t, noise_);
-  frame.pose.position = vehicle.estimate();
-  return frame;
+  DepthFrame image = take_frame(world_, vehicle.position(), yaw, t, noise_);
+  image.pose.position = vehicle.estimate();
+  return image;
 }
 
 void Sensor::enter(const DepthFrame& frame) {

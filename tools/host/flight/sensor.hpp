@@ -23,17 +23,22 @@ std::size_t frame_bytes(const FlightSettings& settings);
 /// when it is ready.
 class Sensor {
  public:
-  /// All must outlive the sensor.
-  Sensor(const FlightWorld& world, const tern::MapSpec& spec, tern::RollingMap& map, Noise& noise, FlightTape& tape);
+  /// All must outlive the sensor. It sees `world`, of which `still_world` was there from the beginning.
+  Sensor(const FlightWorld& world, const FlightWorld& still_world, const tern::MapSpec& spec, tern::RollingMap& map,
+         Noise& noise, FlightTape& tape);
 
-  /// To be called before every tick. `yaw`: where the camera looks, rad.
-  void sense(std::int64_t t, const Vehicle& vehicle, double yaw);
+  /// To be called at every tick. `yaw`: where the camera looks, rad.
+  void take(std::int64_t t, const Vehicle& vehicle, double yaw);
+  /// Enters what has arrived, if the map is ready: to be called before every tick that is done.
+  void deliver(std::int64_t t);
   const FrameWatch& watch() const { return watch_; }
+  /// As FrameWatch::forget_world().
+  void forget_world() { watch_.forget_world(); }
 
  private:
   using Frame = std::variant<DepthFrame, LidarScan>;
 
-  Frame take(std::int64_t t, const Vehicle& vehicle, double yaw);
+  Frame frame(std::int64_t t, const Vehicle& vehicle, double yaw);
   void enter(const DepthFrame& frame);
   void enter(const LidarScan& scan);
 

@@ -10,12 +10,17 @@
 
 #include "flight/flight_state.hpp"
 #include "host/flight/assumed_ball.hpp"
+#include "host/flight/contact_search.hpp"
+#include "host/flight/flight_faults.hpp"
 #include "host/flight/flight_recorder.hpp"
+#include "host/flight/flight_specs.hpp"
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
 #include "host/flight/full_knowledge.hpp"
+#include "host/flight/gimbal.hpp"
 #include "host/flight/mission_watch.hpp"
 #include "host/flight/sensor.hpp"
+#include "host/flight/threat_watch.hpp"
 #include "host/flight/yaw_watch.hpp"
 #include "host/number.hpp"
 #include "host/vehicle/vehicle.hpp"
@@ -24,65 +29,7 @@
 namespace tern_host {
 namespace {
 
-constexpr double kAssumedVoxels = 6.0;                 ///< that the operator knows beyond the radius, if they are free
-constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
-constexpr double kLeastLook = 0.4;                     ///< metres: nearer points say nothing about where to look
-constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan_pixel of 1 rad
-constexpr double kTurn = 6.28318530717958648;
-
-int voxels(double metres, double cell) {
-  return std::min(tern::kMaxDimension, static_cast<int>(std::ceil(metres / cell)));
-}
-
-/// The window around the start; from below the floor to above the ceiling, where that is within its height.
-tern::MapSpec map_spec_of(const FlightWorld& world) {
-  const FlightSettings& s = world.settings;
-  const tern::Box& b = world.boundary;
-  const double height = std::min(s.window.z, b.upper.z - b.lower.z + 4.0 * s.cell);
-  const tern::Voxel dims{voxels(s.window.x, s.cell), voxels(s.window.y, s.cell), voxels(height, s.cell)};
-  const double bottom = height < s.window.z ? b.lower.z - 2.0 * s.cell : world.start.z - 0.5 * height;
-  const tern::Vec3 origin{world.start.x - 0.5 * s.window.x, world.start.y - 0.5 * s.window.y, bottom};
-  tern::MapSpec spec = tern::map_spec(origin, s.cell, dims, radius_of(s));
-  spec.range = s.sensor_range;
-  spec.depth_margin = s.depth_margin + s.depth_noise * s.sensor_range;
-  spec.pose_margin = s.pose_margin;
-  spec.hits = s.hits;
-  spec.support = s.support;
-  spec.slack = 8;
-  spec.pixels = s.width * s.height;
-  if (s.sensor == "lidar") {
-    spec.scan_pixel = s.scan_pixel;
-    spec.pixels = static_cast<int>(std::ceil(kScanPixels / (s.scan_pixel * s.scan_pixel)));
-  }
-  return spec;
-}
-
-tern::FlightSpec flight_spec_of(const FlightSettings& s) {
-  tern::FlightSpec spec = tern::flight_spec(limits_of(s));
-  spec.tick = std::llround(1e9 / s.tick_hz);
-  spec.work_per_tick = static_cast<std::uint32_t>(s.work_per_tick);
-  spec.plan_work = 4 * spec.work_per_tick;
-  spec.horizon = kHorizon * s.sensor_range;
-  spec.yaw_rate = s.yaw_rate;
-  return spec;
-}
-
-constexpr double kDegree = kTurn / 360.0;
-
-/// How the flight plans its yaw, from the heading at the start on.
-tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
-  tern::FlightYaw yaw{};
-  yaw.mode = tern::FlightYawMode::kTowardsUnseen;
-  if (s.yaw == "motion") yaw.mode = tern::FlightYawMode::kAlongMotion;
-  if (s.yaw == "point") yaw.mode = tern::FlightYawMode::kTowardsPoint;
-  if (s.yaw == "heading") yaw.mode = tern::FlightYawMode::kFixed;
-  yaw.acceleration_max = s.yaw_acceleration;
-  yaw.view = kDegree * s.fov_horizontal;
-  yaw.start = {std::cos(start), std::sin(start)};
-  yaw.heading = {std::cos(kDegree * s.yaw_heading), std::sin(kDegree * s.yaw_heading)};
-  yaw.point = s.yaw_point;
-  return yaw;
-}
+constexpr double kAssumedVoxels = 6.0;  ///< that the operator knows beyond the radius, if they are free
 
 class Simulation {
  public:
@@ -95,26 +42,33 @@ class Simulation {
         map_spec_(map_spec_of(world)),
         fences_(fences_of(world.fences)),
         spec_(flight_spec_of(world.settings)),
-        recorder_(world),
+        truth_(world),
+        faults_(truth_),
+        commands_(commands_of(flight_)),
+        recorder_(truth_),
         tape_(record, frame_bytes(world.settings)),
-        sensor_(world, map_spec_, map_, noise_, tape_) {
+        sensor_(truth_, world_, map_spec_, map_, noise_, tape_) {
     start();
   }
 
   FlightResult fly() {
     const std::int64_t end = std::llround(1e9 * world_.settings.time_limit);
-    std::string status = "timeout";
-    while (time_ <= end && !tick(status)) move_on();
+    FlightEnding ending;
+    while (time_ <= end && ending.status.empty()) {
+      ending = tick();
+      if (ending.status.empty()) ending = move_on();
+    }
     tape_.finish();
-    if (status == "timeout") reason_ = "still on its way at time_limit, " + brief(world_.settings.time_limit) + " s";
-    if (status == "stuck") reason_ += last_plan();
+    if (ending.status.empty()) ending = time_is_up();
     FlightResult result = recorder_.finish();
-    result.status = status;
-    result.reason = reason_;
+    result.status = ending.status;
+    result.reason = ending.reason;
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
     result.commits = std::move(commits_);
+    result.appeared = faults_.appeared();
+    result.contact = contact_;
     const FrameWatch& frames = sensor_.watch();
     result.watched = {counts.ticks,  counts.commits, counts.points, frames.seen(),
                       frames.hits(), counts.slivers, counts.snap};
@@ -149,10 +103,10 @@ class Simulation {
     }
     set_wishes();
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
-    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_of(flight_));
+    watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_);
+    threats_ = std::make_unique<ThreatWatch>(world_.settings, spec_, map_, watch_->rooms(), commands_);
     mission_ = std::make_unique<MissionWatch>(world_, flight_);
-    yaw_watch_ =
-        std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](std::int64_t t) { return flight_.yaw(t); });
+    yaw_watch_ = std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](auto t) { return flight_.yaw(t); });
   }
 
   /// The mission, and how to turn on it.
@@ -165,56 +119,106 @@ class Simulation {
       throw std::runtime_error(world_.name + ": the mission is refused: " + tern::status_name(set));
     }
     const tern::Vec3& first = mission.front().position;
-    yaw_ = std::atan2(first.y - world_.start.y, first.x - world_.start.x);
+    const double yaw = std::atan2(first.y - world_.start.y, first.x - world_.start.x);
+    gimbal_ = Gimbal(yaw, world_.settings);
     plans_yaw_ = world_.settings.yaw != "gimbal";
     if (!plans_yaw_) return;
-    const tern::FlightYaw yaw = flight_yaw_of(world_.settings, yaw_);
-    const tern::Status turned = flight_.set_yaw(yaw);
-    tape_.recorder().set_yaw(yaw, turned);
+    const tern::FlightYaw wish = flight_yaw_of(world_.settings, yaw);
+    const tern::Status turned = flight_.set_yaw(wish);
+    tape_.recorder().set_yaw(wish, turned);
     if (turned != tern::Status::kOk) throw std::runtime_error(world_.name + ": the yaw is refused");
   }
 
   double seconds() const { return 1e-9 * static_cast<double>(time_); }
 
+  /// Where the camera looks now, rad.
+  double yaw() const { return plans_yaw_ ? flight_.yaw(time_).angle : gimbal_.yaw(); }
+
   Setpoint setpoint(double t) const {
     const std::int64_t at = std::llround(1e9 * t);
     const tern::Sample sample = flight_.command(at).sample;
-    if (!plans_yaw_) return {sample, yaw_ + yaw_rate_ * (t - seconds()), yaw_rate_};
+    if (!plans_yaw_) return {sample, gimbal_.yaw() + gimbal_.rate() * (t - seconds()), gimbal_.rate()};
     const auto nose = flight_.yaw(at);
     return {sample, nose.angle, nose.yaw.rate};
   }
 
-  /// True where the flight is over.
-  bool tick(std::string& status) {
-    sensor_.sense(time_, *vehicle_, yaw_);
+  FlightEnding tick() {
+    faults_.appear(time_, commands_.at);
+    sensor_.take(time_, *vehicle_, yaw());
+    const bool skipped = faults_.skips_tick();
+    if (!skipped) do_tick();
+    const tern::Command command = flight_.command(time_);
+    recorder_.note(time_, command, *vehicle_, yaw(), report_, skipped);
+    if (onlooker_) tell(command);
+    if (!plans_yaw_) gimbal_.turn_to(command);
+    if (report_.waits_for_view) ++view_waits_;
+    if (errors().pose_exceeded()) forget_world();
+    if (touches()) return contact();
+    return skipped ? FlightEnding{} : judge();
+  }
+
+  /// What the flight's computer does.
+  void do_tick() {
+    sensor_.deliver(time_);
+    move_goal();
     watch_->before(time_);
     const tern::Status ticked = flight_.tick(time_, report_);
     tape_.recorder().tick(flight_, time_, report_, ticked);
     tape_.save();
-    const tern::Command command = flight_.command(time_);
-    recorder_.note(time_, command, *vehicle_, yaw_, report_);
     watch_->look(time_, report_);
+    if (!faults_.appeared().empty() || report_.mode == tern::FlightMode::kThreat) threats_->look(time_, report_);
     mission_->look(time_, report_);
-    note_commit();
-    if (onlooker_) tell(command);
-    if (!plans_yaw_) turn(command);
     if (plans_yaw_) yaw_watch_->look(time_);
-    if (report_.waits_for_view) ++view_waits_;
-    reason_ = tern::flight_reason_text(report_.reason);
-    if (recorder_.clearance_now() < world_.settings.body_radius) {
-      status = "collision";
-      reason_ = "the body touched something";
-      return true;
+    note_commit();
+  }
+
+  void move_goal() {
+    tern::Vec3 goal{};
+    if (!faults_.moves_goal(seconds(), goal)) return;
+    tape_.recorder().set_goal(goal, flight_.set_goal(goal));
+    mission_->move_goal(goal, time_);
+  }
+
+  /// Poses are off by more than their margin: the map's world is not the true one.
+  void forget_world() {
+    watch_->forget_world();
+    sensor_.forget_world();
+  }
+
+  FlightEnding time_is_up() const {
+    const std::string limit = "at time_limit, " + brief(world_.settings.time_limit) + " s";
+    if (report_.mode == tern::FlightMode::kThreat) return {"threat", "something is in the way " + limit};
+    return {"timeout", "still on its way " + limit};
+  }
+
+  FlightEnding judge() const {
+    const std::string broken =
+        watch_->broken() + sensor_.watch().broken() + threats_->broken() + mission_->broken() + yaw_watch_->broken();
+    if (!broken.empty()) return {"invariant", broken};
+    if (report_.mode != tern::FlightMode::kRest || report_.reason == tern::FlightReason::kNone) return {};
+    const std::string reason = tern::flight_reason_text(report_.reason);
+    if (report_.reason == tern::FlightReason::kArrived) return {"reached", reason};
+    return {"stuck", reason + last_plan()};
+  }
+
+  FlightErrors errors() const {
+    const FlightSettings& s = world_.settings;
+    return {recorder_.tracking_max(), s.tracking_margin, recorder_.pose_max(), s.pose_margin};
+  }
+
+  bool touches() const { return recorder_.clearance_now() < world_.settings.body_radius; }
+
+  FlightEnding contact() {
+    const tern::Vec3 v = vehicle_->velocity();
+    contact_.happened = true;
+    contact_.time = seconds();
+    contact_.speed = std::hypot(v.x, std::hypot(v.y, v.z));
+    contact_.with_appeared = clearance(world_, vehicle_->position()) >= world_.settings.body_radius;
+    if (contact_.with_appeared) {
+      contact_.appeared_before = seconds() - faults_.appeared().back().time;
+      contact_.threat = threats_->meet(time_, faults_.appeared());
     }
-    reason_ = watch_->broken() + sensor_.watch().broken() + mission_->broken() + yaw_watch_->broken();
-    if (!reason_.empty()) {
-      status = "invariant";
-      return true;
-    }
-    reason_ = tern::flight_reason_text(report_.reason);
-    if (report_.mode != tern::FlightMode::kRest || report_.reason == tern::FlightReason::kNone) return false;
-    status = report_.reason == tern::FlightReason::kArrived ? "reached" : "stuck";
-    return true;
+    return judge_contact(errors(), contact_);
   }
 
   /// A flight's state lies in the first of its words.
@@ -228,25 +232,27 @@ class Simulation {
   }
 
   void tell(const tern::Command& command) {
-    onlooker_({time_, report_, command, *vehicle_, yaw_, recorder_.clearance_now(), map_, flight_, planner_, state()});
+    onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state()});
   }
 
-  /// To the next tick.
-  void move_on() {
+  /// To the next tick, or until the body touches something.
+  FlightEnding move_on() {
     const std::int64_t next = time_ + spec_.tick;
-    vehicle_->fly_to(1e-9 * static_cast<double>(next), [this](double t) { return setpoint(t); });
-    yaw_ = plans_yaw_ ? flight_.yaw(next).angle : yaw_ + yaw_rate_ / world_.settings.tick_hz;
+    ContactSearch search(world_.settings, *vehicle_, recorder_.clearance_now());
+    for (std::int64_t t = time_; t < next;) {
+      t = search.next(t, next);
+      vehicle_->fly_to(1e-9 * static_cast<double>(t), [this](double at) { return setpoint(at); });
+      if (t == next) break;
+      recorder_.note_clearance(*vehicle_);
+      if (touches()) {
+        time_ = t;
+        return contact();
+      }
+      search.at(*vehicle_, recorder_.clearance_now());
+    }
+    if (!plans_yaw_) gimbal_.move_on();
     time_ = next;
-  }
-
-  /// The camera turns to where the flight looks, as fast as it may.
-  void turn(const tern::Command& command) {
-    const double x = command.look_at.x - command.sample.position.x;
-    const double y = command.look_at.y - command.sample.position.y;
-    yaw_rate_ = 0.0;
-    if (std::hypot(x, y) < kLeastLook) return;
-    const double most = world_.settings.yaw_rate;
-    yaw_rate_ = std::clamp(std::remainder(std::atan2(y, x) - yaw_, kTurn) * world_.settings.tick_hz, -most, most);
+    return {};
   }
 
   const FlightWorld& world_;
@@ -262,21 +268,24 @@ class Simulation {
   tern::RollingMap map_;
   tern::Flight flight_;
   tern::FlightReport report_{};
+  FlightWorld truth_;  ///< the world, with what has appeared in it
+  FlightFaults faults_;
+  FlownCommands commands_;
   std::unique_ptr<Vehicle> vehicle_;
+  Gimbal gimbal_;
   FlightRecorder recorder_;
   FlightTape tape_;
   std::unique_ptr<FlightWatch> watch_;
+  std::unique_ptr<ThreatWatch> threats_;
   std::unique_ptr<MissionWatch> mission_;
   std::unique_ptr<YawWatch> yaw_watch_;
   Sensor sensor_;
   std::int64_t time_ = 0;
-  double yaw_ = 0.0;
-  double yaw_rate_ = 0.0;
   bool plans_yaw_ = false;
+  FlightContact contact_;
   std::uint32_t committed_ = 0;
   std::vector<FlightCommit> commits_;
   std::int64_t view_waits_ = 0;  // ticks
-  std::string reason_;
 };
 
 }  // namespace

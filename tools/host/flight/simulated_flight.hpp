@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flight/flight_contact.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
@@ -59,6 +60,7 @@ struct FlightResult {
   double length = 0.0;
   double min_clearance = 0.0;
   double tracking_max = 0.0, tracking_rms = 0.0;  ///< of where the vehicle believes to be, off the command, metres
+  double pose_max = 0.0;                          ///< of where it believes to be, off the truth, metres
   double full_knowledge = 0.0;                    ///< full_knowledge_time(), where it was asked for
   std::uint32_t asked = 0, committed = 0, dropped = 0, failed = 0;
   std::array<double, 5> seconds_in{};  ///< of each tern::FlightMode
@@ -66,9 +68,12 @@ struct FlightResult {
   std::uint32_t work_max = 0, work_p99 = 0;
   std::uint64_t work_total = 0;
   std::uint64_t commands_hash = 0;
+  std::uint64_t skipped = 0;  ///< ticks
   WatchTotals watched;
   std::vector<MissionPoint> mission;
   std::vector<FlightCommit> commits;
+  std::vector<Appearance> appeared;  ///< with the time when each did
+  FlightContact contact;
   std::vector<TrackPoint> track;  ///< one a tick
   std::string samples;            ///< CSV, one row a tick
 

@@ -1,0 +1,69 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/flight/flight_specs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/flight/full_knowledge.hpp"
+
+namespace tern_host {
+namespace {
+
+constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
+constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan_pixel of 1 rad
+constexpr double kDegree = 6.28318530717958648 / 360.0;
+
+int voxels(double metres, double cell) {
+  return std::min(tern::kMaxDimension, static_cast<int>(std::ceil(metres / cell)));
+}
+
+}  // namespace
+
+tern::MapSpec map_spec_of(const FlightWorld& world) {
+  const FlightSettings& s = world.settings;
+  const tern::Box& b = world.boundary;
+  const double height = std::min(s.window.z, b.upper.z - b.lower.z + 4.0 * s.cell);
+  const tern::Voxel dims{voxels(s.window.x, s.cell), voxels(s.window.y, s.cell), voxels(height, s.cell)};
+  const double bottom = height < s.window.z ? b.lower.z - 2.0 * s.cell : world.start.z - 0.5 * height;
+  const tern::Vec3 origin{world.start.x - 0.5 * s.window.x, world.start.y - 0.5 * s.window.y, bottom};
+  tern::MapSpec spec = tern::map_spec(origin, s.cell, dims, radius_of(s));
+  spec.range = s.sensor_range;
+  spec.depth_margin = s.depth_margin + s.depth_noise * s.sensor_range;
+  spec.pose_margin = s.pose_margin;
+  spec.hits = s.hits;
+  spec.support = s.support;
+  spec.slack = 8;
+  spec.pixels = s.width * s.height;
+  if (s.sensor == "lidar") {
+    spec.scan_pixel = s.scan_pixel;
+    spec.pixels = static_cast<int>(std::ceil(kScanPixels / (s.scan_pixel * s.scan_pixel)));
+  }
+  return spec;
+}
+
+tern::FlightSpec flight_spec_of(const FlightSettings& s) {
+  tern::FlightSpec spec = tern::flight_spec(limits_of(s));
+  spec.tick = std::llround(1e9 / s.tick_hz);
+  spec.work_per_tick = static_cast<std::uint32_t>(s.work_per_tick);
+  spec.plan_work = 4 * spec.work_per_tick;
+  spec.horizon = kHorizon * s.sensor_range;
+  spec.yaw_rate = s.yaw_rate;
+  return spec;
+}
+
+tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
+  tern::FlightYaw yaw{};
+  yaw.mode = tern::FlightYawMode::kTowardsUnseen;
+  if (s.yaw == "motion") yaw.mode = tern::FlightYawMode::kAlongMotion;
+  if (s.yaw == "point") yaw.mode = tern::FlightYawMode::kTowardsPoint;
+  if (s.yaw == "heading") yaw.mode = tern::FlightYawMode::kFixed;
+  yaw.acceleration_max = s.yaw_acceleration;
+  yaw.view = kDegree * s.fov_horizontal;
+  yaw.start = {std::cos(start), std::sin(start)};
+  yaw.heading = {std::cos(kDegree * s.yaw_heading), std::sin(kDegree * s.yaw_heading)};
+  yaw.point = s.yaw_point;
+  return yaw;
+}
+
+}  // namespace tern_host

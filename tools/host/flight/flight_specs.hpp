@@ -1,0 +1,24 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a flight's settings mean to the map and to the flight.
+#ifndef TERN_HOST_FLIGHT_FLIGHT_SPECS_HPP
+#define TERN_HOST_FLIGHT_FLIGHT_SPECS_HPP
+
+#include "host/flight/flight_world.hpp"
+#include "tern/flight.hpp"
+
+namespace tern_host {
+
+/// The window around the start; from below the floor to above the ceiling, where that is within its height.
+tern::MapSpec map_spec_of(const FlightWorld& world);
+
+/// Without fences.
+tern::FlightSpec flight_spec_of(const FlightSettings& settings);
+
+/// How the flight plans its yaw, from the heading at the start on, rad.
+tern::FlightYaw flight_yaw_of(const FlightSettings& settings, double start);
+
+}  // namespace tern_host
+
+#endif
