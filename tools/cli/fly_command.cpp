@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/flight_progress.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
 #include "host/flight/flown_plan.hpp"
@@ -86,10 +87,13 @@ int fly_finished_plan(const FlyOptions& options) {
   return keeps(result, settings.tracking_margin) ? kExitOk : kExitNoPlan;
 }
 
-/// Nobody looks on where there is no film.
-tern_host::FlightOnlooker onlooker_of(tern_host::FlightFilm* film) {
-  if (film == nullptr) return {};
-  return [film](const tern_host::FlightMoment& moment) { film->note(moment); };
+/// Nobody looks on where there is neither a film nor a terminal.
+tern_host::FlightOnlooker onlooker_of(tern_host::FlightFilm* film, FlightProgress& progress) {
+  if (film == nullptr && !progress.is_shown()) return {};
+  return [film, &progress](const tern_host::FlightMoment& moment) {
+    if (film != nullptr) film->note(moment);
+    progress.note(moment);
+  };
 }
 
 int fly(const FlyOptions& options) {
@@ -106,13 +110,17 @@ int fly(const FlyOptions& options) {
   std::unique_ptr<tern_host::FlightFilm> film;
   if (!options.html.empty()) film = std::make_unique<tern_host::FlightFilm>(world);
   std::string record;
+  FlightProgress progress(world);
   tern_host::FlightResult result =
-      tern_host::simulate_flight(world, onlooker_of(film.get()), options.record.empty() ? nullptr : &record);
+      tern_host::simulate_flight(world, onlooker_of(film.get(), progress), options.record.empty() ? nullptr : &record);
+  progress.finish();
   if (options.compare) result.full_knowledge = tern_host::full_knowledge_time(world);
   std::vector<tern_host::Output> outputs;
   if (!options.json.empty()) outputs.push_back({options.json, tern_host::flight_json(world, result, options.commits)});
   if (!options.csv.empty()) outputs.push_back({options.csv, result.samples});
-  if (!options.svg.empty()) outputs.push_back({options.svg, tern_host::flight_svg(world, result)});
+  if (!options.svg.empty()) {
+    outputs.push_back({options.svg, tern_host::flight_svg(with_appeared(world, result.appeared), result)});
+  }
   if (film != nullptr) outputs.push_back({options.html, tern_host::page_html({film->run(result)})});
   if (!options.record.empty()) outputs.push_back({options.record, record});
   tern_host::write_files(outputs);

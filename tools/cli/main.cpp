@@ -10,9 +10,11 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "host/atomic_file.hpp"
 #include "host/text_records.hpp"
 #include "tern/self_test.hpp"
 
@@ -52,6 +54,13 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   throw std::runtime_error("there is no command " + tern_host::quote(argv[1]) + "; the commands are: " + names);
 }
 
+/// A file named "-" is standard output, which then has nothing else in it.
+void make_way_for_files(const std::vector<std::string>& arguments) {
+  if (std::find(arguments.begin(), arguments.end(), "-") != arguments.end()) {
+    tern_host::keep_standard_output_for_files();
+  }
+}
+
 /// A full disk shows only once what was printed is written.
 void flush_output() {
   std::cout.flush();
@@ -83,8 +92,10 @@ int run(int argc, char** argv) {
 #endif
   tern_cli::add_world_command(app, exit_status);
   check_command(app, argc, argv);
+  std::vector<std::string> arguments = reversed_arguments(argc, argv);
+  make_way_for_files(arguments);
   try {
-    app.parse(reversed_arguments(argc, argv));
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     exit_status = app.exit(error) == 0 ? tern_cli::kExitOk : tern_cli::kExitBadInput;
   }

@@ -43,6 +43,17 @@ bool write_all(int file, const std::string& content) {
   return true;
 }
 
+/// Where files named "-" go.
+int standard_output = STDOUT_FILENO;
+
+bool is_standard_output(const std::string& path) {
+  return path == "-";
+}
+
+void write_to_standard_output(const std::string& content) {
+  if (!write_all(standard_output, content)) fail("standard output", "cannot be written");
+}
+
 void write_directly(const std::string& path, const std::string& content) {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) fail(path, "cannot be opened");
@@ -100,14 +111,24 @@ class Staged {
 void write_files(const std::vector<Output>& outputs) {
   std::vector<std::unique_ptr<Staged>> staged;
   for (const Output& output : outputs) {
-    if (!exists_as_other_than_file(output.path)) {
+    if (!is_standard_output(output.path) && !exists_as_other_than_file(output.path)) {
       staged.push_back(std::make_unique<Staged>(output.path, output.content));
     }
   }
   for (const Output& output : outputs) {
-    if (exists_as_other_than_file(output.path)) write_directly(output.path, output.content);
+    if (is_standard_output(output.path)) {
+      write_to_standard_output(output.content);
+    } else if (exists_as_other_than_file(output.path)) {
+      write_directly(output.path, output.content);
+    }
   }
   for (const std::unique_ptr<Staged>& file : staged) file->place();
+}
+
+void keep_standard_output_for_files() {
+  const int kept = dup(STDOUT_FILENO);
+  if (kept < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail("standard output", "cannot be kept");
+  standard_output = kept;
 }
 
 void write_file(const std::string& path, const std::string& content) {

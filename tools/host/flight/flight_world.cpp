@@ -36,6 +36,17 @@ std::vector<tern::Via> mission_of(const FlightWorld& world) {
   return mission;
 }
 
+FlightWorld with_appeared(FlightWorld world, const std::vector<Appearance>& appeared) {
+  for (const Appearance& a : appeared) {
+    if (a.is_block) {
+      world.blocks.push_back(a.block);
+    } else {
+      world.cylinders.push_back(a.cylinder);
+    }
+  }
+  return world;
+}
+
 double clearance(const FlightWorld& world, const tern::Vec3& p) {
   const tern::Box& b = world.boundary;
   double best =

@@ -116,6 +116,9 @@ struct FlightWorld {
 /// The vias, and the goal as the last one.
 std::vector<tern::Via> mission_of(const FlightWorld& world);
 
+/// The world with what appeared in it.
+FlightWorld with_appeared(FlightWorld world, const std::vector<Appearance>& appeared);
+
 /// Reads a world's file, or makes the world that `path` names (world_family.hpp). `overrides` are `key=value` with
 /// commas between numbers, and win. Throws RecordError.
 FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides);

@@ -125,13 +125,14 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
 
 std::string FlightFilm::run(const FlightResult& result) const {
   const FlightSettings& s = world_.settings;
+  const FlightWorld shown = with_appeared(world_, result.appeared);
   RunJson boxes = RunJson::array();
-  for (const tern::Box& box : world_.blocks) {
+  for (const tern::Box& box : shown.blocks) {
     append_point(boxes, box.lower);
     append_point(boxes, box.upper);
   }
   RunJson cylinders = RunJson::array();
-  for (const Cylinder& c : world_.cylinders) {
+  for (const Cylinder& c : shown.cylinders) {
     for (const double number : {c.x, c.y, c.bottom, c.top, c.radius}) cylinders.push_back(rounded(number));
   }
   const RunJson nothing = RunJson::array();

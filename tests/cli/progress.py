@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""progress.py TERN: a flight that takes a while shows on a terminal how far it is, and takes that away at its end.
+Where standard error is none, it shows nothing."""
+import os
+import pty
+import subprocess
+import sys
+
+FLIGHT = [sys.argv[1], "fly", "S20:1", "--set", "tick_hz=1000"]
+failures = 0
+
+
+def expect(what, held):
+    global failures
+    failures += not held
+    print(f"{'ok' if held else 'FAILED'}: {what}")
+
+
+def on_a_terminal():
+    """What the flight writes to standard error, and to standard output."""
+    master, slave = pty.openpty()
+    process = subprocess.Popen(FLIGHT, stdout=subprocess.PIPE, stderr=slave)
+    os.close(slave)
+    shown = b""
+    while True:
+        try:
+            part = os.read(master, 4096)
+        except OSError:  # the other end is closed
+            part = b""
+        if not part:
+            break
+        shown += part
+    return shown.decode(), process.communicate()[0].decode()
+
+
+def main():
+    shown, printed = on_a_terminal()
+    lines = shown.split("\r")
+    expect(f"it shows how far it is, {len(lines) - 1} times", len(lines) > 2 and "s flown," in lines[1])
+    expect("it takes that away at the end", lines[-1] == "\033[K")
+    expect("what it prints is not in between", printed.startswith("reached after") and "\r" not in printed)
+    done = subprocess.run(FLIGHT, capture_output=True, text=True)
+    expect("a file gets nothing of it", done.stderr == "" and done.stdout == printed)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
