@@ -28,14 +28,20 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 
 }  // namespace
 
+/// Where the vehicle rests, a plan that is about to take over is dropped. Otherwise it stays until a brake is proven:
+/// what is flown may be blocked beyond its takeover. No brake begins after that takeover, so one that comes too soon is
+/// waited for.
 void FlightState::begin_evade() noexcept {
   const std::int64_t lead = (kEvadeTicks << missed / 2) * spec.tick;
-  const bool needed = !rests() && (threat || commitment_at(time).branch > 0.0);
+  if (stopping && hovers()) has_next = false;
+  const bool plan_is_next = has_next && next.branch > 0.0;
+  if (plan_is_next && next.begin < time + lead) return;
+  const bool brake_is_next = has_next && !plan_is_next;
+  const bool needed = !brake_is_next && !rests() && (threat || commitment_at(time).branch > 0.0);
   stops = stopping;
   stopping = false;
-  evaded = true;
+  evaded = evaded || !brake_is_next;
   if (!needed || (threat && rest_begins() <= time + lead)) return;
-  has_next = false;
   takeover = time + lead;
   deadline = takeover - spec.tick;
   job = Job::kEvade;
@@ -123,9 +129,10 @@ bool FlightState::go_on_proving(bool proven) noexcept {
 
 /// None is proven. Of those that touch at most the alarm, the one with the slowest contact is flown; of the others,
 /// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown. The
-/// threat remains.
+/// threat remains. A stop is tried again from a plan that waits, once that has taken over.
 void FlightState::end_evade() noexcept {
   missed = 0;
+  stopping = stopping || (stops && has_next && !has_goal);
   branch = best.number;
   const bool helps = best.number >= 0 && (best.speed < contact_speed || (best.known && !known));
   if (!threat || !helps || (known && !best.known) || !make_evasion()) return give_up();
