@@ -197,6 +197,29 @@ TEST(FlightSlices, StopOnABrakeChangesNothing) {
   EXPECT_EQ(room.speed(), 0.0);
 }
 
+/// The rest of what is flown is chosen again and again, and changes nothing: that is no commit.
+TEST(FlightSlices, PlanThatIsFlownIsNotCommittedAgain) {
+  for (const double way : {0.0, 0.05, 4.0}) {
+    FlightRoom room;
+    room.flight.set_goal({room.start.x + way, room.start.y, room.start.z});
+    std::uint32_t committed = 0;
+    std::int64_t begin = room.state().latest().begin;
+    int changes = 0;
+    while (room.report.reason == FlightReason::kNone && room.time < 20000000000) {
+      room.tick();
+      const Commitment& latest = room.state().latest();
+      const bool changed = latest.begin != begin;
+      EXPECT_EQ(room.report.committed - committed, changed ? 1u : 0u) << room.time;
+      changes += changed ? 1 : 0;
+      begin = latest.begin;
+      committed = room.report.committed;
+    }
+    EXPECT_EQ(room.report.reason, FlightReason::kArrived);
+    EXPECT_GT(room.report.asked, 10u);
+    EXPECT_GE(changes, 1);
+  }
+}
+
 /// The whole of a draft is proven once more before it is flown: here something stands in its way by then.
 TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
   for (const bool is_free : {true, false}) {
@@ -205,6 +228,7 @@ TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
     const std::uint32_t committed = state.report.committed;
     state.extends = true;
     state.draft = state.now;
+    state.now.branch -= 0.25;
     state.takeover = room.time;
     if (!is_free) room.mark({{7.0, -1.0, 0.0}, {8.0, 1.0, 2.0}});
     ASSERT_EQ(state.begin_proof(state.draft.flown, state.start_of_proof()), Status::kRunning);

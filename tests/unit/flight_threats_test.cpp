@@ -23,8 +23,8 @@ struct Threatened : Flying {
     FlightState& s = state();
     s.time = time;
     s.threat = true;
-    s.contact_speed = kContact;
     s.takeover = time + kEvadeTicks * spec.tick;
+    s.contact = {s.takeover + 1000000000, kContact};
     s.deadline = s.takeover - spec.tick;
     s.job = Job::kEvade;
     s.extends = false;
@@ -64,8 +64,48 @@ TEST(FlightThreats, UnprovenBrakeKeepsTheThreat) {
   EXPECT_TRUE(state.has_alarm);
   EXPECT_TRUE(state.known);
   EXPECT_TRUE(state.next.evades);
-  EXPECT_EQ(state.contact, state.takeover + 250000000);
-  EXPECT_EQ(state.contact_speed, 1.0);
+  EXPECT_EQ(state.contact.time, state.takeover + 250000000);
+  EXPECT_EQ(state.contact.speed, 1.0);
+}
+
+/// What is flown has its contact before any brake begins: the sharpest brake is flown, slower by then or not. The
+/// report has the first contact until the takeover.
+TEST(FlightThreats, ContactBeforeTheTakeoverIsBrakedFor) {
+  Threatened room;
+  FlightState& state = room.state();
+  const std::int64_t first = room.time + room.spec.tick;
+  state.contact = {first, kContact};
+  ASSERT_TRUE(room.flies({0, 0.0, kContact + 0.1, true}, true));
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  EXPECT_EQ(room.report.contact_time, first);
+  EXPECT_EQ(room.report.contact_speed, kContact);
+  room.time = state.next.begin;
+  room.tick();
+  EXPECT_EQ(room.report.contact_time, state.contact.time);
+}
+
+/// The same of a plan that is proven from its takeover on: the threat ends there.
+TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
+  for (const bool extends : {false, true}) {
+    Threatened room;
+    FlightState& state = room.state();
+    const std::int64_t first = room.time + room.spec.tick;
+    state.contact = {first, kContact};
+    state.evaded = true;
+    state.draft = state.now;
+    state.draft.begin = extends ? state.now.begin : state.takeover;
+    state.extends = extends;
+    state.commit();
+    EXPECT_EQ(state.has_next, !extends);
+    for (int k = 0; k < kEvadeTicks; ++k) {
+      room.tick();
+      EXPECT_EQ(room.report.mode, FlightMode::kThreat) << k;
+      EXPECT_EQ(room.report.contact_time, first) << k;
+    }
+    room.tick();
+    EXPECT_EQ(room.report.mode == FlightMode::kThreat, extends);
+  }
 }
 
 /// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.
@@ -195,9 +235,18 @@ TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
             duration(state.next.flown));
   EXPECT_EQ(clear_until(room.map().safe(), state.now.flown, seconds_between(state.now.begin, room.time)),
             seconds_between(state.now.begin, room.time));
+  const FlightReport met = room.report;
+  EXPECT_LT(met.contact_time, begin);
+  EXPECT_GT(met.contact_speed, 2.0);
+  for (; room.time < begin; room.tick()) {
+    ASSERT_TRUE(state.has_next);
+    EXPECT_EQ(state.next.begin, begin);
+    EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+    EXPECT_EQ(room.report.contact_time, met.contact_time);
+    EXPECT_EQ(room.report.contact_speed, met.contact_speed);
+  }
   room.tick();
-  ASSERT_TRUE(state.has_next);
-  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_NE(room.report.mode, FlightMode::kThreat);
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 

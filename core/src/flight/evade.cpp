@@ -33,7 +33,7 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 /// waited for.
 void FlightState::begin_evade() noexcept {
   const std::int64_t lead = (kEvadeTicks << missed / 2) * spec.tick;
-  if (stopping && hovers()) has_next = false;
+  if (stopping && hovers()) has_next = meets_before = false;
   const bool plan_is_next = has_next && next.branch > 0.0;
   if (plan_is_next && next.begin < time + lead) return;
   const bool brake_is_next = has_next && !plan_is_next;
@@ -128,13 +128,15 @@ bool FlightState::go_on_proving(bool proven) noexcept {
 }
 
 /// None is proven. Of those that touch at most the alarm, the one with the slowest contact is flown; of the others,
-/// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown. The
-/// threat remains. A stop is tried again from a plan that waits, once that has taken over.
+/// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown, unless
+/// that has its contact before any brake begins. The threat remains. A stop is tried again from a plan that waits, once
+/// that has taken over.
 void FlightState::end_evade() noexcept {
   missed = 0;
   stopping = stopping || (stops && has_next && !has_goal);
   branch = best.number;
-  const bool helps = best.number >= 0 && (best.speed < contact_speed || (best.known && !known));
+  const bool is_slower = contact.time < takeover || best.speed < contact.speed;
+  const bool helps = best.number >= 0 && (is_slower || (best.known && !known));
   if (!threat || !helps || (known && !best.known) || !make_evasion()) return give_up();
   const Alarm raised = alarm;
   const bool is_raised = has_alarm;
@@ -143,8 +145,7 @@ void FlightState::end_evade() noexcept {
   has_alarm = is_raised;
   threat = true;
   known = best.known;
-  contact = takeover + nanoseconds(best.until);
-  contact_speed = best.speed;
+  contact = {takeover + nanoseconds(best.until), best.speed};
 }
 
 /// Ticks were skipped until the brake at hand was due. Brakes are tried again from here, unless there is a new goal now
@@ -158,11 +159,11 @@ void FlightState::miss_evasion() noexcept {
 /// A plan in work may go on under a threat if its end leaves time to brake, should it fail: twice as long as the
 /// sharpest brake takes, and what comes before it.
 bool FlightState::leaves_time_to_brake() const noexcept {
-  if (job == Job::kIdle || takeover >= contact) return false;
+  if (job == Job::kIdle || takeover >= contact.time) return false;
   const Vec3& most = spec.limits.a_max;
   const double weakest = smaller(most.x, smaller(most.y, most.z));
   const double needed = 2.0 * length(sample_at(takeover).velocity) / weakest + 2.0 * kSettleTime;
-  return seconds_between(takeover + kEvadeTicks * spec.tick, contact) > needed;
+  return seconds_between(takeover + kEvadeTicks * spec.tick, contact.time) > needed;
 }
 
 }  // namespace tern

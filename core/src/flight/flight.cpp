@@ -129,12 +129,12 @@ void FlightState::take_over() noexcept {
   if (watching && watched_part == Watched::kBefore) watch_all = true;
   watching = watching && watched_part != Watched::kBefore;
   now = next;
-  has_next = false;
+  has_next = meets_before = false;
 }
 
 FlightMode FlightState::mode() const noexcept {
   const bool gave_up = parked && rests();
-  if (alarmed || (threat && !gave_up)) return FlightMode::kThreat;
+  if (alarmed || ((threat || meets_before) && !gave_up)) return FlightMode::kThreat;
   if (hovers()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -172,8 +172,9 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.leg = itinerary.leg;
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
-  report.contact_time = report.mode == FlightMode::kThreat ? contact : 0;
-  report.contact_speed = report.mode == FlightMode::kThreat ? contact_speed : 0.0;
+  const Contact first = meets_before ? before : contact;
+  report.contact_time = report.mode == FlightMode::kThreat ? first.time : 0;
+  report.contact_speed = report.mode == FlightMode::kThreat ? first.speed : 0.0;
 }
 
 Status Flight::tick(int64_t t, FlightReport& report) noexcept {

@@ -140,8 +140,9 @@ class FlightState {
   bool alarmed;  ///< in this tick
   bool evaded;   ///< it was tried on this map
   int missed;    ///< evasions that were dropped, one after the other
-  std::int64_t contact;
-  double contact_speed;  ///< m/s, along what was flown when the threat was found
+  Contact contact;       ///< of the threat, along what was flown when it was found
+  bool meets_before;     ///< what comes before the takeover is not proven; what takes over is,
+  Contact before;        ///< or has a later contact than this one
   bool has_alarm;
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
@@ -262,6 +263,7 @@ class FlightState {
   Progress next_branch(Work& work) noexcept;
   Progress run_branch(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
+  bool changes_what_is_flown() const noexcept { return !extends || draft.branch > now.branch; }
   void commit() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
@@ -283,6 +285,7 @@ class FlightState {
   void watch_part(Watched which) noexcept;
   void end_part() noexcept;
   void note_threat() noexcept;
+  Contact watched_contact() const noexcept;
   void note_added() noexcept;
   const Commitment& watched_commitment() const noexcept { return watched_part == Watched::kBefore ? now : latest(); }
   void run_watch(Work& work) noexcept;
