@@ -4,7 +4,9 @@
 // Which brake is flown where none is proven, and what happens while one is about to take over.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "support/flight_room.hpp"
 
@@ -29,7 +31,9 @@ struct Threatened : Flying {
     s.job = Job::kEvade;
     s.extends = false;
     s.proves = BrakeProof::kAlarm;
-    s.branch = kEvasions - 1;
+    s.straight = kStraight;
+    s.along = kSlowDowns;
+    s.branch = kEvasions;
   }
   /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
   bool flies(const Evasion& best, bool known) {
@@ -138,6 +142,8 @@ TEST(FlightThreats, BrakesAreCompared) {
     state.job = Job::kEvade;
     state.threat = false;  // none is flown in the end
     state.branch = kEvasions - 1;
+    state.straight = kStraight;
+    state.along = kSlowDowns;
     state.tried = tried;
     state.best = other;
     state.proves = BrakeProof::kAlarm;
@@ -162,6 +168,28 @@ TEST(FlightThreats, BrakesAreCompared) {
   EXPECT_TRUE(replaces({3, 0.1, 9.0, true}, {7, 0.5, 1.0, false}));
 }
 
+/// Straight ahead from the sharpest one on, until one is judged; then those along the path, then the other ones.
+TEST(FlightThreats, BrakesAreTriedInOrder) {
+  for (const int judged : {0, 3, kStraight}) {
+    Threatened room;
+    FlightState& state = room.state();
+    state.best.number = -1;
+    state.straight = state.along = 0;
+    std::vector<int> numbers;
+    for (int k = 0; k < kEvasions; ++k) {
+      numbers.push_back(state.number_of_next());
+      if (numbers.back() == judged) state.best.number = judged;
+    }
+    std::vector<int> expected;
+    const int first = std::min(judged + 1, kStraight);
+    for (int k = 0; k < first; ++k) expected.push_back(k);
+    for (int k = 0; k < kSlowDowns; ++k) expected.push_back(kStraight + k);
+    for (int k = first; k < kStraight; ++k) expected.push_back(k);
+    EXPECT_EQ(numbers, expected) << judged;
+    EXPECT_EQ(state.number_of_next(), kEvasions);
+  }
+}
+
 /// A brake that is not proven, for a stop: there is no alarm that may be pardoned.
 TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
   for (const bool has_alarm : {false, true}) {
@@ -174,6 +202,7 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     state.alarm = {wall, room.map().seen_rows()};
     state.best.number = -1;
     state.branch = 0;
+    state.straight = 1;
     ASSERT_TRUE(state.make_evasion());
     ASSERT_TRUE(state.begin_brake_proof(BrakeProof::kClear));
     Work work{4000};

@@ -94,7 +94,8 @@ void FlightState::advance(Work& work) noexcept {
   }
   const bool is_braking_soon = has_next && next.evades;
   const bool threatened = threat && !evaded && !is_braking_soon && !leaves_time_to_brake();
-  if (job != Job::kEvade && !watching && map.safe().bound() && (stopping || threatened)) begin_evade();
+  const bool watches = watching && watched_part != Watched::kAlarm;
+  if (job != Job::kEvade && !watches && map.safe().bound() && (stopping || threatened)) begin_evade();
   if (job == Job::kIdle) begin_cycle();
   // A cycle has at most as many steps as jobs and candidates.
   constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;

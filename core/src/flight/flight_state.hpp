@@ -27,11 +27,15 @@ namespace tern {
 /// and with limits on jerk the sharpest may be too sharp.
 constexpr int kBranches = 16;
 constexpr int kBranchShapes = kStops;
-/// Brakes for a threat: straight ahead, and along what is flown.
-constexpr int kEvasions = kStops + kSlowDowns;
-/// Ticks that getting out of the way may take before it begins. Twice as many after every second time that ticks were
-/// skipped until it was too late for that.
+/// Brakes for a threat: straight ahead, the sharpest one first, and along what is flown.
+constexpr int kStraight = 1 + kStops;
+constexpr int kEvasions = kStraight + kSlowDowns;
+/// Ticks that getting out of the way may take before it begins, at least. Twice as many after every second time that
+/// ticks were skipped until it was too late for that, and after every time that no brake was judged by then.
 constexpr int kEvadeTicks = 3;
+/// Units for proving that what is flown touches at most the alarm, and for judging the sharpest brake. They must fit
+/// into the ticks after the first one, next to the yaw's part of each.
+constexpr std::uint32_t kEvadeWork = 900;
 /// The most doublings of the lead of plans and brakes.
 constexpr int kMostDoublings = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
@@ -123,6 +127,8 @@ class FlightState {
   bool extends;       ///< `draft` goes on along the plan that is flown
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
+  int straight;       ///< brakes straight ahead that were tried,
+  int along;          ///< and along what is flown
   bool tries_branch;  ///< it is being proven
   Evasion tried;      ///< the brake at hand
   Evasion best;       ///< of those that were tried
@@ -137,12 +143,12 @@ class FlightState {
   bool watch_all;         ///< of what is flown, not only what is near to what was added
   std::uint64_t watched;  ///< the safe grid's revision then
   bool threat;
-  bool alarmed;  ///< in this tick
-  bool evaded;   ///< it was tried on this map
-  int missed;    ///< evasions that were dropped, one after the other
-  Contact contact;       ///< of the threat, along what was flown when it was found
-  bool meets_before;     ///< what comes before the takeover is not proven; what takes over is,
-  Contact before;        ///< or has a later contact than this one
+  bool alarmed;       ///< in this tick
+  bool evaded;        ///< it was tried on this map
+  int missed;         ///< evasions that were dropped, one after the other
+  Contact contact;    ///< of the threat, along what was flown when it was found
+  bool meets_before;  ///< what comes before the takeover is not proven; what takes over is,
+  Contact before;     ///< or has a later contact than this one
   bool has_alarm;
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
@@ -269,11 +275,14 @@ class FlightState {
   void give_up() noexcept;
 
   // evade.cpp
+  std::int64_t evade_ticks() const noexcept;
   void begin_evade() noexcept;
   bool make_evasion() noexcept;
   bool append_evasion(const Commitment& flown, double from) noexcept;
   bool begin_brake_proof(BrakeProof what) noexcept;
   bool go_on_proving(bool proven) noexcept;
+  bool helps(const Evasion& brake) const noexcept;
+  int number_of_next() noexcept;
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;
