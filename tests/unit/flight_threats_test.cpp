@@ -89,6 +89,17 @@ TEST(FlightThreats, ContactBeforeTheTakeoverIsBrakedFor) {
   EXPECT_EQ(room.report.contact_time, state.contact.time);
 }
 
+/// The vehicle is on such a brake already: another one would only begin anew.
+TEST(FlightThreats, BrakeThatComesTooLateIsNotRepeated) {
+  for (const bool evades : {false, true}) {
+    Threatened room;
+    FlightState& state = room.state();
+    state.contact = {room.time, kContact};
+    state.now.evades = evades;
+    EXPECT_EQ(room.flies({0, 0.0, kContact, true}, true), !evades);
+  }
+}
+
 /// The same of a plan that is proven from its takeover on: the threat ends there.
 TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
   for (const bool extends : {false, true}) {

@@ -68,7 +68,7 @@ enum class FlightReason : uint8_t {
   kNone = 0,        ///< it flies, or is about to
   kNoGoal,          ///< there is no goal: none was set yet, or stop() took it away
   kArrived,         ///< it rests at the goal
-  kNearest,         ///< the goal is occupied; it rests as near to it as it can
+  kNearest,         ///< the goal is occupied, or cut off by what was seen; it rests as near to it as it can
   kNoProgress,      ///< after a look around there is still no way. set_goal() makes it try again
   kHemmedIn,        ///< likewise, and something is nearer to the vehicle than the radius
   kViaBlocked,      ///< the mission ended: its next point is in an obstacle or breaks a fence

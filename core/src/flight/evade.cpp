@@ -146,11 +146,13 @@ bool FlightState::go_on_proving(bool proven) noexcept {
 
 /// Of the brakes that touch at most the alarm, the one with the slowest contact is flown; of the others, only where
 /// what is flown may touch more than the alarm, too. Either must be slower there than what is flown, unless that has
-/// its contact before any brake begins. What was not proven yet to touch more than the alarm counts as if it did not.
+/// its contact before any brake begins and is not such a brake itself. What was not proven yet to touch more than the
+/// alarm counts as if it did not.
 bool FlightState::helps(const Evasion& brake) const noexcept {
   const bool is_kept = known || (watching && watched_part == Watched::kAlarm);
   if (brake.number < 0 || (is_kept && !brake.known)) return false;
-  return contact.time < takeover || brake.speed < contact.speed || (brake.known && !is_kept);
+  const bool is_too_late = contact.time < takeover && !latest().evades;
+  return is_too_late || brake.speed < contact.speed || (brake.known && !is_kept);
 }
 
 /// None is proven. The threat remains. A stop is tried again from a plan that waits, once that has taken over. Where

@@ -13,31 +13,15 @@
 #include "base/work.hpp"
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
-#include "flight/branch.hpp"
 #include "flight/commitment.hpp"
+#include "flight/jobs.hpp"
 #include "flight/nose.hpp"
 #include "flight/route_copy.hpp"
-#include "flight/slow_down.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 
 namespace tern {
 
-/// Instants of a plan from which a brake is tried, and brakes from each, sharp ones first: those need the least room,
-/// and with limits on jerk the sharpest may be too sharp.
-constexpr int kBranches = 16;
-constexpr int kBranchShapes = kStops;
-/// Brakes for a threat: straight ahead, the sharpest one first, and along what is flown.
-constexpr int kStraight = 1 + kStops;
-constexpr int kEvasions = kStraight + kSlowDowns;
-/// Ticks that getting out of the way may take before it begins, at least. Twice as many after every second time that
-/// ticks were skipped until it was too late for that, and after every time that no brake was judged by then.
-constexpr int kEvadeTicks = 3;
-/// Units for proving that what is flown touches at most the alarm, and for judging the sharpest brake. They must fit
-/// into the ticks after the first one, next to the yaw's part of each.
-constexpr std::uint32_t kEvadeWork = 900;
-/// The most doublings of the lead of plans and brakes.
-constexpr int kMostDoublings = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
 constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
@@ -53,34 +37,6 @@ constexpr std::uint64_t kLearned = 64;
 constexpr int kWandering = 1500;
 /// Points of a way that are so near are the same, metres.
 constexpr double kSamePlace = 1e-6;
-
-/// What is being proven of what is flown.
-enum class Watched : std::uint8_t {
-  kBefore,  ///< what comes before the takeover
-  kLatest,  ///< what is flown to its end
-  kAlarm,   ///< the same, but for the alarm
-};
-
-/// What is being proven of a brake.
-enum class BrakeProof : std::uint8_t {
-  kClear,   ///< that it may be flown
-  kLimits,  ///< where it is not clear: that it keeps the limits after its contact, too
-  kAlarm,   ///< that it is clear of everything but the alarm
-};
-
-/// What the flight works on. A cycle makes one plan; evading makes a brake.
-enum class Job : std::uint8_t {
-  kIdle,
-  kCopy,     ///< the route grid
-  kKeep,     ///< is the rest of the plan that is flown still free on the route?
-  kRoute,    ///< the way to the goal, of which the plan is the first part
-  kPlan,     ///< the planner
-  kWait,     ///< for the window to be done with its slide
-  kReach,    ///< until when is the best plan proven?
-  kBranch,   ///< a brake from there or before
-  kConfirm,  ///< the whole of what would be flown
-  kEvade,    ///< brakes from a few ticks ahead
-};
 
 class FlightState {
  public:
@@ -122,6 +78,9 @@ class FlightState {
   bool aims_at_goal;  ///< the aim is the target
   bool moved_aim;     ///< the nearest free point took the aim's place,
   bool beside_goal;   ///< which was the goal
+  bool all_free;      ///< the route has nothing unseen that is solid
+  bool to_reachable;  ///< on it no way leads to the aim, and the nearest point to it that one leads to took its place
+  bool cut_off;       ///< the vehicle rests as near as that to the target
   bool leaves;        ///< something is within the radius of where the vehicle rests
   bool keeps;         ///< the rest of the plan that is flown is free on the route
   bool extends;       ///< `draft` goes on along the plan that is flown
@@ -199,6 +158,7 @@ class FlightState {
   void park(FlightReason why) noexcept;
   void note_progress() noexcept;
   bool is_nearest() noexcept;
+  bool move_to_reachable(const Report& found) noexcept;
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
 
