@@ -32,6 +32,11 @@ bool spec_fits(const FlightSpec& spec) {
          spec.yaw_rate >= 1e-3;
 }
 
+/// Along x, where it moves by a word of voxels at a time, the window is longer than the horizon to either side.
+bool window_fits(const FlightSpec& spec, const GridSpec& window) {
+  return window.clearance() > 0.0 && spec.horizon < 0.5 * (window.boundary.upper.x - window.boundary.lower.x);
+}
+
 std::int32_t count_points(const Itinerary& itinerary, PointState state) {
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < itinerary.count; ++i) count += itinerary.state[i] == state ? 1 : 0;
@@ -68,7 +73,7 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   if (limits.status != Status::kOk) return limits.status;
   if (!valid_time_weight(spec.time_weight)) return Status::kLimitsInvalid;
   const GridSpec& window = map.safe().spec();
-  if (!(window.clearance() > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
+  if (!window_fits(spec, window) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
   FlightState* const state = new (words) FlightState{};
   state->spec = spec;
   state->limits = MotionLimits(spec.limits);

@@ -67,6 +67,16 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   return spec;
 }
 
+/// Plans must end within the window.
+void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map) {
+  const double length = map.cell * map.dims.x;
+  if (spec.horizon < 0.5 * length) return;
+  throw std::runtime_error(world.name + ": plans lead " + brief(spec.horizon) + " m ahead, " + brief(kHorizon) +
+                           " of sensor_range, and the window is only " + brief(length) +
+                           " m long. Set window to more than " + brief(2.0 * spec.horizon) +
+                           " m along x, or sensor_range to less than " + brief(0.5 * length / kHorizon) + " m");
+}
+
 constexpr double kDegree = kTurn / 360.0;
 
 /// How the flight plans its yaw, from the heading at the start on.
@@ -137,6 +147,7 @@ class Simulation {
     }
     tern::FlightRecorder& record = tape_.recorder();
     record.bind(map_spec_, bound);
+    check_horizon(world_, spec_, map_spec_);
     const double most = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
     const double free = assumed_radius(world_, map_.safe().spec(), most);
     record.assume_free(world_.start, free, map_.assume_free(world_.start, free));
