@@ -49,6 +49,15 @@ struct FlightInC : MapInC {
   tern_flight flight{};
 };
 
+/// The window is 51.2 m long.
+TEST(FlightC, HorizonsOfHalfTheWindowAreRefused) {
+  FlightInC c;
+  c.flight_spec.horizon = 25.6;
+  EXPECT_EQ(c.begin(), kInvalid);
+  c.flight_spec.horizon = 25.5;
+  EXPECT_EQ(c.begin(), kOk);
+}
+
 TEST(FlightC, EqualsTheFlightInCpp) {
   Flown flown(Scene{}, FlightSettings{});
   ASSERT_EQ(flown.started, tern::Status::kOk);

@@ -129,6 +129,68 @@ TEST(FlightAim, RetreatsAreTriedBeforeItGivesUp) {
   EXPECT_EQ(cycles_until_parked(true, 0), 1);
 }
 
+/// After a look around, a goal that no way leads to is as near as it gets, unless something is within the radius.
+TEST(FlightAim, AGoalThatIsCutOffIsNotRetreatedFrom) {
+  for (const bool leaves : {false, true}) {
+    FlightRoom room;
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = 2000000000;
+    state.leaves = leaves;
+    state.cut_off = true;
+    for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
+    EXPECT_TRUE(state.is_looking);
+    EXPECT_FALSE(state.parked);
+    state.time += 9000000000;  // 13 directions of 0.614 s
+    state.note_idle();
+    EXPECT_TRUE(state.parked);
+    EXPECT_EQ(state.retreat, 0);
+    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
+  }
+}
+
+/// No way leads to the aim: the nearest point that one leads to takes its place, if nothing unseen was solid. Where the
+/// vehicle rests there already, the goal is cut off.
+TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
+  const auto moves = [](Status status, bool all_free, double reachable, bool at_goal, FlightRoom& room) {
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = state.takeover = 2000000000;
+    state.route.begin(room.map(), room.start, 0.0, 0.0, 0.0);
+    Work work{100000};
+    EXPECT_EQ(state.route.advance(room.map(), work), Progress::kDone);
+    state.start = joint_at(state.now.flown, 0.0, kZero);
+    state.goal = state.aim = {8.125, 0.125, 1.125};
+    state.all_free = all_free;
+    state.aims_at_goal = at_goal;
+    state.asked_count = 0;
+    Report found{};
+    found.status = status;
+    found.has_reachable = true;
+    found.reachable = {room.start.x + reachable, room.start.y, room.start.z};
+    return state.move_to_reachable(found);
+  };
+  FlightRoom far;
+  EXPECT_TRUE(moves(Status::kNoPath, true, 3.0, true, far));
+  expect_same(far.state().aim, {far.start.x + 3.0, far.start.y, far.start.z});
+  EXPECT_EQ(far.state().job, Job::kPlan);
+  EXPECT_FALSE(far.state().aims_at_goal);
+  EXPECT_FALSE(far.state().cut_off);
+  Report again{};
+  again.status = Status::kNoPath;
+  again.has_reachable = true;
+  EXPECT_FALSE(far.state().move_to_reachable(again));  // once
+  FlightRoom unseen;
+  EXPECT_FALSE(moves(Status::kNoPath, false, 3.0, true, unseen));
+  FlightRoom other;
+  EXPECT_FALSE(moves(Status::kBudgetSearch, true, 3.0, true, other));
+  for (const bool at_goal : {true, false}) {
+    FlightRoom there;
+    EXPECT_FALSE(moves(Status::kNoPath, true, 0.2, at_goal, there));
+    EXPECT_EQ(there.state().cut_off, at_goal);
+  }
+}
+
 /// The plan of a retreat leads to its place alone, past no point of the mission. It counts until the vehicle comes
 /// nearer.
 TEST(FlightAim, RetreatsAreFlownAndCounted) {

@@ -99,7 +99,7 @@ TEST(FlightBrakeProofs, AllIsProvenAnewWhereThatIsAskedFor) {
 }
 
 /// Something appears where the vehicle is, and not in the way of what is about to take over, 6 m beside it. If that is
-/// a brake, it was proven, and answers for what is flown until then; a plan is dropped.
+/// a brake, it was proven, and answers for what is flown until then, whose contact is reported; a plan is dropped.
 TEST(FlightBrakeProofs, BrakeThatTakesOverAnswersForWhatComesBefore) {
   for (const bool evades : {true, false}) {
     Flying room;
@@ -116,6 +116,13 @@ TEST(FlightBrakeProofs, BrakeThatTakesOverAnswersForWhatComesBefore) {
     EXPECT_EQ(state.has_next, evades);
     EXPECT_EQ(state.threat, !evades);
     EXPECT_EQ(state.alarmed, !evades);
+    EXPECT_EQ(state.meets_before, evades);
+    EXPECT_EQ((evades ? state.before : state.contact).time, room.time);
+    EXPECT_EQ(state.mode(), FlightMode::kThreat);
+    // Near something else that became solid, it is not seen again.
+    room.mark({{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}});
+    room.watch(4000);
+    EXPECT_EQ(state.meets_before, evades);
   }
 }
 

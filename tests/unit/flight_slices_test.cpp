@@ -112,8 +112,8 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
   }
 }
 
-/// A stop whose brakes are not proven in time: what is flown goes on, and ends at rest as it was.
-TEST(FlightSlices, BrakeThatIsNotDoneInTimeIsNotFlown) {
+/// A stop whose brakes are not proven in time: what is flown goes on, and they are tried again with twice the lead.
+TEST(FlightSlices, BrakeThatIsNotDoneInTimeGetsMoreTime) {
   Flying room;
   FlightState& state = room.state();
   const Vec3 end = room.flight.rest_position();
@@ -131,6 +131,72 @@ TEST(FlightSlices, BrakeThatIsNotDoneInTimeIsNotFlown) {
   EXPECT_EQ(state.report.committed, committed);
   EXPECT_EQ(state.report.dropped, 0u);
   EXPECT_EQ(room.flight.rest_position().x, end.x);
+  room.time += room.spec.tick;
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kEvade);
+  EXPECT_EQ(state.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
+  room.advance(4000);
+  EXPECT_EQ(state.report.committed, committed + 1);
+  EXPECT_EQ(state.missed, 0);
+}
+
+/// So may those for a threat, of which none was judged. What is flown is still being proven to touch only the alarm.
+TEST(FlightSlices, BrakesThatAreNotJudgedInTimeGetMoreTime) {
+  Flying room;
+  FlightState& state = room.state();
+  const Vec3 p = room.position();
+  room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
+  room.watch(4000);
+  ASSERT_TRUE(state.threat);
+  room.advance(kNothing);
+  ASSERT_EQ(state.job, Job::kEvade);
+  room.time = state.deadline;
+  room.advance(kNothing);
+  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_FALSE(state.evaded);
+  EXPECT_FALSE(state.has_next);
+  room.time += room.spec.tick;
+  room.advance(kNothing);
+  EXPECT_EQ(state.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
+  room.advance(4000);
+  EXPECT_TRUE(state.has_next);
+}
+
+/// The brake begins as late as its work asks for, next to a yaw plan's quarter of each tick: 900 units after a tick.
+TEST(FlightSlices, BrakesBeginLaterWithLittleWork) {
+  const struct {
+    std::uint32_t units;
+    int ticks;
+  } kCases[] = {{256, 6}, {300, 5}, {399, 4}, {400, 4}, {598, 4}, {599, 3}, {4000, 3}};
+  for (const auto& c : kCases) {
+    FlightRoom room(FlightRoom::flight_spec(c.units));
+    EXPECT_EQ(room.state().evade_ticks(), c.ticks) << c.units;
+  }
+}
+
+/// What touches at most the alarm is not proven yet: a brake that touches more is not flown for it.
+TEST(FlightSlices, BrakesBeginWhileTheAlarmIsProven) {
+  for (const bool is_known : {true, false}) {
+    Flying room;
+    FlightState& state = room.state();
+    const Vec3 p = room.position();
+    room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
+    // Enough for the threat, and not for all of what is flown.
+    for (int k = 0; k < 1000 && !state.threat; ++k) room.watch(6);
+    ASSERT_TRUE(state.threat);
+    ASSERT_TRUE(state.watching);
+    ASSERT_EQ(state.watched_part, Watched::kAlarm);
+    room.advance(kNothing);
+    ASSERT_EQ(state.job, Job::kEvade);
+    EXPECT_TRUE(state.helps({0, 0.1, 0.5, true}));
+    EXPECT_FALSE(state.helps({0, 0.1, 0.5, false}));
+    if (!is_known) state.alarm.box = {{-9.0, -9.0, 0.0}, {-8.0, -8.0, 1.0}};
+    if (!is_known) state.watch_part(Watched::kAlarm);
+    room.watch(4000);
+    ASSERT_FALSE(state.watching);
+    EXPECT_EQ(state.known, is_known);
+    EXPECT_EQ(state.helps({0, 0.1, 0.5, false}), !is_known);
+  }
 }
 
 /// Ticks were skipped: the brake is dropped and tried again, with twice the lead after every second time. Plans get no
@@ -197,6 +263,29 @@ TEST(FlightSlices, StopOnABrakeChangesNothing) {
   EXPECT_EQ(room.speed(), 0.0);
 }
 
+/// The rest of what is flown is chosen again and again, and changes nothing: that is no commit.
+TEST(FlightSlices, PlanThatIsFlownIsNotCommittedAgain) {
+  for (const double way : {0.0, 0.05, 4.0}) {
+    FlightRoom room;
+    room.flight.set_goal({room.start.x + way, room.start.y, room.start.z});
+    std::uint32_t committed = 0;
+    std::int64_t begin = room.state().latest().begin;
+    int changes = 0;
+    while (room.report.reason == FlightReason::kNone && room.time < 20000000000) {
+      room.tick();
+      const Commitment& latest = room.state().latest();
+      const bool changed = latest.begin != begin;
+      EXPECT_EQ(room.report.committed - committed, changed ? 1u : 0u) << room.time;
+      changes += changed ? 1 : 0;
+      begin = latest.begin;
+      committed = room.report.committed;
+    }
+    EXPECT_EQ(room.report.reason, FlightReason::kArrived);
+    EXPECT_GT(room.report.asked, 10u);
+    EXPECT_GE(changes, 1);
+  }
+}
+
 /// The whole of a draft is proven once more before it is flown: here something stands in its way by then.
 TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
   for (const bool is_free : {true, false}) {
@@ -205,6 +294,7 @@ TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
     const std::uint32_t committed = state.report.committed;
     state.extends = true;
     state.draft = state.now;
+    state.now.branch -= 0.25;
     state.takeover = room.time;
     if (!is_free) room.mark({{7.0, -1.0, 0.0}, {8.0, 1.0, 2.0}});
     ASSERT_EQ(state.begin_proof(state.draft.flown, state.start_of_proof()), Status::kRunning);

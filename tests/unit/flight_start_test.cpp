@@ -32,6 +32,21 @@ TEST(FlightStart, MapsThatAreNotReadyAreRefused) {
   EXPECT_EQ(start(room.map(), room.words.data()), Status::kOk);
 }
 
+/// The window is 32 m long. Plans that lead half of that ahead, or further, would leave it before it can follow.
+TEST(FlightStart, HorizonsOfHalfTheWindowAreRefused) {
+  FlightRoom room;
+  FlightSpec spec = room.spec;
+  const auto start = [&] {
+    return room.flight.start(spec, room.map(), room.planner, room.words.data(), room.words.size(), room.start, 0);
+  };
+  spec.horizon = 15.9;
+  EXPECT_EQ(start(), Status::kOk);
+  for (const double horizon : {16.0, 17.0, 1e9}) {
+    spec.horizon = horizon;
+    EXPECT_EQ(start(), Status::kInvalidArgument) << horizon;
+  }
+}
+
 TEST(FlightStart, BeforeItThereIsNowhereToRest) {
   const Vec3 nowhere = Flight{}.rest_position();
   EXPECT_EQ(nowhere.x, 0.0);

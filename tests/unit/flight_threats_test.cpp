@@ -4,7 +4,9 @@
 // Which brake is flown where none is proven, and what happens while one is about to take over.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "support/flight_room.hpp"
 
@@ -23,13 +25,15 @@ struct Threatened : Flying {
     FlightState& s = state();
     s.time = time;
     s.threat = true;
-    s.contact_speed = kContact;
     s.takeover = time + kEvadeTicks * spec.tick;
+    s.contact = {s.takeover + 1000000000, kContact};
     s.deadline = s.takeover - spec.tick;
     s.job = Job::kEvade;
     s.extends = false;
     s.proves = BrakeProof::kAlarm;
-    s.branch = kEvasions - 1;
+    s.straight = kStraight;
+    s.along = kSlowDowns;
+    s.branch = kEvasions;
   }
   /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
   bool flies(const Evasion& best, bool known) {
@@ -64,8 +68,59 @@ TEST(FlightThreats, UnprovenBrakeKeepsTheThreat) {
   EXPECT_TRUE(state.has_alarm);
   EXPECT_TRUE(state.known);
   EXPECT_TRUE(state.next.evades);
-  EXPECT_EQ(state.contact, state.takeover + 250000000);
-  EXPECT_EQ(state.contact_speed, 1.0);
+  EXPECT_EQ(state.contact.time, state.takeover + 250000000);
+  EXPECT_EQ(state.contact.speed, 1.0);
+}
+
+/// What is flown has its contact before any brake begins: the sharpest brake is flown, slower by then or not. The
+/// report has the first contact until the takeover.
+TEST(FlightThreats, ContactBeforeTheTakeoverIsBrakedFor) {
+  Threatened room;
+  FlightState& state = room.state();
+  const std::int64_t first = room.time + room.spec.tick;
+  state.contact = {first, kContact};
+  ASSERT_TRUE(room.flies({0, 0.0, kContact + 0.1, true}, true));
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+  EXPECT_EQ(room.report.contact_time, first);
+  EXPECT_EQ(room.report.contact_speed, kContact);
+  room.time = state.next.begin;
+  room.tick();
+  EXPECT_EQ(room.report.contact_time, state.contact.time);
+}
+
+/// The vehicle is on such a brake already: another one would only begin anew.
+TEST(FlightThreats, BrakeThatComesTooLateIsNotRepeated) {
+  for (const bool evades : {false, true}) {
+    Threatened room;
+    FlightState& state = room.state();
+    state.contact = {room.time, kContact};
+    state.now.evades = evades;
+    EXPECT_EQ(room.flies({0, 0.0, kContact, true}, true), !evades);
+  }
+}
+
+/// The same of a plan that is proven from its takeover on: the threat ends there.
+TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
+  for (const bool extends : {false, true}) {
+    Threatened room;
+    FlightState& state = room.state();
+    const std::int64_t first = room.time + room.spec.tick;
+    state.contact = {first, kContact};
+    state.evaded = true;
+    state.draft = state.now;
+    state.draft.begin = extends ? state.now.begin : state.takeover;
+    state.extends = extends;
+    state.commit();
+    EXPECT_EQ(state.has_next, !extends);
+    for (int k = 0; k < kEvadeTicks; ++k) {
+      room.tick();
+      EXPECT_EQ(room.report.mode, FlightMode::kThreat) << k;
+      EXPECT_EQ(room.report.contact_time, first) << k;
+    }
+    room.tick();
+    EXPECT_EQ(room.report.mode == FlightMode::kThreat, extends);
+  }
 }
 
 /// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.
@@ -98,6 +153,8 @@ TEST(FlightThreats, BrakesAreCompared) {
     state.job = Job::kEvade;
     state.threat = false;  // none is flown in the end
     state.branch = kEvasions - 1;
+    state.straight = kStraight;
+    state.along = kSlowDowns;
     state.tried = tried;
     state.best = other;
     state.proves = BrakeProof::kAlarm;
@@ -122,6 +179,28 @@ TEST(FlightThreats, BrakesAreCompared) {
   EXPECT_TRUE(replaces({3, 0.1, 9.0, true}, {7, 0.5, 1.0, false}));
 }
 
+/// Straight ahead from the sharpest one on, until one is judged; then those along the path, then the other ones.
+TEST(FlightThreats, BrakesAreTriedInOrder) {
+  for (const int judged : {0, 3, kStraight}) {
+    Threatened room;
+    FlightState& state = room.state();
+    state.best.number = -1;
+    state.straight = state.along = 0;
+    std::vector<int> numbers;
+    for (int k = 0; k < kEvasions; ++k) {
+      numbers.push_back(state.number_of_next());
+      if (numbers.back() == judged) state.best.number = judged;
+    }
+    std::vector<int> expected;
+    const int first = std::min(judged + 1, kStraight);
+    for (int k = 0; k < first; ++k) expected.push_back(k);
+    for (int k = 0; k < kSlowDowns; ++k) expected.push_back(kStraight + k);
+    for (int k = first; k < kStraight; ++k) expected.push_back(k);
+    EXPECT_EQ(numbers, expected) << judged;
+    EXPECT_EQ(state.number_of_next(), kEvasions);
+  }
+}
+
 /// A brake that is not proven, for a stop: there is no alarm that may be pardoned.
 TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
   for (const bool has_alarm : {false, true}) {
@@ -134,6 +213,7 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     state.alarm = {wall, room.map().seen_rows()};
     state.best.number = -1;
     state.branch = 0;
+    state.straight = 1;
     ASSERT_TRUE(state.make_evasion());
     ASSERT_TRUE(state.begin_brake_proof(BrakeProof::kClear));
     Work work{4000};
@@ -195,9 +275,18 @@ TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
             duration(state.next.flown));
   EXPECT_EQ(clear_until(room.map().safe(), state.now.flown, seconds_between(state.now.begin, room.time)),
             seconds_between(state.now.begin, room.time));
+  const FlightReport met = room.report;
+  EXPECT_LT(met.contact_time, begin);
+  EXPECT_GT(met.contact_speed, 2.0);
+  for (; room.time < begin; room.tick()) {
+    ASSERT_TRUE(state.has_next);
+    EXPECT_EQ(state.next.begin, begin);
+    EXPECT_EQ(room.report.mode, FlightMode::kThreat);
+    EXPECT_EQ(room.report.contact_time, met.contact_time);
+    EXPECT_EQ(room.report.contact_speed, met.contact_speed);
+  }
   room.tick();
-  ASSERT_TRUE(state.has_next);
-  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_NE(room.report.mode, FlightMode::kThreat);
   EXPECT_EQ(room.fly(), FlightReason::kArrived);
 }
 

@@ -35,7 +35,8 @@ struct FlightSpec {
   uint32_t work_per_tick;
   /// Units after which a plan is dropped, > 0. With work_per_tick it says how many ticks ahead a new plan begins.
   uint32_t plan_work;
-  /// How far ahead plans lead, metres, > 0. A little less than the map's range, and less than half the window.
+  /// How far ahead plans lead, metres, > 0 and less than half the window's length along x. Choose a little less than
+  /// the map's range.
   double horizon;
   /// Up to this distance along each axis, plans take the unseen for solid. Metres, >= 0.
   double near;
@@ -68,7 +69,7 @@ enum class FlightReason : uint8_t {
   kNone = 0,        ///< it flies, or is about to
   kNoGoal,          ///< there is no goal: none was set yet, or stop() took it away
   kArrived,         ///< it rests at the goal
-  kNearest,         ///< the goal is occupied; it rests as near to it as it can
+  kNearest,         ///< the goal is occupied, or cut off by what was seen; it rests as near to it as it can
   kNoProgress,      ///< after a look around there is still no way. set_goal() makes it try again
   kHemmedIn,        ///< likewise, and something is nearer to the vehicle than the radius
   kViaBlocked,      ///< the mission ended: its next point is in an obstacle or breaks a fence
@@ -162,7 +163,8 @@ class FlightState;
 class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
-  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, too few words);
+  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, a window too short for
+  /// the horizon, too few words);
   /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free), or if the
   /// position breaks a fence. Whatever is refused leaves the flight without a binding.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,

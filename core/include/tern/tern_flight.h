@@ -79,7 +79,7 @@ enum {
   TERN_FLIGHT_GOES_ON = 0,        /* it flies, or is about to */
   TERN_FLIGHT_NO_GOAL = 1,        /* there is no goal */
   TERN_FLIGHT_ARRIVED = 2,        /* at the goal */
-  TERN_FLIGHT_NEAREST = 3,        /* as near to an occupied goal as it gets */
+  TERN_FLIGHT_NEAREST = 3,        /* as near as it gets to a goal that is occupied or cut off */
   TERN_FLIGHT_NO_PROGRESS = 4,    /* there is no way that can be proven */
   TERN_FLIGHT_HEMMED_IN = 5,      /* likewise, and something is nearer than the radius */
   TERN_FLIGHT_VIA_BLOCKED = 6,    /* the mission's next point is occupied or fenced */

@@ -155,8 +155,9 @@ void FlightState::look_at_obstacle() noexcept {
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-/// A cycle ended without a commit. At rest the vehicle then looks around, once; after that it goes back a little, to
-/// see what is too near to be seen from here. If that does not help, it gives up.
+/// A cycle ended without a commit. At rest the vehicle then looks around, once. Where the goal is still cut off, it is
+/// as near as it gets; otherwise it goes back a little, to see what is too near to be seen from here. If that does not
+/// help, it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
@@ -165,7 +166,9 @@ void FlightState::note_idle() noexcept {
     is_looking = true;
     look_since = time;
   } else if (sector_at(time) > kDirections + kStares) {
-    if (!leaves && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
+    if (cut_off && !leaves) {
+      park(FlightReason::kNearest);
+    } else if (!leaves && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
       ++retreat;
     } else {
       park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
@@ -176,7 +179,8 @@ void FlightState::note_idle() noexcept {
 /// There is no point in going on, unless to the point after the next one.
 void FlightState::park(FlightReason why) noexcept {
   if (itinerary.leg != itinerary.last() && why != FlightReason::kHemmedIn) {
-    leave_out(itinerary.leg, why == FlightReason::kNearest ? FlightReason::kViaBlocked : FlightReason::kViaUnreachable);
+    const bool is_blocked = why == FlightReason::kNearest && !cut_off;
+    leave_out(itinerary.leg, is_blocked ? FlightReason::kViaBlocked : FlightReason::kViaUnreachable);
     return;
   }
   parked = true;
@@ -185,15 +189,48 @@ void FlightState::park(FlightReason why) noexcept {
 }
 
 /// True where the vehicle will rest, and the nearest free point to an aim in an obstacle is no nearer than where it is.
-/// If the goal itself is in an obstacle that was seen, this is as near as it gets; otherwise something unseen is in
-/// between.
+/// If the goal itself is in an obstacle that was seen, this is as near as it gets. If only its voxel is, the vehicle
+/// looks around first. Otherwise something unseen is in between.
 bool FlightState::is_nearest() noexcept {
   const Grid& seen = map.route();
   const double slack = kAimVoxels * seen.spec().cell;
   if (!rests_at_takeover() || distance(start.d[0], goal) > distance(aim, goal) + slack) return false;
   if (seen.bound() && aims_at_goal && !point_clear(seen, seen.to_local(goal), seen.spec().clearance())) {
     park(FlightReason::kNearest);
+  } else if (all_free) {
+    cut_off = aims_at_goal;
   }
+  return true;
+}
+
+/// An aim in an obstacle moves to the nearest free point, once. False where that leads nowhere.
+bool FlightState::move_aim(const Report& found) noexcept {
+  if (found.status != Status::kGoalOccupied || !found.has_nearest_free || moved_aim) return false;
+  moved_aim = true;
+  aim = found.nearest_free;
+  if (asked_count == 0 && is_nearest()) return false;
+  const double slack = kAimVoxels * map.route().spec().cell;
+  const bool keeps_beside = keeps && now.beside_goal && now.target == target;
+  if (keeps_beside && distance(now.aim, goal) <= distance(aim, goal) + slack) aim = now.aim;
+  beside_goal = aims_at_goal || keeps_beside;
+  aims_at_goal = false;
+  ask_planner();
+  return true;
+}
+
+/// Even with all that is unseen free, no way leads to the aim through the window. So the vehicle goes as near to it as
+/// it can, unless it rests there already.
+bool FlightState::move_to_reachable(const Report& found) noexcept {
+  const bool no_way = found.status == Status::kNoPath && found.has_reachable && all_free && !to_reachable;
+  if (!no_way || asked_count > 0) return false;
+  const double left = distance(start.d[0], goal) - distance(found.reachable, goal);
+  const bool is_there = rests_at_takeover() && left <= map.route().spec().cell;
+  cut_off = is_there && (aims_at_goal || beside_goal);
+  if (is_there) return false;
+  aim = found.reachable;
+  to_reachable = true;
+  aims_at_goal = beside_goal = false;
+  way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
   return true;
 }
 
@@ -210,6 +247,7 @@ void FlightState::note_progress() noexcept {
   const bool learns = map.learned() - learned >= kLearned;
   if (learns) learned = map.learned();
   fruitless = comes_nearer || learns ? 0 : fruitless + 1;
+  cut_off = false;
   if (fruitless > kFruitless || wandering > kWandering) park(FlightReason::kNoProgress);
 }
 

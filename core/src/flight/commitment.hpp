@@ -31,6 +31,12 @@ struct Commitment {
   Vec3 left;
 };
 
+/// The first instant at which what is flown is not proven.
+struct Contact {
+  std::int64_t time;  ///< nanoseconds
+  double speed;       ///< m/s, there
+};
+
 /// What a brake that is not proven would do.
 struct Evasion {
   int number;    ///< negative: none

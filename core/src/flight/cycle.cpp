@@ -74,6 +74,7 @@ void FlightState::begin_cycle() noexcept {
   const GridSpec& window = map.route().spec();
   const int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
   const double near = attempt < 2 ? spec.near : 0.0;
+  all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
   leaves = is_hemmed_in();
   route.begin(map, sample_at(takeover).position, near, hole, leaves ? window.clearance() : 0.0);
@@ -94,7 +95,8 @@ void FlightState::advance(Work& work) noexcept {
   }
   const bool is_braking_soon = has_next && next.evades;
   const bool threatened = threat && !evaded && !is_braking_soon && !leaves_time_to_brake();
-  if (job != Job::kEvade && !watching && map.safe().bound() && (stopping || threatened)) begin_evade();
+  const bool watches = watching && watched_part != Watched::kAlarm;
+  if (job != Job::kEvade && !watches && map.safe().bound() && (stopping || threatened)) begin_evade();
   if (job == Job::kIdle) begin_cycle();
   // A cycle has at most as many steps as jobs and candidates.
   constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;
@@ -148,7 +150,8 @@ Progress FlightState::run_keep(Work& work) noexcept {
 void FlightState::begin_plan() noexcept {
   planned_goal = goal_number;
   start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
-  moved_aim = beside_goal = false;
+  moved_aim = beside_goal = to_reachable = false;
+  cut_off = cut_off && !all_free;
   if (keeps) keep_points();
   if (keeps && keeps_aim(start.d[0])) {
     aim = now.aim;
@@ -204,6 +207,10 @@ Progress FlightState::run_route(Work& work) noexcept {
     ask_route();
   } else if (asked_count > 0) {
     if (!ask_for_less(found)) choose_draft(false);
+  } else if (move_to_reachable(found)) {
+    return Progress::kDone;
+  } else if (cut_off) {
+    choose_draft(false);
   } else {
     moved_aim = beside_goal = false;
     choose_aim(start.d[0], spec.horizon);
@@ -225,21 +232,6 @@ void FlightState::ask_planner() noexcept {
   request.via_count = asked_count;
   planner->begin(route.grid(), request);
   job = Job::kPlan;
-}
-
-/// An aim in an obstacle moves to the nearest free point, once. False where that leads nowhere.
-bool FlightState::move_aim(const Report& found) noexcept {
-  if (found.status != Status::kGoalOccupied || !found.has_nearest_free || moved_aim) return false;
-  moved_aim = true;
-  aim = found.nearest_free;
-  if (asked_count == 0 && is_nearest()) return false;
-  const double slack = kAimVoxels * map.route().spec().cell;
-  const bool keeps_beside = keeps && now.beside_goal && now.target == target;
-  if (keeps_beside && distance(now.aim, goal) <= distance(aim, goal) + slack) aim = now.aim;
-  beside_goal = aims_at_goal || keeps_beside;
-  aims_at_goal = false;
-  ask_planner();
-  return true;
 }
 
 Progress FlightState::run_plan(Work& work) noexcept {
@@ -264,7 +256,7 @@ void FlightState::end_plan(const Report& found) noexcept {
   if (planned) list_passages(found);
   if (planned || is_outdated()) return choose_draft(planned);
   if (note_fault(found)) return give_up();
-  if (!move_aim(found) && !ask_for_less(found)) choose_draft(false);
+  if (!move_aim(found) && !move_to_reachable(found) && !ask_for_less(found)) choose_draft(false);
 }
 
 /// The rest of the plan that is flown wins unless the new one leads elsewhere or arrives earlier.

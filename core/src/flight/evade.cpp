@@ -6,6 +6,7 @@
 #include "curve/brake.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
+#include "flight/sharp_stop.hpp"
 
 namespace tern {
 namespace {
@@ -28,18 +29,32 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 
 }  // namespace
 
+/// Until a brake begins. A yaw plan may take a quarter of each tick's units.
+std::int64_t FlightState::evade_ticks() const noexcept {
+  const std::uint32_t units = spec.work_per_tick - spec.work_per_tick / 4;
+  const std::int64_t needed = 1 + (kEvadeWork + units - 1) / units;
+  return (needed > kEvadeTicks ? needed : kEvadeTicks) << (missed / 2);
+}
+
+/// Where the vehicle rests, a plan that is about to take over is dropped. Otherwise it stays until a brake is proven:
+/// what is flown may be blocked beyond its takeover. No brake begins after that takeover, so one that comes too soon is
+/// waited for.
 void FlightState::begin_evade() noexcept {
-  const std::int64_t lead = (kEvadeTicks << missed / 2) * spec.tick;
-  const bool needed = !rests() && (threat || commitment_at(time).branch > 0.0);
+  const std::int64_t lead = evade_ticks() * spec.tick;
+  if (stopping && hovers()) has_next = meets_before = false;
+  const bool plan_is_next = has_next && next.branch > 0.0;
+  if (plan_is_next && next.begin < time + lead) return;
+  const bool brake_is_next = has_next && !plan_is_next;
+  const bool needed = !brake_is_next && !rests() && (threat || commitment_at(time).branch > 0.0);
   stops = stopping;
   stopping = false;
-  evaded = true;
+  evaded = evaded || !brake_is_next;
   if (!needed || (threat && rest_begins() <= time + lead)) return;
-  has_next = false;
   takeover = time + lead;
   deadline = takeover - spec.tick;
   job = Job::kEvade;
   best.number = branch = -1;
+  straight = along = 0;
   extends = false;
   next_evasion();
 }
@@ -66,13 +81,21 @@ bool FlightState::make_evasion() noexcept {
 /// Straight ahead, or along what is flown.
 bool FlightState::append_evasion(const Commitment& flown, double from) noexcept {
   const JointState at = joint_at(flown.flown, from, draft.flown.origin);
-  if (branch < kStops) return append_stop(at, limits, branch, stop, draft.flown);
-  return append_slow_down(flown.flown, from, slow_down_time(at.d[1], limits, branch - kStops), draft.flown);
+  if (branch == 0) return append_sharp_stop(at, limits, draft.flown);
+  if (branch < kStraight) return append_stop(at, limits, branch - 1, stop, draft.flown);
+  return append_slow_down(flown.flown, from, slow_down_time(at.d[1], limits, branch - kStraight), draft.flown);
 }
 
-/// The sharpest brake first.
+/// The sharpest brake straight ahead comes first, and hardly any other meets what is in the way more slowly. Then those
+/// along the path, which may be clear, and the gentler ones straight ahead.
+int FlightState::number_of_next() noexcept {
+  const bool none_is_judged = best.number < 0;
+  if (straight < kStraight && (none_is_judged || along == kSlowDowns)) return straight++;
+  return along < kSlowDowns ? kStraight + along++ : kEvasions;
+}
+
 void FlightState::next_evasion() noexcept {
-  while (++branch < kEvasions) {
+  for (branch = number_of_next(); branch < kEvasions; branch = number_of_next()) {
     if (make_evasion() && begin_brake_proof(BrakeProof::kClear)) return;
   }
   end_evade();
@@ -121,14 +144,30 @@ bool FlightState::go_on_proving(bool proven) noexcept {
   return false;
 }
 
-/// None is proven. Of those that touch at most the alarm, the one with the slowest contact is flown; of the others,
-/// only where what is flown may touch more than the alarm, too. Either must be slower there than what is flown. The
-/// threat remains.
+/// Of the brakes that touch at most the alarm, the one with the slowest contact is flown; of the others, only where
+/// what is flown may touch more than the alarm, too. Either must be slower there than what is flown, unless that has
+/// its contact before any brake begins and is not such a brake itself. What was not proven yet to touch more than the
+/// alarm counts as if it did not.
+bool FlightState::helps(const Evasion& brake) const noexcept {
+  const bool is_kept = known || (watching && watched_part == Watched::kAlarm);
+  if (brake.number < 0 || (is_kept && !brake.known)) return false;
+  const bool is_too_late = contact.time < takeover && !latest().evades;
+  return is_too_late || brake.speed < contact.speed || (brake.known && !is_kept);
+}
+
+/// None is proven. The threat remains. A stop is tried again from a plan that waits, once that has taken over. Where
+/// there was no time to judge any brake, or to find one for a stop, they get more.
 void FlightState::end_evade() noexcept {
+  const bool is_late = branch < kEvasions && (best.number < 0 || !threat);
+  if (is_late) {
+    miss_evasion();
+    if (missed < 2 * kMostDoublings) ++missed;
+    return give_up();
+  }
   missed = 0;
+  stopping = stopping || (stops && has_next && !has_goal);
   branch = best.number;
-  const bool helps = best.number >= 0 && (best.speed < contact_speed || (best.known && !known));
-  if (!threat || !helps || (known && !best.known) || !make_evasion()) return give_up();
+  if (!threat || !helps(best) || !make_evasion()) return give_up();
   const Alarm raised = alarm;
   const bool is_raised = has_alarm;
   commit();
@@ -136,8 +175,7 @@ void FlightState::end_evade() noexcept {
   has_alarm = is_raised;
   threat = true;
   known = best.known;
-  contact = takeover + nanoseconds(best.until);
-  contact_speed = best.speed;
+  contact = {takeover + nanoseconds(best.until), best.speed};
 }
 
 /// Ticks were skipped until the brake at hand was due. Brakes are tried again from here, unless there is a new goal now
@@ -151,11 +189,11 @@ void FlightState::miss_evasion() noexcept {
 /// A plan in work may go on under a threat if its end leaves time to brake, should it fail: twice as long as the
 /// sharpest brake takes, and what comes before it.
 bool FlightState::leaves_time_to_brake() const noexcept {
-  if (job == Job::kIdle || takeover >= contact) return false;
+  if (job == Job::kIdle || takeover >= contact.time) return false;
   const Vec3& most = spec.limits.a_max;
   const double weakest = smaller(most.x, smaller(most.y, most.z));
   const double needed = 2.0 * length(sample_at(takeover).velocity) / weakest + 2.0 * kSettleTime;
-  return seconds_between(takeover + kEvadeTicks * spec.tick, contact) > needed;
+  return seconds_between(takeover + evade_ticks() * spec.tick, contact.time) > needed;
 }
 
 }  // namespace tern

@@ -32,6 +32,11 @@ bool spec_fits(const FlightSpec& spec) {
          spec.yaw_rate >= 1e-3;
 }
 
+/// Along x, where it moves by a word of voxels at a time, the window is longer than the horizon to either side.
+bool window_fits(const FlightSpec& spec, const GridSpec& window) {
+  return window.clearance() > 0.0 && spec.horizon < 0.5 * (window.boundary.upper.x - window.boundary.lower.x);
+}
+
 std::int32_t count_points(const Itinerary& itinerary, PointState state) {
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < itinerary.count; ++i) count += itinerary.state[i] == state ? 1 : 0;
@@ -68,7 +73,7 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   if (limits.status != Status::kOk) return limits.status;
   if (!valid_time_weight(spec.time_weight)) return Status::kLimitsInvalid;
   const GridSpec& window = map.safe().spec();
-  if (!(window.clearance() > 0.0) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
+  if (!window_fits(spec, window) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
   FlightState* const state = new (words) FlightState{};
   state->spec = spec;
   state->limits = MotionLimits(spec.limits);
@@ -129,12 +134,12 @@ void FlightState::take_over() noexcept {
   if (watching && watched_part == Watched::kBefore) watch_all = true;
   watching = watching && watched_part != Watched::kBefore;
   now = next;
-  has_next = false;
+  has_next = meets_before = false;
 }
 
 FlightMode FlightState::mode() const noexcept {
   const bool gave_up = parked && rests();
-  if (alarmed || (threat && !gave_up)) return FlightMode::kThreat;
+  if (alarmed || ((threat || meets_before) && !gave_up)) return FlightMode::kThreat;
   if (hovers()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -172,8 +177,9 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.leg = itinerary.leg;
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
-  report.contact_time = report.mode == FlightMode::kThreat ? contact : 0;
-  report.contact_speed = report.mode == FlightMode::kThreat ? contact_speed : 0.0;
+  const Contact first = meets_before ? before : contact;
+  report.contact_time = report.mode == FlightMode::kThreat ? first.time : 0;
+  report.contact_speed = report.mode == FlightMode::kThreat ? first.speed : 0.0;
 }
 
 Status Flight::tick(int64_t t, FlightReport& report) noexcept {

@@ -13,27 +13,15 @@
 #include "base/work.hpp"
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
-#include "flight/branch.hpp"
 #include "flight/commitment.hpp"
+#include "flight/jobs.hpp"
 #include "flight/nose.hpp"
 #include "flight/route_copy.hpp"
-#include "flight/slow_down.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 
 namespace tern {
 
-/// Instants of a plan from which a brake is tried, and brakes from each, sharp ones first: those need the least room,
-/// and with limits on jerk the sharpest may be too sharp.
-constexpr int kBranches = 16;
-constexpr int kBranchShapes = kStops;
-/// Brakes for a threat: straight ahead, and along what is flown.
-constexpr int kEvasions = kStops + kSlowDowns;
-/// Ticks that getting out of the way may take before it begins. Twice as many after every second time that ticks were
-/// skipped until it was too late for that.
-constexpr int kEvadeTicks = 3;
-/// The most doublings of the lead of plans and brakes.
-constexpr int kMostDoublings = 3;
 /// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
 constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
@@ -49,34 +37,6 @@ constexpr std::uint64_t kLearned = 64;
 constexpr int kWandering = 1500;
 /// Points of a way that are so near are the same, metres.
 constexpr double kSamePlace = 1e-6;
-
-/// What is being proven of what is flown.
-enum class Watched : std::uint8_t {
-  kBefore,  ///< what comes before the takeover
-  kLatest,  ///< what is flown to its end
-  kAlarm,   ///< the same, but for the alarm
-};
-
-/// What is being proven of a brake.
-enum class BrakeProof : std::uint8_t {
-  kClear,   ///< that it may be flown
-  kLimits,  ///< where it is not clear: that it keeps the limits after its contact, too
-  kAlarm,   ///< that it is clear of everything but the alarm
-};
-
-/// What the flight works on. A cycle makes one plan; evading makes a brake.
-enum class Job : std::uint8_t {
-  kIdle,
-  kCopy,     ///< the route grid
-  kKeep,     ///< is the rest of the plan that is flown still free on the route?
-  kRoute,    ///< the way to the goal, of which the plan is the first part
-  kPlan,     ///< the planner
-  kWait,     ///< for the window to be done with its slide
-  kReach,    ///< until when is the best plan proven?
-  kBranch,   ///< a brake from there or before
-  kConfirm,  ///< the whole of what would be flown
-  kEvade,    ///< brakes from a few ticks ahead
-};
 
 class FlightState {
  public:
@@ -118,11 +78,16 @@ class FlightState {
   bool aims_at_goal;  ///< the aim is the target
   bool moved_aim;     ///< the nearest free point took the aim's place,
   bool beside_goal;   ///< which was the goal
+  bool all_free;      ///< the route has nothing unseen that is solid
+  bool to_reachable;  ///< on it no way leads to the aim, and the nearest point to it that one leads to took its place
+  bool cut_off;       ///< the vehicle rests as near as that to the target
   bool leaves;        ///< something is within the radius of where the vehicle rests
   bool keeps;         ///< the rest of the plan that is flown is free on the route
   bool extends;       ///< `draft` goes on along the plan that is flown
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
+  int straight;       ///< brakes straight ahead that were tried,
+  int along;          ///< and along what is flown
   bool tries_branch;  ///< it is being proven
   Evasion tried;      ///< the brake at hand
   Evasion best;       ///< of those that were tried
@@ -137,11 +102,12 @@ class FlightState {
   bool watch_all;         ///< of what is flown, not only what is near to what was added
   std::uint64_t watched;  ///< the safe grid's revision then
   bool threat;
-  bool alarmed;  ///< in this tick
-  bool evaded;   ///< it was tried on this map
-  int missed;    ///< evasions that were dropped, one after the other
-  std::int64_t contact;
-  double contact_speed;  ///< m/s, along what was flown when the threat was found
+  bool alarmed;       ///< in this tick
+  bool evaded;        ///< it was tried on this map
+  int missed;         ///< evasions that were dropped, one after the other
+  Contact contact;    ///< of the threat, along what was flown when it was found
+  bool meets_before;  ///< what comes before the takeover is not proven; what takes over is,
+  Contact before;     ///< or has a later contact than this one
   bool has_alarm;
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
@@ -192,6 +158,7 @@ class FlightState {
   void park(FlightReason why) noexcept;
   void note_progress() noexcept;
   bool is_nearest() noexcept;
+  bool move_to_reachable(const Report& found) noexcept;
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
 
@@ -262,16 +229,20 @@ class FlightState {
   Progress next_branch(Work& work) noexcept;
   Progress run_branch(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
+  bool changes_what_is_flown() const noexcept { return !extends || draft.branch > now.branch; }
   void commit() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
 
   // evade.cpp
+  std::int64_t evade_ticks() const noexcept;
   void begin_evade() noexcept;
   bool make_evasion() noexcept;
   bool append_evasion(const Commitment& flown, double from) noexcept;
   bool begin_brake_proof(BrakeProof what) noexcept;
   bool go_on_proving(bool proven) noexcept;
+  bool helps(const Evasion& brake) const noexcept;
+  int number_of_next() noexcept;
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;
@@ -283,6 +254,7 @@ class FlightState {
   void watch_part(Watched which) noexcept;
   void end_part() noexcept;
   void note_threat() noexcept;
+  Contact watched_contact() const noexcept;
   void note_added() noexcept;
   const Commitment& watched_commitment() const noexcept { return watched_part == Watched::kBefore ? now : latest(); }
   void run_watch(Work& work) noexcept;

@@ -31,7 +31,7 @@ const char* flight_reason_text(FlightReason reason) noexcept {
     case FlightReason::kArrived:
       return "it is at the goal";
     case FlightReason::kNearest:
-      return "the goal is occupied, and there is no free point nearer to it";
+      return "the goal is occupied or cut off, and no way leads to a point nearer to it";
     case FlightReason::kNoProgress:
       return "there is no way that can be proven free, or none that leads nearer to the goal";
     case FlightReason::kHemmedIn:

@@ -60,7 +60,7 @@ void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy
 
 /// Whatever made the vehicle give up is forgotten.
 void FlightState::try_anew() noexcept {
-  parked = is_looking = false;
+  parked = is_looking = cut_off = false;
   idle_cycles = fruitless = wandering = retreat = retreats = 0;
   nearest = -1.0;
   reason = FlightReason::kNone;

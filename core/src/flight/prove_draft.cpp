@@ -117,21 +117,25 @@ Progress FlightState::run_confirm(Work& work) noexcept {
 }
 
 /// An extension is the same curve up to the branch that is flown, and so replaces it in place. A new plan takes over at
-/// its beginning.
+/// its beginning. A contact before it begins stays one.
 void FlightState::commit() noexcept {
   if (!extends && job != Job::kEvade) note_progress();
   job = Job::kIdle;
-  ++report.committed;
+  if (changes_what_is_flown()) ++report.committed;
   retreats += retreat > 0 ? 1 : 0;
   idle_cycles = retreat = 0;
   is_looking = false;
   if (watching) watch_all = true;
-  watching = threat = has_alarm = false;
+  const bool meets = threat && contact.time < takeover;
+  if (meets) before = contact;
+  watching = has_alarm = false;
+  threat = extends && meets;
   if (extends) {
     now = draft;
   } else {
     next = draft;
     has_next = true;
+    meets_before = meets;
   }
 }
 

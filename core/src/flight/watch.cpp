@@ -59,13 +59,22 @@ void FlightState::run_watch(Work& work) noexcept {
   }
 }
 
+Contact FlightState::watched_contact() const noexcept {
+  const Commitment& commitment = watched_commitment();
+  const double until = watch.report().until;
+  return {commitment.begin + nanoseconds(until), length(evaluate(commitment.flown, until).velocity)};
+}
+
 void FlightState::end_part() noexcept {
   const bool proven = watch.report().end == ProofEnd::kProven;
-  const std::int64_t until = watched_commitment().begin + nanoseconds(watch.report().until);
+  const bool meets = !proven && (!has_next || watched_contact().time < next.begin);
   if (watched_part == Watched::kAlarm) {
     known = proven;
-  } else if (watched_part == Watched::kBefore && (proven || until >= next.begin || next.evades)) {
-    watch_part(Watched::kLatest);  // a brake that takes over was proven, and answers for what is flown until then
+  } else if (watched_part == Watched::kBefore && (!meets || next.evades)) {
+    // A brake that takes over answers for what is flown until then: no other one begins earlier.
+    meets_before = meets || (meets_before && has_added);
+    if (meets) before = watched_contact();
+    watch_part(Watched::kLatest);
   } else if (proven) {
     threat = evaded = has_alarm = false;
   } else {
@@ -74,13 +83,11 @@ void FlightState::end_part() noexcept {
 }
 
 void FlightState::note_threat() noexcept {
-  const Commitment& commitment = watched_commitment();
   threat = alarmed = true;
   evaded = known = false;
-  contact = commitment.begin + nanoseconds(watch.report().until);
-  contact_speed = length(evaluate(commitment.flown, watch.report().until).velocity);
+  contact = watched_contact();
   if (has_next && !next.evades) {
-    has_next = has_added = false;  // what is flown until then may still be proven
+    has_next = has_added = meets_before = false;  // what is flown until then may still be proven
     watch_part(Watched::kLatest);
   } else if (has_alarm) {
     watch_part(Watched::kAlarm);

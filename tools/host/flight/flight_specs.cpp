@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "host/flight/full_knowledge.hpp"
+#include "host/number.hpp"
 
 namespace tern_host {
 namespace {
@@ -50,6 +53,15 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   spec.horizon = kHorizon * s.sensor_range;
   spec.yaw_rate = s.yaw_rate;
   return spec;
+}
+
+void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map) {
+  const double length = map.cell * map.dims.x;
+  if (spec.horizon < 0.5 * length) return;
+  throw std::runtime_error(world.name + ": plans lead " + brief(spec.horizon) + " m ahead, " + brief(kHorizon) +
+                           " of sensor_range, and the window is only " + brief(length) +
+                           " m long. Set window to more than " + brief(2.0 * spec.horizon) +
+                           " m along x, or sensor_range to less than " + brief(0.5 * length / kHorizon) + " m");
 }
 
 tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {

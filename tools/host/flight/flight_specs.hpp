@@ -16,6 +16,9 @@ tern::MapSpec map_spec_of(const FlightWorld& world);
 /// Without fences.
 tern::FlightSpec flight_spec_of(const FlightSettings& settings);
 
+/// Throws where plans would not end within the window; says what to change.
+void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map);
+
 /// How the flight plans its yaw, from the heading at the start on, rad.
 tern::FlightYaw flight_yaw_of(const FlightSettings& settings, double start);
 

@@ -1,0 +1,106 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/sharp_stop.hpp"
+
+#include "base/math.hpp"
+#include "curve/brake.hpp"
+#include "curve/motion_limits.hpp"
+#include "flight/branch.hpp"
+
+namespace tern {
+namespace {
+
+/// Halvings of the range in which the shortest ramp is searched: below a millionth of it.
+constexpr int kRampHalvings = 20;
+constexpr double kNoJerk = 1e-6;  ///< m/s^3
+constexpr double kEndless = 1e300;
+
+/// A ramp, a hold that may be missing, and another ramp.
+struct Ramps {
+  double ramp;
+  double hold;
+  Vec3 deceleration;
+};
+
+/// With ramps of this length. The first one undoes the acceleration; what speed is left then, a ramp and the hold take.
+Ramps ramps_of(const JointState& from, const MotionLimits& limits, double ramp) {
+  const Vec3 excess = from.d[1] + (0.5 * ramp) * from.d[2];
+  const double needed = gauge(limits.acceleration, kZero - excess) - ramp;
+  const double hold = needed > 0.0 ? larger(needed, kMinDuration) : 0.0;
+  return {ramp, hold, (-1.0 / (ramp + hold)) * excess};
+}
+
+/// The jerk of a ramp is at most kSmoothStepPeak times the change of acceleration over its length.
+bool keeps_jerk(const JointState& from, const MotionLimits& limits, const Ramps& ramps) {
+  const double first = gauge(limits.jerk, ramps.deceleration - from.d[2]);
+  const double second = gauge(limits.jerk, ramps.deceleration);
+  return kSmoothStepPeak * larger(first, second) <= (1.0 - kJerkMargin) * ramps.ramp;
+}
+
+/// Bisection. The longest ramp loses all the speed at the limit of jerk, without a hold.
+Ramps shortest_ramps(const JointState& from, const MotionLimits& limits) {
+  Ramps best = ramps_of(from, limits, kMinDuration);
+  if (keeps_jerk(from, limits, best)) return best;
+  double low = kMinDuration;
+  double high = kMinDuration +
+                2.0 * kSmoothStepPeak * (square_root(gauge(limits.jerk, from.d[1])) + gauge(limits.jerk, from.d[2]));
+  best = ramps_of(from, limits, high);
+  for (int i = 0; i < kRampHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const Ramps ramps = ramps_of(from, limits, middle);
+    const bool keeps = keeps_jerk(from, limits, ramps);
+    (keeps ? high : low) = middle;
+    if (keeps) best = ramps;
+  }
+  return best;
+}
+
+bool append_ramps(const JointState& from, const Ramps& ramps, Trajectory& out) {
+  const JointState steady = after_ramp(from, ramps.deceleration, ramps.ramp);
+  const bool holds = ramps.hold > 0.0;
+  const JointState last = holds ? after_ramp(steady, ramps.deceleration, ramps.hold) : steady;
+  JointState rest = after_ramp(last, kZero, ramps.ramp);
+  rest.d[1] = kZero;
+  return append_between(from, steady, ramps.ramp, out) && (!holds || append_between(steady, last, ramps.hold, out)) &&
+         append_between(last, rest, ramps.ramp, out);
+}
+
+bool keeps_limits(const Trajectory& plan, int first, const MotionLimits& limits) {
+  for (int i = first; i < plan.count; ++i) {
+    if (!within_limits(plan.segments[i], limits, kStopTolerance)) return false;
+  }
+  return true;
+}
+
+/// The jerk goes to zero in `time`; 0: it is zero. Nothing is appended where that is not possible.
+bool append_settled(const JointState& from, const MotionLimits& limits, double time, Trajectory& out) {
+  const int count = out.count;
+  const JointState calm = time > 0.0 ? settled(from, time) : from;
+  const bool begins = !(time > 0.0) || append_between(from, calm, time, out);
+  if (begins && append_ramps(calm, shortest_ramps(calm, limits), out) && keeps_limits(out, count, limits)) return true;
+  out.count = count;
+  return false;
+}
+
+}  // namespace
+
+bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept {
+  if (!(length(from.d[3]) > kNoJerk)) return append_settled(from, limits, 0.0, out);
+  double best = 0.0;
+  double least = kEndless;
+  double time = kSettleTime;
+  const int count = out.count;
+  for (int i = 0; i <= kSettleHalvings; ++i, time *= 0.5) {
+    if (append_settled(from, limits, time, out)) {
+      const double way = distance(from.d[0], out.segments[out.count - 1].points[kDegree]);
+      if (way < least) {
+        least = way;
+        best = time;
+      }
+    }
+    out.count = count;
+  }
+  return best > 0.0 && append_settled(from, limits, best, out);
+}
+
+}  // namespace tern

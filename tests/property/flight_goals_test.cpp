@@ -1,0 +1,103 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Goals in the middle of things, goals that are walled in, and goals beyond the window: which are reached, and how near
+// the vehicle comes to the others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "support/flown.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightSettings;
+using tern_test::Flown;
+using tern_test::Random;
+using tern_test::Scene;
+
+std::string story(const Flown& flown) {
+  char text[200];
+  std::snprintf(text, sizeof text, "t %.2f at (%.2f %.2f %.2f), reason %d, mode %d",
+                1e-9 * static_cast<double>(flown.time), flown.position().x, flown.position().y, flown.position().z,
+                static_cast<int>(flown.report.reason), static_cast<int>(flown.report.mode));
+  return text;
+}
+
+double from_goal(const Flown& flown, const Vec3& goal) {
+  const Vec3 p = flown.position();
+  return std::hypot(p.x - goal.x, std::hypot(p.y - goal.y, p.z - goal.z));
+}
+
+/// A block whose middle is further from its faces than the radius: no sensor sees the goal there. The nearest place is
+/// a radius before a face; the vehicle rests no further away than that, a voxel of what is seen and a hop.
+TEST(FlightGoals, TheMiddleOfAThickBlockIsApproached) {
+  for (const double half : {0.6, 1.0, 1.6}) {
+    for (const Vec3& goal : {Vec3{6.0, 0.0, 1.5}, Vec3{10.0, 0.0, 1.5}, Vec3{9.0, 4.0, 1.5}}) {
+      Scene scene;
+      scene.boxes.push_back({{goal.x - half, goal.y - half, 0.0}, {goal.x + half, goal.y + half, 5.0}});
+      FlightSettings settings;
+      Flown flown(scene, settings);
+      EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+      EXPECT_EQ(flown.fly(60.0), FlightReason::kNearest) << half << ": " << story(flown);
+      EXPECT_LT(from_goal(flown, goal), half + settings.radius + 3.0 * settings.cell) << half << ": " << story(flown);
+    }
+  }
+}
+
+/// Four walls around the goal. Where one of them has a gap that nobody has seen yet, the goal is reached.
+TEST(FlightGoals, AGapThatIsUnseenYetIsFound) {
+  for (const bool is_closed : {true, false}) {
+    for (const double gap : {0.0, 1.0}) {
+      const Vec3 goal{8.0, 0.0, 1.5};
+      Scene scene;
+      scene.boxes.push_back({{6.0, -2.0, 0.0}, {6.2, 2.0, 5.0}});
+      scene.boxes.push_back({{6.0, -2.0, 0.0}, {10.0, -1.8, 5.0}});
+      scene.boxes.push_back({{6.0, 1.8, 0.0}, {10.0, 2.0, 5.0}});
+      // The gap is on the far side.
+      scene.boxes.push_back({{9.8, -2.0, 0.0}, {10.0, is_closed ? 2.0 : gap - 0.8, 5.0}});
+      if (!is_closed) scene.boxes.push_back({{9.8, gap + 0.8, 0.0}, {10.0, 2.0, 5.0}});
+      Flown flown(scene, FlightSettings{});
+      EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+      const FlightReason reason = flown.fly(90.0);
+      EXPECT_EQ(reason, is_closed ? FlightReason::kNearest : FlightReason::kArrived) << gap << ": " << story(flown);
+      EXPECT_LT(from_goal(flown, goal), is_closed ? 3.0 : 0.01) << gap << ": " << story(flown);
+    }
+  }
+}
+
+/// Beyond the window, which is 51 m long, and at its faces.
+TEST(FlightGoals, GoalsBeyondTheWindowAreReached) {
+  for (const Vec3& goal :
+       {Vec3{40.0, 0.0, 1.5}, Vec3{-40.0, 5.0, 1.0}, Vec3{10.0, 25.0, 2.0}, Vec3{25.0, -14.9, 1.5}}) {
+    FlightSettings settings;
+    settings.v = 5.0;
+    settings.a = 8.0;
+    Flown flown(Scene{}, settings);
+    EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    EXPECT_EQ(flown.fly(60.0), FlightReason::kArrived) << story(flown);
+    EXPECT_LT(from_goal(flown, goal), 0.01) << story(flown);
+  }
+}
+
+/// Below the floor, above the window, and further away than anything is flown: the vehicle rests with a reason and then
+/// reaches a goal that it can.
+TEST(FlightGoals, GoalsOutOfReachEndWithAReason) {
+  for (const Vec3& goal : {Vec3{5.0, 0.0, -40.0}, Vec3{3.0, 3.0, 100.0}, Vec3{6.0, 1.0, -0.1}}) {
+    FlightSettings settings;
+    settings.v = 5.0;
+    settings.a = 8.0;
+    Flown flown(Scene{}, settings);
+    EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    const FlightReason reason = flown.fly(150.0);
+    EXPECT_TRUE(reason == FlightReason::kNoProgress || reason == FlightReason::kNearest) << story(flown);
+    EXPECT_EQ(flown.flight.set_goal({8.0, -3.0, 1.5}), Status::kOk);
+    EXPECT_EQ(flown.fly(30.0), FlightReason::kArrived) << story(flown);
+    EXPECT_LT(from_goal(flown, {8.0, -3.0, 1.5}), 0.01) << story(flown);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,133 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Stops while a plan is about to take over. What is flown may be blocked beyond that takeover, and nothing would prove
+// it again: the plan stays until a brake is proven.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/flight_room.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::Flying;
+
+/// A plan that turns to a new goal is about to take over from one that a box beside the way blocks beyond that.
+struct Turning : Flying {
+  Box box{};
+  bool is_ready = false;
+
+  Turning(double ahead, double side) {
+    const FlightState& s = state();
+    flight.set_goal({position().x + 1.5, 6.125, 1.125});
+    if (!tick_until([&] { return s.has_next && !s.next.evades; }, 60)) return;
+    const Vec3 p = evaluate(s.now.flown, seconds_between(s.now.begin, s.next.begin)).position;
+    box = {{p.x + ahead, p.y - 1.0, -2.0}, {p.x + ahead + kCell, p.y + side, 4.0}};
+    mark(box);
+    tick();
+    is_ready = s.has_next && !s.next.evades && report.mode != FlightMode::kThreat && is_blocked(s.now);
+  }
+  bool is_blocked(const Commitment& flown) {
+    const double from = std::max(0.0, seconds_between(flown.begin, time));
+    return clear_until(map().safe(), flown.flown, from, nullptr, Beyond::kSolid) < duration(flown.flown);
+  }
+  double gap() const {
+    const Vec3 q = position();
+    const double dx = std::max({box.lower.x - q.x, q.x - box.upper.x, 0.0});
+    const double dy = std::max({box.lower.y - q.y, q.y - box.upper.y, 0.0});
+    return std::hypot(dx, dy);
+  }
+  /// Until the vehicle rests, or a threat is reported.
+  void expect_radius_or_threat() {
+    for (int k = 0; k < 600 && report.mode != FlightMode::kThreat; ++k) {
+      tick();
+      ASSERT_TRUE(gap() >= kRadius - 1e-6 || report.mode == FlightMode::kThreat) << gap() << " m at " << speed();
+    }
+    EXPECT_TRUE(report.mode == FlightMode::kThreat || report.mode == FlightMode::kRest);
+  }
+};
+
+/// Calls `end` with the plan so many ticks before its takeover, for boxes at many places; how many there were.
+template <typename End>
+int try_ends(int ticks_before, End end) {
+  int tried = 0;
+  for (const double side : {-0.49, -0.45, -0.4, -0.3, -0.2}) {
+    for (double ahead = -0.2; ahead < 1.6; ahead += 0.1) {
+      Turning room(ahead, side);
+      const FlightState& s = room.state();
+      if (!room.is_ready) continue;
+      while (s.has_next && s.next.begin - room.time > ticks_before * room.spec.tick) room.tick();
+      if (!s.has_next || room.report.mode == FlightMode::kThreat) continue;
+      ++tried;
+      end(room);
+      room.expect_radius_or_threat();
+      EXPECT_EQ(room.report.reason, FlightReason::kNoGoal) << ahead << ", " << side;
+      if (testing::Test::HasFailure()) return tried;
+    }
+  }
+  return tried;
+}
+
+TEST(FlightStops, PlanThatWaitsIsKeptUntilABrakeIsProven) {
+  for (const int ticks : {1, 2, 3, 4, 6}) {
+    const int tried = try_ends(ticks, [](Turning& room) { room.flight.stop(); });
+    EXPECT_GT(tried, 10) << ticks;
+  }
+}
+
+/// A mission that ends because its next point is in an obstacle.
+TEST(FlightStops, PlanThatWaitsIsKeptWhereAMissionEnds) {
+  const int tried = try_ends(4, [](Turning& room) {
+    const Via points[2] = {{{1.0, 2.0, 1.0}}, {{2.0, 2.0, 1.0}}};
+    room.flight.set_mission(points, 2, ViaPolicy::kEnd);
+    EXPECT_TRUE(room.state().leave_out(0, FlightReason::kNoGoal));
+  });
+  EXPECT_GT(tried, 10);
+}
+
+/// No brake is proven in time: the plan takes over, and is braked from there.
+TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
+  Turning room(1.2, -0.45);
+  FlightState& state = room.state();
+  ASSERT_TRUE(room.is_ready);
+  const std::int64_t begin = state.next.begin;
+  const double end = seconds_between(0, begin) + duration(state.next.flown);
+  ASSERT_GE(begin, room.time + kEvadeTicks * room.spec.tick);
+  room.flight.stop();
+  room.advance(tern_test::kNothing);
+  ASSERT_EQ(state.job, Job::kEvade);
+  room.time = state.deadline;
+  room.advance(tern_test::kNothing);
+  EXPECT_EQ(state.job, Job::kIdle);
+  ASSERT_TRUE(state.has_next);
+  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_TRUE(state.stopping);
+  room.time = begin;
+  room.tick();
+  EXPECT_TRUE(state.has_next || state.job == Job::kEvade);
+  ASSERT_TRUE(room.tick_until([&] { return room.speed() == 0.0; }, 200));
+  EXPECT_LT(seconds_between(0, room.time), end - 0.5);
+}
+
+/// A brake is about to take over: there is nothing left to stop.
+TEST(FlightStops, BrakeThatWaitsIsEnough) {
+  Flying room;
+  FlightState& state = room.state();
+  room.flight.stop();
+  ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 10));
+  const std::int64_t begin = state.next.begin;
+  const std::uint32_t committed = state.report.committed;
+  room.flight.stop();
+  room.tick();
+  ASSERT_TRUE(state.has_next);
+  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_EQ(state.report.committed, committed);
+  EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
+  EXPECT_EQ(state.report.committed, committed);
+}
+
+}  // namespace
