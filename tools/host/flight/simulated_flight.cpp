@@ -10,6 +10,7 @@
 
 #include "flight/flight_state.hpp"
 #include "host/flight/assumed_ball.hpp"
+#include "host/flight/commit_log.hpp"
 #include "host/flight/flight_recorder.hpp"
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
@@ -114,7 +115,7 @@ class Simulation {
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
-    result.commits = std::move(commits_);
+    result.commits = commits_.take();
     result.watched = {counts.ticks, counts.commits, counts.points, sensor_.watch().seen(), sensor_.watch().hits()};
     return result;
   }
@@ -190,7 +191,7 @@ class Simulation {
     recorder_.note(time_, command, *vehicle_, yaw_, report_);
     watch_->look(time_, report_);
     mission_->look(time_, report_);
-    note_commit();
+    commits_.look(time_, report_, state());
     if (onlooker_) tell(command);
     if (!plans_yaw_) turn(command);
     watch_yaw();
@@ -214,13 +215,6 @@ class Simulation {
 
   /// A flight's state lies in the first of its words.
   const tern::FlightState& state() const { return *reinterpret_cast<const tern::FlightState*>(words_.data()); }
-
-  void note_commit() {
-    if (report_.committed == committed_) return;
-    committed_ = report_.committed;
-    const tern::Commitment& latest = state().latest();
-    commits_.push_back({time_, latest.begin, latest.evades, latest.leaves, latest.flown});
-  }
 
   void tell(const tern::Command& command) {
     onlooker_({time_, report_, command, *vehicle_, yaw_, recorder_.clearance_now(), map_, flight_, planner_, state()});
@@ -288,8 +282,7 @@ class Simulation {
   bool plans_yaw_ = false;
   double last_angle_ = 0.0, last_rate_ = 0.0;
   std::string yaw_broken_;
-  std::uint32_t committed_ = 0;
-  std::vector<FlightCommit> commits_;
+  CommitLog commits_;
   std::int64_t view_waits_ = 0;  // ticks
   std::string reason_;
 };
