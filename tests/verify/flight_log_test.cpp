@@ -157,8 +157,8 @@ TEST(FlightLog, TheWorldIsCompared) {
   const std::string world = kWorld;
   const auto differs = [](const std::string& text) {
     const std::string said = comparison(text);
-    const std::size_t end = said.find(" differs from that of w.txt");
-    return end == std::string::npos ? said : said.substr(9, end - 9);
+    const std::string head = "log: it differs from w.txt in '";
+    return said.rfind(head, 0) == 0 ? said.substr(head.size(), said.find("';") - head.size()) : said;
   };
   EXPECT_EQ(differs(world + "boundary 0 0 0 10 6 3.5\n"), "boundary");
   EXPECT_EQ(differs(world + "block 0 0 0 1 1 1\n"), "blocks");

@@ -135,8 +135,8 @@ bool is_flight(const std::string& text) {
 void compare(const World& world, const std::string& name, Flight& flight) {
   const std::string what = difference(flight.world, world);
   if (!what.empty()) {
-    throw InputError(flight.name + ": its " + what + " differs from that of " + name +
-                     "; give the settings that it was flown with as --set KEY=VALUE");
+    throw InputError(flight.name + ": it differs from " + name + " in '" + what +
+                     "'; name the settings that it was flown with as --set KEY=VALUE");
   }
   flight.is_world_given = true;
 }

@@ -78,7 +78,7 @@ Plan parse_plan(const std::string& text, const std::string& name) {
 
 void require_same_request(const Problem& scenario, const Plan& plan) {
   const std::string what = plan.asked ? difference(scenario, *plan.asked) : "";
-  if (!what.empty()) throw InputError(plan.name + ": its '" + what + "' is not that of " + scenario.name);
+  if (!what.empty()) throw InputError(plan.name + ": it differs from " + scenario.name + " in '" + what + "'");
 }
 
 }  // namespace tern_verify
