@@ -108,10 +108,10 @@ TEST(FlightLog, LogsWithPartOfTheirCommitsAreRefused) {
 TEST(FlightLog, FiguresThatTheTrackDoesNotShowAreRefused) {
   Json json = log();
   json["min_clearance"] = 0.2578126;
-  expect_refusal(json, "its min_clearance is not that of its track, 0.2578");
+  expect_refusal(json, "its min_clearance is better than that of its track, 0.2578");
   json = log();
   json["tracking_error"]["max"] = 0.12;
-  expect_refusal(json, "its tracking_error is not that of its track, 0.125");
+  expect_refusal(json, "its tracking_error is better than that of its track, 0.125");
   json = log();
   json["time_s"] = 9.0;
   expect_refusal(json, "its track does not end at time_s");
@@ -124,6 +124,15 @@ TEST(FlightLog, FiguresThatTheTrackDoesNotShowAreRefused) {
   json = log();
   json["mission"] = Json::array();
   expect_refusal(json, "its mission does not end at its goal");
+}
+
+TEST(FlightLog, FiguresThatAreWorseThanTheTrackCount) {
+  Json json = log();
+  json["min_clearance"] = 0.24;
+  EXPECT_EQ(verdict_of(claims_of(json), "flown: body off the world"), Verdict::kRefuted);
+  json = log();
+  json["tracking_error"]["max"] = 0.13;
+  EXPECT_EQ(verdict_of(claims_of(json), "flown: tracking error"), Verdict::kRefuted);
 }
 
 TEST(FlightLog, CommitsOutOfOrderAreRefused) {

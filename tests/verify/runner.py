@@ -10,7 +10,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/quality"))
-import proofs  # noqa: E402
+import proof_rows  # noqa: E402
 
 PRETENDER = """#!/bin/sh
 if [ "$1" = plan ]; then
@@ -87,14 +87,14 @@ def main():
     expect("into a table", "| P36 | 2 | 2 | 140 | 2 | -1e-09 (0.001 %) | 3 |" in flown.stdout)
     fly("--record", "--set", "tracking=quadrotor")
     fly("--record")
-    rows = proofs.rows_of(folder / "proofs.csv")
+    rows = proof_rows.rows_of(folder / "proofs.csv")
     expect("a run of other settings gets a row of its own", [row["settings"].split()[2:] for row in rows] ==
            [[], ["tracking=quadrotor"]])
     expect("with counts and margins", [rows[0][column] for column in ("seeds", "flights", "proven", "claims", "body")] ==
            ["3 to 4", "17", "17", "34", "3"])
-    text = proofs.section(lambda columns, body: f"{columns}{body[-1]}", folder / "proofs.csv")
+    text = proof_rows.section(lambda columns, body: f"{columns}{body[-1]}", folder / "proofs.csv")
     expect("which the evidence sums up", "'34', '34', '2380'" in text and "'-1e-09', '3'" in text)
-    expect("and leaves out without results", proofs.section(None, folder / "none.csv") == "")
+    expect("and leaves out without results", proof_rows.section(None, folder / "none.csv") == "")
     return 1 if failures else 0
 
 

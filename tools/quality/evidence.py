@@ -2,7 +2,7 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes docs/measurements/evidence.md from the results that the other tools left in docs/measurements: campaigns.csv,
-proofs.csv, coverage.csv, mutation.csv and fuzz.csv. What has no results has no rows.
+coverage.csv, mutation.csv and fuzz.csv. What has no results has no rows.
 
   add NAME [FOLDER]   first takes over the table of a campaign, with the date and the seeds of its state. It takes the
                       place of an earlier one of the same families and settings; --replace: even if that has more runs
@@ -17,7 +17,6 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/campaigns"))
 import kinds  # noqa: E402
-import proofs  # noqa: E402
 
 FOLDER = ROOT / "docs/measurements"
 PAGE = FOLDER / "evidence.md"
@@ -166,7 +165,7 @@ def main():
     elif words and words != ["check"]:
         print(__doc__, file=sys.stderr)
         return 2
-    text = HEAD + campaigns() + proofs.section(table) + coverage() + mutation() + fuzzers()
+    text = HEAD + campaigns() + coverage() + mutation() + fuzzers()
     if words == ["check"]:
         is_same = PAGE.exists() and PAGE.read_text() == text
         print("as it would be written" if is_same else f"{PAGE} is not what tools/evidence writes: run it")

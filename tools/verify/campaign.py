@@ -26,7 +26,8 @@ import time
 
 sys.dont_write_bytecode = True  # no compiled copies in the source tree
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "quality"))
-import proofs  # noqa: E402
+import core_id  # noqa: E402
+import proof_rows  # noqa: E402
 from scenarios import FAMILIES, scenario  # noqa: E402
 from subjects import Flights, Plans, columns_of, least, summary_of  # noqa: E402
 
@@ -49,7 +50,7 @@ def parse_arguments():
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
     parser.add_argument("--maps", default="bench/maps", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--folder", default="build/prove", type=pathlib.Path, help=argparse.SUPPRESS)
-    parser.add_argument("--proofs", default=proofs.FILE, type=pathlib.Path, help=argparse.SUPPRESS)
+    parser.add_argument("--proofs", default=proof_rows.FILE, type=pathlib.Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     kind = Plans if arguments.flights is None else Flights
     for family in arguments.family or []:
@@ -163,8 +164,8 @@ def table_of(kind, runs):
 
 def totals_of(arguments, kind, runs, seeds):
     """The row of docs/measurements/proofs.csv."""
-    row = {"kind": kind.name, "date": datetime.date.today().isoformat(), "families": " ".join(arguments.family or ["all"]),
-           "seeds": f"{min(seeds)} to {max(seeds)}", "settings": " ".join(kind.settings), **kind.counts(runs),
+    row = {"kind": kind.name, "date": datetime.date.today().isoformat(), "core": core_id.present(),
+           "families": " ".join(arguments.family or ["all"]), "seeds": f"{min(seeds)} to {max(seeds)}", "settings": " ".join(kind.settings), **kind.counts(runs),
            "proven": proven_of(runs), "claims": sum(int(run["claims"]) for run in runs if run.get("claims"))}
     for column in columns_of(kind):
         margin = least(runs, column)
@@ -201,7 +202,7 @@ def main():
     totals = totals_of(arguments, kind, runs, [seed for _, seed in wanted])
     print(f"{totals[kind.name]} {kind.name}, {totals['claims']} claims, {totals[kind.name] - totals['proven']} not proven")
     if arguments.record:
-        proofs.add(totals, arguments.proofs)
+        proof_rows.add(totals, arguments.proofs)
     return 1 if any(run["status"] in ("REFUTED", "OPEN", "FAILED") for run in runs) else 0
 
 

@@ -111,9 +111,10 @@ void prove_commands(const Flight& flight, Claims& claims) {
   claims.push_back(tightest.claim());
 }
 
-void require_figure(const Flight& flight, const char* name, const Rational& said, const Rational& found) {
-  if (abs(said - found) <= kFigure) return;
-  throw InputError(flight.name + ": its " + name + " is not that of its track, " + text_below(found) + " m");
+/// A log that makes its flight better than its track is contradicts itself.
+void require_honest(const Flight& flight, const char* name, bool honest, const Rational& found) {
+  if (honest) return;
+  throw InputError(flight.name + ": its " + name + " is better than that of its track, " + text_below(found) + " m");
 }
 
 void prove_margin(const Flight& flight, Claims& claims) {
@@ -126,18 +127,20 @@ void prove_margin(const Flight& flight, Claims& claims) {
     square = dot(off, off);
     worst = tick;
   }
-  require_figure(flight, "tracking_error", flight.tracking_error, root_above(square));
+  const Rational& said = flight.tracking_error;
+  require_honest(flight, "tracking_error", said + kFigure >= root_above(square), root_above(square));
   const Rational& margin = flight.world.setting("tracking_margin");
-  claims.push_back({"flown: tracking error", "m", margin - root_above(square), margin - root_below(square),
-                    decimal(1, 9) * margin, tick_place(flight, worst)});
+  claims.push_back({"flown: tracking error", "m", margin - std::max(said, root_above(square)),
+                    margin - std::max(said, root_below(square)), decimal(1, 9) * margin, tick_place(flight, worst)});
 }
 
 void prove_body(const Flight& flight, const std::vector<Solid>& solids, Claims& claims) {
   const Nearest nearest = nearest_point(flight.track.real, solids);
-  if (nearest.least > 0) require_figure(flight, "min_clearance", flight.clearance, nearest.least);
+  const Rational& said = flight.clearance;
+  require_honest(flight, "min_clearance", said <= nearest.most + kFigure, nearest.most);
   const Rational& body = flight.world.setting("body_radius");
-  claims.push_back({"flown: body off the world", "m", nearest.least - body, nearest.most - body, 0,
-                    tick_place(flight, nearest.curve)});
+  claims.push_back({"flown: body off the world", "m", std::min(said, nearest.least) - body,
+                    std::min(said, nearest.most) - body, 0, tick_place(flight, nearest.curve)});
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ void prove_takeover(const Flight& flight, std::size_t commit, Claims& claims);
 void prove_goal(const Flight& flight, Claims& claims);
 
 /// At the simulator's ticks: commands were those of the commits, the vehicle kept its margin, which all proofs assume,
-/// and touched nothing. Throws InputError where the log's figures say otherwise than its track.
+/// and touched nothing. Throws InputError where the log's figures are better than its track; where they are worse, they
+/// count.
 void prove_flown(const Flight& flight, const std::vector<Solid>& solids, Claims& claims);
 
 }  // namespace tern_verify

@@ -58,7 +58,7 @@ bool is_flight(const std::string& text);
 void compare(const World& world, const std::string& name, Flight& flight);
 
 /// One claim a kind, that of the commit or the tick with the least room. Throws InputError where the log's own figures
-/// are not those of its track.
+/// are better than its track.
 Claims prove(const Flight& flight);
 
 /// What no proof covers and a reader must know, one text each.

@@ -1,11 +1,12 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Totals of `tools/prove`, one row a run of it, and how the page of the evidence shows them."""
+"""Totals of `tools/prove`, one row a run of it, and how the page of the evidence may show them. `core` is the hash of the
+core's sources (core_id.py)."""
 import csv
 import pathlib
 
 FILE = pathlib.Path(__file__).resolve().parents[2] / "docs/measurements/proofs.csv"
-HEAD = ["kind", "date", "families", "seeds", "settings"]
+HEAD = ["kind", "date", "core", "families", "seeds", "settings"]
 COUNTS = {"plans": ["scenarios", "plans"], "flights": ["flights", "reached", "commits"]}
 # Least margins: m, m/s, m/s^2 and m/s^3.
 MARGINS = ["joints", "ends", "vias", "boundary", "inside corridor", "corridor", "curve", "fences", "velocity",
@@ -39,7 +40,7 @@ def section(table, path=FILE):
         body = [[row[column] for column in [*columns, *margins]] for row in chosen]
         summed = [str(sum(int(row[column]) for row in chosen)) for column in [*counts, "proven", "claims"]]
         lowest = [min((row[column] for row in chosen if row[column]), key=float) for column in margins]
-        body.append(["all", "", "", "", *summed, *lowest])
+        body.append(["all", *[""] * (len(HEAD) - 2), *summed, *lowest])
         text += f"\n### Of {kind}\n\n" + table([*columns, *margins], body)
     if not text:
         return ""
