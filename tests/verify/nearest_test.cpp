@@ -70,5 +70,15 @@ TEST(Nearest, ADipThatNoSampleMeets) {
   EXPECT_LT(nearest.most - nearest.least, kClose);
 }
 
+TEST(Nearest, OfPointsAlone) {
+  const std::vector<Solid> solids = {{{{0, 0, 0}, {1, 1, 1}}, 0}, {{{5, 0, 0}, {5, 0, 9}}, 1}};
+  const Nearest nearest = nearest_point({{2, 2, 2}, {3, 0, 4}, {2, 2, 5}}, solids);
+  EXPECT_EQ(nearest.curve, 1u);
+  EXPECT_EQ(nearest.solid, 1u);
+  EXPECT_EQ(nearest.most, 1);
+  EXPECT_LT(1 - nearest.least, decimal(1, 30));
+  EXPECT_EQ(nearest_point({{5, 0, 1}}, solids).most, 0) << "inside";
+}
+
 }  // namespace
 }  // namespace tern_verify

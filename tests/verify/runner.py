@@ -2,11 +2,15 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 """runner.py CAMPAIGN FOLDER: the campaign of proofs with a program in place of `tern`: a killed run goes on, what is not
-proven is kept and named, and the same table comes out."""
+proven is kept and named, the same table comes out, and the totals go to a file."""
 import pathlib
 import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/quality"))
+import proof_rows  # noqa: E402
 
 PRETENDER = """#!/bin/sh
 if [ "$1" = plan ]; then
@@ -15,6 +19,17 @@ if [ "$1" = plan ]; then
     "# boxes:2") echo '{{"status": "no_path"}}' >"$4"; exit 3 ;;
   esac
   cp "$2" "$4"
+elif [ "$1" = fly ]; then
+  for log; do [ "$log" = --commits ] || json=$log; done
+  echo '{{"status": "reached", "plans": {{"committed": 70}}, "flown": true}}' >"$json"
+elif grep -q flown "$2"; then
+  echo "$*" >>"{folder}/flights"
+  for proof; do :; done
+  cat >"$proof" <<EOF
+{{"files": [{{"verdict": "proven", "claims": [
+ {{"claim": "flown: body off the world", "margin_at_least": "${{3#*:}}", "tolerance": "0"}},
+ {{"claim": "takeover jerk", "margin_at_least": "-1e-9", "tolerance": "1e-4"}}]}}]}}
+EOF
 else
   verdict=proven; margin=0.5
   case $(head -1 "$2") in "# boxes:3") verdict=REFUTED; margin=-0.1 ;; esac
@@ -51,14 +66,35 @@ def main():
     expect("proven plans alone end well", run(2).returncode == 0)
     refuted = run(4)
     expect("a refuted plan ends with 1", refuted.returncode == 1)
-    expect("and is named", "not proven" in refuted.stdout and "boxes-3.txt" in refuted.stdout)
-    expect("and kept", (folder / "n/boxes-3.txt").read_text().startswith("# boxes:3\n"))
+    expect("and is named", "not proven" in refuted.stdout and "boxes-3\n" in refuted.stdout)
+    expect("and kept", (folder / "n/boxes-3/scenario.txt").read_text().startswith("# boxes:3\n"))
     expect("finished runs are not repeated", len((folder / "calls").read_text().split()) == 4)
     state = folder / "n.csv"
     state.write_text(state.read_text()[:-7])
     expect("a line that was cut off is run again, to the same table", run(4).stdout.splitlines()[-4:] ==
            refuted.stdout.splitlines()[-4:] and len((folder / "calls").read_text().split()) == 5)
     expect("the table has the least margin", "| boxes | 4 | 3 | 2 |" in refuted.stdout and "-0.1" in refuted.stdout)
+
+    def fly(*words):
+        return subprocess.run([sys.executable, campaign, "--flights", "17", "--seed", "3", "--tern", str(program),
+                               "--folder", str(folder), "--proofs", str(folder / "proofs.csv"), *words],
+                              capture_output=True, text=True)
+
+    flown = fly("--record")
+    expect("flights are proven", flown.returncode == 0 and "17 flights, 34 claims, 0 not proven" in flown.stdout)
+    given = (folder / "flights").read_text()
+    expect("against their worlds, with their settings", "P36:4 --set depth_noise=0.01 --set outliers=0.01 --brief" in given)
+    expect("into a table", "| P36 | 2 | 2 | 140 | 2 | -1e-09 (0.001 %) | 3 |" in flown.stdout)
+    fly("--record", "--set", "tracking=quadrotor")
+    fly("--record")
+    rows = proof_rows.rows_of(folder / "proofs.csv")
+    expect("a run of other settings gets a row of its own", [row["settings"].split()[2:] for row in rows] ==
+           [[], ["tracking=quadrotor"]])
+    expect("with counts and margins", [rows[0][column] for column in ("seeds", "flights", "proven", "claims", "body")] ==
+           ["3 to 4", "17", "17", "34", "3"])
+    text = proof_rows.section(lambda columns, body: f"{columns}{body[-1]}", folder / "proofs.csv")
+    expect("which the evidence sums up", "'34', '34', '2380'" in text and "'-1e-09', '3'" in text)
+    expect("and leaves out without results", proof_rows.section(None, folder / "none.csv") == "")
     return 1 if failures else 0
 
 

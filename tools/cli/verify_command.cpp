@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "host/atomic_file.hpp"
+#include "host/flight/world_family.hpp"
 #include "verify/flight.hpp"
 #include "verify/proofs.hpp"
 
@@ -23,6 +24,7 @@ using tern_verify::Verdict;
 
 struct VerifyOptions {
   std::vector<std::string> files;
+  std::vector<std::string> settings;
   std::string json;
   bool brief = false;
 };
@@ -44,7 +46,7 @@ Json claims_json(const Claims& claims) {
 /// What is proven of one file, and what is not but would be taken for it.
 struct Proof {
   Claims claims;
-  std::string assumed;
+  std::vector<std::string> assumed;
 };
 
 void print(const std::string& plan, const Proof& proof, bool brief) {
@@ -55,23 +57,49 @@ void print(const std::string& plan, const Proof& proof, bool brief) {
     proven += holds ? 1 : 0;
     if (!brief || !holds) std::printf("%s\n", tern_verify::line_of(claim).c_str());
   }
-  if (!proof.assumed.empty()) std::printf("ASSUMED  %s\n", proof.assumed.c_str());
+  for (const std::string& assumed : proof.assumed) std::printf("ASSUMED  %s\n", assumed.c_str());
   std::printf("%s: %s: %zu of %zu claims are proven\n", plan.c_str(),
               tern_verify::verdict_word(tern_verify::verdict_of(claims)), proven, claims.size());
 }
 
+bool is_json(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == text.find('{');
+}
+
+/// A world's file, or the world that a family's member names: that is made here, as for `tern fly`.
+std::string read_world(const std::string& name) {
+  tern_host::FamilyMember member;
+  return tern_host::is_member(name, member) ? tern_host::world_text(member) : tern_verify::read_file(name);
+}
+
+/// A flight's log, and the world after it, if there is one.
+Proof prove_flight(const std::string& text, const VerifyOptions& options, std::size_t& next) {
+  tern_verify::Flight flight = tern_verify::parse_flight(text, options.files[next - 1]);
+  if (next < options.files.size()) {
+    const std::string& name = options.files[next];
+    const std::string world = read_world(name);
+    if (!is_json(world)) {
+      tern_verify::compare(tern_verify::parse_world(world, name, options.settings), name, flight);
+      ++next;
+    }
+  }
+  return {tern_verify::prove(flight), tern_verify::assumed_of(flight)};
+}
+
 /// What one file claims, proven: a flight's log, or a plan with the scenario after it.
-Proof prove_file(const std::vector<std::string>& files, std::size_t& next) {
+Proof prove_file(const VerifyOptions& options, std::size_t& next) {
+  const std::vector<std::string>& files = options.files;
   const std::string& name = files[next++];
   const std::string text = tern_verify::read_file(name);
-  if (text.find_first_not_of(" \t\r\n") != text.find('{')) {
+  if (!is_json(text)) {
     throw std::runtime_error(
         name + ": not a plan file, nor the log of a flight: both are JSON. A scenario comes after its plan");
   }
-  if (tern_verify::is_flight(text)) return {tern_verify::prove(tern_verify::parse_flight(text, name)), ""};
+  if (tern_verify::is_flight(text)) return prove_flight(text, options, next);
   if (next == files.size()) throw std::runtime_error("verify needs a SCENARIO after the plan " + name);
   const tern_verify::Plan plan = tern_verify::parse_plan(text, name);
   const tern_verify::Problem problem = tern_verify::read_problem(files[next++]);
+  tern_verify::require_same_request(problem, plan);
   return {tern_verify::prove(problem, plan), tern_verify::assumed_of(problem, plan)};
 }
 
@@ -89,7 +117,7 @@ int verify(const VerifyOptions& options) {
   int exit_status = kExitOk;
   for (std::size_t next = 0; next < options.files.size();) {
     const std::string& name = options.files[next];
-    const Proof proof = prove_file(options.files, next);
+    const Proof proof = prove_file(options, next);
     print(name, proof, options.brief);
     if (tern_verify::verdict_of(proof.claims) != Verdict::kProven) exit_status = kExitRefuted;
     verdicts.push_back(file_json(name, proof));
@@ -108,16 +136,21 @@ void add_verify_command(CLI::App& app, int& exit_status) {
       app.add_subcommand("verify", "Prove plans and flights again, in exact arithmetic, without the core");
   command
       ->add_option("FILES", options->files,
-                   "PLAN SCENARIO: a plan file of `tern plan --json` and the scenario that it was made for; or FLIGHT: "
-                   "a log of `tern fly --json FILE --commits`. Any number of them")
+                   "PLAN SCENARIO: a plan file of `tern plan --json` and the scenario that it was made for; or FLIGHT "
+                   "[WORLD]: a log of `tern fly --json FILE --commits` and the world that it was flown in, a file or "
+                   "FAMILY:SEED. Any number of them")
       ->required()
       ->type_name("");
+  command->add_option("--set", options->settings, "A setting that the flights were flown with, in place of the worlds'")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--brief", options->brief, "Print only what is not proven or is assumed, and a line a plan");
   command->add_option("--json", options->json, "Write all claims with their margins")->type_name("FILE");
   command->footer(
       "Proves of a plan, for all t: joints, both ends, vias, boundary, corridor, obstacles, fences and limits; of a\n"
-      "flight's committed plans: joints, rest at the end, limits, fences, and the distance from the true world; and\n"
-      "that the simulated vehicle kept its margins (docs/verify.md).\n"
+      "flight's committed plans: joints, takeovers, rest at the end, limits, fences, and the distance from the true\n"
+      "world; and that the simulated vehicle followed them within its margin (docs/verify.md).\n"
       "Exit status 0 where all is proven, 1 where a claim is refuted or not proven, 2 for a bad file.");
   command->callback([options, &exit_status] { exit_status = verify(*options); });
 }

@@ -122,11 +122,11 @@ void prove_ends(const Subject& subject, Claims& claims) {
   prove_no_further(subject, claims);
 }
 
-std::string assumed_of(const Problem& problem, const Plan& plan) {
-  if (!ends_elsewhere(problem, plan)) return "";
+std::vector<std::string> assumed_of(const Problem& problem, const Plan& plan) {
+  if (!ends_elsewhere(problem, plan)) return {};
   const Point gap = problem.goal[0] - *plan.reachable;
-  return "end at the plan's own 'reachable' point, " + text_above(root_above(dot(gap, gap))) +
-         " m from the goal; not proven to be the nearest";
+  return {"end at the plan's own 'reachable' point, " + text_above(root_above(dot(gap, gap))) +
+          " m from the goal; not proven to be the nearest"};
 }
 
 /// The first joint that does is as good as any: later vias then have the most joints left.

@@ -61,6 +61,15 @@ Rational distance_above(const Point& p, const Solid& solid) {
   return root_above(beside * beside + gap[2] * gap[2]);
 }
 
+/// True where one coordinate alone shows that a solid is at least so far from all of a box.
+bool apart(const Box& box, const Solid& solid, const Rational& distance) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Rational least = a < 2 ? Rational(distance + solid.radius) : distance;
+    if (solid.box.lower[a] - box.upper[a] >= least || box.lower[a] - solid.box.upper[a] >= least) return true;
+  }
+  return false;
+}
+
 /// A distance that no point of the hull is nearer to the solid than, from one direction of any length.
 Rational distance_along(const Point& direction, const Polygon<3>& hull, const Solid& solid) {
   const Rational square = dot(direction, direction);
@@ -133,15 +142,6 @@ class Search {
     distance_guess_ = guess(distance);
   }
 
-  /// True where a coordinate alone keeps hull and solid as far apart as matters.
-  bool far_apart(const Box& hull, const Solid& solid) const {
-    for (std::size_t a = 0; a < 3; ++a) {
-      const Rational most = a < 2 ? Rational(nearest_.most + solid.radius) : nearest_.most;
-      if (solid.box.lower[a] - hull.upper[a] >= most || hull.lower[a] - solid.box.upper[a] >= most) return true;
-    }
-    return false;
-  }
-
   /// The bodies that a piece may come nearer to than any point so far.
   std::vector<std::size_t> candidates(const Polygon<3>& piece, const std::vector<std::size_t>& bodies, bool last) {
     Box hull{piece.front(), piece.front()};
@@ -155,7 +155,7 @@ class Search {
     std::vector<std::size_t> left;
     for (const std::size_t b : bodies) {
       const Solid& solid = *bodies_[b].solid;
-      if (far_apart(hull, solid)) continue;
+      if (apart(hull, solid, nearest_.most)) continue;
       const Guess way = bodies_[b].towards(middle);
       const double length = std::hypot(way[0], std::hypot(way[1], way[2]));
       Point direction{0, 0, 0};
@@ -202,6 +202,20 @@ class Search {
 
 Nearest nearest_of(const std::vector<Polygon<3>>& curves, const std::vector<Solid>& solids) {
   return Search(curves, solids).run();
+}
+
+Nearest nearest_point(const std::vector<Point>& points, const std::vector<Solid>& solids) {
+  static const Rational kRoot = Rational(1) / Rational(Integer(1) << 118);
+  Nearest nearest{0, distance_above(points[0], solids[0]), 0, 0, 0};
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+      if (apart({points[p], points[p]}, solids[s], nearest.most)) continue;
+      const Rational distance = distance_above(points[p], solids[s]);
+      if (distance < nearest.most) nearest = {0, distance, p, s, 0};
+    }
+  }
+  nearest.least = std::max<Rational>(0, nearest.most - kRoot);
+  return nearest;
 }
 
 }  // namespace tern_verify

@@ -31,6 +31,9 @@ struct Nearest {
 /// To within 1e-12 m. There are curves and solids. Whether a curve touches a solid or enters it, the distance is 0.
 Nearest nearest_of(const std::vector<Polygon<3>>& curves, const std::vector<Solid>& solids);
 
+/// The same of single points; `curve` is the number of the nearest one. There are points and solids.
+Nearest nearest_point(const std::vector<Point>& points, const std::vector<Solid>& solids);
+
 }  // namespace tern_verify
 
 #endif

@@ -2,13 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/plan.hpp"
 
+#include <cmath>
+
+#include "verify/asked.hpp"
 #include "verify/json.hpp"
 
 namespace tern_verify {
 namespace {
 
-Segment segment_in(const Json& json, std::size_t polyhedra) {
+/// No double is nearer to the exact number.
+bool is_rounded(double rounded, const Rational& exact) {
+  const Rational error = abs(Rational(rounded) - exact);
+  for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
+    const double next = std::nextafter(rounded, towards);
+    if (std::isfinite(next) && abs(Rational(next) - exact) < error) return false;
+  }
+  return true;
+}
+
+/// `control_points` are the points of `relative_points` in the world frame, rounded.
+void check_world_points(const Json& json, const Point& origin, const Segment& segment) {
+  const Json& points = json.at("control_points");
+  bool same = points.size() == segment.points.size();
+  for (std::size_t i = 0; same && i < points.size(); ++i) {
+    if (points[i].size() != 3) throw InputError("a point has three coordinates");
+    for (std::size_t a = 0; a < 3; ++a) {
+      same = same && is_rounded(points[i][a].get<double>(), segment.points[i][a] + origin[a]);
+    }
+  }
+  if (!same) throw InputError("'control_points' of a segment are not its 'origin' plus its 'relative_points'");
+}
+
+Segment segment_in(const Json& json, const Point& origin, std::size_t polyhedra) {
   Segment segment = segment_of(json);
+  check_world_points(json, origin, segment);
   segment.polyhedron = json.at("polyhedron").get<std::size_t>();
   if (segment.polyhedron >= polyhedra) throw InputError("a segment's polyhedron is not in the corridor");
   return segment;
@@ -32,9 +59,12 @@ Plan plan_of(const Json& json) {
       for (const Json& plane : polyhedron.at(key)) plan.corridor.back().push_back(half_space(plane));
     }
   }
-  for (const Json& segment : json.at("segments")) plan.segments.push_back(segment_in(segment, plan.corridor.size()));
+  for (const Json& segment : json.at("segments")) {
+    plan.segments.push_back(segment_in(segment, plan.origin, plan.corridor.size()));
+  }
   if (plan.segments.empty()) throw InputError("it has no segments");
   if (json.contains("goal_missed")) plan.reachable = point_of(json.at("reachable"));
+  plan.asked = asked_of(json);
   return plan;
 }
 
@@ -46,8 +76,9 @@ Plan parse_plan(const std::string& text, const std::string& name) {
   return plan;
 }
 
-Plan read_plan(const std::string& path) {
-  return parse_plan(read_file(path), path);
+void require_same_request(const Problem& scenario, const Plan& plan) {
+  const std::string what = plan.asked ? difference(scenario, *plan.asked) : "";
+  if (!what.empty()) throw InputError(plan.name + ": it differs from " + scenario.name + " in '" + what + "'");
 }
 
 }  // namespace tern_verify

@@ -26,11 +26,15 @@ struct Plan {
   std::vector<Segment> segments;
   std::vector<std::vector<HalfSpace>> corridor;  ///< polyhedra, world frame
   std::optional<Point> reachable;                ///< where the plan ends if not at the goal
+  std::optional<Problem> asked;                  ///< what the file says that it was made for: asked_of()
 };
 
-/// Reads a plan file ("tern-plan/1", docs/formats.md) with a trajectory. Throws InputError.
-Plan read_plan(const std::string& path);
+/// Reads a plan file ("tern-plan/1", docs/formats.md) with a trajectory. Throws InputError, also where the file's two
+/// sets of control points are not the same curve.
 Plan parse_plan(const std::string& text, const std::string& name);
+
+/// Throws InputError where the file says that the plan was made for anything else than the scenario.
+void require_same_request(const Problem& scenario, const Plan& plan);
 
 }  // namespace tern_verify
 

@@ -55,6 +55,11 @@ struct Bound {
   Rational most;
 };
 
+/// Upper and lower limits of one derivative on each axis; a `least` of 0 is minus `most`, and a limit of 0 on the jerk
+/// or on a horizontal norm is none.
+void add_bounds(int derivative, const Point& most, const Point& least, const Rational& horizontal,
+                std::vector<Bound>& bounds);
+
 /// World frame, metres, seconds.
 struct Problem {
   std::string name;
@@ -65,6 +70,8 @@ struct Problem {
   std::vector<Via> vias;
   std::vector<Bound> bounds;
   Rational cell;
+  Rational radius;
+  Rational tracking_margin;
   Rational clearance;         ///< radius and tracking margin; a nanometre or less is 0
   bool may_end_near = false;  ///< `goal_mode nearest`
 };

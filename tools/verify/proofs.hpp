@@ -49,8 +49,8 @@ void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>
 /// The curve itself, for all t, keeps the clearance from each solid voxel: without the corridor.
 void prove_clearance(const Subject& subject, Claims& claims);
 
-/// What no proof of the plan covers and its reader must know: that it ends where it says itself. Empty if it does not.
-std::string assumed_of(const Problem& problem, const Plan& plan);
+/// What no proof of the plan covers and its reader must know, one text each: that it ends where it says itself.
+std::vector<std::string> assumed_of(const Problem& problem, const Plan& plan);
 
 /// All of them.
 Claims prove(const Problem& problem, const Plan& plan);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/flight/commits_json.hpp"
 
+#include <cmath>
+
 namespace tern_host {
 namespace {
 
@@ -36,14 +38,27 @@ Json segments_json(const tern::Trajectory& plan) {
 Json commits_json(const FlightResult& result) {
   Json commits = Json::array();
   for (const FlightCommit& commit : result.commits) {
-    commits.push_back({{"time_ns", commit.time},
-                       {"begin_ns", commit.begin},
-                       {"evades", commit.evades},
-                       {"leaves", commit.leaves},
-                       {"origin", json(commit.flown.origin)},
-                       {"segments", segments_json(commit.flown)}});
+    commits.push_back({{"time_ns", commit.time}, {"begin_ns", commit.begin}});
+    if (commit.withdrawn != kNotWithdrawn) commits.back()["withdrawn_ns"] = commit.withdrawn;
+    commits.back().update({{"evades", commit.evades},
+                           {"leaves", commit.leaves},
+                           {"origin", json(commit.flown.origin)},
+                           {"segments", segments_json(commit.flown)}});
   }
   return commits;
+}
+
+Json track_json(const FlightWorld& world, const FlightResult& result) {
+  Json commanded = Json::array(), believed = Json::array(), real = Json::array();
+  for (const TrackPoint& point : result.track) {
+    commanded.push_back(json(point.commanded));
+    believed.push_back(json(point.believed));
+    real.push_back(json(point.position));
+  }
+  return {{"tick_ns", std::llround(1e9 / world.settings.tick_hz)},
+          {"commanded", commanded},
+          {"believed", believed},
+          {"true", real}};
 }
 
 Json true_world_json(const FlightWorld& world) {

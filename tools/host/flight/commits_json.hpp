@@ -11,7 +11,9 @@ namespace tern_host {
 
 /// What `tern verify` proves of a flight (docs/formats.md): every committed plan with all its bits.
 nlohmann::ordered_json commits_json(const FlightResult& result);
-/// And the world that it was flown in.
+/// Where the vehicle was told to be, believed to be and was, at each tick.
+nlohmann::ordered_json track_json(const FlightWorld& world, const FlightResult& result);
+/// The world that it was flown in.
 nlohmann::ordered_json true_world_json(const FlightWorld& world);
 
 }  // namespace tern_host

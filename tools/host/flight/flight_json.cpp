@@ -105,6 +105,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                {"status", result.status},
                {"reason", result.reason},
                {"world", world.name},
+               {"start", {world.start.x, world.start.y, world.start.z}},
                {"goal", {world.goal.x, world.goal.y, world.goal.z}},
                {"mission", mission_json(result.mission)},
                {"settings", settings_json(world.settings)},
@@ -131,6 +132,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
   if (with_commits) {
     json["true_world"] = true_world_json(world);
     json["commits"] = commits_json(result);
+    json["track"] = track_json(world, result);
   }
   return json.dump(with_commits ? 1 : 2) + "\n";
 }

@@ -59,7 +59,8 @@ void FlightRecorder::note(std::int64_t t, const tern::Command& command, const Ve
   squares_ += error * error;
   if (!result_.track.empty()) result_.length += distance(p, result_.track.back().position);
   const bool committed = report.committed != last_.committed;
-  result_.track.push_back({p, distance(vehicle.velocity(), {}), committed});
+  result_.track.push_back(
+      {p, distance(vehicle.velocity(), {}), committed, command.sample.position, vehicle.estimate()});
   result_.seconds_in[static_cast<std::size_t>(report.mode)] += 1.0 / world_.settings.tick_hz;
   result_.time = seconds;
   result_.skipped += skipped ? 1 : 0;

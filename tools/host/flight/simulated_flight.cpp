@@ -10,6 +10,7 @@
 
 #include "flight/flight_state.hpp"
 #include "host/flight/assumed_ball.hpp"
+#include "host/flight/commit_log.hpp"
 #include "host/flight/contact_search.hpp"
 #include "host/flight/flight_faults.hpp"
 #include "host/flight/flight_recorder.hpp"
@@ -66,7 +67,7 @@ class Simulation {
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
-    result.commits = std::move(commits_);
+    result.commits = commits_.take();
     result.appeared = faults_.appeared();
     result.contact = contact_;
     const FrameWatch& frames = sensor_.watch();
@@ -170,7 +171,7 @@ class Simulation {
     if (!faults_.appeared().empty() || report_.mode == tern::FlightMode::kThreat) threats_->look(time_, report_);
     mission_->look(time_, report_);
     if (plans_yaw_) yaw_watch_->look(time_);
-    note_commit();
+    commits_.look(time_, report_, state());
   }
 
   void move_goal() {
@@ -225,13 +226,6 @@ class Simulation {
   /// A flight's state lies in the first of its words.
   const tern::FlightState& state() const { return *reinterpret_cast<const tern::FlightState*>(words_.data()); }
 
-  void note_commit() {
-    if (report_.committed == committed_) return;
-    committed_ = report_.committed;
-    const tern::Commitment& latest = state().latest();
-    commits_.push_back({time_, latest.begin, latest.evades, latest.leaves, latest.flown});
-  }
-
   void tell(const tern::Command& command) {
     onlooker_({time_, report_, command, *vehicle_, yaw(), recorder_.clearance_now(), map_, flight_, planner_, state()});
   }
@@ -284,8 +278,7 @@ class Simulation {
   std::int64_t time_ = 0;
   bool plans_yaw_ = false;
   FlightContact contact_;
-  std::uint32_t committed_ = 0;
-  std::vector<FlightCommit> commits_;
+  CommitLog commits_;
   std::int64_t view_waits_ = 0;  // ticks
 };
 

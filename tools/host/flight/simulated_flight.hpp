@@ -22,11 +22,13 @@ class FlightState;
 
 namespace tern_host {
 
-/// Where the vehicle truly was at one tick.
+/// Where the vehicle was at one tick.
 struct TrackPoint {
-  tern::Vec3 position;
-  double speed;
-  bool committed;  ///< a plan was committed in this tick
+  tern::Vec3 position;   ///< in truth
+  double speed;          ///< m/s
+  bool committed;        ///< a plan was committed in this tick
+  tern::Vec3 commanded;  ///< where the vehicle was told to be,
+  tern::Vec3 believed;   ///< and where it believed to be
 };
 
 /// What was looked at to hold the flight to its invariants, and what was found: the largest snap, and slivers
@@ -44,12 +46,15 @@ struct MissionPoint {
   double time, distance, speed;  ///< where the commands came nearest to it while it was ahead
 };
 
+constexpr std::int64_t kNotWithdrawn = -1;
+
 /// A plan that was committed.
 struct FlightCommit {
-  std::int64_t time;   ///< nanoseconds, of the tick that committed it
-  std::int64_t begin;  ///< nanoseconds, of the trajectory
-  bool evades;         ///< under a threat: proven or not
-  bool leaves;         ///< it leads away from something within the radius
+  std::int64_t time;       ///< nanoseconds, of the tick that committed it
+  std::int64_t begin;      ///< nanoseconds, of the trajectory
+  std::int64_t withdrawn;  ///< nanoseconds, of the tick that dropped it before it began; kNotWithdrawn if none did
+  bool evades;             ///< under a threat: proven or not
+  bool leaves;             ///< it leads away from something within the radius
   tern::Trajectory flown;
 };
 

@@ -1,0 +1,145 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/records.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <locale>
+#include <sstream>
+
+namespace tern_verify {
+namespace {
+
+/// The six faces of a box.
+std::vector<HalfSpace> faces_of(const Box& box) {
+  std::vector<HalfSpace> faces;
+  for (std::size_t a = 0; a < 3; ++a) {
+    Point axis{0, 0, 0};
+    axis[a] = 1;
+    faces.push_back({axis, box.upper[a]});
+    axis[a] = -1;
+    faces.push_back({axis, -box.lower[a]});
+  }
+  return faces;
+}
+
+}  // namespace
+
+void Record::refuse(const std::string& reason) const {
+  throw InputError(file + ":" + std::to_string(line) + ": " + reason);
+}
+
+std::vector<Rational> Record::numbers(std::size_t first) const {
+  std::vector<Rational> values;
+  for (std::size_t i = first; i < words.size(); ++i) {
+    std::istringstream stream(words[i]);
+    stream.imbue(std::locale::classic());
+    double value = 0.0;
+    stream >> value;
+    if (stream.fail() || !stream.eof() || !std::isfinite(value)) refuse("'" + words[i] + "' is no number");
+    values.emplace_back(value);
+  }
+  return values;
+}
+
+std::vector<Rational> Record::numbers(std::size_t first, std::size_t count) const {
+  std::vector<Rational> values = numbers(first);
+  if (values.size() != count) refuse("'" + key() + "' needs " + std::to_string(count) + " numbers");
+  return values;
+}
+
+std::vector<Record> records_of(const std::string& text, const std::string& name) {
+  std::vector<Record> records;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    Record record{name, number, {std::istream_iterator<std::string>(words), {}}};
+    if (!record.words.empty()) records.push_back(std::move(record));
+  }
+  return records;
+}
+
+Point point_from(const std::vector<Rational>& v, std::size_t first) {
+  return {v[first], v[first + 1], v[first + 2]};
+}
+
+Box box_from(const Record& record, const std::vector<Rational>& v) {
+  const Box result{point_from(v), point_from(v, 3)};
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (result.lower[a] > result.upper[a]) record.refuse("the box has its corners the wrong way round");
+  }
+  return result;
+}
+
+Box block_from(const Record& record) {
+  const std::vector<Rational> v = record.numbers();
+  if (v.size() != 6 && !(record.key() == "block" && v.size() == 9)) {
+    record.refuse("'" + record.key() + "' needs 6 numbers");
+  }
+  return box_from(record, v);
+}
+
+Fence fence_from(const Record& record) {
+  const std::string& key = record.key();
+  Fence result{key.rfind("keepout", 0) != 0, {}};
+  if (key == "keepin" || key == "keepout") {
+    result.planes = faces_of(box_from(record, record.numbers(1, 6)));
+    return result;
+  }
+  const std::vector<Rational> v = record.numbers();
+  if (v.empty() || v.size() % 4 != 0) record.refuse("'" + key + "' needs 4 numbers a half-space");
+  for (std::size_t i = 0; i < v.size(); i += 4) {
+    result.planes.push_back({point_from(v, i), v[i + 3]});
+    if (dot(result.planes.back().normal, result.planes.back().normal) == 0) record.refuse("a normal is no direction");
+  }
+  return result;
+}
+
+Via via_from(const Record& record) {
+  std::vector<std::string> words = record.words;
+  Via result{{}, 0, false, {}};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == "stop" && i + 1 == words.size()) {
+      result.stop = true;
+      words.resize(i);
+    } else if (words[i] == "velocity") {
+      result.velocity = point_from(record.numbers(i + 1, 3));
+      words.resize(i);
+    }
+  }
+  const std::vector<Rational> v = Record{record.file, record.line, words}.numbers();
+  if (v.size() != 3 && v.size() != 4) record.refuse("'via' needs a point, and may have a tolerance");
+  result.position = point_from(v);
+  if (v.size() == 4) result.tolerance = v[3];
+  return result;
+}
+
+void Settings::add(const Record& record) {
+  if (!given_.emplace(record.key(), record).second) record.refuse("'" + record.key() + "' is given twice");
+}
+
+Rational Settings::number(const std::string& key, const Rational& otherwise) const {
+  const auto found = given_.find(key);
+  return found == given_.end() ? otherwise : found->second.numbers(1, 1)[0];
+}
+
+Point Settings::vector(const std::string& key) const {
+  const auto found = given_.find(key);
+  return found == given_.end() ? Point{0, 0, 0} : point_from(found->second.numbers(1, 3));
+}
+
+Point Settings::limit(const std::string& key, const Rational& otherwise) const {
+  const auto found = given_.find(key);
+  if (found == given_.end()) return {otherwise, otherwise, otherwise};
+  const std::vector<Rational> v = found->second.numbers();
+  if (v.size() == 1) return {v[0], v[0], v[0]};
+  return point_from(found->second.numbers(1, 3));
+}
+
+std::string Settings::word(const std::string& key) const {
+  const auto found = given_.find(key);
+  return found != given_.end() && found->second.words.size() == 2 ? found->second.words[1] : "";
+}
+
+}  // namespace tern_verify
