@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flight/branch.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
 
@@ -39,7 +40,7 @@ JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexce
 }
 
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept {
-  if (out.count == kMaxSegments) return false;
+  if (is_full(out.count == kMaxSegments)) return false;
   Segment& segment = out.segments[out.count++];
   segment.duration = time;
   segment.polyhedron = 0;
@@ -94,7 +95,7 @@ bool append_stop(const JointState& from, const MotionLimits& limits, int way, St
     if (!append_between(from, now, time, out)) return false;
   }
   if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, kStops - 1 - way, scratch)) return false;
-  if (scratch.count > kMaxSegments - out.count) return false;
+  if (is_full(scratch.count > kMaxSegments - out.count)) return false;
   for (int i = 0; i < scratch.count; ++i) out.segments[out.count++] = scratch.segments[i];
   return true;
 }
