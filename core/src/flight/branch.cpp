@@ -40,7 +40,7 @@ JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexce
 }
 
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept {
-  if (is_full(out.count == kMaxSegments)) return false;
+  if (out.count == kMaxSegments) return false;
   Segment& segment = out.segments[out.count++];
   segment.duration = time;
   segment.polyhedron = 0;
@@ -92,7 +92,7 @@ bool append_stop(const JointState& from, const MotionLimits& limits, int way, St
   if (length(from.d[3]) > kNoJerk) {
     const double time = settle_time(from, limits);
     now = settled(from, time);
-    if (!append_between(from, now, time, out)) return false;
+    if (is_full(!append_between(from, now, time, out))) return false;
   }
   if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, kStops - 1 - way, scratch)) return false;
   if (is_full(scratch.count > kMaxSegments - out.count)) return false;
