@@ -4,7 +4,6 @@
 // Binding a grid to its storage, and the frames.
 #include "tern/grid.hpp"
 
-#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "base/verdict.hpp"
 #include "grid/changes.hpp"
@@ -141,9 +140,9 @@ std::int32_t last_index(double upper, double cell, std::int32_t count) {
 
 std::size_t grid_words(const Voxel& dims) noexcept {
   for (int a = 0; a < 3; ++a) {
-    if (axis(dims, a) < 1 || is_full(axis(dims, a) > kMaxDimension)) return 0;
+    if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
   }
-  if (is_full(std::int64_t{dims.x} * dims.y * dims.z > kMaxCells)) return 0;
+  if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
   return kHeaderWords + 2 * words_of_layer(dims) + Changes::words(dims) +
          static_cast<std::size_t>(Regions(dims).count());
 }
