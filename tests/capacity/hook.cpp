@@ -10,6 +10,7 @@ namespace tern_capacity {
 namespace {
 
 struct Hook {
+  bool counts;
   std::uint64_t asked;
   std::uint64_t failing;
   Failing how;
@@ -18,20 +19,21 @@ struct Hook {
   Site sites[kMostSites];
 };
 
-Hook hook{0, 0, Failing::kOnce, -1, 0, {}};
+Hook hook{false, 0, 0, Failing::kOnce, -1, 0, {}};
 
 /// The index of a place, the last one for all that have no room.
 int index_of(const char* file, int line) noexcept {
   for (int k = 0; k < hook.count; ++k) {
     if (hook.sites[k].line == line && std::strcmp(hook.sites[k].file, file) == 0) return k;
   }
-  if (hook.count < kMostSites) hook.sites[hook.count++] = {file, line, 0};
+  if (hook.count < kMostSites) hook.sites[hook.count++] = {file, line, 0, 0, 0};
   return hook.count - 1;
 }
 
 }  // namespace
 
 void begin(std::uint64_t failing, Failing how) noexcept {
+  hook.counts = true;
   hook.asked = 0;
   hook.failing = failing;
   hook.how = how;
@@ -40,8 +42,7 @@ void begin(std::uint64_t failing, Failing how) noexcept {
 }
 
 void end() noexcept {
-  hook.failing = 0;
-  hook.failed = -1;
+  hook.counts = false;
 }
 
 std::uint64_t asked() noexcept {
@@ -57,7 +58,7 @@ Site site(int index) noexcept {
 }
 
 Site failed_site() noexcept {
-  return hook.failed < 0 ? Site{nullptr, 0, 0} : hook.sites[hook.failed];
+  return hook.failed < 0 ? Site{nullptr, 0, 0, 0, 0} : hook.sites[hook.failed];
 }
 
 }  // namespace tern_capacity
@@ -66,14 +67,17 @@ namespace tern {
 
 bool is_full(bool full, const char* file, int line) noexcept {
   using tern_capacity::hook;
-  const int site = tern_capacity::index_of(file, line);
-  ++hook.sites[site].asked;
+  if (!hook.counts) return full;
+  const int index = tern_capacity::index_of(file, line);
+  tern_capacity::Site& site = hook.sites[index];
   ++hook.asked;
+  if (site.asked++ == 0) site.first = hook.asked;
+  site.last = hook.asked;
   if (hook.asked == hook.failing) {
-    hook.failed = site;
+    hook.failed = index;
     return true;
   }
-  return full || (hook.how == tern_capacity::Failing::kForGood && hook.failed == site);
+  return full || (hook.how == tern_capacity::Failing::kForGood && hook.failed == index);
 }
 
 }  // namespace tern
