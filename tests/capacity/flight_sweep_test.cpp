@@ -6,9 +6,9 @@
 // stays clear of the obstacles, without jumps and within the limits, and ends at rest.
 #include <gtest/gtest.h>
 
+#include "capacity/cases_asked.hpp"
 #include "capacity/hook.hpp"
 #include "capacity/hop.hpp"
-#include "support/random.hpp"
 
 namespace tern_capacity {
 namespace {
@@ -26,7 +26,7 @@ std::uint64_t questions(Surprise surprise) {
 void sweep(Surprise surprise, Failing how) {
   const std::uint64_t all = questions(surprise);
   ASSERT_GT(all, 1000u);
-  const auto runs = static_cast<std::uint64_t>(tern_test::scaled(150));
+  const auto runs = static_cast<std::uint64_t>(cases(150));
   int arrived = 0;
   for (std::uint64_t k = 0; k < runs; ++k) {
     Hop hop(surprise);
@@ -42,6 +42,7 @@ void sweep(Surprise surprise, Failing how) {
   if (how == Failing::kOnce) {
     EXPECT_EQ(arrived, static_cast<int>(runs));
   }
+  testing::Test::RecordProperty("number", static_cast<int>(runs));
 }
 
 TEST(CapacityFlight, OneQuestionFails) {

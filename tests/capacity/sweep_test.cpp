@@ -10,9 +10,9 @@
 #include <fstream>
 #include <set>
 
+#include "capacity/cases_asked.hpp"
 #include "capacity/hook.hpp"
 #include "capacity/subject.hpp"
-#include "support/random.hpp"
 
 namespace tern_capacity {
 namespace {
@@ -118,25 +118,29 @@ TEST(CapacitySweep, EveryPlaceThatAsksFails) {
     fail_new_places(*plan_subject(seed), failed);
   }
   EXPECT_EQ(left_of(failed), "");
+  RecordProperty("number", static_cast<int>(places().size()));
 }
 
 TEST(CapacitySweep, EveryQuestionOfOtherCallsFails) {
   std::set<std::string> failed;
+  int runs = 0;
   for (const auto& subject : other_subjects()) {
     Sweep sweep(*subject);
     EXPECT_GT(sweep.asked_of_all(), 0u);
     EXPECT_EQ(sweep.usual().status, Status::kOk);
     for (std::uint64_t number = 1; number <= sweep.asked_of_all(); ++number) {
       for (const Failing how : kBoth) sweep.fail(number, how, failed);
+      runs += 2;
     }
   }
+  RecordProperty("number", runs);
 }
 
 TEST(CapacitySweep, EveryQuestionOfAPlanFails) {
   constexpr std::uint64_t kMostQuestions = 1200;
   std::set<std::string> failed;
-  std::uint64_t runs = 0;
-  const int cases = tern_test::scaled(120);
+  int runs = 0;
+  const int cases = tern_capacity::cases(120);
   for (int seed = 0; seed < cases; ++seed) {
     const auto subject = plan_subject(static_cast<std::uint64_t>(seed));
     Sweep sweep(*subject);
@@ -146,7 +150,8 @@ TEST(CapacitySweep, EveryQuestionOfAPlanFails) {
       runs += 2;
     }
   }
-  EXPECT_GT(runs, 100u * static_cast<std::uint64_t>(cases));
+  EXPECT_GT(runs, 100 * cases);
+  RecordProperty("number", runs);
 }
 
 }  // namespace
