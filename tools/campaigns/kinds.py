@@ -15,6 +15,8 @@ BLOCK = 500  # cases of one job of an attack: the attack keeps its state by such
 FIRST_TALLIES = ["cases", "plans", "replans", "compared", "hover", "stop_and_go", "optimised", "needed", "followed",
                  "work"]
 
+TOUCHING = {"clearance", "boundary", "keep_in", "keep_out"}  # violations that are contacts
+
 
 def settings_words(settings):
     return [word for text in settings for word in ("--set", text)]
@@ -120,7 +122,7 @@ class Plan(Kind):
     plans are made one by one."""
     name, good, verb = "plan", "ok", "plans"
     fields = ["row", "seed", "status", "stage", "optimised", "duration_s", "length_m", "clearance", "least_clearance",
-              "work", "hash", "reason"]
+              "work", "hash", "reason", "seconds"]
     batch = 10
 
     def jobs(self, row, first, count):
@@ -135,11 +137,13 @@ class Plan(Kind):
     def run(self, job):
         row, first, count = job
         seeds = range(first, first + count)
+        began = time.monotonic()
         entries = self.plan([f"{row}:{seed}" for seed in seeds], self.settings, 60 + 20 * count)
+        seconds = round((time.monotonic() - began) / count, 4)
         if isinstance(entries, str):
             alone = lambda seed: self.crashed(row, seed, entries) if count == 1 else self.run((row, seed, 1))[0]
             return [alone(seed) for seed in seeds]
-        return [{"row": row, "seed": seed, **self.judged(entry)} for seed, entry in zip(seeds, entries)]
+        return [{"row": row, "seed": seed, **self.judged(entry), "seconds": seconds} for seed, entry in zip(seeds, entries)]
 
     @staticmethod
     def crashed(row, seed, reason):
@@ -177,7 +181,7 @@ class Plan(Kind):
 class Attack(Kind):
     """Cases of one family of the attack (docs/attack.md), in blocks. A job's seed is the index of its first case."""
     name, good, verb = "attack", "ok", "blocks"
-    fields = ["row", "seed", "status", "reason", *FIRST_TALLIES, "ok", "contacts", "violations"]
+    fields = ["row", "seed", "status", "reason", *FIRST_TALLIES, "ok", "contacts", "violations", "seconds"]
 
     def jobs(self, row, first, count):
         return [(row, block * BLOCK, BLOCK) for block in range(math.ceil(count / BLOCK))]
@@ -190,12 +194,14 @@ class Attack(Kind):
 
     def run(self, job):
         row, first, count = job
+        began = time.monotonic()
         with tempfile.TemporaryDirectory() as folder:
             done = self.call([*self.command(row, first)[1:], "--jobs", "1", "--quiet", "--folder", folder], 40000)
             state = next(pathlib.Path(folder).glob("*.state"), None)
             if done is None or state is None:
                 return [{"row": row, "seed": first, "status": "crash", "reason": ended(done) if done else "too long"}]
-            return [{"row": row, "seed": first, **self.read_state(state.read_text())}]
+            return [{"row": row, "seed": first, **self.read_state(state.read_text()),
+                     "seconds": round(time.monotonic() - began, 2)}]
 
     @staticmethod
     def read_state(text):
@@ -204,10 +210,9 @@ class Attack(Kind):
         tally = max(tallies, key=lambda values: values[0])
         head, rest = tally[:len(FIRST_TALLIES)], tally[len(FIRST_TALLIES):]
         found = [line.split(" ", 3)[1:] for line in text.splitlines() if line.startswith("violation ")]
-        touching = {"clearance", "boundary", "keep_in", "keep_out"}
         return {"status": "violation" if found else "ok", "reason": " ".join(found[0]) if found else "",
                 **dict(zip(FIRST_TALLIES, head)), "ok": dict(zip(rest[::2], rest[1::2])).get(0, 0),
-                "contacts": sum(kind in touching for _, kind, *_ in found),
+                "contacts": sum(kind in TOUCHING for _, kind, *_ in found),
                 "violations": ";".join(f"{number} {kind}" for number, kind, *_ in found)}
 
     @staticmethod

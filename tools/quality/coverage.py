@@ -18,6 +18,7 @@ import subprocess
 import sys
 import time
 
+import core_id
 import suite
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -83,7 +84,11 @@ def main():
     arguments = parse_arguments()
     core = pathlib.Path(arguments.core)
     programs = suite.programs(pathlib.Path(arguments.tests))
-    failed = [] if arguments.report_only else run_tests(programs, core, arguments.jobs)
+    measured = core / "measured.core"
+    failed = []
+    if not arguments.report_only:
+        failed = run_tests(programs, core, arguments.jobs)
+        measured.write_text(core_id.present())
     for name in failed:
         print(f"{name} fails with the counted core")
     exceptions, used, totals = read_exceptions(), set(), collections.defaultdict(lambda: [0, 0, 0])
@@ -103,19 +108,19 @@ def main():
     unused = sorted(set(exceptions) - used) if not arguments.files else []
     for path, source in unused:
         print(f"{EXCEPTIONS.relative_to(ROOT)}: not needed any more: {path} | {source}")
-    write_table(totals, len(programs))
+    write_table(totals, len(programs), measured.read_text())
     everything = totals["all"]
     print(f"{everything[1]} of {everything[0]} branches taken, {everything[2]} named as exceptions, "
           f"{everything[0] - everything[1] - everything[2]} not")
     return 1 if listed or unused or failed else 0
 
 
-def write_table(totals, count):
+def write_table(totals, count, core):
     with TABLE.open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["stage", "branches", "taken", "named", "date", "tests"])
+        writer.writerow(["stage", "branches", "taken", "named", "date", "tests", "core"])
         for key, (all_of_them, taken, excepted) in sorted(totals.items(), key=lambda item: (item[0] == "all", item[0])):
-            writer.writerow([key, all_of_them, taken, excepted, datetime.date.today().isoformat(), count])
+            writer.writerow([key, all_of_them, taken, excepted, datetime.date.today().isoformat(), count, core])
 
 
 if __name__ == "__main__":

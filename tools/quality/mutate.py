@@ -16,7 +16,6 @@ survived that is not named; 2 for wrong usage."""
 import argparse
 import csv
 import datetime
-import hashlib
 import pathlib
 import re
 import shutil
@@ -24,6 +23,7 @@ import subprocess
 import sys
 import time
 
+import core_id
 import mutants
 import suite
 
@@ -53,13 +53,6 @@ def parse_arguments():
     parser.add_argument("--tests", default=str(ROOT / "build/quality"), help=argparse.SUPPRESS)
     parser.add_argument("--folder", default=str(ROOT / "build/mutate"), help=argparse.SUPPRESS)
     return parser.parse_args()
-
-
-def hash_of(paths):
-    sums = hashlib.sha256()
-    for path in sorted(paths):
-        sums.update(path.read_bytes())
-    return sums.hexdigest()[:16]
 
 
 class Bench:
@@ -199,8 +192,7 @@ def main():
         for m in order:
             print(f"{m.id} {m.path}:{m.line}: {m.kind}: {m.before} -> {m.after}")
         return 0 if order else 2
-    sources = [path for path in (ROOT / "core").rglob("*") if path.suffix in (".cpp", ".hpp", ".h")]
-    results = Results(pathlib.Path(arguments.results), f"core {hash_of(sources)}")
+    results = Results(pathlib.Path(arguments.results), f"core {core_id.present()}")
     missing = [m for m in order if m.id not in results.done or arguments.only]
     end = time.monotonic() + arguments.seconds if arguments.seconds else float("inf")
     bench = Bench(folder, pathlib.Path(arguments.tests))

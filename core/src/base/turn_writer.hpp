@@ -3,6 +3,7 @@
 #ifndef TERN_BASE_TURN_WRITER_HPP
 #define TERN_BASE_TURN_WRITER_HPP
 
+#include "base/capacity.hpp"
 #include "base/direction.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
@@ -28,7 +29,7 @@ struct TurnWriter {
   }
 
   void point(const Voxel& voxel) noexcept {
-    full = full || path.raw_count >= capacity;
+    full = full || is_full(path.raw_count >= capacity);
     if (!full) path.raw[path.raw_count++] = grid.center(voxel);
   }
 

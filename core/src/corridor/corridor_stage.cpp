@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/corridor_stage.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "corridor/reuse.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
@@ -62,7 +63,7 @@ Progress halve(CorridorStage& stage, const Path& path, Status why) {
   if (stage.pending > kMaxHalvings || distance(stage.from, to) < kPointLike) {
     return conclude(why, stage.status);
   }
-  if (stage.built + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments) {
+  if (is_full(stage.built + stage.pending + 1 + segments_ahead(stage, path) > kMaxSegments)) {
     return conclude(Status::kSegmentsFull, stage.status);
   }
   stage.ends[stage.pending++] = 0.5 * (stage.from + to);
@@ -120,7 +121,7 @@ void drop_held(Corridor& out, double margin, std::int32_t fixed) {
 
 /// Tries to build a polyhedron for the current piece. kMore if pieces are left.
 Progress try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
-  if (stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments) {
+  if (is_full(stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments)) {
     return conclude(Status::kSegmentsFull, stage.status);
   }
   const Vec3 to = stage.ends[stage.pending - 1];
@@ -162,7 +163,7 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
 
 Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work,
                           Corridor& out) noexcept {
-  if (legs_of(path) < 1 || legs_of(path) > kMaxSegments) return conclude(Status::kSegmentsFull, stage.status);
+  if (legs_of(path) < 1 || is_full(legs_of(path) > kMaxSegments)) return conclude(Status::kSegmentsFull, stage.status);
   if (stage.leg < 0) {
     out.count = 0;
     begin_leg(stage, path, 0, 0);

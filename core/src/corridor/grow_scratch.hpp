@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/capacity.hpp"
 #include "fence/fences.hpp"
 #include "grid/distance.hpp"
 #include "grid/local_boxes.hpp"
@@ -44,8 +45,8 @@ inline double touching_of(const Grid& grid, const GrowScratch& scratch) noexcept
 
 /// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull. The polyhedron is unchanged unless kOk.
 inline Status append(const Halfspace& plane, GrowScratch& scratch, Polyhedron& polyhedron) noexcept {
-  if (scratch.planes >= scratch.planes_allowed) return Status::kBudgetCorridor;
-  if (polyhedron.count == kMaxPlanes) return Status::kPlanesFull;
+  if (is_full(scratch.planes >= scratch.planes_allowed)) return Status::kBudgetCorridor;
+  if (is_full(polyhedron.count == kMaxPlanes)) return Status::kPlanesFull;
   ++scratch.planes;
   polyhedron.planes[polyhedron.count++] = plane;
   if (polyhedron.count > scratch.planes_high) scratch.planes_high = polyhedron.count;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 
@@ -91,7 +92,7 @@ IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
 
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
   const std::size_t words = GridView::layer_words(grid);
-  if (words > static_cast<std::size_t>(kMaxFenceWords)) return Status::kFenceLayerFull;
+  if (is_full(words > static_cast<std::size_t>(kMaxFenceWords))) return Status::kFenceLayerFull;
   const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
   view = GridView::with_blocked(grid, layer.words);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fence/fences.hpp"
 
+#include "base/capacity.hpp"
 #include "base/double_double.hpp"
 #include "base/facet.hpp"
 #include "base/math.hpp"
@@ -82,7 +83,7 @@ Status add_corners(const Facet& facet, const Surroundings& around, double same, 
   for (int k = 0; k < facet.count; ++k) {
     const Vec3 corner = ((facet.foot + facet.corner[k][0] * facet.u) + facet.corner[k][1] * facet.v) + around.center;
     if (known_corner(fences, fence, corner, same)) continue;
-    if (fences.corner_count == kMaxFenceCorners) return Status::kFencePlanesFull;
+    if (is_full(fences.corner_count == kMaxFenceCorners)) return Status::kFencePlanesFull;
     fences.corners[fences.corner_count++] = corner;
     ++fence.corners;
   }
@@ -175,13 +176,13 @@ Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fenc
   fences.plane_count = 0;
   fences.corner_count = 0;
   if (count < 0 || (count > 0 && list == nullptr)) return Status::kInvalidArgument;
-  if (count > kMaxFences) return Status::kFencesFull;
+  if (is_full(count > kMaxFences)) return Status::kFencesFull;
   const Surroundings around = surroundings_of(grid);
   fences.touching = contact_tolerance(grid.spec()) + kHair * around.scale;
   std::int32_t planes = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     if (!well_formed(list[i])) return Status::kInvalidArgument;
-    if (list[i].count > kMaxFencePlanes - planes) return Status::kFencePlanesFull;
+    if (is_full(list[i].count > kMaxFencePlanes - planes)) return Status::kFencePlanesFull;
     planes += list[i].count;
     const bool keep_in = list[i].kind == FenceKind::kKeepIn;
     const Status status =

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flight/branch.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
 
@@ -91,10 +92,10 @@ bool append_stop(const JointState& from, const MotionLimits& limits, int way, St
   if (length(from.d[3]) > kNoJerk) {
     const double time = settle_time(from, limits);
     now = settled(from, time);
-    if (!append_between(from, now, time, out)) return false;
+    if (is_full(!append_between(from, now, time, out))) return false;
   }
   if (!make_stopping({now.d[0], now.d[1], now.d[2]}, limits, kStops - 1 - way, scratch)) return false;
-  if (scratch.count > kMaxSegments - out.count) return false;
+  if (is_full(scratch.count > kMaxSegments - out.count)) return false;
   for (int i = 0; i < scratch.count; ++i) out.segments[out.count++] = scratch.segments[i];
   return true;
 }

@@ -3,6 +3,7 @@
 //
 // The points of a mission: which of them the next plan passes, when one was passed, and what happens to one that
 // cannot be reached.
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
@@ -35,7 +36,7 @@ Status check_point(const Via& point) {
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
   if (points == nullptr || count < 1) return Status::kInvalidArgument;
   if (policy != ViaPolicy::kEnd && policy != ViaPolicy::kSkip) return Status::kInvalidArgument;
-  if (count > kMaxMissionPoints) return Status::kViasFull;
+  if (is_full(count > kMaxMissionPoints)) return Status::kViasFull;
   for (std::int32_t i = 0; i < count; ++i) {
     const Status status = check_point(points[i]);
     if (status != Status::kOk) return status;

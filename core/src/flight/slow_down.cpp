@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flight/slow_down.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
 #include "flight/branch.hpp"
@@ -121,7 +122,7 @@ bool append_slow_down(const Trajectory& plan, double from, double time, Trajecto
     const bool ends_at_joint = pace.at(next + 0.25 * step) > joint;
     if (ends_at_joint) next = pace.time_at(joint);
     const JointState to = paced(plan, pace, next, shift);
-    if (!append_between(state, to, next - t, out)) return false;
+    if (is_full(!append_between(state, to, next - t, out))) return false;
     if (is_last && !ends_at_joint) return true;
     state = to;
     t = next;

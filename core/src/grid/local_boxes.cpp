@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 
@@ -127,7 +128,7 @@ void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
 
 /// Opens a rectangle at row y; false where the layer is full.
 bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t y) {
-  if (layer.count == kMaxLocalBoxes) return false;
+  if (is_full(layer.count == kMaxLocalBoxes)) return false;
   layer.rectangles[layer.count++] = {static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1),
                                      static_cast<std::int16_t>(y), static_cast<std::int16_t>(y), -1};
   return true;
@@ -142,7 +143,7 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   for (std::int32_t x = 0; next_run(row, count, x, end); x = end) {
     while (i < layer.open_count && layer.rectangles[open[i]].x0 < x) close_rectangle(layer, open[i++], y);
     const bool same_start = i < layer.open_count && layer.rectangles[open[i]].x0 == x;
-    if (kept == kMaxRowRuns) return false;
+    if (is_full(kept == kMaxRowRuns)) return false;
     if (same_start && layer.rectangles[open[i]].x1 == end) {
       still_open[kept++] = open[i++];
       continue;
@@ -208,7 +209,7 @@ bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* la
       layer[i].box = below[j].box;
       continue;
     }
-    if (boxes.count == kMaxLocalBoxes) return false;
+    if (is_full(boxes.count == kMaxLocalBoxes)) return false;
     layer[i].box = boxes.count;
     boxes.at[boxes.count++] = box_of(layer[i], range, z, boxes.cell);
   }

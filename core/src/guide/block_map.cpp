@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/block_map.hpp"
 
+#include "base/capacity.hpp"
 #include "grid/lattice.hpp"
 #include "guide/block_words.hpp"
 
@@ -115,7 +116,7 @@ bool block_map_begin(BlockMap& map, const Grid& grid, bool small) noexcept {
   for (int move = 0; move < kDirections; ++move) map.offsets[move] = map.index(offset(move));
   for (int side = 0; side < kSides; ++side) map.beside[side] = map.offsets[kSideMove[side]];
   const std::int64_t rows = std::int64_t{map.dims.y} * map.dims.z;
-  if (rows * map.dims.x > kGuideBlocks || rows * map.words > kBlockWords) return false;
+  if (is_full(rows * map.dims.x > kGuideBlocks || rows * map.words > kBlockWords)) return false;
   for (std::int64_t k = 0; k <= rows * map.words / 64; ++k) map.made[k] = map.around[k] = 0;
   return true;
 }

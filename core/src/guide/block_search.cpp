@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/block_search.hpp"
 
+#include "base/capacity.hpp"
 #include "base/cells_after.hpp"
 #include "guide/split_blocks.hpp"
 
@@ -126,8 +127,8 @@ Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
     if (map.blocks[to].distance <= distance || map.blocks[to].closed()) continue;
     map.blocks[to] = {distance, arrival_link(move)};
     const Voxel end = at + kMoveOf.at[move].step;
-    if (!queue_put(search.open, bucket_of(search, end, distance), packed + kPackedMoves.by[move]))
-      return Status::kOpenFull;
+    const bool room = queue_put(search.open, bucket_of(search, end, distance), packed + kPackedMoves.by[move]);
+    if (is_full(!room)) return Status::kOpenFull;
   }
   return Status::kRunning;
 }

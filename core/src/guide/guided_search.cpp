@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/guided_search.hpp"
 
+#include "base/capacity.hpp"
 #include "base/cells_after.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
@@ -111,7 +112,7 @@ Status reach(GuidedSearch& search, std::int32_t index, const Voxel& voxel, Guide
   page.cost[place] = cost;
   page.arrival[place] = static_cast<std::uint8_t>(move);
   const bool room = queue_put(search.open, bucket_of(page, voxel, cost), entry(index, place));
-  return room ? Status::kRunning : Status::kOpenFull;
+  return is_full(!room) ? Status::kOpenFull : Status::kRunning;
 }
 
 /// A search that can follow its guide expands hardly more voxels than its path has. If it expands several times as
@@ -127,7 +128,7 @@ std::uint32_t most_expansions(const GuidedSearch& search) {
 Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const Voxel& at, int place) {
   if (same(at, search.goal)) return Status::kOk;
   if (search.expanded == 0) search.most = most_expansions(search);
-  if (++search.expanded > search.most) return Status::kNodesFull;
+  if (is_full(++search.expanded > search.most)) return Status::kNodesFull;
   const Page& from = search.store.pages[index];
   const GuideCost cost = from.cost[place];
   const CellMask free = free_cells(grid, at);
@@ -139,7 +140,7 @@ Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const 
     const Voxel to = at + kMoveOf.at[move].step;
     const bool here = (((to.x ^ at.x) | (to.y ^ at.y) | (to.z ^ at.z)) & ~3) == 0;
     const std::int32_t page = here ? index : page_of(search, grid, to);
-    if (page == kGuidePages) return Status::kNodesFull;
+    if (is_full(page == kGuidePages)) return Status::kNodesFull;
     const Status status = reach(search, page, to, cost + kMoveCosts.of[move], move);
     if (status != Status::kRunning) return status;
   }
@@ -149,7 +150,7 @@ Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const 
 /// Takes one entry off the open list of voxels.
 Status take_voxel(GuidedSearch& search, const Grid& grid) {
   if (search.open.count == 0) return Status::kNoPath;
-  if (++search.taken > kGuidedTaken) return Status::kNodesFull;
+  if (is_full(++search.taken > kGuidedTaken)) return Status::kNodesFull;
   const std::uint32_t taken = queue_take(search.open);
   const auto index = static_cast<std::int32_t>(taken >> 6);
   const int place = static_cast<int>(taken & 63u);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "guide/pocket.hpp"
 
+#include "base/capacity.hpp"
+
 namespace tern {
 namespace {
 
@@ -41,7 +43,7 @@ void pocket_begin(GuidedSearch& search, const Grid& grid, const Voxel& from) noe
 
 Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noexcept {
   if (search.open.count == 0) return Status::kNoPath;
-  if (search.store.count > kPocketPages) return Status::kNodesFull;
+  if (is_full(search.store.count > kPocketPages)) return Status::kNodesFull;
   Page& page = search.store.pages[queue_take(search.open)];
   page.heads = false;
   page.reached = connected(page.reached, page.closed);

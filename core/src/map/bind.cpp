@@ -4,6 +4,7 @@
 // Binding a map to its words.
 #include <new>
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "base/verdict.hpp"
 #include "grid/cylinder.hpp"
@@ -89,8 +90,8 @@ Verdict check(const MapSpec& spec) {
   if (spec.age < 0 || spec.age > kDay) return invalid(Field::kAge);
   if (spec.slack < 0 || spec.slack > kMaxDimension) return invalid(Field::kSlack);
   if (spec.pixels < 1) return invalid(Field::kPixels);
-  if (spec.pixels > kMaxPixels || !scans_fit(spec)) return {Status::kPixelsFull, Field::kPixels};
-  if (spec.prior_count > kMaxPriorBoxes || spec.prior_cylinder_count > kMaxPriorBoxes) {
+  if (is_full(spec.pixels > kMaxPixels || !scans_fit(spec))) return {Status::kPixelsFull, Field::kPixels};
+  if (is_full(spec.prior_count > kMaxPriorBoxes || spec.prior_cylinder_count > kMaxPriorBoxes)) {
     return {Status::kPriorFull, Field::kPrior};
   }
   if (!boxes_fit(spec) || !cylinders_fit(spec)) return invalid(Field::kPrior);

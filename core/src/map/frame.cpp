@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A depth image: checks it, places its view in the window, and enters what it sees into the map.
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "map/evidence.hpp"
 #include "map/grid_words.hpp"
@@ -56,7 +57,7 @@ Status check_image(const MapState& state, const DepthView& view) {
   if ((view.z16 == nullptr) == (view.z32 == nullptr)) return Status::kInvalidArgument;
   if (view.width < 1 || view.height < 1 || view.stride < view.width) return Status::kCameraInvalid;
   if (!numbers_are_finite(view) || !optics_fit(view)) return Status::kCameraInvalid;
-  if (std::int64_t{view.width} * view.height > state.spec.pixels) return Status::kPixelsFull;
+  if (is_full(std::int64_t{view.width} * view.height > state.spec.pixels)) return Status::kPixelsFull;
   if (DepthPyramid::entries(view.width, view.height) > state.image_entries) return Status::kPixelsFull;
   return Status::kOk;
 }

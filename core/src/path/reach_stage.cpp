@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/reach_stage.hpp"
 
+#include "base/capacity.hpp"
 #include "grid/distance.hpp"
 
 namespace tern {
@@ -52,7 +53,7 @@ void advance_once(ReachStage& stage, const Grid& grid) {
 }  // namespace
 
 void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept {
-  const bool fits = flood_begin(stage.flood, grid);
+  const bool fits = !is_full(!flood_begin(stage.flood, grid));
   stage.status = fits ? Status::kOk : Status::kFenceLayerFull;
   stage.units = 0;
   stage.joined = false;
@@ -63,7 +64,7 @@ void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) n
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept {
   // Each turn takes a unit, and there are at most kReachBound.
   while (stage.phase != ReachPhase::kEnd) {
-    if (stage.units >= stage.query.max_units) return conclude(Status::kBudgetSearch, stage.status);
+    if (is_full(stage.units >= stage.query.max_units)) return conclude(Status::kBudgetSearch, stage.status);
     if (!work.take()) return Progress::kMore;
     ++stage.units;
     advance_once(stage, grid);

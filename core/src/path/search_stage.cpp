@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/search_stage.hpp"
 
+#include "base/capacity.hpp"
 #include "base/direction.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
@@ -19,7 +20,7 @@ Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status 
 
 /// Takes one unit of work from the budget and from the slice. kDone if both had one left.
 Progress take_expansion(SearchStage& stage, Work& work) {
-  if (stage.expansions >= stage.query.max_expansions) return conclude(Status::kBudgetSearch, stage.status);
+  if (is_full(stage.expansions >= stage.query.max_expansions)) return conclude(Status::kBudgetSearch, stage.status);
   if (!work.take()) return Progress::kMore;
   ++stage.expansions;
   return Progress::kDone;
@@ -97,7 +98,7 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   stage.expansions += most - allowed.left;
   raise(stage.nodes_high, stage.search.nodes_high);
   raise(stage.open_high, stage.search.open_high);
-  const bool spent = stage.expansions >= stage.query.max_expansions;
+  const bool spent = is_full(stage.expansions >= stage.query.max_expansions);
   return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/shortcut.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "path/polyline.hpp"
 #include "path/sight.hpp"
@@ -86,7 +87,7 @@ Status shortcut_finish(Shortcut& shortcut, Path& path) noexcept {
   int count = 1;
   for (std::int32_t i = last; i > 0; i = shortcut.ends[i].from) ++count;
   path.count = count;
-  if (count > kMaxWaypoints) return Status::kSegmentsFull;
+  if (is_full(count > kMaxWaypoints)) return Status::kSegmentsFull;
   std::int32_t at = last;
   for (int k = count - 1; k >= 0; --k) {
     path.points[k] = path.raw[at];

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/shortcut_stage.hpp"
 
+#include "base/capacity.hpp"
+
 namespace tern {
 namespace {
 
 /// Takes one unit of work from the budget and from the slice. kDone if both had one left.
 Progress take_sight_line(ShortcutStage& stage, Work& work) {
-  if (stage.sight_lines >= stage.max_sight_lines) return conclude(Status::kBudgetShortcut, stage.status);
+  if (is_full(stage.sight_lines >= stage.max_sight_lines)) return conclude(Status::kBudgetShortcut, stage.status);
   if (!work.take()) return Progress::kMore;
   ++stage.sight_lines;
   return Progress::kDone;

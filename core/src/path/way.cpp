@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/way.hpp"
 
+#include "base/capacity.hpp"
+
 namespace tern {
 
 void clear_way(Path& way) noexcept {
@@ -14,8 +16,8 @@ void clear_way(Path& way) noexcept {
 
 Status append_to_way(const Path& part, Path& way) noexcept {
   const int shared = way.count > 0 ? 1 : 0;
-  if (way.raw_count + part.raw_count - shared > kMaxJumpPoints) return Status::kJumpPointsFull;
-  if (way.count + part.count - shared > kMaxWaypoints) return Status::kSegmentsFull;
+  if (is_full(way.raw_count + part.raw_count - shared > kMaxJumpPoints)) return Status::kJumpPointsFull;
+  if (is_full(way.count + part.count - shared > kMaxWaypoints)) return Status::kSegmentsFull;
   for (int i = shared; i < part.raw_count; ++i) way.raw[way.raw_count++] = part.raw[i];
   for (int i = shared; i < part.count; ++i) way.points[way.count++] = part.points[i];
   way.raw_length += part.raw_length;

@@ -3,6 +3,7 @@
 #include "planner/detour.hpp"
 
 #include "base/bounds.hpp"
+#include "base/capacity.hpp"
 #include "curve/rest.hpp"
 #include "grid/distance.hpp"
 #include "path/polyline.hpp"
@@ -78,7 +79,7 @@ void reverse(Path& path) {
 /// The detour at the first end of the path. Waypoints after `last` stay.
 bool lead_through_stop(Lines& lines, const State& start, const MotionLimits& limits, int last, Path& path) {
   Vec3 stop;
-  if (at_rest(start) || path.count + 2 > kMaxWaypoints || !find_stop(lines, start, limits, stop)) return false;
+  if (at_rest(start) || is_full(path.count + 2 > kMaxWaypoints) || !find_stop(lines, start, limits, stop)) return false;
   insert_stop(stop, onward_waypoint(lines, stop, path, last), path);
   return true;
 }

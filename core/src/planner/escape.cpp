@@ -3,6 +3,7 @@
 #include "planner/escape.hpp"
 
 #include "base/bounds.hpp"
+#include "base/capacity.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "planner/tube.hpp"
@@ -70,7 +71,7 @@ bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, c
 
 bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept {
   const int more = start.count + goal.count;
-  if (corridor.count + more > kMaxSegments || trajectory.count + more > kMaxSegments) return false;
+  if (is_full(corridor.count + more > kMaxSegments || trajectory.count + more > kMaxSegments)) return false;
   shift(start.count, corridor, trajectory);
   put(start, 0, 0, corridor, trajectory);
   put(goal, trajectory.count, corridor.count, corridor, trajectory);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/tube.hpp"
 
+#include "base/capacity.hpp"
 #include "corridor/hull_polyhedron.hpp"
 #include "curve/bezier.hpp"
 
@@ -47,7 +48,7 @@ Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowS
   pending.push(whole, 0);
   // Each iteration appends a segment or halves one. A segment that does not fit ends the loop.
   while (pending.count > 0) {
-    if (tube.count + pending.count > tube.capacity) return Status::kSegmentsFull;
+    if (is_full(tube.count + pending.count > tube.capacity)) return Status::kSegmentsFull;
     const Segment segment = pending.segment[--pending.count];
     const int halvings = pending.halvings[pending.count];
     if (append_whole(grid, origin, segment, scratch, tube)) continue;

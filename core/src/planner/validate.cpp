@@ -3,6 +3,7 @@
 #include "planner/validate.hpp"
 
 #include "base/bounds.hpp"
+#include "base/capacity.hpp"
 #include "grid/lattice.hpp"
 #include "planner/previous.hpp"
 
@@ -189,7 +190,7 @@ Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimi
   via = kNoVia;
   if (request.via_count == 0) return kAccepted;
   if (request.via_count < 0 || request.vias == nullptr) return {Status::kInvalidArgument, Field::kVias};
-  if (request.via_count > kMaxVias) return {Status::kViasFull, Field::kVias};
+  if (is_full(request.via_count > kMaxVias)) return {Status::kViasFull, Field::kVias};
   if (request.goal_mode != GoalMode::kExact) return {Status::kInvalidArgument, Field::kGoalMode};
   if (request.previous != nullptr) return {Status::kInvalidArgument, Field::kPrevious};
   for (std::int32_t v = 0; v < request.via_count; ++v) {

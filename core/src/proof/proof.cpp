@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tern/proof.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 #include "proof/fence_clear.hpp"
@@ -231,12 +232,12 @@ void Proof::look_at_piece() noexcept {
   const int degree = kDegree - part_;
   ProofEnd end = ProofEnd::kPieces;
   ++report_.work;
-  if (pieces_++ == kProofPieces) return lose(piece.begin, end);
+  if (is_full(pieces_++ == kProofPieces)) return lose(piece.begin, end);
   if (holds(piece, degree + 1, end)) {
     --height_;
     return;
   }
-  if (piece.depth == kProofDepth) return lose(piece.begin, end);
+  if (is_full(piece.depth == kProofDepth)) return lose(piece.begin, end);
   Piece first = piece;
   ++first.depth;
   piece.depth = first.depth;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/active_set.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "qp/factor.hpp"
 #include "qp/hessian.hpp"
@@ -110,12 +111,12 @@ Step step(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   }
   const double length = solver.entering_violation / solver.direction_squared;
   if (limit.row >= 0 && limit.length < length) return partial_step(solver, limit, false);
-  if (k == kQpMaxRank) return Step::kNoRoom;
+  if (is_full(k == kQpMaxRank)) return Step::kNoRoom;
   return finish_step(solver, length);
 }
 
 void add_warm_row(const QpProblem& problem, QpSolver& solver, const QpRow& row) {
-  if (solver.active_count == kQpMaxRank || !is_row(problem, row)) return;
+  if (is_full(solver.active_count == kQpMaxRank) || !is_row(problem, row)) return;
   enter(problem, solver, {true, false, row, 0.0});
   if (solver.direction_squared > kWarmDependent * solver.entering_squared) add_row(solver, row, 0.0);
 }

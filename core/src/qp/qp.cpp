@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "qp/qp.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "qp/active_set.hpp"
 #include "qp/factor.hpp"
@@ -213,7 +214,7 @@ Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolu
   for (int unit = 0; unit <= kMaxQpIterations; ++unit) {
     settle(problem, solver, solution);
     if (solver.phase == QpPhase::kDone) return solver.status;
-    if (solver.iterations == kMaxQpIterations) break;
+    if (is_full(solver.iterations == kMaxQpIterations)) break;
     if (!work.take()) return Status::kRunning;
     iterate(problem, solver, solution);
   }

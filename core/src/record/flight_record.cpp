@@ -4,6 +4,7 @@
 // A flight's record from its beginning to its end, and the events of the flight. record_map.cpp has those of the map.
 #include "tern/flight_record.hpp"
 
+#include "base/capacity.hpp"
 #include "record/fence_words.hpp"
 #include "record/flight_event.hpp"
 
@@ -15,7 +16,7 @@ static_assert(kTickRecordBytes == kWordBytes * (1 + 2 + kCommandFields), "what t
 Status FlightRecorder::begin(uint8_t* bytes, size_t room) noexcept {
   *this = FlightRecorder{};
   if (bytes == nullptr) return Status::kInvalidArgument;
-  if (room < kFlightRecordBytes) return Status::kRecordFull;
+  if (is_full(room < kFlightRecordBytes)) return Status::kRecordFull;
   bytes_ = bytes;
   room_ = room / kWordBytes;
   checksum_ = kChecksumSeed;

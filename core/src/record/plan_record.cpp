@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/capacity.hpp"
 #include "record/envelope.hpp"
 #include "record/fence_words.hpp"
 #include "record/fields.hpp"
@@ -50,7 +51,7 @@ void write_request(const Request& request, WordWriter& words) {
 Status read_count(WordReader& words, std::int32_t most, Status full, std::int32_t& count) {
   const std::uint64_t read = words.word();
   if (read > words.left()) return Status::kRecordDamaged;
-  if (read > static_cast<std::uint64_t>(most)) return full;
+  if (is_full(read > static_cast<std::uint64_t>(most))) return full;
   count = static_cast<std::int32_t>(read);
   return Status::kOk;
 }

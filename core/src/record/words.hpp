@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/capacity.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -58,7 +59,7 @@ class WordWriter : public FieldWriter<WordWriter> {
   }
 
   std::size_t count() const { return count_; }
-  bool full() const { return count_ > room_; }
+  bool full() const { return is_full(count_ > room_); }
 
  private:
   std::uint8_t* bytes_;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/capacity.hpp"
 #include "base/direction.hpp"
 #include "tern/config.hpp"
 #include "tern/grid.hpp"
@@ -36,7 +37,7 @@ bool block_box_free(const Grid& grid, const Voxel& a, const Voxel& b) noexcept;
 inline bool dominated_else_record(DominanceMap& map, const Grid& grid, const Voxel& voxel, Cost g) noexcept {
   constexpr Cost kPlaceMask = 63;
   const std::int32_t block = (voxel.x >> 2) + map.width * (voxel.y >> 2) + map.slice * (voxel.z >> 2);
-  if (block >= kDominanceBlocks) return false;
+  if (is_full(block >= kDominanceBlocks)) return false;
   const std::uint64_t bit = std::uint64_t{1} << (block & 63);
   const auto place = static_cast<Cost>((voxel.x & 3) | (voxel.y & 3) << 2 | (voxel.z & 3) << 4);
   std::uint64_t& record = map.records[block];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/jump.hpp"
 
+#include "base/capacity.hpp"
 #include "search/plane_walk.hpp"
 #include "search/prune.hpp"
 #include "search/scan.hpp"
@@ -14,7 +15,7 @@ namespace {
 void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
   const std::uint32_t index = store_find_or_add(search.store, voxel);
-  if (index == static_cast<std::uint32_t>(kMaxNodes)) {
+  if (is_full(index == static_cast<std::uint32_t>(kMaxNodes))) {
     search.nodes_full = true;
     return;
   }
@@ -28,7 +29,8 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arriva
     node.followed = 0;
   }
   node.arrivals |= cell_bit(arrival);
-  if (!open_put(search.open, search.store, index, open_key(g, h, node.voxel))) search.open_full = true;
+  const bool room = !is_full(!open_put(search.open, search.store, index, open_key(g, h, node.voxel)));
+  if (!room) search.open_full = true;
 }
 
 /// Scans from a voxel that the expansion reaches at cost g.

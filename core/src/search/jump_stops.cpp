@@ -8,6 +8,7 @@
 // All other rules of prune.hpp for straight arrivals follow from these.
 #include "search/jump_stops.hpp"
 
+#include "base/capacity.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
 
@@ -167,7 +168,7 @@ void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) no
   layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
   layer.width = axis_along == 0 ? dims.y : dims.x;
   layer.blocks = (dims.x + kSide - 1) / kSide;
-  if (std::int64_t{layer.words} * layer.width * thirds > kJumpStopWords) {
+  if (is_full(std::int64_t{layer.words} * layer.width * thirds > kJumpStopWords)) {
     layer.words = 0;
     return;
   }

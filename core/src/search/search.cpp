@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "search/search.hpp"
 
+#include "base/capacity.hpp"
 #include "search/jump.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
@@ -83,7 +84,7 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
 }
 
 Status search_expand(Search& search, const Grid& grid) noexcept {
-  if (search.units == kExpansionBound) return Status::kNodesFull;
+  if (is_full(search.units == kExpansionBound)) return Status::kNodesFull;
   ++search.units;
   if (!open_ready(search.open, search.store, search.goal)) return end_or_running(search);
   Cost f = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory/trajectory_stage.hpp"
 
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
@@ -69,7 +70,7 @@ void even_out(Chain& chain) {
 }
 
 void propose(TrajectoryStage& stage, const Corridor& corridor) {
-  if (stage.refinement.phase == RefinementPhase::kDone || stage.solves == kMaxQpSolves) {
+  if (stage.refinement.phase == RefinementPhase::kDone || is_full(stage.solves == kMaxQpSolves)) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
@@ -117,7 +118,7 @@ Status solve_on(TrajectoryStage& stage, Work& work) {
 bool solve(TrajectoryStage& stage, Work& work) {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
-    if (stage.iterations == stage.query.max_iterations) {
+    if (is_full(stage.iterations == stage.query.max_iterations)) {
       stage.optimiser = Status::kBudgetOptimise;
       stage.phase = TrajectoryPhase::kFinish;
       return true;
@@ -265,7 +266,7 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.phase = TrajectoryPhase::kFinish;
   stage.chain = chain;
   if (stays(corridor) && is_elastic(stage)) return;
-  if (query.max_iterations == 0) {
+  if (is_full(query.max_iterations == 0)) {
     stage.optimiser = Status::kBudgetOptimise;
     return;
   }

@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "tern/yaw.hpp"
 #include "yaw/angle.hpp"
@@ -68,7 +69,7 @@ void YawPlanner::begin_spline() noexcept {
   const double turn = kPi / request_.rate_max + (request_.rate_max + 2.0 * absolute(rate)) / request_.acceleration_max;
   const double length = larger(duration(*trajectory_) - t, 0.0) + kTurnShare * turn + kYawSmoothing;
   const double wanted = length / kPiece;
-  plan_.count = wanted < kMaxYawPieces ? static_cast<int32_t>(wanted) + 1 : kMaxYawPieces;
+  plan_.count = is_full(!(wanted < kMaxYawPieces)) ? kMaxYawPieces : static_cast<int32_t>(wanted) + 1;
   if (plan_.count < kLeastPieces) plan_.count = kLeastPieces;
   plan_.step = length / plan_.count;
   for (int k = 0; k < 3; ++k) plan_.points[k] = angle + (k - 1) * plan_.step * rate;
@@ -136,7 +137,7 @@ Status YawPlanner::step(uint32_t work) noexcept {
       if (knot_++ < plan_.count) continue;
       fit.begin();
       phase_ = Phase::kFit;
-    } else if (iterations_++ == kYawIterations || !fit.iterate()) {
+    } else if (is_full(iterations_++ == kYawIterations) || !fit.iterate()) {
       phase_ = Phase::kDone;
     }
   }
