@@ -397,7 +397,8 @@ struct Started {
 
   explicit Started(std::size_t count) : words(count) {
     owned.map.assume_free({3.2, 0.4, 0.4}, 10.0);
-    const tern::FlightSpec spec = tern::flight_spec({{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}});
+    tern::FlightSpec spec = tern::flight_spec({{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}});
+    spec.horizon = 3.0;
     status = flight.start(spec, owned.map, planner, words.data(), count, {1.0, 0.4, 0.4}, 0);
   }
 };

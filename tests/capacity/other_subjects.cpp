@@ -167,6 +167,7 @@ class MissionSubject : public Subject {
     map_.map.assume_free({3.2, 0.8, 0.8}, 10.0);
     words_.resize(tern::flight_words(map_spec().dims));
     tern::FlightSpec spec = tern::flight_spec({{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}});
+    spec.horizon = 3.0;
     started_ = flight_.start(spec, map_.map, planner_, words_.data(), words_.size(), {1.0, 0.8, 0.8}, 0);
   }
   Outcome run() override {

@@ -108,6 +108,18 @@ TEST(ThreatWatch, NoticesAWrongInstant) {
   }
 }
 
+TEST(ThreatWatch, NoticesAContactThatNeverWas) {
+  for (const std::int64_t ago : {kTick, 40 * kTick}) {
+    EXPECT_TRUE(says(Wall().watch([ago](std::int64_t t) {
+      tern::FlightReport report = Wall::honest(t);
+      if (t >= kAppears + 2 * kTick) report.contact_time = kAppears + 2 * kTick - ago;
+      return report;
+    }),
+                     "which is past"))
+        << ago;
+  }
+}
+
 TEST(ThreatWatch, NoticesAWrongSpeed) {
   EXPECT_TRUE(says(Wall().watch([](std::int64_t t) {
     tern::FlightReport report = Wall::honest(t);

@@ -197,7 +197,9 @@ Progress FlightState::run_route(Work& work) noexcept {
   planner->finish(plan, found);
   if (is_outdated()) {
     choose_draft(false);
-  } else if (note_fault(found)) {
+    return Progress::kDone;
+  }
+  if (note_fault(found)) {
     give_up();
   } else if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
     moved_aim = true;

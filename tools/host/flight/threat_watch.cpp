@@ -89,10 +89,14 @@ void ThreatWatch::look(std::int64_t t, const tern::FlightReport& report) {
   last_ = report;
 }
 
+std::int64_t ThreatWatch::notice_ticks() const {
+  return kNoticeTicks + kNoticeWork / spec_.work_per_tick;
+}
+
 /// The flight looks at whole frames, and needs some ticks for a proof. An alarm in which nothing is in the way is one
 /// of a plan that was taken back, and over soon.
 void ThreatWatch::count_disagreement(bool threat, std::int64_t t) {
-  const std::int64_t most = kNoticeTicks + kNoticeWork / spec_.work_per_tick;
+  const std::int64_t most = notice_ticks();
   unnoticed_ = shown_ >= 0 && !threat ? unnoticed_ + 1 : 0;
   unfounded_ = unproven_ < 0 && threat && !map_.busy() ? unfounded_ + 1 : 0;
   if (unnoticed_ > most) fail("something is in the way, and the flight does not say so", t);
@@ -107,6 +111,7 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
     fail("a contact is announced at " + brief(report.contact_speed) + " m/s, but at " + brief(speed) + " is commanded",
          t);
   }
+  if (report.contact_time <= t) return check_past(t, report);
   const double most = std::hypot(spec_.limits.a_horizontal, spec_.limits.a_max.z);
   const double slack = (std::sqrt(speed * speed + 4.0 * most * kLeastWay) - speed) / most;
   const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - 100 * kMicrosecond;
@@ -117,6 +122,17 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
              ", but what is commanded is too near at t = " + fixed(1e-9 * static_cast<double>(unproven_), 4),
          t);
   }
+}
+
+/// A contact that is past stays announced until another plan takes over. It was announced before, or was met while the
+/// flight still looked at the map that showed it.
+void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
+  if (report.contact_time == last_.contact_time) return;
+  const double room = rooms_.from_solid(commands_.at(report.contact_time).position);
+  if (room <= kLeastWay && report.contact_time >= t - notice_ticks() * spec_.tick) return;
+  fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
+           ", which is past, with " + brief(room) + " m of room there",
+       t);
 }
 
 /// Of the brakes that touch nothing but these things, the one that meets them slowest: its speed where it is as near to

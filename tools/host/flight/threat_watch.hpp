@@ -45,6 +45,8 @@ class ThreatWatch {
   void follow(std::int64_t t);
   std::int64_t first_unproven(std::int64_t t) const;
   void check_report(std::int64_t t, const tern::FlightReport& report);
+  void check_past(std::int64_t t, const tern::FlightReport& report);
+  std::int64_t notice_ticks() const;
   void count_disagreement(bool threat, std::int64_t t);
   double brake_speed(const std::vector<Appearance>& things, double near) const;
   bool is_clear(const BrakeWay& way, const std::vector<Appearance>& things) const;
