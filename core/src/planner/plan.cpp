@@ -10,6 +10,9 @@
 namespace tern {
 namespace {
 
+/// Instructions of a turn of step(), besides the stage's own.
+constexpr std::uint32_t kTurnEffort = 250;
+
 /// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
   std::uint64_t sum = 0;
@@ -119,7 +122,10 @@ void Plan::begin_attempt() noexcept {
   ends.goal = asked_.goal;
   ends.start.position = {0.0, 0.0, 0.0};
   ends.goal.position = asked_.goal.position - asked_.start.position;
-  for (Escape& escape : memory_->escapes) escape.next = escape.count = 0;
+  for (Escape& escape : memory_->escapes) {
+    escape.next = escape.count = 0;
+    escape.trying = false;
+  }
   cut_previous(*grid_, asked_, memory_->previous);
   tries_rest_ = false;
 }
@@ -158,7 +164,10 @@ Status Plan::step(std::uint32_t work) noexcept {
   // Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a detour or an escape.
   while (life_ == Life::kBegun) {
     if (!grid_->version().equals(version_)) return end(stage_, Status::kMapChanged);
-    if (advance(slice) == Progress::kMore) return Status::kRunning;
+    slice.effort = kTurnEffort;
+    const Progress progress = advance(slice);
+    effort_ += slice.effort;
+    if (progress == Progress::kMore) return Status::kRunning;
   }
   return status_;
 }

@@ -42,6 +42,8 @@ class Plan {
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
   Stage stage() const noexcept { return stage_; }
+  /// What the plan took so far, in instructions (see Work); modulo 2^32.
+  std::uint32_t effort() const noexcept { return effort_; }
   const Path* path() const noexcept;
   const Corridor* corridor() const noexcept;
 
@@ -107,7 +109,8 @@ class Plan {
   void count_escape() noexcept;
   void fly(Quality quality, std::int32_t detours) noexcept;
   Progress run_escape(Work& work) noexcept;
-  bool arrives(Work& work) noexcept;
+  Progress run_arrivals(Work& work) noexcept;
+  Progress run_choices(int end, Work& work) noexcept;
   void rest_at_escapes() noexcept;
   State asked_end(int end) const noexcept;
   bool rests() const noexcept;
@@ -143,6 +146,7 @@ class Plan {
   void* clock_context_ = nullptr;
   GridVersion version_{};  // of the grid when the plan began
   Life life_ = Life::kIdle;
+  std::uint32_t effort_ = 0;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
   std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal

@@ -73,6 +73,7 @@ void Plan::begin_search() noexcept {
                           leg_ == via_count() && !at_rest(ends.goal),
                           searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
+  effort_ += join_effort(memory_->stage.search.start) + join_effort(memory_->stage.search.goal);
 }
 
 Progress Plan::run_search(Work& work) noexcept {
