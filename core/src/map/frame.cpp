@@ -3,6 +3,7 @@
 //
 // A depth image: checks it, places its view in the window, and enters what it sees into the map.
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "map/evidence.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -11,6 +12,13 @@ namespace tern {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
+/// Instructions of a row of a pyramid, and a pixel of it; of a block that the frame does not meet, of one that it does,
+/// and of a word of it that something is entered into.
+constexpr std::uint32_t kPyramidRowEffort = 250;
+constexpr std::uint32_t kPyramidEffort = 11;
+constexpr std::uint32_t kMissedEffort = 200;
+constexpr std::uint32_t kBlockEffort = 4000;
+constexpr std::uint32_t kEnteredEffort = 150;
 /// Largest tangent of a ray.
 constexpr double kMaxTangent = 100.0;
 
@@ -133,7 +141,7 @@ Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t 
   return Status::kRunning;
 }
 
-void MapState::make_pyramid_row(std::int64_t index) noexcept {
+std::uint32_t MapState::make_pyramid_row(std::int64_t index) noexcept {
   // All views of a frame have one size.
   const std::int64_t per_view = pieces() / frame.view_count;
   const DepthPyramid& pyramid = frame.views[index / per_view].pyramid;
@@ -141,6 +149,7 @@ void MapState::make_pyramid_row(std::int64_t index) noexcept {
   std::int32_t level = 1;
   while (level + 1 < pyramid.levels() && row >= pyramid.height(level)) row -= pyramid.height(level++);
   pyramid.make_row(level, static_cast<std::int32_t>(row));
+  return kPyramidRowEffort + effort_of(kPyramidEffort, pyramid.width(level));
 }
 
 VoxelBox MapState::block_at(std::int64_t index) const noexcept {
@@ -181,9 +190,9 @@ void MapState::prepare_views() noexcept {
   for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
 
-void MapState::enter_block(std::int64_t index) noexcept {
+std::uint32_t MapState::enter_block(std::int64_t index) noexcept {
   const VoxelBox block = block_at(index);
-  if (block.x.begin >= block.x.end) return;
+  if (block.x.begin >= block.x.end) return kMissedEffort;
   const std::int32_t k = block.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(block.z.begin / kBlock);
@@ -198,8 +207,9 @@ void MapState::enter_block(std::int64_t index) noexcept {
       wanted.words[z - block.z.begin][y - block.y.begin] = open_to_misses(evidence(at)) & ~hit[at] & valid;
     }
   }
+  std::uint32_t effort = kBlockEffort;
   for (int v = 0; v < frame.view_count; ++v) {
-    carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
+    effort += carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
   }
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
@@ -215,8 +225,10 @@ void MapState::enter_block(std::int64_t index) noexcept {
       high[at] = now.high;
       hit[at] = 0;
       store(y, z, k, now.blocked);
+      effort += kEnteredEffort;
     }
   }
+  return effort;
 }
 
 }  // namespace tern

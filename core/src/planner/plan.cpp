@@ -10,8 +10,11 @@
 namespace tern {
 namespace {
 
-/// Instructions of a turn of step(), besides the stage's own.
+/// Instructions of a turn of step(), besides what the stage counts.
 constexpr std::uint32_t kTurnEffort = 250;
+/// Of begin() and finish(), and of a fence that is read.
+constexpr std::uint32_t kBeginEffort = 12000;
+constexpr std::uint32_t kFenceEffort = 40000;
 
 /// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
@@ -137,6 +140,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   has_corridor_ = false;
   searched_again_ = 0;
   grid_ = &grid;
+  effort_ = kBeginEffort + static_cast<std::uint32_t>(request.fence_count > 0 ? request.fence_count : 0) * kFenceEffort;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
