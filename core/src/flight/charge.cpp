@@ -12,6 +12,8 @@ namespace {
 
 /// Instructions that a unit stands for.
 constexpr std::uint32_t kUnitEffort = 1000;
+/// Instructions of what a plan takes besides the planner: choosing an aim and a draft, and copies of trajectories.
+constexpr std::uint32_t kPlanEffort = 40000;
 
 }  // namespace
 
@@ -44,6 +46,7 @@ Progress FlightState::step_proof(Proof& of, Work& work) noexcept {
 void FlightState::begin_planner(const Request& request) noexcept {
   planner->begin(route.grid(), request);
   planner_effort = 0;
+  owed += kPlanEffort;
 }
 
 /// A unit of the planner's.

@@ -190,35 +190,37 @@ void MapState::prepare_views() noexcept {
   for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
 
-std::uint32_t MapState::enter_block(std::int64_t index) noexcept {
-  const VoxelBox block = block_at(index);
-  if (block.x.begin >= block.x.end) return kMissedEffort;
+Evidence MapState::evidence_at(std::size_t word, bool forgotten) const noexcept {
+  return {forgotten ? 0 : seen[word], low[word], high[word], route.obstacle_row(0, 0)[word]};
+}
+
+void MapState::want_block(const VoxelBox& block) noexcept {
   const std::int32_t k = block.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(block.z.begin / kBlock);
-  const auto evidence = [&](std::size_t at) {
-    return Evidence{forget_first ? 0 : seen[at], low[at], high[at], GridWords(route).obstacles()[at]};
-  };
-  BlockWords wanted{};
-  BlockWords free{};
+  frame.wanted = frame.free = BlockWords{};
   for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      wanted.words[z - block.z.begin][y - block.y.begin] = open_to_misses(evidence(at)) & ~hit[at] & valid;
+      frame.wanted.words[z - block.z.begin][y - block.y.begin] =
+          open_to_misses(evidence_at(at, forget_first)) & ~hit[at] & valid;
     }
   }
-  std::uint32_t effort = kBlockEffort;
-  for (int v = 0; v < frame.view_count; ++v) {
-    effort += carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
-  }
+}
+
+std::uint32_t MapState::enter_block(const VoxelBox& block) noexcept {
+  const std::int32_t k = block.x.begin / 64;
+  const std::uint64_t valid = GridWords::valid_bits(route, k);
+  const bool forget_first = forgets(block.z.begin / kBlock);
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
+  std::uint32_t effort = kBlockEffort;
   for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      const std::uint64_t miss = free.words[z - block.z.begin][y - block.y.begin] & valid;
+      const std::uint64_t miss = frame.free.words[z - block.z.begin][y - block.y.begin] & valid;
       if (miss == 0 && hit[at] == 0 && !forget_first) continue;
-      const Evidence now = after(evidence(at), hit[at], miss, hits, misses);
+      const Evidence now = after(evidence_at(at, forget_first), hit[at], miss, hits, misses);
       if ((now.seen & ~seen[at]) != 0) ++learned;
       seen[at] = now.seen;
       low[at] = now.low;
@@ -229,6 +231,18 @@ std::uint32_t MapState::enter_block(std::int64_t index) noexcept {
     }
   }
   return effort;
+}
+
+std::uint32_t MapState::carve_block(std::int64_t index) noexcept {
+  const VoxelBox block = block_at(index);
+  if (block.x.begin >= block.x.end) return kMissedEffort;
+  if (frame.view == 0) want_block(block);
+  const Voxel first{block.x.begin, block.y.begin, block.z.begin};
+  const int view = frame.view++;
+  const std::uint32_t effort = carve(frame.views[view], frame.projectors[view], first, frame.wanted, frame.free);
+  if (frame.view < frame.view_count) return effort;
+  frame.view = 0;
+  return effort + enter_block(block);
 }
 
 }  // namespace tern

@@ -10,6 +10,7 @@
 
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
+#include "map/evidence.hpp"
 #include "map/hit_writer.hpp"
 #include "tern/map.hpp"
 #include "view/carve.hpp"
@@ -52,6 +53,10 @@ struct Frame {
   int view_count;
   VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
+  // The block at hand, which one view after the other carves.
+  int view;           ///< the next one; 0 before the first
+  BlockWords wanted;  ///< voxels that a miss would change,
+  BlockWords free;    ///< and those that the views so far see whole
 };
 
 /// The slide that is being made: voxel v of the new window is voxel v + by of the old one.
@@ -116,7 +121,11 @@ class MapState {
   std::uint32_t close_face_row(std::int32_t index) noexcept;
   std::uint32_t read_points(std::int64_t index) const noexcept;
   std::uint32_t make_pyramid_row(std::int64_t index) noexcept;
-  std::uint32_t enter_block(std::int64_t index) noexcept;
+  std::uint32_t carve_block(std::int64_t index) noexcept;
+  /// What a frame changes in a block: misses where it was carved, and hits.
+  std::uint32_t enter_block(const VoxelBox& block) noexcept;
+  void want_block(const VoxelBox& block) noexcept;
+  Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
   std::uint32_t slide_plane(std::int32_t index) noexcept;
   std::uint32_t copy_plane(std::int32_t z) const noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;

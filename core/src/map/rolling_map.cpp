@@ -122,7 +122,7 @@ std::uint32_t MapState::do_piece() noexcept {
     case Task::kPoints: return read_points(piece);
     case Task::kCloseFaces: return close_face_row(index);
     case Task::kPyramids: return make_pyramid_row(index);
-    case Task::kBlocks: return enter_block(piece);
+    case Task::kBlocks: return carve_block(piece);
     case Task::kInflateRoute: return GridWords(route).inflate_piece(index);
     case Task::kInflateSafe: return GridWords(safe).inflate_piece(index);
     case Task::kSlide: return slide_plane(index);
@@ -136,11 +136,13 @@ void MapState::begin(Task first) noexcept {
   task = first;
   piece = 0;
   paid = 0;
+  frame.view = 0;
   for (int skipped = 0; skipped < kTasks && task != Task::kIdle && pieces() == 0; ++skipped) task = task_after(task);
 }
 
 std::uint32_t MapState::advance() noexcept {
   const std::uint32_t effort = do_piece();
+  if (frame.view > 0) return effort;  // the block is not done yet
   if (++piece >= pieces()) begin(task_after(task));
   return effort;
 }
@@ -157,6 +159,7 @@ std::uint32_t MapState::price() const noexcept {
     case Task::kCloseFaces:
       return units(static_cast<std::size_t>(face), 64);
     case Task::kBlocks:
+      if (frame.view > 0) return 0;
       return touches(block_at(piece)) ? kBlock * kBlock : 1;
     case Task::kInflateRoute:
     case Task::kInflateSafe:

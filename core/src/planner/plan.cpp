@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "base/work.hpp"
+#include "grid/bit_rows.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
 
@@ -86,7 +87,7 @@ bool Plan::keeps_fences(const Vec3& place) noexcept {
 /// Reads the fences and holds start, vias and goal against them; kRunning where all is well.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
-  fences_blocked_ = 0;
+  fences_blocked_ = fence_plane_ = 0;
   if (!has_fences_) return Status::kRunning;
   Layout& memory = *memory_;
   const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
@@ -101,6 +102,7 @@ Status Plan::accept_fences(const Request& request) noexcept {
     return refuse(Status::kViaFenced, Field::kVias);
   }
   if (!keeps_fences(memory.ends.goal_in_grid)) give_up_goal();
+  effort_ += static_cast<std::uint32_t>(2 * GridView::layer_words(*grid_));
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
   if (copied == Status::kOk) return Status::kRunning;
   if (report_.field == Field::kGoalPosition) return refuse(Status::kGoalFenced, Field::kGoalPosition);

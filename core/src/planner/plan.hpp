@@ -77,6 +77,7 @@ class Plan {
   void report_vias() noexcept;
 
   // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
+  std::uint32_t block_plane(std::int32_t z) noexcept;
   Progress run_fences(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
@@ -151,7 +152,8 @@ class Plan {
   bool has_fences_ = false;
   std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal
   bool given_at_rest_ = false;              // both ends of the request as given
-  std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
+  std::int32_t fences_blocked_ = 0;         // in the grid: all keep-ins, then the keep-outs
+  std::int32_t fence_plane_ = 0;            // of voxels, the next one for the fence after those
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
