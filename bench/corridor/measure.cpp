@@ -101,7 +101,7 @@ void count_reuse(const Map& map, const std::vector<Vec3>& line, Samples& samples
   path->count = static_cast<int>(line.size());
   std::copy(line.begin(), line.end(), path->points);
   corridor_begin(*stage, map.grid, *path, 0xFFFFFFFFu);
-  tern::Work work{tern::kCorridorTries};
+  tern::Work work{0xFFFFFFFFu};
   if (corridor_advance(*stage, map.grid, *path, work, *corridor) != tern::Progress::kDone) {
     ++samples.failed;
     return;

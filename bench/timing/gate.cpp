@@ -13,6 +13,7 @@
 #include "golden/flight_ticks.hpp"
 #include "tern_port/port.hpp"
 #include "timing/case_grid.hpp"
+#include "timing/hard_flights.hpp"
 #include "timing/map_rows.hpp"
 #include "timing/yaw_rows.hpp"
 
@@ -25,7 +26,7 @@ using tern_timing::Case;
 constexpr std::size_t kGridWords = 2 * 16 * 1024 * 1024 / 64;
 
 /// The flights use its workspace for the cases, too.
-TERN_BOARD_LARGE tern_golden::FlightMemory<120000, 48000> flight_memory;
+TERN_BOARD_LARGE tern_timing::FlightMemory flight_memory;
 tern::Workspace& workspace = flight_memory.workspace;
 TERN_BOARD_LARGE std::uint64_t words[kGridWords];
 tern::Trajectory trajectory;
@@ -105,7 +106,7 @@ void report_case(const Case& input, tern::Status status, const tern::Report& rep
   row(input, "trajectory unit", cost.trajectory_unit, 1, 1);
 }
 
-/// Flies once, and prints the longest tick of each kind. Where no tick was of a kind, there is no row.
+/// Flies once, and prints the longest tick of each kind.
 bool fly(const char* name, const tern_golden::FlightSetting& setting) {
   static tern_golden::PillarCamera camera;
   camera = tern_golden::PillarCamera{};
@@ -117,11 +118,7 @@ bool fly(const char* name, const tern_golden::FlightSetting& setting) {
       tern_golden::fly(setting, flight_memory, camera, camera.world, tern_board::counter, see);
   print("# ", name, ": ", tern::status_name(totals.started), ", ", totals.committed, " commits, at the goal in tick ",
         totals.arrived, "\n");
-  for (int k = 0; k < tern_golden::kTickKinds; ++k) {
-    const tern_golden::TickCosts::Cost& cost = costs.most[k];
-    if (cost.count == 0) continue;
-    print(name, ",", tern_golden::kTickNames[k], ",", cost.count, ",", cost.work, ",", setting.work_per_tick, "\n");
-  }
+  tern_timing::print_ticks(name, costs, setting.work_per_tick);
   return totals.arrived > 0;
 }
 
@@ -154,6 +151,7 @@ int main() {
   }
   yaw_rows.print();
   const bool all_mapped = tern_timing::print_map_rows();
-  const bool flown = fly("flight_mcu", tern_golden::kSmallFlight) && fly("flight", tern_golden::kFullFlight);
+  const bool flown = fly("flight_mcu", tern_golden::kSmallFlight) && fly("flight", tern_golden::kFullFlight) &&
+                     tern_timing::print_hard_flights(flight_memory);
   return all_planned && all_mapped && flown && counters_agree() ? 0 : 1;
 }

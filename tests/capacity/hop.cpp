@@ -18,7 +18,7 @@ constexpr double kRadius = 0.4;
 constexpr double kSpeed = 3.0;
 constexpr double kAcceleration = 6.0;
 constexpr double kSight = 4.0;
-constexpr int kTicks = 600;
+constexpr int kTicks = 900;
 constexpr int kSurpriseTick = 140;
 constexpr Vec3 kStart{-2.75, 0.25, 0.25};
 constexpr Vec3 kGoal{2.75, 0.25, 0.25};

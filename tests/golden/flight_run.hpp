@@ -102,6 +102,13 @@ struct PillarWorld {
   }
 };
 
+/// Of a level camera: the turn by the heading after the turn from the camera's axes to ahead, left, up.
+inline tern::Pose pose_of(const tern::Vec3& eye, const Heading& h) {
+  const double w = __builtin_sqrt(0.5 * (1.0 + h.c));
+  const double z = w > 1e-6 ? 0.5 * h.s / w : 1.0;
+  return {eye, {0.5 * (w + z), -0.5 * (w + z), 0.5 * (w - z), 0.5 * (z - w)}};
+}
+
 /// Sees the world from where the vehicle is.
 struct PillarCamera {
   PillarWorld world;
@@ -116,10 +123,7 @@ struct PillarCamera {
         frame.depths[v * s.width + u] = static_cast<std::uint16_t>(depth * 1000.0);
       }
     }
-    // The turn by the heading after the turn from the camera's axes to ahead, left, up.
-    const double w = __builtin_sqrt(0.5 * (1.0 + h.c));
-    const double z = w > 1e-6 ? 0.5 * h.s / w : 1.0;
-    frame.pose = {eye, {0.5 * (w + z), -0.5 * (w + z), 0.5 * (w - z), 0.5 * (z - w)}};
+    frame.pose = pose_of(eye, h);
   }
 };
 

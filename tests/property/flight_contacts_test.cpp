@@ -23,8 +23,11 @@ using tern_test::Random;
 using tern_test::ReferenceBrake;
 using tern_test::Scene;
 
-constexpr double kStep = 0.001;   ///< of samples, seconds
-constexpr double kFaster = 0.02;  ///< m/s, than the reference, whose brakes and samples are others
+constexpr double kStep = 0.001;  ///< of samples, seconds
+/// With so few units a tick, the first brake is flown that is judged, and not the best of them.
+constexpr std::uint32_t kFewUnits = 1000;
+constexpr double kFasterWithFewUnits = 0.06;  ///< m/s
+constexpr double kFaster = 0.02;              ///< m/s, than the reference, whose brakes and samples are others
 
 double size(const Vec3& v) {
   return std::hypot(v.x, std::hypot(v.y, v.z));
@@ -156,7 +159,8 @@ void fly_into(int k, Flown& flown, const Ahead& ahead, Count& count) {
   ++count.threats;
   count.hard += brake.is_contact() ? 1 : 0;
   count.missed += flown.report.dropped > dropped ? 1 : 0;
-  EXPECT_LE(met.speed, brake.speed + kFaster) << story(k, flown, met, brake, said);
+  const double faster = flown.spec.work_per_tick < kFewUnits ? kFasterWithFewUnits : kFaster;
+  EXPECT_LE(met.speed, brake.speed + faster) << story(k, flown, met, brake, said);
   if (!met.is_contact()) return;
   EXPECT_EQ(said.mode, FlightMode::kThreat) << story(k, flown, met, brake, said);
   EXPECT_NEAR(said.contact_speed, met.speed, kFaster) << story(k, flown, met, brake, said);
@@ -251,9 +255,10 @@ TEST(FlightContacts, NoFasterThanByAnImmediateBrakeWithLittleWork) {
       settings.jerk = jerk;
       settings.work_per_tick = work;
       Count count;
-      for (int k = 0; k < tern_test::scaled(60); ++k) block(k, settings, count);
-      EXPECT_GT(count.threats, tern_test::scaled(60) / 4) << work;
-      EXPECT_GT(count.hard, tern_test::scaled(60) / 13) << work;
+      const int blocks = std::max(20, tern_test::scaled(60));
+      for (int k = 0; k < blocks; ++k) block(k, settings, count);
+      EXPECT_GT(count.threats, blocks / 4) << work;
+      EXPECT_GT(count.hard, blocks / 13) << work;
     }
   }
 }

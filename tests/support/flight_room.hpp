@@ -84,8 +84,8 @@ class FlightRoom {
   std::int64_t time = 0;
 };
 
-/// Too little work for a piece of a proof.
-constexpr std::uint32_t kNothing = 5;
+/// No work, so that no piece of anything is done.
+constexpr std::uint32_t kNothing = 0;
 
 /// On the way to 8 m along x, with all of it committed, and parts of ticks.
 struct Flying : FlightRoom {

@@ -83,7 +83,9 @@ class Flown {
     ASSERT_EQ(flight.tick(time, report), tern::Status::kOk);
     check_joint(ahead, flight.command(time + spec.tick));
     check_now();
-    if (ticks % 25 == 0 && report.mode != tern::FlightMode::kThreat) check_ahead();
+    // While a frame is being entered, what it shows may be in the map already and the flight does not know it yet.
+    ++unchecked;
+    if (unchecked >= 25 && !owned.map.busy() && report.mode != tern::FlightMode::kThreat) check_ahead();
     turn();
     hash_command();
     time += spec.tick;
@@ -251,6 +253,7 @@ class Flown {
   void check_ahead() {
     // With wrong pixels, the vehicle may be leaving a place that one of them blocked.
     if (!owned.map.safe().bound() || settings.outliers > 0.0 || haunted || may_touch) return;
+    unchecked = 0;
     const tern::Vec3 end = flight.rest_position();
     std::int64_t t = time;
     for (int k = 0; k < 1000; ++k, t += 20000000) {
@@ -272,6 +275,7 @@ class Flown {
 
   LevelCamera shown;
   bool waiting = false;
+  int unchecked = 0;  ///< ticks since check_ahead()
   bool haunted = false;
   int arrives = 0;
 };

@@ -103,7 +103,7 @@ TEST_F(CorridorFences, APipeOfTooManyFacesIsFull) {
   path->points[0] = {1.0, 2.0, 2.0};
   path->points[1] = {3.0, 2.0, 2.0};
   tern::corridor_begin(*stage, world_.grid, *path, 0xFFFFFFFFu, fences_.get());
-  tern::Work work{tern::kCorridorTries};
+  tern::Work work{0xFFFFFFFFu};
   EXPECT_EQ(tern::corridor_advance(*stage, world_.grid, *path, work, *corridor), tern::Progress::kFailed);
   EXPECT_EQ(stage->status, Status::kPlanesFull);
   EXPECT_EQ(stage->pending, tern::kMaxHalvings + 1);

@@ -4,6 +4,7 @@
 // One polyhedron at a time: known answers, and each degenerate geometry by name.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <memory>
 
 #include "corridor/grow.hpp"
@@ -271,6 +272,42 @@ TEST_F(CorridorGrow, TheBudgetIsNeverExceeded) {
     EXPECT_EQ(status, allowed < needed ? Status::kBudgetCorridor : Status::kOk);
     EXPECT_LE(scratch_->planes, allowed);
   }
+}
+
+TEST_F(CorridorGrow, UnitsAreSmallAndSlicesChangeNoBit) {
+  World world({160, 160, 60}, 0.1, 0.1);
+  for (int i = 0; i < 12000; ++i) world.mark(random_.integer(0, 159), random_.integer(0, 159), random_.integer(0, 59));
+  for (int x = 20; x < 110; ++x) {
+    for (int y = 74; y < 87; ++y) {
+      for (int z = 24; z < 37; ++z) world.clear(x, y, z);
+    }
+  }
+  const Vec3 from{2.5, 8.05, 3.05};
+  const Vec3 to{10.5, 8.05, 3.05};
+  ASSERT_EQ(grow(world, from, to), Status::kOk);
+  const auto whole = std::make_unique<Polyhedron>(polyhedron_);
+  const std::uint32_t planes = scratch_->planes;
+  EXPECT_GT(scratch_->boxes_high, 1000);
+  reset_counters(*scratch_);
+  tern::Growth growth;
+  grow_begin(growth, world.grid, from, to, *scratch_);
+  std::uint32_t most = 0;
+  std::uint64_t sum = 0;
+  tern::Progress progress = tern::Progress::kMore;
+  while (progress == tern::Progress::kMore) {
+    tern::Work unit{1};
+    progress = grow_advance(growth, world.grid, *scratch_, polyhedron_, unit);
+    EXPECT_EQ(unit.left, 0u);
+    most = std::max(most, unit.effort);
+    sum += unit.effort;
+  }
+  ASSERT_EQ(progress, tern::Progress::kDone);
+  EXPECT_EQ(scratch_->planes, planes);
+  EXPECT_EQ(polyhedron_.count, whole->count);
+  EXPECT_EQ(std::memcmp(polyhedron_.planes, whole->planes, sizeof(tern::Halfspace) * whole->count), 0);
+  EXPECT_EQ(std::memcmp(&polyhedron_.ellipsoid, &whole->ellipsoid, sizeof whole->ellipsoid), 0);
+  EXPECT_LT(most, 250000u) << "instructions";
+  EXPECT_GT(sum, 20u * most);
 }
 
 }  // namespace

@@ -35,7 +35,13 @@ class CorridorImprove : public ::testing::Test {
   Status run(const std::vector<LocalBox>& boxes, const std::vector<Halfspace>& cuts) {
     for (const Halfspace& cut : cuts) polyhedron_.planes[polyhedron_.count++] = cut;
     const tern::Obstacles obstacles{boxes.data(), static_cast<int>(boxes.size()), 0.0};
-    return improve({obstacles, segment_, 0.01, 6}, *scratch_, polyhedron_, center_);
+    tern::Improvement improvement;
+    tern::Work all{0xFFFFFFFFu};
+    Status status = Status::kOk;
+    improve_begin(improvement);
+    improve_advance(improvement, {obstacles, segment_, 0.01, 6}, *scratch_, polyhedron_, all, status);
+    center_ = tern::to_vec3(improvement.center);
+    return status;
   }
 
   double reach(const Vec3& n) const {

@@ -40,10 +40,11 @@ class CorridorStageTest : public ::testing::Test {
     std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
     std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
     corridor_begin(*stage_, world.grid, *path_, max_planes);
-    for (std::uint32_t i = 0; i <= tern::kCorridorTries; ++i) {
+    for (int i = 0; i < 1000000; ++i) {
       Work work{slice};
       const tern::Progress progress = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
       EXPECT_LE(stage_->planes, tern::kCorridorBound);
+      EXPECT_LE(stage_->tries, tern::kCorridorTries);
       if (progress != tern::Progress::kMore) return stage_->status;
     }
     return Status::kRunning;

@@ -52,6 +52,11 @@ TEST(FenceGap, AgreesWithBoxesAtRandom) {
 
 class FencesTest : public ::testing::Test {
  protected:
+  /// All planes of a keep-out.
+  void block(int keep_out, tern::FenceLayer& layer, const tern::Grid& view) {
+    prepare_keep_out(*fences_, fences_->keep_out[keep_out], layer, view);
+    for (int z = 0; z < view.spec().dims.z; ++z) block_keep_out(layer, view, z);
+  }
   Status load(const std::vector<Fence>& list) {
     return load_fences(world_.grid, list.data(), static_cast<std::int32_t>(list.size()), *fences_);
   }
@@ -234,8 +239,8 @@ TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {
     world_.grid.inflate();
     tern::Grid view;
     ASSERT_EQ(copy_blocked(world_.grid, *layer, view), Status::kOk);
-    block_outside(*fences_, *layer, view);
-    for (int k = 0; k < fences_->keep_out_count; ++k) block_keep_out(*fences_, fences_->keep_out[k], *layer, view);
+    for (int z = 0; z < 20; ++z) block_outside(*fences_, *layer, view, z);
+    for (int k = 0; k < fences_->keep_out_count; ++k) block(k, *layer, view);
     for (int k = 0; k < 300; ++k) {
       const tern::Voxel v{random.integer(0, 39), random.integer(0, 39), random.integer(0, 19)};
       const Box cube{{v.x * 0.1, v.y * 0.1, v.z * 0.1}, {v.x * 0.1 + 0.1, v.y * 0.1 + 0.1, v.z * 0.1 + 0.1}};
@@ -267,7 +272,7 @@ TEST_F(FencesTest, ABoxBlocksWhatItReachesAndNoMore) {
   world_.grid.inflate();
   tern::Grid view;
   ASSERT_EQ(copy_blocked(world_.grid, *layer, view), Status::kOk);
-  block_keep_out(*fences_, fences_->keep_out[0], *layer, view);
+  block(0, *layer, view);
   EXPECT_FALSE(view.free({8, 12, 7}));
   EXPECT_TRUE(view.free({7, 12, 7}));  // its upper face is at 0.8, the radius away
   EXPECT_FALSE(view.free({15, 12, 7}));
@@ -285,7 +290,7 @@ TEST_F(FencesTest, AnEdgeIsRounderThanItsFaces) {
   world.grid.inflate();
   tern::Grid view;
   ASSERT_EQ(copy_blocked(world.grid, *layer, view), Status::kOk);
-  block_keep_out(*fences_, fences_->keep_out[0], *layer, view);
+  block(0, *layer, view);
   EXPECT_FALSE(view.free({7, 12, 7}));  // 0.2 m from the face
   EXPECT_TRUE(view.free({7, 7, 7}));    // 0.28 m from the edge, 0.2 m from the faces' planes
   EXPECT_FALSE(view.free({8, 8, 7}));   // 0.14 m from the edge

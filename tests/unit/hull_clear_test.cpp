@@ -23,7 +23,8 @@ struct Room : OwnedGrid {
   }
   bool clear(const Vec3& from, const Vec3& to, const Clearance& clearance, Voxel& found) const {
     const Vec3 points[2] = {from, to};
-    return hull_clear(grid, points, 2, clearance, found);
+    std::uint32_t effort = 0;
+    return hull_clear(grid, points, 2, clearance, found, effort);
   }
 };
 

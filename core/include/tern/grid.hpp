@@ -174,7 +174,7 @@ class Grid {
            static_cast<size_t>(row_words_);
   }
   void begin_header() noexcept;
-  void inflate_planes(int32_t begin, int32_t end) noexcept;
+  uint32_t inflate_planes(int32_t begin, int32_t end, int32_t first_block, int32_t end_block) noexcept;
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
   void set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept;

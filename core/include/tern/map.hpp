@@ -200,6 +200,8 @@ class RollingMap {
   int32_t slack() const noexcept;
 
  private:
+  friend class FlightState;  // does the job piece by piece, and charges what pieces took
+
   MapState* state_ = nullptr;
 };
 

@@ -88,6 +88,9 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
+  friend class FlightState;  // charges what units took
+
+  uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
   const Plan& plan_at_hand() const noexcept;
   Plan& plan_at_hand() noexcept;
 

@@ -113,6 +113,8 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
+  friend class FlightState;  // charges what pieces took
+
   /// One piece of a curve of degree 7 or less.
   struct Piece {
     Vec3 c[kControlPoints];
@@ -128,7 +130,7 @@ class Proof {
   void enter_part(int part) noexcept;
   bool holds(const Piece& piece, int count, ProofEnd& end) noexcept;
   bool keeps_clear(const Piece& piece, ProofEnd& end) noexcept;
-  bool keeps_fences(const Piece& piece, double tolerance) const noexcept;
+  bool keeps_fences(const Piece& piece, double tolerance) noexcept;
   bool keeps_limit(const Piece& piece, int count) const noexcept;
   void look_at_piece() noexcept;
   void lose(double u, ProofEnd end) noexcept;
@@ -157,6 +159,7 @@ class Proof {
   int height_ = 0;
   int pieces_ = 0;
   Piece stack_[kProofDepth + 1] = {};
+  uint32_t effort_ = 0;  // instructions of all pieces so far, estimated; modulo 2^32
   ProofReport report_{};
 };
 

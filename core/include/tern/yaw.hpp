@@ -124,6 +124,7 @@ class YawPlanner {
 
  private:
   friend class YawFit;
+  friend class FlightState;  // charges what units took
 
   enum class Phase : uint8_t { kIdle = 0, kWish, kFit, kDone };
 
@@ -133,6 +134,7 @@ class YawPlanner {
   bool wished_direction(double t, Heading& direction) noexcept;
   double timed_angle(double t) const noexcept;
   void wish_next() noexcept;
+  uint32_t unit_effort() const noexcept;  // instructions of the next unit, estimated
 
   Phase phase_ = Phase::kIdle;
   const Trajectory* trajectory_ = nullptr;

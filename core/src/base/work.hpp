@@ -9,8 +9,13 @@ namespace tern {
 
 /// A slice of work: a stage's advance() takes one unit before each piece of work and returns Progress::kMore when none
 /// is left. What a unit is, each stage states; no unit is unbounded.
+///
+/// Units differ in size. So each piece also adds to `effort` how many instructions it took, estimated on the high side
+/// from what it counted: sizes and turns of loops, never time. A flight charges effort, so that its ticks take about as
+/// long whatever is in work.
 struct Work {
-  std::uint32_t left;
+  std::uint32_t left;        ///< units
+  std::uint32_t effort = 0;  ///< instructions of the pieces done; the caller's to reset
 
   bool take() noexcept {
     if (left == 0) return false;
@@ -18,6 +23,11 @@ struct Work {
     return true;
   }
 };
+
+/// The effort of `count` turns of a loop.
+constexpr std::uint32_t effort_of(std::uint32_t each, int count) noexcept {
+  return each * static_cast<std::uint32_t>(count);
+}
 
 /// Of two amounts of work.
 constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b) noexcept {

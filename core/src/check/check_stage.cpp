@@ -10,17 +10,25 @@ bool counts_are_sane(const Corridor& corridor, const Trajectory& trajectory) {
          trajectory.count <= kMaxSegments;
 }
 
-bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& polyhedron, const CheckQuery& query) {
+/// Instructions of a segment, and of each half-space of its polyhedron; of a fence.
+constexpr std::uint32_t kSegmentEffort = 6000;
+constexpr std::uint32_t kPlaneEffort = 150;
+constexpr std::uint32_t kFenceEffort = 30000;
+
+bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& polyhedron, const CheckQuery& query,
+                      Work& work) {
+  if (query.fences != nullptr) work.effort += effort_of(kFenceEffort, query.fences->count);
   const bool clear =
-      polyhedron_clear(grid, polyhedron, stage) &&
+      polyhedron_clear(grid, polyhedron, stage, &work.effort) &&
       (query.fences == nullptr || keep_outs_clear(grid, polyhedron, *query.fences, stage.scratch, stage));
   if (!clear) stage.polyhedron = stage.next;
   return clear;
 }
 
 bool check_segment(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
-                   const CheckQuery& query) {
+                   const CheckQuery& query, Work& work) {
   const int index = stage.next - corridor.count;
+  work.effort += kSegmentEffort + effort_of(kPlaneEffort, kMaxPlanes);
   const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
   const bool holds = segment_holds(grid, corridor, trajectory, index, query, stage) &&
                      (query.fences == nullptr ||
@@ -49,8 +57,8 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
   for (; stage.next < total; ++stage.next, ++stage.units) {
     if (!work.take()) return Progress::kMore;
     const bool holds = stage.next < corridor.count
-                           ? check_polyhedron(stage, grid, corridor.polyhedra[stage.next], query)
-                           : check_segment(stage, grid, corridor, trajectory, query);
+                           ? check_polyhedron(stage, grid, corridor.polyhedra[stage.next], query, work)
+                           : check_segment(stage, grid, corridor, trajectory, query, work);
     if (!holds) return conclude(Status::kCheckFailed, stage.status);
   }
   return Progress::kDone;

@@ -62,7 +62,9 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
 
 /// True where every obstacle voxel, as a closed cube, is cut off from the polyhedron by one of its half-spaces with
 /// the grid's radius to spare. Sufficient for a distance >= radius, and what the corridor stage promises.
-bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found) noexcept;
+/// `effort`, where it is not null, grows by what that took (see Work).
+bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found,
+                      std::uint32_t* effort = nullptr) noexcept;
 
 /// True where every keep-out is cut off from the polyhedron (local frame) by one of its half-spaces with the radius to
 /// spare, but for kCheckDistance; as far as it comes within the radius of the boundary.

@@ -8,6 +8,14 @@
 namespace tern {
 namespace {
 
+/// Instructions of a polyhedron, a block of rows, its rows, a row with an obstacle, and a half-space of these.
+constexpr std::uint32_t kPolyhedronEffort = 4000;
+constexpr std::uint32_t kBlockEffort = 150;
+constexpr std::uint32_t kBlockPlaneEffort = 12;
+constexpr std::uint32_t kRowsEffort = 400;
+constexpr std::uint32_t kRowEffort = 60;
+constexpr std::uint32_t kRowPlaneEffort = 14;
+
 /// A box around the polyhedron from those of its planes that are axis-aligned; the grid where there are none.
 Box bounding_box(const Grid& grid, const Polyhedron& polyhedron) {
   const GridSpec& spec = grid.spec();
@@ -120,15 +128,18 @@ bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan
 /// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
 /// leave of all rows together. `obstacle`: the first that is not cut off.
 bool block_clear(const Grid& grid, const PlaneCuts& cuts, const LayerDepths& depths, const RowBlock& block,
-                 Voxel& obstacle) {
+                 Voxel& obstacle, std::uint32_t& effort) {
   const double cell = grid.spec().cell;
   const RowSpan span = uncut(cell, cuts, block, depths);
+  effort += kBlockEffort + effort_of(kBlockPlaneEffort, cuts.end[2]);
   if (span.begin >= span.end || !any_obstacle(GridView::obstacles(grid), block, span)) return true;
   const PlaneCuts few = cuts_within(cell, cuts, block, span);
+  effort += effort_of(kBlockPlaneEffort, 2 * cuts.end[2]) + kRowsEffort;
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = grid.obstacle_row(y, z);
       if (first_obstacle(row, span) == kNoObstacle) continue;
+      effort += kRowEffort + effort_of(kRowPlaneEffort, few.end[2]);
       const std::int32_t x = first_obstacle(row, uncut(cell, few, {{span.begin, y, z}, {span.end - 1, y, z}}));
       if (x == kNoObstacle) continue;
       obstacle = {x, y, z};
@@ -180,22 +191,26 @@ bool refuse_obstacle(const Grid& grid, const Polyhedron& polyhedron, const Voxel
 
 }  // namespace
 
-bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found) noexcept {
+bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found,
+                      std::uint32_t* effort) noexcept {
   if (!well_formed(polyhedron)) return refuse(Finding::kMalformed, found);
   const RowBlock range = voxels_near(grid, polyhedron);
   const double tolerance = check_distance(grid) + grid_rounding(grid);
   const PlaneCuts cuts = cuts_of(grid, polyhedron, tolerance);
   Voxel obstacle{};
+  std::uint32_t spent = kPolyhedronEffort;
   for (std::int32_t z = range.lo.z; z <= range.hi.z; z += kBlock) {
     const std::int32_t z_end = block_end(z, range.hi.z);
     const LayerDepths depths(cuts, z * grid.spec().cell, (z_end + 1) * grid.spec().cell);
     for (std::int32_t y = range.lo.y; y <= range.hi.y; y += kBlock) {
       const RowBlock block{{range.lo.x, y, z}, {range.hi.x, block_end(y, range.hi.y), z_end}};
-      if (!block_clear(grid, cuts, depths, block, obstacle)) {
+      if (!block_clear(grid, cuts, depths, block, obstacle, spent)) {
+        if (effort != nullptr) *effort += spent;
         return refuse_obstacle(grid, polyhedron, obstacle, tolerance, found);
       }
     }
   }
+  if (effort != nullptr) *effort += spent;
   return true;
 }
 

@@ -119,16 +119,19 @@ void drop_held(Corridor& out, double margin, std::int32_t fixed) {
   }
 }
 
-/// Tries to build a polyhedron for the current piece. kMore if pieces are left.
-Progress try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
-  if (is_full(stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments)) {
-    return conclude(Status::kSegmentsFull, stage.status);
-  }
-  const Vec3 to = stage.ends[stage.pending - 1];
-  const Status status = grow_polyhedron(grid, stage.from, to, stage.grow, out.polyhedra[out.count]);
-  stage.planes = stage.grow.planes;
-  stage.planes_high = stage.grow.planes_high;
-  stage.boxes_high = stage.grow.boxes_high;
+/// Begins the polyhedron of the current piece. False where there is no room for it.
+bool begin_piece(CorridorStage& stage, const Grid& grid, const Path& path) {
+  if (is_full(stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments)) return false;
+  grow_begin(stage.growth, grid, stage.from, stage.ends[stage.pending - 1], stage.grow);
+  stage.growing = true;
+  ++stage.tries;
+  return true;
+}
+
+/// Once the polyhedron is done, or failed. kMore if pieces are left.
+Progress end_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
+  const Status status = stage.growth.status;
+  stage.growing = false;
   if (status == Status::kPlanesFull || status == Status::kObstaclesFull) return halve(stage, path, status);
   if (status != Status::kOk) return conclude(status, stage.status);
   ++stage.built;
@@ -143,6 +146,7 @@ Progress try_piece(CorridorStage& stage, const Grid& grid, const Path& path, Cor
 void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes, const Fences* fences,
                     ViaMarks* marks) noexcept {
   stage.status = Status::kOk;
+  stage.tries = 0;
   stage.planes = 0;
   stage.planes_high = 0;
   stage.boxes_high = 0;
@@ -158,6 +162,7 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   stage.pieces = 0;
   stage.pending = 0;
   stage.built = 0;
+  stage.growing = false;
   stage.from = path.points[0];
 }
 
@@ -169,7 +174,15 @@ Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& pa
     begin_leg(stage, path, 0, 0);
   }
   Progress progress = Progress::kMore;
-  while (progress == Progress::kMore && work.take()) progress = try_piece(stage, grid, path, out);
+  while (progress == Progress::kMore) {
+    if (!stage.growing && !begin_piece(stage, grid, path)) return conclude(Status::kSegmentsFull, stage.status);
+    const Progress grown = grow_advance(stage.growth, grid, stage.grow, out.polyhedra[out.count], work);
+    stage.planes = stage.grow.planes;
+    stage.planes_high = stage.grow.planes_high;
+    stage.boxes_high = stage.grow.boxes_high;
+    if (grown == Progress::kMore) return grown;
+    progress = end_piece(stage, grid, path, out);
+  }
   return progress;
 }
 

@@ -39,6 +39,7 @@ constexpr std::uint32_t kCorridorBound = kCorridorTries * kGrowBound;
 /// Plain data; needs no initialisation before corridor_begin.
 struct CorridorStage {
   Status status;             ///< why the stage failed; else kOk
+  std::uint32_t tries;       ///< polyhedra begun so far; <= kCorridorTries
   std::uint32_t planes;      ///< half-spaces made so far, discarded ones included; <= kCorridorBound and the budget
   std::int32_t planes_high;  ///< of the fullest polyhedron
   std::int32_t boxes_high;   ///< of the busiest local box
@@ -54,6 +55,8 @@ struct CorridorStage {
   Vec3 from;             ///< where the next polyhedron begins
   std::int32_t pending;  ///< count of `ends`: where the halves of the piece end, the next half last
   Vec3 ends[kMaxHalvings + 1];
+  bool growing;  ///< the polyhedron of the piece is in work
+  Growth growth;
   GrowScratch grow;
 };
 
@@ -62,7 +65,7 @@ struct CorridorStage {
 void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
                     const Fences* fences = nullptr, ViaMarks* marks = nullptr) noexcept;
 
-/// One unit of work is one attempt at a polyhedron. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
+/// One unit of work is one of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the

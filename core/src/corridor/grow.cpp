@@ -24,6 +24,20 @@ constexpr double kThickness = 0.3;
 /// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
+/// Instructions of the local box, of a keep-in and a keep-out, and of the end: of a half-space, and a cut of a facet.
+constexpr std::uint32_t kBoxEffort = 1500;
+constexpr std::uint32_t kKeepInEffort = 200;
+constexpr std::uint32_t kKeepOutEffort = 20000;
+constexpr std::uint32_t kFinishEffort = 1500;
+constexpr std::uint32_t kFinishPlaneEffort = 300;
+constexpr std::uint32_t kCutEffort = 350;
+
+std::uint32_t fence_effort(const GrowScratch& scratch) {
+  if (scratch.fences == nullptr) return 0;
+  return effort_of(kKeepInEffort, scratch.fences->keep_in_count) +
+         effort_of(kKeepOutEffort, scratch.fences->keep_out_count);
+}
+
 /// The box around the segment that the polyhedron stays in.
 Box local_box(const Grid& grid, const Vec3& from, const Vec3& to, double margin) {
   const Box boundary = grid.local_boundary();
@@ -60,49 +74,6 @@ Vec3 inner_point(const Polyhedron& polyhedron, const Vec3& center, const Segment
   return room_at(polyhedron, center) < room_at(polyhedron, middle) ? middle : center;
 }
 
-/// Fits the ellipsoid between the obstacles in scratch.boxes, makes half-spaces for those that the given ones leave,
-/// and improves them.
-Status enclose(int count, const SegmentMargin& segment, const GridSpec& spec, GrowScratch& scratch, Polyhedron& out) {
-  const int given = out.count;
-  const double cell = spec.cell;
-  EllipsoidFrame frame =
-      fit_ellipsoid(segment.from, segment.to, {scratch.boxes, count, spec.clearance()}, cell, scratch.remaining);
-  const Obstacles obstacles{scratch.boxes, keep_uncut(out, spec.clearance(), scratch.boxes, count), spec.clearance()};
-  const EllipsoidMetric metric = metric_of(at_least_as_thick(frame, kThickness));
-  Status status = append_tangents(metric, obstacles, segment, scratch, out);
-  Vec3 center;
-  if (status == Status::kOk) {
-    status = improve({obstacles, segment, kLeastSlackCells * cell, given}, scratch, out, center);
-  }
-  if (status != Status::kOk) return status;
-  set_redundant_aside(out, inner_point(out, center, segment), box_diagonal(out), scratch.trial.planes);
-  inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
-  out.ellipsoid = ellipsoid_of(frame);
-  out.from = segment.from;
-  out.to = segment.to;
-  return Status::kOk;
-}
-
-Status grow_in_box(const Grid& grid, const SegmentMargin& segment, double reach, GrowScratch& scratch,
-                   Polyhedron& out) {
-  const GridSpec& spec = grid.spec();
-  const Box box = local_box(grid, segment.from, segment.to, reach);
-  out.count = 0;
-  const Status faces = append_faces(box, scratch, out);
-  if (faces != Status::kOk) return faces;
-  const Status fences = append_fence_planes(box, segment, spec.clearance(), scratch, out);
-  if (fences != Status::kOk) return fences;
-
-  const VoxelRange range = voxels_within_reach(grid, box);
-  const int count = extract_local_boxes(grid, range, scratch.extract, scratch.boxes);
-  if (count < 0) {
-    scratch.boxes_high = kMaxLocalBoxes;
-    return Status::kObstaclesFull;
-  }
-  if (count > scratch.boxes_high) scratch.boxes_high = count;
-  return enclose(count, segment, spec, scratch, out);
-}
-
 bool within(const Box& boundary, const Vec3& p, double tolerance) {
   for (int a = 0; a < 3; ++a) {
     if (axis(p, a) < axis(boundary.lower, a) - tolerance) return false;
@@ -111,23 +82,134 @@ bool within(const Box& boundary, const Vec3& p, double tolerance) {
   return true;
 }
 
+Enclosure enclosure_of(const Growth& growth, const GridSpec& spec, const GrowScratch& scratch) {
+  const Obstacles obstacles{scratch.boxes, growth.sieve.kept, spec.clearance()};
+  return {obstacles, growth.segment, kLeastSlackCells * spec.cell, growth.given};
+}
+
+/// The half-spaces that are there before any obstacle.
+Progress make_box(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
+  if (!work.take()) return Progress::kMore;
+  const SegmentMargin& segment = growth.segment;
+  const Box box = local_box(grid, segment.from, segment.to, growth.reach);
+  out.count = 0;
+  Status status = append_faces(box, scratch, out);
+  if (status == Status::kOk) status = append_fence_planes(box, segment, grid.spec().clearance(), scratch, out);
+  growth.given = out.count;
+  extract_begin(voxels_within_reach(grid, box), scratch.extract);
+  work.effort += kBoxEffort + fence_effort(scratch);
+  return conclude(status, growth.status);
+}
+
+Progress extract(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work) {
+  const Progress progress = extract_advance(grid, scratch.extract, scratch.boxes, work);
+  if (progress == Progress::kMore) return progress;
+  const bool full = progress == Progress::kFailed;
+  raise(scratch.boxes_high, full ? kMaxLocalBoxes : scratch.extract.count);
+  fit_begin(growth.fit, growth.segment.from, growth.segment.to, grid.spec().cell);
+  growth.sieve = {0, 0};
+  return conclude(full ? Status::kObstaclesFull : Status::kOk, growth.status);
+}
+
+Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work) {
+  const Obstacles all{scratch.boxes, scratch.extract.count, grid.spec().clearance()};
+  const Progress progress = fit_advance(growth.fit, all, scratch.remaining, work);
+  if (progress == Progress::kDone) {
+    tangents_begin(growth.pass, metric_of(at_least_as_thick(growth.fit.frame, kThickness)));
+    improve_begin(growth.improvement);
+  }
+  return progress;
+}
+
+/// The half-spaces in the order that a reader of the polyhedron expects, and its ellipsoid.
+Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
+  if (!work.take()) return Progress::kMore;
+  const SegmentMargin& segment = growth.segment;
+  const Vec3 inside = inner_point(out, to_vec3(growth.improvement.center), segment);
+  const int made = out.count;
+  const int cuts = set_redundant_aside(out, inside, box_diagonal(out), scratch.trial.planes);
+  EllipsoidFrame& frame = growth.fit.frame;
+  inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
+  out.ellipsoid = ellipsoid_of(frame);
+  out.from = segment.from;
+  out.to = segment.to;
+  work.effort += kFinishEffort + effort_of(kFinishPlaneEffort, made) + effort_of(kCutEffort, cuts);
+  return Progress::kDone;
+}
+
+/// Goes on with the phase at hand; kDone at its end.
+Progress advance_phase(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
+  const GridSpec& spec = grid.spec();
+  switch (growth.phase) {
+    case GrowPhase::kBox:
+      return make_box(growth, grid, scratch, out, work);
+    case GrowPhase::kExtract:
+      return extract(growth, grid, scratch, work);
+    case GrowPhase::kFit:
+      return fit(growth, grid, scratch, work);
+    case GrowPhase::kSieve:
+      return keep_uncut(growth.sieve, out, spec.clearance(), scratch.boxes, scratch.extract.count, work);
+    case GrowPhase::kCutOff:
+      return tangents_advance(growth.pass, enclosure_of(growth, spec, scratch).obstacles, growth.segment, scratch, out,
+                              work, growth.status);
+    case GrowPhase::kImprove:
+      return improve_advance(growth.improvement, enclosure_of(growth, spec, scratch), scratch, out, work,
+                             growth.status);
+    case GrowPhase::kFinish:
+      return finish(growth, scratch, out, work);
+  }
+  return Progress::kDone;
+}
+
+/// Begins again with a smaller local box if that may help. False where there is none.
+bool shrink_box(Growth& growth) {
+  const bool full = growth.status == Status::kPlanesFull || growth.status == Status::kObstaclesFull;
+  if (!full || growth.level + 1 == kBoxLevels) return false;
+  ++growth.level;
+  growth.reach *= 0.5;
+  growth.phase = GrowPhase::kBox;
+  return true;
+}
+
 }  // namespace
+
+void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& to,
+                const GrowScratch& scratch) noexcept {
+  const double cell = grid.spec().cell;
+  growth.status = Status::kOk;
+  growth.phase = GrowPhase::kBox;
+  growth.level = 0;
+  growth.reach = larger(kLocalMargin, kLocalMarginCells * cell);
+  growth.segment = {from, to, kSightMargin * cell, touching_of(grid, scratch), direction_tolerance(grid.spec())};
+}
+
+Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept {
+  const SegmentMargin& segment = growth.segment;
+  const Box boundary = grid.local_boundary();
+  if (!within(boundary, segment.from, segment.touching) || !within(boundary, segment.to, segment.touching)) {
+    return conclude(Status::kOutOfMap, growth.status);
+  }
+  // Each turn ends a phase; each size of the local box has each phase once at most.
+  while (true) {
+    const Progress progress = advance_phase(growth, grid, scratch, out, work);
+    if (progress == Progress::kMore) return progress;
+    if (progress == Progress::kFailed) {
+      if (!shrink_box(growth)) return progress;
+    } else if (growth.phase == GrowPhase::kFinish) {
+      return progress;
+    } else {
+      growth.phase = static_cast<GrowPhase>(static_cast<int>(growth.phase) + 1);
+    }
+  }
+}
 
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept {
-  const Box boundary = grid.local_boundary();
-  const double touching = touching_of(grid, scratch);
-  if (!within(boundary, from, touching) || !within(boundary, to, touching)) return Status::kOutOfMap;
-  const double cell = grid.spec().cell;
-  const SegmentMargin segment{from, to, kSightMargin * cell, touching, direction_tolerance(grid.spec())};
-  double reach = larger(kLocalMargin, kLocalMarginCells * cell);
-  Status status = Status::kPlanesFull;
-  for (int level = 0; level < kBoxLevels; ++level) {
-    status = grow_in_box(grid, segment, reach, scratch, out);
-    if (status != Status::kPlanesFull && status != Status::kObstaclesFull) break;
-    reach *= 0.5;
-  }
-  return status;
+  Growth growth;
+  grow_begin(growth, grid, from, to, scratch);
+  Work all{0xFFFFFFFFu};
+  grow_advance(growth, grid, scratch, out, all);
+  return growth.status;
 }
 
 }  // namespace tern

@@ -9,8 +9,13 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "corridor/improve.hpp"
+#include "corridor/separation.hpp"
+#include "corridor/tangent_planes.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
@@ -29,14 +34,47 @@ constexpr int kBoxLevels = 6;
 constexpr std::uint32_t kGrowBound =
     static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds + kLeaveOuts) * kMaxPlanes);
 
+/// What comes next.
+enum class GrowPhase : std::uint8_t {
+  kBox,      ///< the half-spaces of the local box and of the fences
+  kExtract,  ///< the obstacles in it
+  kFit,      ///< the segment's ellipsoid between them
+  kSieve,    ///< the obstacles that box and fences leave
+  kCutOff,   ///< half-spaces that cut these off
+  kImprove,  ///< a larger polyhedron
+  kFinish,
+};
+
+/// A polyhedron in work. Plain data; needs no initialisation before grow_begin.
+struct Growth {
+  Status status;  ///< why it failed; else kOk
+  GrowPhase phase;
+  int level;     ///< how often the local box was shrunk
+  double reach;  ///< of the local box beyond the segment, metres
+  SegmentMargin segment;
+  int given;  ///< half-spaces of the local box and the fences
+  EllipsoidFit fit;
+  Sieve sieve;
+  TangentPass pass;
+  Improvement improvement;
+};
+
 /// Grows the polyhedron of the segment from `from` to `to` (local frame, metres; it may be a point). The segment must
 /// keep the radius from every obstacle and lie inside the boundary.
+void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& to,
+                const GrowScratch& scratch) noexcept;
+
+/// A unit of work is one of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
+/// the half-spaces of the local box, or finishes the polyhedron.
 ///
-/// kOk: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
+/// kDone: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
 /// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). The ellipsoid lies
-/// inside all half-spaces. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: an obstacle is nearer to the
-/// segment than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment
-/// may fit. kBudgetCorridor: the budget ran out. `out` is undefined unless kOk.
+/// inside all half-spaces. kFailed, with growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked:
+/// an obstacle is nearer to the segment than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has
+/// too many; a shorter segment may fit. kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
+Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
+
+/// All of it: kOk, or why it failed.
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept;
 

@@ -14,6 +14,14 @@ constexpr double kNoSize = 1e-7;
 
 constexpr int kCorners = 8;
 
+/// Instructions of the box, of a unit, of a box held against a half-space, of the gap to a box, of fences.
+constexpr std::uint32_t kBoxEffort = 3000;
+constexpr std::uint32_t kStepEffort = 300;
+constexpr std::uint32_t kTestEffort = 80;
+constexpr std::uint32_t kGapEffort = 8000;
+constexpr std::uint32_t kKeepInEffort = 200;
+constexpr std::uint32_t kKeepOutEffort = 30000;
+
 /// Takes normals of any length and keeps the one that leaves the most room between hull and solid.
 struct Widest {
   const Hull& hull;
@@ -93,58 +101,121 @@ Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scr
   return status;
 }
 
-Status append_obstacles(const Grid& grid, const Hull& hull, const Box& box, double slack, GrowScratch& scratch,
-                        Polyhedron& out) {
-  const double radius = grid.spec().clearance();
-  const int count = extract_local_boxes(grid, voxels_within_reach(grid, box), scratch.extract, scratch.boxes);
-  if (count < 0) return Status::kObstaclesFull;
-  Status status = Status::kOk;
-  for (int i = 0; i < count && status == Status::kOk; ++i) {
-    const LocalBox& solid = scratch.boxes[i];
-    Vec3 corners[kCorners];
-    for (int k = 0; k < kCorners; ++k) {
-      corners[k] = {(k & 1) != 0 ? solid.upper[0] : solid.lower[0], (k & 2) != 0 ? solid.upper[1] : solid.lower[1],
-                    (k & 4) != 0 ? solid.upper[2] : solid.lower[2]};
-    }
-    const Hull corner_hull{corners, kCorners};
-    if (!is_cut_off(corner_hull, radius, out))
-      status = append_between(grid, hull, corner_hull, {nullptr, 0}, slack, scratch, out);
-  }
+/// The hull's box, and what `out` needs besides half-spaces.
+Status make_box(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) {
+  out.count = 0;
+  out.redundant = 0;
+  out.from = hull.points[0];
+  out.to = hull.points[hull.count - 1];
+  out.ellipsoid = Ellipsoid{{{kNoSize, 0.0, 0.0}, {0.0, kNoSize, 0.0}, {0.0, 0.0, kNoSize}}, 0.5 * (out.from + out.to)};
+  Box box;
+  const Status status = append_box(grid, hull, box, scratch, out);
+  extract_begin(voxels_within_reach(grid, box), scratch.extract);
   return status;
 }
 
-Status append_fences(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) {
-  if (scratch.fences == nullptr) return Status::kOk;
-  const Fences& fences = *scratch.fences;
-  const double radius = grid.spec().clearance();
-  for (int k = 0; k < fences.keep_in_count; ++k) {
-    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + fences.touching) {
-      return Status::kCorridorBlocked;
+/// Looks at the next solid boxes. Each that no half-space cuts off gets one.
+Status cut_off_some(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+                    Polyhedron& out, Work& work) {
+  const int left = scratch.extract.count - growth.next;
+  const int tests = left < kHullTests ? left : kHullTests;
+  work.effort += kStepEffort + effort_of(kTestEffort, tests * out.count);
+  for (int k = 0; k < tests; ++k) {
+    const LocalBox& solid = scratch.boxes[growth.next++];
+    Vec3 corners[kCorners];
+    for (int c = 0; c < kCorners; ++c) {
+      corners[c] = {(c & 1) != 0 ? solid.upper[0] : solid.lower[0], (c & 2) != 0 ? solid.upper[1] : solid.lower[1],
+                    (c & 4) != 0 ? solid.upper[2] : solid.lower[2]};
     }
+    const Hull corner_hull{corners, kCorners};
+    if (is_cut_off(corner_hull, grid.spec().clearance(), out)) continue;
+    work.effort += kGapEffort;
+    return append_between(grid, hull, corner_hull, {nullptr, 0}, slack, scratch, out);
   }
-  Status status = Status::kOk;
-  for (int k = 0; k < fences.keep_out_count && status == Status::kOk; ++k) {
-    const KeepOut& fence = fences.keep_out[k];
-    const Hull solid = hull_of(fences, fence);
-    const Faces faces{fences.planes + fence.first_plane, fence.planes};
-    if (!is_cut_off(solid, radius, out)) status = append_between(grid, hull, solid, faces, slack, scratch, out);
+  return Status::kOk;
+}
+
+bool keeps_in(const Fences& fences, const Hull& hull) {
+  for (int k = 0; k < fences.keep_in_count; ++k) {
+    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + fences.touching) return false;
   }
-  return status;
+  return true;
+}
+
+/// All keep-ins first, then one keep-out after the other.
+Status keep_fence(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+                  Polyhedron& out, Work& work) {
+  const Fences& fences = *scratch.fences;
+  const int index = growth.next++ - 1;
+  if (index < 0) {
+    work.effort += kStepEffort + effort_of(kKeepInEffort, fences.keep_in_count);
+    return keeps_in(fences, hull) ? Status::kOk : Status::kCorridorBlocked;
+  }
+  work.effort += kKeepOutEffort;
+  const KeepOut& fence = fences.keep_out[index];
+  const Hull solid = hull_of(fences, fence);
+  if (is_cut_off(solid, grid.spec().clearance(), out)) return Status::kOk;
+  return append_between(grid, hull, solid, {fences.planes + fence.first_plane, fence.planes}, slack, scratch, out);
+}
+
+Progress extract(HullGrowth& growth, const Grid& grid, GrowScratch& scratch, Work& work) {
+  const Progress progress = extract_advance(grid, scratch.extract, scratch.boxes, work);
+  return progress == Progress::kFailed ? conclude(Status::kObstaclesFull, growth.status) : progress;
+}
+
+/// What the phase at hand has to look at.
+int count_of(HullPhase phase, const GrowScratch& scratch) {
+  if (phase == HullPhase::kBox) return 1;
+  if (phase == HullPhase::kObstacles) return scratch.extract.count;
+  return scratch.fences == nullptr ? 0 : 1 + scratch.fences->keep_out_count;
+}
+
+Status do_unit(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+               Polyhedron& out, Work& work) {
+  if (growth.phase == HullPhase::kObstacles) return cut_off_some(growth, grid, hull, slack, scratch, out, work);
+  if (growth.phase == HullPhase::kFences) return keep_fence(growth, grid, hull, slack, scratch, out, work);
+  ++growth.next;
+  work.effort += kBoxEffort;
+  return make_box(grid, hull, scratch, out);
+}
+
+/// Goes on with the phase at hand; kDone at its end.
+Progress advance_phase(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+                       Polyhedron& out, Work& work) {
+  if (growth.phase == HullPhase::kExtract) return extract(growth, grid, scratch, work);
+  while (growth.next < count_of(growth.phase, scratch)) {
+    if (!work.take()) return Progress::kMore;
+    const Status status = do_unit(growth, grid, hull, slack, scratch, out, work);
+    if (status != Status::kOk) return conclude(status, growth.status);
+  }
+  growth.next = 0;
+  return Progress::kDone;
 }
 
 }  // namespace
 
+void enclose_begin(HullGrowth& growth) noexcept {
+  growth.status = Status::kOk;
+  growth.phase = HullPhase::kBox;
+  growth.next = 0;
+}
+
+Progress enclose_advance(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+                         Polyhedron& out, Work& work) noexcept {
+  while (growth.phase != HullPhase::kDone) {
+    const Progress progress = advance_phase(growth, grid, hull, slack, scratch, out, work);
+    if (progress != Progress::kDone) return progress;
+    growth.phase = static_cast<HullPhase>(static_cast<int>(growth.phase) + 1);
+  }
+  return Progress::kDone;
+}
+
 Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept {
-  out.count = 0;
-  out.redundant = 0;
-  Box box;
-  Status status = append_box(grid, hull, box, scratch, out);
-  if (status == Status::kOk) status = append_obstacles(grid, hull, box, slack, scratch, out);
-  if (status == Status::kOk) status = append_fences(grid, hull, slack, scratch, out);
-  out.from = hull.points[0];
-  out.to = hull.points[hull.count - 1];
-  out.ellipsoid = Ellipsoid{{{kNoSize, 0.0, 0.0}, {0.0, kNoSize, 0.0}, {0.0, 0.0, kNoSize}}, 0.5 * (out.from + out.to)};
-  return status;
+  HullGrowth growth;
+  enclose_begin(growth);
+  Work all{0xFFFFFFFFu};
+  enclose_advance(growth, grid, hull, slack, scratch, out, all);
+  return growth.status;
 }
 
 }  // namespace tern

@@ -6,6 +6,10 @@
 #ifndef TERN_CORRIDOR_HULL_POLYHEDRON_HPP
 #define TERN_CORRIDOR_HULL_POLYHEDRON_HPP
 
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "grid/hull_gap.hpp"
 #include "tern/corridor.hpp"
@@ -14,16 +18,35 @@
 
 namespace tern {
 
+enum class HullPhase : std::uint8_t { kBox, kExtract, kObstacles, kFences, kDone };
+
+/// A hull being enclosed. Plain data; needs no initialisation before enclose_begin.
+struct HullGrowth {
+  Status status;  ///< why it failed; else kOk
+  HullPhase phase;
+  int next;  ///< solid box, or keep-out, to look at next
+};
+
 /// Fills `out` with the box around the hull, and adds a half-space for each obstacle and keep-out that none of the
 /// others cuts off by the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads
 /// from the hull's first point to its last. Its ellipsoid is a tiny ball half way between them.
 ///
-/// kOk: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kOutOfMap: a point
-/// lies outside the boundary. kCorridorBlocked: an obstacle or a keep-out is closer than the radius, or a point is
-/// outside a keep-in. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is undefined unless kOk.
+/// A unit of work is one of extract_advance, or looks at kHullTests solid boxes, up to the first that needs a
+/// half-space; or makes the box around the hull, or looks at one fence.
+///
+/// kDone: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kFailed, with
+/// `status`. kOutOfMap: a point lies outside the boundary. kCorridorBlocked: an obstacle or a keep-out is closer than
+/// the radius, or a point is outside a keep-in. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is
+/// undefined unless kDone.
 ///
 /// `slack`: metres by which the hull may come closer than touching allows. The half-spaces do not move out for it, so
 /// points of the hull may lie outside them by that much.
+constexpr int kHullTests = 32;
+void enclose_begin(HullGrowth& growth) noexcept;
+Progress enclose_advance(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+                         Polyhedron& out, Work& work) noexcept;
+
+/// All of it: kOk, or why it failed.
 Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
 
 }  // namespace tern

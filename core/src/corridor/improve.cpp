@@ -22,55 +22,100 @@ void copy_all_but(int left_out, const Polyhedron& from, Polyhedron& to) {
   }
 }
 
-/// The largest polyhedron so far.
-struct Largest {
-  Polyhedron& polyhedron;
-  Vector center;
-  double size;
-};
+/// Instructions of a half-space that is copied.
+constexpr std::uint32_t kCopyEffort = 8;
 
-/// Makes the half-spaces tangent to `ellipsoid`, and keeps their polyhedron if it is the largest so far. `ellipsoid`
-/// becomes the barrier's ellipsoid inside the new polyhedron. kPlanesFull if the half-spaces do not fit.
-Status try_tangents(const Enclosure& enclosure, GrowScratch& scratch, BarrierEllipsoid& ellipsoid, Largest& largest) {
-  Polyhedron& trial = scratch.trial;
-  trial.count = enclosure.given;
-  const Status status = append_tangents(ellipsoid.metric, enclosure.obstacles, enclosure.segment, scratch, trial);
-  if (status != Status::kOk) return status;
-  ellipsoid = barrier_ellipsoid(trial, ellipsoid.metric.center, enclosure.least_slack);
-  if (ellipsoid.size <= largest.size) return Status::kOk;
-  largest.size = ellipsoid.size;
-  largest.center = ellipsoid.metric.center;
-  copy_planes(trial, largest.polyhedron);
-  return Status::kOk;
+/// The barrier's ellipsoid inside scratch.trial.
+void find_ellipsoid(Improvement& improvement, const Enclosure& enclosure, const Vector& inside,
+                    const GrowScratch& scratch, Work& work) {
+  improvement.inner = barrier_ellipsoid(scratch.trial, inside, enclosure.least_slack);
+  work.effort += improvement.inner.effort + effort_of(kCopyEffort, 2 * scratch.trial.count);
 }
 
-Status leave_out_each(const Enclosure& enclosure, GrowScratch& scratch, Largest& largest) {
-  int trials = 0;
-  for (int p = enclosure.given; p < largest.polyhedron.count && trials < kLeaveOuts; ++p) {
-    copy_all_but(p, largest.polyhedron, scratch.trial);
-    BarrierEllipsoid inner = barrier_ellipsoid(scratch.trial, largest.center, enclosure.least_slack);
-    if (inner.size < kWorthLeavingOut * largest.size) continue;
-    ++trials;
-    const Status status = try_tangents(enclosure, scratch, inner, largest);
-    if (status != Status::kOk && status != Status::kPlanesFull) return status;
-  }
-  return Status::kOk;
+/// Begins to make half-spaces tangent to the ellipsoid, after those that stay.
+void begin_tangents(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch) {
+  scratch.trial.count = enclosure.given;
+  tangents_begin(improvement.pass, improvement.inner.metric);
+  improvement.phase = ImprovePhase::kTangents;
+}
+
+void begin(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, const Polyhedron& out,
+           Work& work) {
+  const SegmentMargin& segment = enclosure.segment;
+  copy_planes(out, scratch.trial);
+  find_ellipsoid(improvement, enclosure, to_vector(0.5 * (segment.from + segment.to)), scratch, work);
+  improvement.center = improvement.inner.metric.center;
+  improvement.size = improvement.inner.size;
+  improvement.plane = enclosure.given;
+  begin_tangents(improvement, enclosure, scratch);
+}
+
+/// Keeps the polyhedron of the new half-spaces if it is the largest so far.
+void compare(Improvement& improvement, const Enclosure& enclosure, const GrowScratch& scratch, Polyhedron& out,
+             Work& work) {
+  find_ellipsoid(improvement, enclosure, improvement.pass.metric.center, scratch, work);
+  if (improvement.inner.size <= improvement.size) return;
+  improvement.size = improvement.inner.size;
+  improvement.center = improvement.inner.metric.center;
+  copy_planes(scratch.trial, out);
+}
+
+/// After a round or a trial. Where the half-spaces did not fit (`fits` is false), there are no further rounds.
+void go_on(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, bool fits) {
+  improvement.phase = ImprovePhase::kLeaveOut;
+  if (improvement.rounds == kImprovingRounds) return;
+  improvement.rounds = fits ? improvement.rounds + 1 : kImprovingRounds;
+  if (improvement.rounds < kImprovingRounds) begin_tangents(improvement, enclosure, scratch);
+}
+
+/// The next trial, if it is worth one.
+void leave_out(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, const Polyhedron& out,
+               Work& work) {
+  copy_all_but(improvement.plane++, out, scratch.trial);
+  find_ellipsoid(improvement, enclosure, improvement.center, scratch, work);
+  if (improvement.inner.size < kWorthLeavingOut * improvement.size) return;
+  ++improvement.trials;
+  begin_tangents(improvement, enclosure, scratch);
+}
+
+/// A unit that is none of tangents_advance.
+void find_next(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
+               Work& work) {
+  if (improvement.phase == ImprovePhase::kBegin) return begin(improvement, enclosure, scratch, out, work);
+  if (improvement.phase == ImprovePhase::kLeaveOut) return leave_out(improvement, enclosure, scratch, out, work);
+  compare(improvement, enclosure, scratch, out, work);
+  go_on(improvement, enclosure, scratch, true);
+}
+
+bool is_done(const Improvement& improvement, const Polyhedron& out) {
+  return improvement.phase == ImprovePhase::kLeaveOut &&
+         (improvement.plane >= out.count || improvement.trials == kLeaveOuts);
 }
 
 }  // namespace
 
-Status improve(const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out, Vec3& center) noexcept {
-  const SegmentMargin& segment = enclosure.segment;
-  BarrierEllipsoid inner = barrier_ellipsoid(out, to_vector(0.5 * (segment.from + segment.to)), enclosure.least_slack);
-  Largest largest{out, inner.metric.center, inner.size};
-  copy_planes(out, scratch.trial);
-  Status status = Status::kOk;
-  for (int round = 0; round < kImprovingRounds && status == Status::kOk; ++round) {
-    status = try_tangents(enclosure, scratch, inner, largest);
+void improve_begin(Improvement& improvement) noexcept {
+  improvement.phase = ImprovePhase::kBegin;
+  improvement.rounds = 0;
+  improvement.trials = 0;
+}
+
+Progress improve_advance(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
+                         Work& work, Status& status) noexcept {
+  // Each turn but the last one makes half-spaces, of a round or a trial, or finds an ellipsoid.
+  while (!is_done(improvement, out)) {
+    if (improvement.phase != ImprovePhase::kTangents) {
+      if (!work.take()) return Progress::kMore;
+      find_next(improvement, enclosure, scratch, out, work);
+      continue;
+    }
+    const Progress made = tangents_advance(improvement.pass, enclosure.obstacles, enclosure.segment, scratch,
+                                           scratch.trial, work, status);
+    if (made == Progress::kDone) improvement.phase = ImprovePhase::kCompare;
+    if (made == Progress::kMore || (made == Progress::kFailed && status != Status::kPlanesFull)) return made;
+    if (made == Progress::kFailed) go_on(improvement, enclosure, scratch, false);
   }
-  if (status == Status::kOk || status == Status::kPlanesFull) status = leave_out_each(enclosure, scratch, largest);
-  center = to_vec3(largest.center);
-  return status;
+  return conclude(Status::kOk, status);
 }
 
 }  // namespace tern

@@ -5,8 +5,12 @@
 #ifndef TERN_CORRIDOR_IMPROVE_HPP
 #define TERN_CORRIDOR_IMPROVE_HPP
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "corridor/separation.hpp"
+#include "corridor/tangent_planes.hpp"
+#include "ellipsoid/barrier_ellipsoid.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
@@ -27,16 +31,41 @@ constexpr double kWorthLeavingOut = 1.3;
 
 /// What the trials for one segment have in common.
 struct Enclosure {
-  const Obstacles& obstacles;
+  Obstacles obstacles;
   const SegmentMargin& segment;
   double least_slack;  ///< of the barrier, metres
   int given;           ///< half-spaces that come first and stay: those of the local box and the fences
 };
 
+/// What comes next.
+enum class ImprovePhase : std::uint8_t {
+  kBegin,     ///< the ellipsoid in the polyhedron as it is
+  kTangents,  ///< half-spaces tangent to an ellipsoid, in a round or a trial
+  kCompare,   ///< is their polyhedron larger?
+  kLeaveOut,  ///< the next trial
+};
+
+/// Polyhedra tried in work. Plain data; needs no initialisation before improve_begin.
+struct Improvement {
+  ImprovePhase phase;
+  int rounds;              ///< done
+  int plane;               ///< the half-space that the next trial leaves out
+  int trials;              ///< begun
+  BarrierEllipsoid inner;  ///< the half-spaces at hand are tangent to it
+  TangentPass pass;        ///< makes them
+  Vector center;           ///< of the largest polyhedron so far,
+  double size;             ///< and what stands for its size
+};
+
 /// Tries other half-spaces for the polyhedron `out`, which encloses the segment. `out` becomes the largest polyhedron
 /// found, and `center` its analytic centre. A trial whose half-spaces do not fit is given up, because there already is
-/// a polyhedron. kOk, kCorridorBlocked or kBudgetCorridor. Uses scratch.trial and everything that append_tangents uses.
-Status improve(const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out, Vec3& center) noexcept;
+/// a polyhedron. Uses scratch.trial and everything that tangents_advance uses.
+void improve_begin(Improvement& improvement) noexcept;
+
+/// A unit of work is one of tangents_advance, or finds one ellipsoid. kDone, or kFailed with `status` kCorridorBlocked
+/// or kBudgetCorridor.
+Progress improve_advance(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
+                         Work& work, Status& status) noexcept;
 
 }  // namespace tern
 

@@ -29,29 +29,32 @@ bool move_to(const Vec3& inside, double thickness, const Polyhedron& polyhedron,
 
 /// True if the other half-spaces leave nothing of this plane after it has moved out by `thickness`: the polyhedron
 /// without this half-space then reaches no further than that.
-bool is_redundant(const Planes& planes, int index, double reach, double thickness) {
+bool is_redundant(const Planes& planes, int index, double reach, double thickness, int& cuts) {
   const Halfspace& plane = planes.at[index];
   if (plane.offset >= reach) return true;
   Facet facet = square_on({plane.normal, plane.offset + thickness}, reach);
   for (int p = 0; p < planes.count; ++p) {
-    if (p != index && !planes.redundant[p] && !cut(planes.at[p], facet)) return true;
+    if (p == index || planes.redundant[p]) continue;
+    ++cuts;
+    if (!cut(planes.at[p], facet)) return true;
   }
   return false;
 }
 
 }  // namespace
 
-void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept {
+int set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept {
   const double thickness = kSliverThickness * reach;
   Planes planes;
   planes.at = scratch;
   planes.count = polyhedron.count;
   polyhedron.redundant = 0;
-  if (!move_to(inside, thickness, polyhedron, planes)) return;
+  if (!move_to(inside, thickness, polyhedron, planes)) return 0;
   int kept = 0;
+  int cuts = 0;
   for (int p = 0; p < planes.count; ++p) {
     const Halfspace plane = polyhedron.planes[p];
-    planes.redundant[p] = is_redundant(planes, p, reach, thickness);
+    planes.redundant[p] = is_redundant(planes, p, reach, thickness, cuts);
     if (planes.redundant[p]) {
       planes.at[p] = plane;  // no later cut uses this entry, so it can store the plane
     } else {
@@ -62,6 +65,7 @@ void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reac
   for (int p = 0; p < planes.count; ++p) {
     if (planes.redundant[p]) polyhedron.planes[kept + polyhedron.redundant++] = planes.at[p];
   }
+  return cuts;
 }
 
 }  // namespace tern

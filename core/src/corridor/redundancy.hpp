@@ -21,8 +21,9 @@ constexpr double kSliverThickness = 1e-12;
 /// (metres) of `inside`. The first `count` half-spaces then bound the same set, to kSliverThickness * reach for each
 /// one that moved, and by the same measure none of them is redundant. If the polyhedron is so flat that `inside` is on
 /// a plane, all half-spaces stay. Each half-space's facet is a convex polygon that all others cut: at most kMaxPlanes^2
-/// cuts of polygons with kMaxPlanes + 4 corners. `scratch` has room for `count` half-spaces.
-void set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
+/// cuts of polygons with kMaxPlanes + 4 corners. `scratch` has room for `count` half-spaces. Returns how many cuts it
+/// made.
+int set_redundant_aside(Polyhedron& polyhedron, const Vec3& inside, double reach, Halfspace* scratch) noexcept;
 
 }  // namespace tern
 

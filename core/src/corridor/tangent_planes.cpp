@@ -14,6 +14,15 @@ constexpr double kRounding = 1e-15;
 /// Scale of the next box where only one remains: above all that matter.
 constexpr double kNoOther = 1e300;
 
+/// Instructions of a unit, and of one turn of its loops.
+constexpr std::uint32_t kStepEffort = 200;
+constexpr std::uint32_t kTestEffort = 40;
+constexpr std::uint32_t kListEffort = 170;
+constexpr std::uint32_t kScanEffort = 6;
+constexpr std::uint32_t kContactEffort = 1500;
+constexpr std::uint32_t kSeparateEffort = 1500;
+constexpr std::uint32_t kDropEffort = 20;
+
 bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   const double short_of = plane.offset + radius - support(plane.normal, box_of(box));
   if (short_of <= 0.0) return true;
@@ -21,12 +30,16 @@ bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   return short_of <= kRounding * (1.0 + ((box.upper[0] + box.upper[1]) + box.upper[2]));
 }
 
-/// Lists all boxes as remaining, each with a lower bound of the scale at which the ellipsoid meets it.
-void list_all(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScratch& scratch) {
-  for (int i = 0; i < obstacles.count; ++i) {
-    scratch.scale[i] = least_scale(metric, obstacles.boxes[i], obstacles.radius);
+/// Lists more obstacles as remaining, each with a lower bound of the scale at which the ellipsoid meets it.
+void list_some(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scratch, Work& work) {
+  const int begin = pass.listed;
+  const int end = obstacles.count - begin < kListed ? obstacles.count : begin + kListed;
+  for (int i = begin; i < end; ++i) {
+    scratch.scale[i] = least_scale(pass.metric, obstacles.boxes[i], obstacles.radius);
     scratch.remaining[i] = i;
   }
+  pass.listed = end;
+  work.effort += kStepEffort + effort_of(kListEffort, end - begin);
 }
 
 /// The least scale or bound of the remaining boxes; of equals, the first, whose box has the lowest index.
@@ -50,25 +63,20 @@ Nearest nearest_remaining(const GrowScratch& scratch, int count) {
   return nearest;
 }
 
-/// The remaining box that the growing ellipsoid meets first.
-struct Met {
-  int place;  ///< among the remaining
-  Contact contact;
-};
-
-/// Computes contacts, the least bound first, until a box with a contact has the least scale. Each contact takes the
-/// place of the box's bound. Most boxes are cut off before their bound is the least, and never need one.
-Met first_met(const EllipsoidMetric& metric, const Obstacles& obstacles, GrowScratch& scratch, int count) {
-  Met met{-1, {}};
-  // Each iteration but the last two turns a bound into a scale.
-  for (int k = 0; k < count + 2; ++k) {
-    const Nearest nearest = nearest_remaining(scratch, count);
-    if (nearest.place == met.place) break;
-    met = {nearest.place, contact_of(metric, obstacles.boxes[scratch.remaining[nearest.place]], obstacles.radius)};
-    scratch.scale[nearest.place] = met.contact.scale;
-    if (met.contact.scale < nearest.second) break;
-  }
-  return met;
+/// Computes the contact of the remaining box with the least bound, which it takes the place of. Most boxes are cut off
+/// before their bound is the least, and never need one. True once a box with a contact has the least scale: the growing
+/// ellipsoid meets that one first.
+bool meets_first(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scratch, Work& work) {
+  work.effort += kStepEffort + effort_of(kScanEffort, pass.count);
+  const Nearest nearest = nearest_remaining(scratch, pass.count);
+  if (nearest.place == pass.met) return true;
+  const LocalBox& box = obstacles.boxes[scratch.remaining[nearest.place]];
+  pass.met = nearest.place;
+  pass.contact = contact_of(pass.metric, box, obstacles.radius);
+  work.effort += kContactEffort;
+  scratch.scale[nearest.place] = pass.contact.scale;
+  // Each look but the last two turns a bound into a scale.
+  return pass.contact.scale < nearest.second || ++pass.looks == pass.count + 2;
 }
 
 /// Keeps the remaining boxes that the half-space does not cut off. The box `made_for` is always dropped, because the
@@ -85,32 +93,62 @@ int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_
   return kept;
 }
 
-}  // namespace
-
-int keep_uncut(const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count) noexcept {
-  int kept = 0;
-  for (int i = 0; i < count; ++i) {
-    bool cut = false;
-    for (int p = 0; p < polyhedron.count && !cut; ++p) cut = cut_off(polyhedron.planes[p], boxes[i], radius);
-    if (!cut) boxes[kept++] = boxes[i];
-  }
-  return kept;
+/// Makes the half-space for the box that is met first.
+Status cut_off_met(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment, GrowScratch& scratch,
+                   Polyhedron& out, Work& work) {
+  work.effort += kSeparateEffort + effort_of(kDropEffort, pass.count);
+  const std::int32_t box = scratch.remaining[pass.met];
+  Halfspace plane;
+  Status status = separate(segment, obstacles.boxes[box], obstacles.radius, to_vec3(pass.contact.normal), plane);
+  if (status == Status::kOk) status = append(plane, scratch, out);
+  if (status != Status::kOk) return status;
+  pass.count = drop_cut_off(plane, obstacles, box, scratch, pass.count);
+  pass.met = -1;
+  pass.looks = 0;
+  return Status::kOk;
 }
 
-Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
-                       GrowScratch& scratch, Polyhedron& out) noexcept {
-  list_all(metric, obstacles, scratch);
-  int count = obstacles.count;
-  while (count > 0) {
-    const Met met = first_met(metric, obstacles, scratch, count);
-    const std::int32_t box = scratch.remaining[met.place];
-    Halfspace plane;
-    Status status = separate(segment, obstacles.boxes[box], obstacles.radius, to_vec3(met.contact.normal), plane);
-    if (status == Status::kOk) status = append(plane, scratch, out);
-    if (status != Status::kOk) return status;
-    count = drop_cut_off(plane, obstacles, box, scratch, count);
+}  // namespace
+
+Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
+                    Work& work) noexcept {
+  while (sieve.next < count) {
+    if (!work.take()) return Progress::kMore;
+    const int end = count - sieve.next < kSieved ? count : sieve.next + kSieved;
+    int tests = end - sieve.next;
+    for (; sieve.next < end; ++sieve.next) {
+      bool cut = false;
+      int p = 0;
+      for (; p < polyhedron.count && !cut; ++p) cut = cut_off(polyhedron.planes[p], boxes[sieve.next], radius);
+      if (!cut) boxes[sieve.kept++] = boxes[sieve.next];
+      tests += p;
+    }
+    work.effort += kStepEffort + effort_of(kTestEffort, tests);
   }
-  return Status::kOk;
+  return Progress::kDone;
+}
+
+void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept {
+  pass.metric = metric;
+  pass.listed = 0;
+  pass.count = 0;
+  pass.met = -1;
+  pass.looks = 0;
+}
+
+Progress tangents_advance(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment,
+                          GrowScratch& scratch, Polyhedron& out, Work& work, Status& status) noexcept {
+  for (; pass.listed < obstacles.count; pass.count = pass.listed) {
+    if (!work.take()) return Progress::kMore;
+    list_some(pass, obstacles, scratch, work);
+  }
+  while (pass.count > 0) {
+    if (!work.take()) return Progress::kMore;
+    if (!meets_first(pass, obstacles, scratch, work)) continue;
+    const Status made = cut_off_met(pass, obstacles, segment, scratch, out, work);
+    if (made != Status::kOk) return conclude(made, status);
+  }
+  return conclude(Status::kOk, status);
 }
 
 }  // namespace tern

@@ -3,6 +3,8 @@
 #ifndef TERN_CORRIDOR_TANGENT_PLANES_HPP
 #define TERN_CORRIDOR_TANGENT_PLANES_HPP
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
 #include "corridor/separation.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
@@ -12,16 +14,39 @@
 
 namespace tern {
 
-/// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. Returns how many.
-int keep_uncut(const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count) noexcept;
+/// A sieve in work. Plain data; all 0 at first.
+struct Sieve {
+  int next;  ///< the box to look at next
+  int kept;  ///< boxes so far that no half-space cuts off
+};
+
+/// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. A unit of work looks at
+/// kSieved of them. kDone: they are the first sieve.kept boxes.
+constexpr int kSieved = 64;
+Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
+                    Work& work) noexcept;
+
+/// A pass over the obstacles in work. Plain data; needs no initialisation before tangents_begin.
+struct TangentPass {
+  EllipsoidMetric metric;
+  int listed;       ///< obstacles that are listed as remaining
+  int count;        ///< remaining, once all are listed
+  int met;          ///< the one whose contact is known, by its place among the remaining; -1: none yet
+  Contact contact;  ///< of that one
+  int looks;        ///< contacts computed for the half-space that comes next
+};
 
 /// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of them by the
 /// radius. The obstacles are those that `out` does not cut off yet. The next half-space is made for the obstacle that
 /// the growing ellipsoid meets first; of two met at once, for the one with the lower index. It also settles every other
-/// obstacle that it cuts off. Each pass settles at least one obstacle. kOk, kCorridorBlocked, kPlanesFull or
-/// kBudgetCorridor.
-Status append_tangents(const EllipsoidMetric& metric, const Obstacles& obstacles, const SegmentMargin& segment,
-                       GrowScratch& scratch, Polyhedron& out) noexcept;
+/// obstacle that it cuts off. Each half-space settles at least one obstacle.
+void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept;
+
+/// A unit of work lists kListed obstacles, or computes a contact; with the last contact that it needs, it makes the
+/// half-space. kDone, or kFailed with `status` kCorridorBlocked, kPlanesFull or kBudgetCorridor.
+constexpr int kListed = 128;
+Progress tangents_advance(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment,
+                          GrowScratch& scratch, Polyhedron& out, Work& work, Status& status) noexcept;
 
 }  // namespace tern
 

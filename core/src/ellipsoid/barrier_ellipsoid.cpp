@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/barrier_ellipsoid.hpp"
 
+#include "base/work.hpp"
+
 namespace tern {
 namespace {
 
 constexpr int kBarrierSteps = 20;
 /// Newton decrement at which the point is close enough to the centre for its ellipsoid to be used.
 constexpr double kCentred = 1e-2;
+
+/// Instructions of a step, and of a half-space in it.
+constexpr std::uint32_t kStepEffort = 200;
+constexpr std::uint32_t kPlaneEffort = 40;
 
 /// Returns the gradient of the barrier -sum log(slack), and stores its Hessian as the metric's matrix.
 void differentiate(const Polyhedron& polyhedron, double least_slack, EllipsoidMetric& metric, Vector& gradient) {
@@ -48,7 +54,8 @@ BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& i
   Vector gradient;
   differentiate(polyhedron, least_slack, metric, gradient);
   double determinant = invert(metric);
-  for (int step = 0; step < kBarrierSteps; ++step) {
+  int steps = 1;
+  for (; steps <= kBarrierSteps; ++steps) {
     const Vector newton = multiply(metric.shape, gradient);
     const double decrement = square_root(larger(dot(newton, gradient), 0.0));
     if (decrement < kCentred) break;
@@ -58,6 +65,7 @@ BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& i
   }
   const double planes = static_cast<double>(polyhedron.count);
   result.size = determinant * (planes * planes * planes);
+  result.effort = effort_of(kStepEffort + effort_of(kPlaneEffort, polyhedron.count), steps);
   return result;
 }
 

@@ -8,6 +8,8 @@
 #ifndef TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 #define TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 
+#include <cstdint>
+
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "tern/corridor.hpp"
 
@@ -16,7 +18,8 @@ namespace tern {
 /// The ellipsoid as a metric, and a stand-in for the polyhedron's size.
 struct BarrierEllipsoid {
   EllipsoidMetric metric;
-  double size;  ///< det(E^2) * planes^3: grows like the square of the volume
+  double size;           ///< det(E^2) * planes^3: grows like the square of the volume
+  std::uint32_t effort;  ///< instructions that it took, see Work
 };
 
 /// Takes at most kBarrierSteps damped Newton steps from `inside` towards the analytic centre. A distance to a plane

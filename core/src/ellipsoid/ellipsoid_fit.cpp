@@ -10,47 +10,49 @@ constexpr double kThinnest = 0.01;
 /// Shrinking steps in each of the two phases, at most. Each step shortens the axis; most fits need two or three.
 constexpr int kFitSteps = 16;
 
-/// The obstacles that may still meet the ellipsoid. It only shrinks, so a dropped one never comes back.
-struct Candidates {
-  std::int32_t* index;
-  int count;
-};
+/// Instructions of a unit, and of one obstacle in its loops.
+constexpr std::uint32_t kStepEffort = 400;
+constexpr std::uint32_t kCollectEffort = 20;
+constexpr std::uint32_t kScreenEffort = 170;
+constexpr std::uint32_t kContactEffort = 1500;
 
 void turn_y_towards(EllipsoidFrame& frame, const Vector& unit) {
   frame.direction.col(1) = unit;
   frame.direction.col(2) = cross(frame.direction.col(0), unit);
 }
 
-/// The obstacles that the sphere of radius `reach` about the centre meets.
-Candidates boxes_within(const Obstacles& obstacles, const Vec3& center, double reach, std::int32_t* index) {
-  Candidates found{index, 0};
-  const double limit = (reach + obstacles.radius) * (reach + obstacles.radius);
+/// Lists the obstacles that the sphere over the segment meets.
+void collect(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index, Work& work) {
+  const Vector& center = fit.frame.center;
+  const double limit = (fit.half + obstacles.radius) * (fit.half + obstacles.radius);
+  fit.count = 0;
   for (int i = 0; i < obstacles.count; ++i) {
     const LocalBox& box = obstacles.boxes[i];
-    const double x = center.x - clamp(center.x, box.lower[0], box.upper[0]);
-    const double y = center.y - clamp(center.y, box.lower[1], box.upper[1]);
-    const double z = center.z - clamp(center.z, box.lower[2], box.upper[2]);
-    if ((x * x + y * y) + z * z < limit) index[found.count++] = i;
+    const double x = center[0] - clamp(center[0], box.lower[0], box.upper[0]);
+    const double y = center[1] - clamp(center[1], box.lower[1], box.upper[1]);
+    const double z = center[2] - clamp(center[2], box.lower[2], box.upper[2]);
+    if ((x * x + y * y) + z * z < limit) index[fit.count++] = i;
   }
-  return found;
+  work.effort += kStepEffort + effort_of(kCollectEffort, obstacles.count);
 }
 
-/// Drops the candidates that the ellipsoid does not meet. Returns whether any are left; `first` is then the contact
-/// that the ellipsoid meets first.
-bool first_contact(const EllipsoidFrame& frame, const Obstacles& obstacles, Candidates& candidates, Contact& first) {
-  const EllipsoidMetric metric = metric_of(frame);
-  int kept = 0;
-  for (int k = 0; k < candidates.count; ++k) {
-    const std::int32_t i = candidates.index[k];
-    if (least_scale(metric, obstacles.boxes[i], obstacles.radius) >= 1.0) continue;
-    const Contact contact = contact_of(metric, obstacles.boxes[i], obstacles.radius);
+/// Looks at the next candidates. Drops those that the ellipsoid does not meet: it only shrinks, so they never come
+/// back.
+void look(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index, Work& work) {
+  const int begin = fit.next;
+  const int end = fit.count - begin < kFitScreens ? fit.count : begin + kFitScreens;
+  int contacts = 0;
+  for (; fit.next < end && contacts < kFitContacts; ++fit.next) {
+    const std::int32_t i = index[fit.next];
+    if (least_scale(fit.metric, obstacles.boxes[i], obstacles.radius) >= 1.0) continue;
+    const Contact contact = contact_of(fit.metric, obstacles.boxes[i], obstacles.radius);
+    ++contacts;
     if (contact.scale >= 1.0 - kFitTolerance) continue;
-    candidates.index[kept] = i;
-    if (kept == 0 || contact.scale < first.scale) first = contact;
-    ++kept;
+    index[fit.kept] = i;
+    if (fit.kept == 0 || contact.scale < fit.first.scale) fit.first = contact;
+    ++fit.kept;
   }
-  candidates.count = kept;
-  return kept > 0;
+  work.effort += kStepEffort + effort_of(kScreenEffort, fit.next - begin) + effort_of(kContactEffort, contacts);
 }
 
 double square(double x) {
@@ -63,36 +65,62 @@ double remaining(double used) {
   return used < 1.0 ? square_root(1.0 - used) : 0.0;
 }
 
-/// Shrinks y and z together, so the ellipsoid stays round about the segment. In the end, y points towards the last
-/// contact.
-void shrink_both(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates, double thinnest) {
-  Contact contact{};
-  for (int step = 0; step < kFitSteps && frame.semi_axis[1] > thinnest; ++step) {
-    if (!first_contact(frame, obstacles, candidates, contact)) return;
-    const double along = dot(contact.point, frame.direction.col(0));
-    const Vector across = contact.point - along * frame.direction.col(0);
-    const double distance_across = length(across);
-    if (distance_across > 0.0) turn_y_towards(frame, (1.0 / distance_across) * across);
-    const double left = remaining(square(along / frame.semi_axis[0]));
-    const double touching = left > 0.0 ? distance_across / left : 0.0;
-    frame.semi_axis[1] = clamp(touching, thinnest, frame.semi_axis[1]);
-    frame.semi_axis[2] = frame.semi_axis[1];
-  }
+/// Shrinks y and z together until the ellipsoid touches the first contact. In the end, y points towards the last one.
+void shrink_both(EllipsoidFrame& frame, const Contact& contact, double thinnest) {
+  const double along = dot(contact.point, frame.direction.col(0));
+  const Vector across = contact.point - along * frame.direction.col(0);
+  const double distance_across = length(across);
+  if (distance_across > 0.0) turn_y_towards(frame, (1.0 / distance_across) * across);
+  const double left = remaining(square(along / frame.semi_axis[0]));
+  const double touching = left > 0.0 ? distance_across / left : 0.0;
+  frame.semi_axis[1] = clamp(touching, thinnest, frame.semi_axis[1]);
+  frame.semi_axis[2] = frame.semi_axis[1];
 }
 
-/// Stretches z to the length of x and shrinks it again, but no further than y: the round ellipsoid was already clear.
-void stretch_z(EllipsoidFrame& frame, const Obstacles& obstacles, Candidates candidates) {
-  frame.semi_axis[2] = frame.semi_axis[0];
-  Contact contact{};
-  for (int step = 0; step < kFitSteps && frame.semi_axis[2] > frame.semi_axis[1]; ++step) {
-    if (!first_contact(frame, obstacles, candidates, contact)) return;
-    const double along = dot(contact.point, frame.direction.col(0));
-    const double aside = dot(contact.point, frame.direction.col(1));
-    const double up = absolute(dot(contact.point, frame.direction.col(2)));
-    const double left = remaining(square(along / frame.semi_axis[0]) + square(aside / frame.semi_axis[1]));
-    const double touching = left > 0.0 ? up / left : 0.0;
-    frame.semi_axis[2] = clamp(touching, frame.semi_axis[1], frame.semi_axis[2]);
+/// Shrinks z, but no further than y: the round ellipsoid was already clear.
+void shrink_z(EllipsoidFrame& frame, const Contact& contact) {
+  const double along = dot(contact.point, frame.direction.col(0));
+  const double aside = dot(contact.point, frame.direction.col(1));
+  const double up = absolute(dot(contact.point, frame.direction.col(2)));
+  const double left = remaining(square(along / frame.semi_axis[0]) + square(aside / frame.semi_axis[1]));
+  const double touching = left > 0.0 ? up / left : 0.0;
+  frame.semi_axis[2] = clamp(touching, frame.semi_axis[1], frame.semi_axis[2]);
+}
+
+/// Begins a round with the candidates that are left; false where the phase is over.
+bool begin_round(EllipsoidFit& fit) {
+  const EllipsoidFrame& frame = fit.frame;
+  const double least = fit.phase == FitPhase::kShrink ? kThinnest * fit.half : frame.semi_axis[1];
+  const double shrinking = fit.phase == FitPhase::kShrink ? frame.semi_axis[1] : frame.semi_axis[2];
+  fit.metric = metric_of(frame);
+  fit.next = fit.kept = 0;
+  return fit.step < kFitSteps && shrinking > least;
+}
+
+/// After all candidates: shrinks the ellipsoid, and begins the next round. False where the phase is over.
+bool end_round(EllipsoidFit& fit) {
+  if (fit.kept == 0) return false;
+  if (fit.phase == FitPhase::kShrink) {
+    shrink_both(fit.frame, fit.first, kThinnest * fit.half);
+  } else {
+    shrink_z(fit.frame, fit.first);
   }
+  fit.count = fit.kept;
+  ++fit.step;
+  return begin_round(fit);
+}
+
+void end_phase(EllipsoidFit& fit) {
+  fit.phase = fit.phase == FitPhase::kShrink ? FitPhase::kCollectAgain : FitPhase::kDone;
+}
+
+/// Once the candidates are collected.
+void begin_phase(EllipsoidFit& fit) {
+  const bool again = fit.phase == FitPhase::kCollectAgain;
+  fit.phase = again ? FitPhase::kStretch : FitPhase::kShrink;
+  if (again) fit.frame.semi_axis[2] = fit.frame.semi_axis[0];
+  fit.step = 0;
+  if (!begin_round(fit)) end_phase(fit);
 }
 
 /// The ball for a hover, where no direction is special.
@@ -119,18 +147,34 @@ EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noex
   return thick;
 }
 
+void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept {
+  fit.half = 0.5 * distance(from, to);
+  const bool is_point = 2.0 * fit.half < kPointLike;
+  fit.frame = is_point ? ball_about(0.5 * (from + to), cell) : sphere_over(from, to);
+  fit.phase = is_point ? FitPhase::kDone : FitPhase::kCollect;
+}
+
+Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept {
+  while (fit.phase != FitPhase::kDone) {
+    if (!work.take()) return Progress::kMore;
+    if (fit.phase == FitPhase::kCollect || fit.phase == FitPhase::kCollectAgain) {
+      collect(fit, obstacles, inside, work);
+      begin_phase(fit);
+      continue;
+    }
+    look(fit, obstacles, inside, work);
+    if (fit.next == fit.count && !end_round(fit)) end_phase(fit);
+  }
+  return Progress::kDone;
+}
+
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
                              std::int32_t* inside) noexcept {
-  const Vec3 middle = 0.5 * (from + to);
-  const double half = 0.5 * distance(from, to);
-  if (2.0 * half < kPointLike) return ball_about(middle, cell);
-
-  EllipsoidFrame frame = sphere_over(from, to);
-  Candidates candidates = boxes_within(obstacles, middle, half, inside);
-  shrink_both(frame, obstacles, candidates, kThinnest * half);
-  candidates = boxes_within(obstacles, middle, half, inside);
-  stretch_z(frame, obstacles, candidates);
-  return frame;
+  EllipsoidFit fit;
+  fit_begin(fit, from, to, cell);
+  Work all{0xFFFFFFFFu};
+  fit_advance(fit, obstacles, inside, all);
+  return fit.frame;
 }
 
 }  // namespace tern

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "grid/local_boxes.hpp"
 #include "tern/vec3.hpp"
@@ -28,12 +30,44 @@ constexpr double kPointLike = 1e-6;
 /// The sphere whose diameter is the segment, with x along it. The segment must not be a point (kPointLike).
 EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
 
+/// What a fit does next.
+enum class FitPhase : std::uint8_t {
+  kCollect,       ///< the obstacles near the sphere, before y and z shrink
+  kShrink,        ///< y and z together, so that the ellipsoid stays round about the segment
+  kCollectAgain,  ///< before z shrinks
+  kStretch,       ///< z alone, from the length of x
+  kDone,
+};
+
+/// A fit in work. Plain data; needs no initialisation before fit_begin.
+struct EllipsoidFit {
+  EllipsoidFrame frame;  ///< when done, the ellipsoid
+  FitPhase phase;
+  double half;  ///< of the segment's length, metres
+  // The round at hand: it looks at the candidates, and keeps those that the ellipsoid meets.
+  EllipsoidMetric metric;
+  int step;   ///< rounds of this phase before it
+  int count;  ///< candidates
+  int next;   ///< the one to look at next
+  int kept;
+  Contact first;  ///< the contact that the ellipsoid meets first, if any are kept
+};
+
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` sets the size of the ball if the
-/// segment is a point. `inside` is scratch for obstacles.count indices.
+/// segment is a point.
 ///
 /// The paper shrinks until no obstacle is inside. Here, an obstacle may reach inside by a thousandth of the ellipsoid's
 /// size, and no axis falls below a hundredth of the longest. This is good enough, because the ellipsoid that is stored
 /// with a polyhedron is inscribed in it afterwards.
+void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
+
+/// A unit of work collects the candidates, or looks at kFitScreens of them, of which it computes the contacts of
+/// kFitContacts at most. `inside` is scratch for obstacles.count indices, which stays until kDone.
+constexpr int kFitScreens = 256;
+constexpr int kFitContacts = 16;
+Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept;
+
+/// All of it.
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
                              std::int32_t* inside) noexcept;
 

@@ -6,10 +6,16 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of a plane of voxels, of cutting a row of it short, and of a normal.
+constexpr std::uint32_t kPlaneEffort = 300;
+constexpr std::uint32_t kCutEffort = 70;
+constexpr std::uint32_t kNormalEffort = 250;
 
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
@@ -99,35 +105,42 @@ Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
   return Status::kOk;
 }
 
-void block_outside(const Fences& fences, FenceLayer& layer, const Grid& view) noexcept {
+std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept {
   const Voxel& dims = view.spec().dims;
   const double cell = view.spec().cell;
-  for (std::int32_t z = 0; z < dims.z; ++z) {
-    for (std::int32_t y = 0; y < dims.y; ++y) {
-      for (int p = 0; p < fences.keep_in_count; ++p) {
-        const Halfspace& plane = fences.keep_in[p];
-        IndexRange run{0, dims.x};
-        keep_short_of({-1.0 * plane.normal, -plane.offset}, {y * cell, z * cell}, cell, run);
-        block_run(layer, view, y, z, run);
-      }
-    }
-  }
-}
-
-void block_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer, const Grid& view) noexcept {
-  const double cell = view.spec().cell;
-  collect_normals(fences, fence, view.spec().clearance(), layer);
-  const IndexRange layers = rows_near(layer, view, 2);
-  const IndexRange rows = rows_near(layer, view, 1);
-  for (std::int32_t z = layers.begin; z < layers.end; ++z) {
-    for (std::int32_t y = rows.begin; y < rows.end; ++y) {
-      IndexRange run{0, view.spec().dims.x};
-      for (int k = 0; k < layer.clear_count && run.begin < run.end; ++k) {
-        keep_short_of(layer.clear[k], {y * cell, z * cell}, cell, run);
-      }
+  for (std::int32_t y = 0; y < dims.y; ++y) {
+    for (int p = 0; p < fences.keep_in_count; ++p) {
+      const Halfspace& plane = fences.keep_in[p];
+      IndexRange run{0, dims.x};
+      keep_short_of({-1.0 * plane.normal, -plane.offset}, {y * cell, z * cell}, cell, run);
       block_run(layer, view, y, z, run);
     }
   }
+  return kPlaneEffort + effort_of(kCutEffort, dims.y * fences.keep_in_count);
+}
+
+std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,
+                               const Grid& view) noexcept {
+  collect_normals(fences, fence, view.spec().clearance(), layer);
+  layer.planes = rows_near(layer, view, 2);
+  layer.rows = rows_near(layer, view, 1);
+  return kPlaneEffort + effort_of(kNormalEffort, layer.clear_count);
+}
+
+std::uint32_t block_keep_out(FenceLayer& layer, const Grid& view, std::int32_t z) noexcept {
+  if (!contains(layer.planes, z)) return kPlaneEffort;
+  const double cell = view.spec().cell;
+  int cuts = 0;
+  for (std::int32_t y = layer.rows.begin; y < layer.rows.end; ++y) {
+    IndexRange run{0, view.spec().dims.x};
+    int k = 0;
+    for (; k < layer.clear_count && run.begin < run.end; ++k) {
+      keep_short_of(layer.clear[k], {y * cell, z * cell}, cell, run);
+    }
+    block_run(layer, view, y, z, run);
+    cuts += k + 1;
+  }
+  return kPlaneEffort + effort_of(kCutEffort, cuts);
 }
 
 }  // namespace tern

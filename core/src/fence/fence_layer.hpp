@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "fence/fences.hpp"
+#include "grid/lattice.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
 
@@ -21,20 +22,25 @@ constexpr int kMaxFenceNormals = 6 + kMaxFencePlanes + kMaxFencePlanes * (kMaxFe
 struct FenceLayer {
   std::uint64_t words[kMaxFenceWords];
   std::int32_t clear_count;
-  Halfspace clear[kMaxFenceNormals];  ///< normal . p >= offset is clear of the current keep-out
+  Halfspace clear[kMaxFenceNormals];  ///< normal . p >= offset is clear of the current keep-out,
+  IndexRange planes;                  ///< which reaches these planes and rows
+  IndexRange rows;
 };
 
 /// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kFenceLayerFull.
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept;
 
-/// Blocks each voxel of the view whose closed cube is not inside every keep-in. One pass over the rows.
-void block_outside(const Fences& fences, FenceLayer& layer, const Grid& view) noexcept;
+/// Blocks each voxel in plane z of the view whose closed cube is not inside every keep-in. Returns what it took, in
+/// instructions (see Work).
+std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;
 
-/// Blocks the voxels that the keep-out, grown by the radius, may reach. A voxel stays free if one plane cuts it off
-/// with the radius to spare. The normals of these planes are the coordinate axes, those of the faces, and half way
-/// between those of two faces, because the grown keep-out is round at its edges. At a corner, a voxel too many may be
-/// blocked, but never one too few.
-void block_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer, const Grid& view) noexcept;
+/// Blocks the voxels that the keep-out, grown by the radius, may reach: prepare_keep_out() once, then plane by plane. A
+/// voxel stays free if one plane cuts it off with the radius to spare. The normals of these planes are the coordinate
+/// axes, those of the faces, and half way between those of two faces, because the grown keep-out is round at its edges.
+/// At a corner, a voxel too many may be blocked, but never one too few. Both return what they took.
+std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,
+                               const Grid& view) noexcept;
+std::uint32_t block_keep_out(FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;
 
 }  // namespace tern
 

@@ -10,16 +10,9 @@
 namespace tern {
 namespace {
 
-/// What units of the planner cost here, so that all units of a flight take about as long: a step of the search or the
-/// shortcut, a polyhedron, a way to come to rest first, and an iteration of the optimiser or what else comes after it.
-constexpr std::uint32_t kPathPrice = 2;
-constexpr std::uint32_t kPolyhedronPrice = 96;
-constexpr std::uint32_t kEscapePrice = 64;
-constexpr std::uint32_t kTrajectoryPrice = 32;
-/// The same for a piece of a proof.
-constexpr std::uint32_t kPiecePrice = 6;
-/// The part of a plan's work that the optimiser may spend: with less it answers with the best plan so far.
-constexpr std::uint32_t kIterationShare = 2;
+/// Units of a plan's work for each iteration that the optimiser may spend: where it needs more, it answers with the
+/// best plan so far.
+constexpr std::uint32_t kUnitsPerIteration = 64;
 /// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
 /// Where plans from rest fail, they are tried in turn with the unseen nearby solid; the same but for voxels next to the
@@ -36,21 +29,7 @@ std::int64_t lead_ticks(const FlightSpec& spec, int late) {
   return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
 }
 
-std::uint32_t price_of_unit(const Planner& planner) {
-  if (planner.stage() == Stage::kEscape) return kEscapePrice;
-  if (planner.corridor() != nullptr) return kTrajectoryPrice;
-  return planner.path() != nullptr ? kPolyhedronPrice : kPathPrice;
-}
-
 }  // namespace
-
-/// A slice of a proof.
-Progress step_proof(Proof& proof, Work& work) noexcept {
-  const std::uint32_t before = proof.report().work;
-  const Status status = proof.step(work.left / kPiecePrice);
-  work.left -= kPiecePrice * (proof.report().work - before);
-  return status == Status::kRunning ? Progress::kMore : Progress::kDone;
-}
 
 Progress FlightState::prove(Work& work) noexcept {
   return step_proof(proof, work);
@@ -128,7 +107,10 @@ Progress FlightState::run_job(Work& work) noexcept {
 
 /// The rest of the plan that is flown is a candidate as long as the vehicle is still on it at the takeover.
 Progress FlightState::run_copy(Work& work) noexcept {
-  if (route.advance(map, work) == Progress::kMore) return Progress::kMore;
+  while (!route.done()) {
+    if (work.left == 0) return Progress::kMore;
+    owe(route.advance(map), work);
+  }
   const double from = seconds_between(now.begin, takeover);
   job = Job::kKeep;
   const bool candidate = now.goal == goal_number && still_fits() && from < now.branch;
@@ -176,7 +158,7 @@ void FlightState::ask_route() noexcept {
   request.fence_count = spec.fence_count;
   request.vias = asked;
   request.via_count = asked_count;
-  planner->begin(route.grid(), request);
+  begin_planner(request);
   job = Job::kRoute;
 }
 
@@ -184,9 +166,8 @@ void FlightState::ask_route() noexcept {
 Progress FlightState::run_route(Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning && planner->path() == nullptr) {
-    if (work.left < kPathPrice) return Progress::kMore;
-    status = planner->step(1);
-    work.left -= kPathPrice;
+    if (work.left == 0) return Progress::kMore;
+    status = step_planner(work);
   }
   if (planner->path() != nullptr) {
     shorten_way(*planner->path());
@@ -226,23 +207,21 @@ void FlightState::ask_planner() noexcept {
   request.start = {start.d[0], start.d[1], start.d[2], start.d[3]};
   request.goal.position = aim;
   request.limits = spec.limits;
-  request.budget.iterations = spec.plan_work / (kIterationShare * kTrajectoryPrice);
+  request.budget.iterations = spec.plan_work / kUnitsPerIteration;
   request.time_weight = spec.time_weight;
   request.fences = spec.fences;
   request.fence_count = spec.fence_count;
   request.vias = asked;
   request.via_count = asked_count;
-  planner->begin(route.grid(), request);
+  begin_planner(request);
   job = Job::kPlan;
 }
 
 Progress FlightState::run_plan(Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
-    const std::uint32_t price = price_of_unit(*planner);
-    if (work.left < price) return Progress::kMore;
-    status = planner->step(1);
-    work.left -= price;
+    if (work.left == 0) return Progress::kMore;
+    status = step_planner(work);
   }
   Report found;
   report.plan = planner->finish(plan, found);

@@ -23,6 +23,10 @@ bool is_contact(ProofEnd end) {
   return end == ProofEnd::kObstacle || end == ProofEnd::kOutside || end == ProofEnd::kFence;
 }
 
+/// Instructions of making a brake straight ahead, and one along what is flown.
+constexpr std::uint32_t kStopEffort = 25000;
+constexpr std::uint32_t kSlowDownEffort = 90000;
+
 /// No trajectory comes near to this.
 constexpr double kNowhere = 1e300;
 constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
@@ -53,6 +57,7 @@ void FlightState::begin_evade() noexcept {
   takeover = time + lead;
   deadline = takeover - spec.tick;
   job = Job::kEvade;
+  defer_debt();
   best.number = branch = -1;
   straight = along = 0;
   extends = false;
@@ -60,6 +65,7 @@ void FlightState::begin_evade() noexcept {
 }
 
 bool FlightState::make_evasion() noexcept {
+  owed += branch < kStops ? kStopEffort : kSlowDownEffort;
   const Commitment& commitment = commitment_at(takeover);
   draft.begin = takeover;
   draft.branch = 0.0;

@@ -158,17 +158,6 @@ bool FlightState::reads_map() const noexcept {
   }
 }
 
-/// Half of the work, or most of it where nothing else is in work.
-void FlightState::step_map(Work& work) noexcept {
-  if (reads_map()) return;
-  if (!map.busy()) follow_window();
-  if (!map.busy()) return;
-  const std::uint32_t share = job == Job::kIdle ? work.left / 4 * 3 : work.left / 2;
-  work.left -= share;
-  // Before the next frame comes: there may always be one waiting.
-  if (map.step(share) == Status::kOk) follow_window();
-}
-
 void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode();
   report.reason = reason;
@@ -190,7 +179,7 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
   state.alarmed = false;
   state.pass_points();
   state.take_over();
-  Work work{state.spec.work_per_tick};
+  Work work = state.begin_work();
   state.step_map(work);
   state.run_watch(work);
   state.turn_nose(work);

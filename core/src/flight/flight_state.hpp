@@ -45,7 +45,9 @@ class FlightState {
   RollingMap map;
   Planner* planner;
   RouteCopy route;
-  std::int64_t time;  ///< of the last tick
+  std::int64_t time;       ///< of the last tick
+  std::uint64_t owed;      ///< instructions that were done and not paid for yet
+  std::uint64_t deferred;  ///< and those that wait until no brake is in work
   Commitment now;
   Commitment next;
   bool has_next;
@@ -64,11 +66,12 @@ class FlightState {
   std::int64_t takeover;  ///< when its result begins
   std::int64_t deadline;  ///< the last tick that may commit it
   Proof proof;
-  Commitment draft;     ///< the plan at hand
-  Trajectory plan;      ///< of the planner
-  Stopping stop;        ///< the brake that was tried last
-  JointState start;     ///< at the takeover, world frame
-  Via asked[kMaxVias];  ///< what the plan passes
+  std::uint32_t planner_effort;  ///< what of the plan in work is paid for, as Planner counts it
+  Commitment draft;              ///< the plan at hand
+  Trajectory plan;               ///< of the planner
+  Stopping stop;                 ///< the brake that was tried last
+  JointState start;              ///< at the takeover, world frame
+  Via asked[kMaxVias];           ///< what the plan passes
   std::int32_t asked_point[kMaxVias];
   std::int32_t asked_count;
   std::int32_t target;         ///< the point after those
@@ -142,8 +145,16 @@ class FlightState {
   void take_over() noexcept;
   FlightMode mode() const noexcept;
   bool reads_map() const noexcept;
-  void step_map(Work& work) noexcept;
   void finish_report(std::uint32_t spent) noexcept;
+
+  // charge.cpp: what a tick spends
+  Work begin_work() noexcept;
+  void owe(std::uint32_t effort, Work& work) noexcept;
+  void defer_debt() noexcept;
+  Progress step_proof(Proof& of, Work& work) noexcept;
+  void begin_planner(const Request& request) noexcept;
+  Status step_planner(Work& work) noexcept;
+  void step_map(Work& work) noexcept;
 
   // aim.cpp: where to, and where to look.
   void choose_aim(const Vec3& from, double most) noexcept;
@@ -194,7 +205,7 @@ class FlightState {
   NoseWish nose_wish(std::int64_t t) const noexcept;
   void begin_yaw(const NoseWish& wish) noexcept;
   void time_headings(YawRequest& request) noexcept;
-  void advance_yaw(Work& work) noexcept;
+  void advance_yaw(Work& work, std::uint32_t kept) noexcept;
   YawSample yaw_at(std::int64_t t) const noexcept;
   void note_view() noexcept;
   bool waits_for_view() const noexcept;
@@ -265,9 +276,6 @@ Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept;
 
 /// What is wrong with a mission; kOk where nothing is.
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
-
-/// A slice of a proof, in the flight's units.
-Progress step_proof(Proof& proof, Work& work) noexcept;
 
 }  // namespace tern
 

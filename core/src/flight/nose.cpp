@@ -14,13 +14,9 @@
 namespace tern {
 namespace {
 
-/// How far ahead the nose is planned, seconds, and the length of a yaw plan's pieces.
+/// How far ahead the nose is planned, seconds.
 constexpr double kNoseAhead = 4.0;
-constexpr double kNosePiece = 0.1;
-/// What a point of a yaw plan costs, and an iteration for each of its pieces, in units; and the part of a tick's units
-/// that yaw plans may spend.
-constexpr std::uint32_t kPointPrice = 4;
-constexpr std::uint32_t kIterationPrice = 3;
+/// The part of a tick's units that yaw plans may spend.
 constexpr std::uint32_t kNoseShare = 4;
 /// A yaw plan is flown for so long, nanoseconds, before the next one takes over: a plan brings the acceleration of its
 /// start to 0 first, so that plans that follow each other faster would never turn.
@@ -76,13 +72,6 @@ bool same_wish(const NoseWish& a, const NoseWish& b) {
          distance(a.point, b.point) < kSameWish;
 }
 
-/// The pieces of a plan for the next kNoseAhead seconds, at most.
-std::uint32_t most_pieces(double rate, double acceleration) {
-  const double turn = kPi / rate + 3.0 * rate / acceleration;
-  const double pieces = (kNoseAhead + 1.2 * turn) / kNosePiece + 4.0;
-  return pieces < kMaxYawPieces ? static_cast<std::uint32_t>(pieces) : kMaxYawPieces;
-}
-
 }  // namespace
 
 Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept {
@@ -135,10 +124,7 @@ void FlightState::turn_nose(Work& work) noexcept {
   }
   const bool is_due = !nose.busy && !nose.has_next && time + kNoseTicks * spec.tick >= nose.begin + kNoseHold;
   if (is_due && !same_wish(nose_wish(time), nose.wish)) begin_yaw(nose_wish(time));
-  Work share{least(work.left, spec.work_per_tick / kNoseShare)};
-  work.left -= share.left;
-  if (nose.busy) advance_yaw(share);
-  work.left += share.left;
+  if (nose.busy) advance_yaw(work, work.left - least(work.left, spec.work_per_tick / kNoseShare));
 }
 
 void FlightState::begin_yaw(const NoseWish& wish) noexcept {
@@ -157,9 +143,6 @@ void FlightState::begin_yaw(const NoseWish& wish) noexcept {
   if (wish.mode == FlightYawMode::kFixed) request.mode = YawMode::kFixed;
   if (wish.mode == FlightYawMode::kAtPoints) time_headings(request);
   nose.wish = wish;
-  nose.points_left = most_pieces(spec.yaw_rate, most);
-  nose.iteration_price = kIterationPrice * nose.points_left;
-  nose.paid = 0;
   nose.busy = nose.planner.begin(nose.way, request) == Status::kRunning;
 }
 
@@ -183,19 +166,14 @@ void FlightState::time_headings(YawRequest& request) noexcept {
   request.heading = nose.headings[itinerary.leg < last ? itinerary.leg : last];
 }
 
-/// Each unit is paid for first, in several ticks where need be. A plan that is not done in time is taken as it is: it
-/// keeps the limits, too.
-void FlightState::advance_yaw(Work& work) noexcept {
+/// As long as more than `kept` units are left. A plan that is not done in time is taken as it is: it keeps the limits,
+/// too.
+void FlightState::advance_yaw(Work& work, std::uint32_t kept) noexcept {
   Status status = Status::kRunning;
-  while (status == Status::kRunning) {
-    const std::uint32_t price = nose.points_left > 0 ? kPointPrice : nose.iteration_price;
-    const std::uint32_t given = least(work.left, price - nose.paid);
-    work.left -= given;
-    nose.paid += given;
-    if (nose.paid < price) break;
-    nose.paid = 0;
-    if (nose.points_left > 0) --nose.points_left;
+  while (status == Status::kRunning && work.left > kept) {
+    const std::uint32_t effort = nose.planner.unit_effort();
     status = nose.planner.step(1);
+    owe(effort, work);
   }
   if (status == Status::kRunning && time + spec.tick < nose.next_begin) return;
   nose.planner.finish(nose.next);

@@ -42,9 +42,6 @@ struct Nose {
   YawPlanner planner;
   Trajectory way;  ///< what is flown from the takeover on
   TimedHeading timed[kMaxMissionPoints];
-  std::uint32_t points_left;      ///< units of the planner that are points
-  std::uint32_t iteration_price;  ///< units
-  std::uint32_t paid;             ///< of the next unit's price
 
   // What the flight needs to see.
   double least_cosine;  ///< of the angle from the nose, within the field of view

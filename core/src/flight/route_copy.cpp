@@ -3,27 +3,25 @@
 #include "flight/route_copy.hpp"
 
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
 
 namespace tern {
 namespace {
 
-/// Planes that one piece inflates.
-constexpr std::int32_t kCopiedPlanes = 4;
-/// Words of a unit.
-constexpr std::int32_t kCopiedWords = 64;
-constexpr std::int32_t kInflatedWords = 16;
+/// Words that a piece copies, or one row.
+constexpr std::int32_t kCopiedWords = 256;
+/// Instructions of a row, and of a word that is the same as before and one that is not.
+constexpr std::uint32_t kRowEffort = 180;
+constexpr std::uint32_t kWordEffort = 36;
+constexpr std::uint32_t kChangedEffort = 140;
 /// No voxels of a row.
 constexpr IndexRange kNone{0, 0};
 
 /// Rows that one piece copies.
 std::int32_t rows_of_piece(std::int32_t row_words) {
   return row_words < kCopiedWords ? kCopiedWords / row_words : 1;
-}
-
-std::uint32_t units_for(std::int64_t words, std::int32_t unit) {
-  return static_cast<std::uint32_t>((words + unit - 1) / unit);
 }
 
 /// Along one axis, in voxels; none for a reach of 0.
@@ -55,8 +53,7 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, do
   }
   center_ = (1.0 / spec.cell) * local;
   emptied_ = emptied / spec.cell;
-  row_ = plane_ = 0;
-  paid_ = 0;
+  row_ = piece_ = 0;
 }
 
 /// The voxels of a row that the ball meets.
@@ -68,7 +65,8 @@ IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexc
   return voxels_around(center_.x, square_root(rest), grid_.spec().dims.x);
 }
 
-void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
+/// Returns how many words changed.
+std::int32_t RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const Grid& route = map.route();
   const std::int32_t rows_along_y = grid_.spec().dims.y;
   const std::int32_t y = row % rows_along_y;
@@ -79,43 +77,30 @@ void RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const std::uint64_t* const hit = route.obstacle_row(y, z);
   const std::uint64_t* const solid = map.safe().obstacle_row(y, z);
   const std::uint64_t* const before = grid_.obstacle_row(y, z);
+  std::int32_t changed = 0;
   for (std::int32_t k = 0; k < grid_.row_words(); ++k) {
     const std::uint64_t unseen = solid[k] & bits_met(near, k) & ~bits_met(hole, k);
     const std::uint64_t word = (hit[k] | unseen) & ~bits_met(emptied, k);
-    if (word != before[k]) GridWords(grid_).store(y, z, k, word);
+    if (word == before[k]) continue;
+    GridWords(grid_).store(y, z, k, word);
+    ++changed;
   }
+  return changed;
 }
 
-void RouteCopy::inflate_piece() noexcept {
-  const std::int32_t end = plane_ + kCopiedPlanes;
-  const std::int32_t planes = grid_.spec().dims.z;
-  GridWords(grid_).inflate_planes(plane_, end < planes ? end : planes);
-  plane_ = end;
-  if (plane_ >= planes) GridWords(grid_).finish_inflation();
+bool RouteCopy::done() const noexcept {
+  return piece_ == GridWords::inflation_pieces(grid_.spec().dims);
 }
 
-std::uint32_t RouteCopy::price() const noexcept {
+std::uint32_t RouteCopy::advance(const RollingMap& map) noexcept {
   const Voxel& dims = grid_.spec().dims;
-  if (row_ < dims.y * dims.z) return units_for(grid_.row_words(), kCopiedWords);
-  return units_for(std::int64_t{grid_.row_words()} * dims.y * kCopiedPlanes, kInflatedWords);
-}
-
-Progress RouteCopy::advance(const RollingMap& map, Work& work) noexcept {
-  const Voxel& dims = grid_.spec().dims;
-  while (plane_ < dims.z) {
-    const std::uint32_t given = least(work.left, price() - paid_);
-    work.left -= given;
-    paid_ += given;
-    if (paid_ < price()) return Progress::kMore;
-    paid_ = 0;
-    if (row_ < dims.y * dims.z) {
-      const std::int32_t last = row_ + rows_of_piece(grid_.row_words());
-      for (; row_ < last && row_ < dims.y * dims.z; ++row_) copy_row(map, row_);
-    } else {
-      inflate_piece();
-    }
-  }
-  return Progress::kDone;
+  const std::int32_t rows = dims.y * dims.z;
+  if (row_ == rows) return GridWords(grid_).inflate_piece(piece_++);
+  const std::int32_t left = rows - row_;
+  const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
+  std::int32_t changed = 0;
+  for (std::int32_t n = 0; n < count; ++n) changed += copy_row(map, row_++);
+  return effort_of(kRowEffort + effort_of(kWordEffort, grid_.row_words()), count) + effort_of(kChangedEffort, changed);
 }
 
 }  // namespace tern

@@ -23,16 +23,16 @@ class RouteCopy {
   /// Begins to copy. From `hole` to `near` away from `center` along some axis, the unseen is solid. Nothing is solid
   /// within `emptied` of the center.
   void begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept;
-  /// The map must not change before it is done. A unit is 64 words copied, or 16 inflated.
-  Progress advance(const RollingMap& map, Work& work) noexcept;
+  bool done() const noexcept;
+  /// Does a piece: some rows copied, or a piece of the inflation. Not where it is done; the map must not change before
+  /// that. Returns what it took, in instructions (see Work).
+  std::uint32_t advance(const RollingMap& map) noexcept;
 
   const Grid& grid() const noexcept { return grid_; }
 
  private:
   IndexRange emptied_voxels(std::int32_t y, std::int32_t z) const noexcept;
-  void copy_row(const RollingMap& map, std::int32_t row) noexcept;
-  void inflate_piece() noexcept;
-  std::uint32_t price() const noexcept;
+  std::int32_t copy_row(const RollingMap& map, std::int32_t row) noexcept;
 
   Grid grid_;
   IndexRange hole_[3];
@@ -40,8 +40,7 @@ class RouteCopy {
   Vec3 center_{};       ///< in voxels, and the voxels around it in which nothing is solid
   double emptied_ = 0.0;
   std::int32_t row_ = 0;    ///< next to copy
-  std::int32_t plane_ = 0;  ///< next to inflate
-  std::uint32_t paid_ = 0;
+  std::int32_t piece_ = 0;  ///< of the inflation, next
 };
 
 }  // namespace tern

@@ -6,6 +6,10 @@
 #ifndef TERN_GRID_DISTANCE_HPP
 #define TERN_GRID_DISTANCE_HPP
 
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
 
@@ -59,9 +63,23 @@ bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept;
 /// The same for every point of the segment from a to b. Reads at most the voxels within the radius of its bounding box.
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept;
 
-/// The free voxel (up-to-date blocked layer) whose centre is nearest to the point, which may lie anywhere; ties go to
-/// the least z, then y, then x. False, leaving `out` alone, where no voxel is free. Reads each word of the layer at
-/// most once.
+/// The search for the free voxel nearest to a point, in work. Plain data; needs no initialisation before nearest_begin.
+struct NearestFree {
+  Vec3 point;  ///< in cells
+  bool found;
+  double distance_squared;  ///< of the best voxel so far, in cells
+  Voxel voxel;
+  std::int32_t square;  ///< rows at this distance from the point's come next
+  std::int32_t last;
+};
+
+/// Finds the free voxel (up-to-date blocked layer) whose centre is nearest to the point, which may lie anywhere; ties
+/// go to the least z, then y, then x. A unit of work reads the rows at one distance from the point's, each word of the
+/// layer at most once. kDone: `found` says whether any voxel is free, and `voxel` is the nearest.
+void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) noexcept;
+Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept;
+
+/// All of it. False, leaving `out` alone, where no voxel is free.
 bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept;
 
 }  // namespace tern

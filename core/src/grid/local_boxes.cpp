@@ -13,6 +13,15 @@ namespace {
 
 constexpr double kFullyInside = 1.0 - kLatticeTolerance;
 
+/// Instructions of a layer, and a word that is compared with the one below; of a layer that differs: a word that is
+/// compared with the one in the row before, a row that differs, and a run in it; of a rectangle in it or below it.
+constexpr std::uint32_t kLayerEffort = 300;
+constexpr std::uint32_t kWordEffort = 6;
+constexpr std::uint32_t kRowWordEffort = 12;
+constexpr std::uint32_t kRowEffort = 100;
+constexpr std::uint32_t kRunEffort = 50;
+constexpr std::uint32_t kRectangleEffort = 60;
+
 /// Truncation to [0, count], compared as doubles first: a far coordinate does not fit an integer.
 std::int32_t clamp_index(double cells, std::int32_t count) {
   if (!(cells > 0.0)) return 0;
@@ -120,6 +129,7 @@ struct Layer {
   LayerRectangle* rectangles;
   int count;
   int open_count;
+  std::uint32_t effort;  ///< see Work
 };
 
 void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
@@ -154,16 +164,21 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   }
   while (i < layer.open_count) close_rectangle(layer, open[i++], y);
   layer.open_count = kept;
+  layer.effort += kRowEffort + effort_of(kRunEffort, kept);
   return true;
 }
 
 /// The rectangles of one layer, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
-int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles) {
-  Layer layer{rectangles, 0, 0};
+int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles,
+                     Work& work) {
+  Layer layer{rectangles, 0, 0, effort_of(kRowWordEffort, rows.count * window.words)};
   int now = 0;
   for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, y + 1)) {
     copy_window(rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride, window, scratch.row);
-    if (!take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now])) return -1;
+    const bool fits = take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now]);
+    work.effort += layer.effort;
+    layer.effort = 0;
+    if (!fits) return -1;
     now ^= 1;
   }
   for (int i = 0; i < layer.open_count; ++i) close_rectangle(layer, scratch.open[now ^ 1][i], rows.count);
@@ -216,6 +231,27 @@ bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* la
   return true;
 }
 
+/// Goes on to the next layer; false where the boxes do not fit. A layer that equals the one below changes nothing.
+bool read_layer(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) {
+  const VoxelRange& range = scratch.range;
+  const Window window = window_of(range);
+  const Rows rows = rows_of(grid, range, window, scratch.z);
+  const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
+  work.effort += kLayerEffort + effort_of(kWordEffort, rows.count * window.words);
+  if (scratch.z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) return true;
+  LayerRectangle* const below = scratch.rectangles[scratch.below];
+  LayerRectangle* const layer = scratch.rectangles[1 - scratch.below];
+  Boxes found{boxes, scratch.count, grid.spec().cell};
+  grow_up(below, scratch.below_count, scratch.z, found);
+  const int count = layer_rectangles(rows, window, scratch, layer, work);
+  work.effort += effort_of(kRectangleEffort, scratch.below_count + (count < 0 ? kMaxLocalBoxes : count));
+  if (count < 0 || !join_below(below, scratch.below_count, layer, count, range, scratch.z, found)) return false;
+  scratch.count = found.count;
+  scratch.below = 1 - scratch.below;
+  scratch.below_count = count;
+  return true;
+}
+
 }  // namespace
 
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
@@ -232,27 +268,30 @@ VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept {
   return range;
 }
 
-int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
-  if (range.lower.x >= range.upper.x || range.lower.y >= range.upper.y) return 0;
-  const Window window = window_of(range);
-  Boxes found{boxes, 0, grid.spec().cell};
-  LayerRectangle* below = scratch.rectangles[0];
-  LayerRectangle* layer = scratch.rectangles[1];
-  int below_count = 0;
-  const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
-  for (std::int32_t z = range.lower.z; z < range.upper.z; ++z) {
-    const Rows rows = rows_of(grid, range, window, z);
-    if (z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) continue;
-    grow_up(below, below_count, z, found);
-    const int count = layer_rectangles(rows, window, scratch, layer);
-    if (count < 0 || !join_below(below, below_count, layer, count, range, z, found)) return -1;
-    LayerRectangle* const done = below;
-    below = layer;
-    layer = done;
-    below_count = count;
+void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept {
+  const bool empty = range.lower.x >= range.upper.x || range.lower.y >= range.upper.y;
+  scratch.range = range;
+  scratch.z = empty ? range.upper.z : range.lower.z;
+  scratch.count = 0;
+  scratch.below = 0;
+  scratch.below_count = 0;
+}
+
+Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept {
+  const VoxelRange& range = scratch.range;
+  for (; scratch.z < range.upper.z; ++scratch.z) {
+    if (!work.take()) return Progress::kMore;
+    if (!read_layer(grid, scratch, boxes, work)) return Progress::kFailed;
   }
-  grow_up(below, below_count, range.upper.z, found);
-  return found.count;
+  const Boxes found{boxes, scratch.count, grid.spec().cell};
+  grow_up(scratch.rectangles[scratch.below], scratch.below_count, range.upper.z, found);
+  return Progress::kDone;
+}
+
+int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept {
+  Work all{0xFFFFFFFFu};
+  extract_begin(range, scratch);
+  return extract_advance(grid, scratch, boxes, all) == Progress::kDone ? scratch.count : -1;
 }
 
 }  // namespace tern

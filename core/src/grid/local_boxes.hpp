@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "tern/config.hpp"
 #include "tern/grid.hpp"
@@ -45,8 +47,13 @@ struct LayerRectangle {
 constexpr int kMaxRowRuns = kMaxLocalBoxes < kMaxDimension / 2 + 1 ? kMaxLocalBoxes : kMaxDimension / 2 + 1;
 static_assert(kMaxDimension < 32768, "rectangles count voxels in 16 bits");
 
-/// Scratch of the extraction; no initialisation needed.
+/// An extraction in work, and its scratch; no initialisation needed before extract_begin.
 struct ExtractScratch {
+  VoxelRange range;
+  std::int32_t z;                                ///< the layer to read next
+  int count;                                     ///< boxes so far
+  int below;                                     ///< which rectangles are those of the layer below,
+  std::int32_t below_count;                      ///< and how many
   LayerRectangle rectangles[2][kMaxLocalBoxes];  ///< of this layer and of the one below, each sorted by (y0, x0)
   std::int32_t open[2][kMaxRowRuns];             ///< rectangles that reach the current row, in order of x
   std::uint64_t row[kMaxRowWords];               ///< the range's words of the row at hand
@@ -57,8 +64,13 @@ struct ExtractScratch {
 /// verifies runs of bits sees no run that is longer than the box it went into.
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept;
 
-/// Merges the obstacle voxels of `range` into disjoint boxes, in the order of their lower corners by (z, y, x).
-/// Reads only the words of the range. Returns the number of boxes, or -1 where they are more than kMaxLocalBoxes.
+/// Merges the obstacle voxels of `range` into disjoint boxes, in the order of their lower corners by (z, y, x). Reads
+/// only the words of the range. A unit of work reads a layer. kDone: scratch.count is the number of boxes. kFailed:
+/// they are more than kMaxLocalBoxes.
+void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept;
+Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept;
+
+/// All of it. Returns the number of boxes, or -1 where they are more than kMaxLocalBoxes.
 int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept;
 
 }  // namespace tern

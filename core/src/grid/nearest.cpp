@@ -10,13 +10,10 @@
 namespace tern {
 namespace {
 
-/// The best voxel so far. All in cells.
-struct Nearest {
-  Vec3 point;
-  bool found;
-  double distance_squared;
-  Voxel voxel;
-};
+/// Instructions of a square, a row of it, and a word of a row.
+constexpr std::uint32_t kSquareEffort = 200;
+constexpr std::uint32_t kRowEffort = 80;
+constexpr std::uint32_t kWordEffort = 8;
 
 bool precedes(const Voxel& a, const Voxel& b) {
   if (a.z != b.z) return a.z < b.z;
@@ -24,7 +21,7 @@ bool precedes(const Voxel& a, const Voxel& b) {
   return a.x < b.x;
 }
 
-void offer(Nearest& nearest, const Voxel& voxel) {
+void offer(NearestFree& nearest, const Voxel& voxel) {
   const Vec3 apart{voxel.x + 0.5 - nearest.point.x, voxel.y + 0.5 - nearest.point.y, voxel.z + 0.5 - nearest.point.z};
   const double squared = dot(apart, apart);
   if (nearest.found) {
@@ -57,7 +54,7 @@ std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32
 }
 
 /// Within a row only the last free voxel before the point's own and the first from there on can be nearest.
-void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z, Nearest& nearest) {
+void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z, NearestFree& nearest) {
   const std::uint64_t* row = grid.blocked_row(y, z);
   const std::int32_t before = free_before(row, x);
   if (before >= 0) offer(nearest, {before, y, z});
@@ -70,36 +67,59 @@ IndexRange around(std::int32_t center, std::int32_t k, std::int32_t count) {
   return {center < k ? 0 : center - k, center + k < count ? center + k + 1 : count};
 }
 
-/// All rows of the grid whose larger distance from the centre in y or z, in rows, is k.
-void offer_square(const Grid& grid, const Voxel& center, std::int32_t k, Nearest& nearest) {
+/// All rows of the grid whose larger distance from the centre in y or z, in rows, is k. Returns how many.
+int offer_square(const Grid& grid, const Voxel& center, std::int32_t k, NearestFree& nearest) {
   const Voxel& dims = grid.spec().dims;
   const IndexRange all_y = around(center.y, k, dims.y);
   const IndexRange all_z = around(center.z, k, dims.z);
+  int rows = 0;
+  const auto offer_one = [&](std::int32_t y, std::int32_t z) {
+    offer_row(grid, center.x, y, z, nearest);
+    ++rows;
+  };
   for (std::int32_t z = all_z.begin; z < all_z.end; ++z) {
     if (z == center.z - k || z == center.z + k) {
-      for (std::int32_t y = all_y.begin; y < all_y.end; ++y) offer_row(grid, center.x, y, z, nearest);
+      for (std::int32_t y = all_y.begin; y < all_y.end; ++y) offer_one(y, z);
       continue;
     }
-    if (center.y - k >= 0) offer_row(grid, center.x, center.y - k, z, nearest);
-    if (center.y + k < dims.y) offer_row(grid, center.x, center.y + k, z, nearest);
+    if (center.y - k >= 0) offer_one(center.y - k, z);
+    if (center.y + k < dims.y) offer_one(center.y + k, z);
   }
+  return rows;
 }
 
 }  // namespace
 
-bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept {
+void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) noexcept {
   const GridSpec& spec = grid.spec();
-  if (!grid.bound() || !finite(local)) return false;
-  Nearest nearest{{local.x / spec.cell, local.y / spec.cell, local.z / spec.cell}, false, 0.0, {0, 0, 0}};
-  const Voxel center{floor_index(nearest.point.x, 0, spec.dims.x - 1), floor_index(nearest.point.y, 0, spec.dims.y - 1),
-                     floor_index(nearest.point.z, 0, spec.dims.z - 1)};
-  const std::int32_t last = spec.dims.y > spec.dims.z ? spec.dims.y : spec.dims.z;
-  for (std::int32_t k = 0; k < last; ++k) {
+  nearest.found = false;
+  nearest.distance_squared = 0.0;
+  nearest.square = nearest.last = 0;
+  if (!grid.bound() || !finite(local)) return;
+  nearest.point = {local.x / spec.cell, local.y / spec.cell, local.z / spec.cell};
+  nearest.last = spec.dims.y > spec.dims.z ? spec.dims.y : spec.dims.z;
+}
+
+Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept {
+  const Voxel& dims = grid.spec().dims;
+  for (; nearest.square < nearest.last; ++nearest.square) {
     // Centres of this square's rows are k - 0.5 rows away at least; some slack keeps ties of rounded distances.
-    const double least = k - 0.5 - 1e-6;
+    const double least = nearest.square - 0.5 - 1e-6;
     if (nearest.found && least > 0.0 && nearest.distance_squared < least * least) break;
-    offer_square(grid, center, k, nearest);
+    if (!work.take()) return Progress::kMore;
+    const Voxel center{floor_index(nearest.point.x, 0, dims.x - 1), floor_index(nearest.point.y, 0, dims.y - 1),
+                       floor_index(nearest.point.z, 0, dims.z - 1)};
+    const int rows = offer_square(grid, center, nearest.square, nearest);
+    work.effort += kSquareEffort + effort_of(kRowEffort + effort_of(kWordEffort, grid.row_words()), rows);
   }
+  return Progress::kDone;
+}
+
+bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept {
+  NearestFree nearest;
+  Work all{0xFFFFFFFFu};
+  nearest_begin(nearest, grid, local);
+  nearest_advance(nearest, grid, all);
   if (nearest.found) out = nearest.voxel;
   return nearest.found;
 }

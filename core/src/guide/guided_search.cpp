@@ -12,6 +12,10 @@ namespace {
 
 constexpr int kBucketBits = 6;
 
+/// Instructions of an entry of the list of voxels, and of one of the guide's.
+constexpr std::uint32_t kVoxelEffort = 2200;
+constexpr std::uint32_t kGuideEffort = 1000;
+
 /// Blocks from the current one to the carrot. Aiming ahead smooths the corners of the guide's path, which the path of
 /// voxels need not follow.
 constexpr int kCarrotBlocks = 2;
@@ -188,6 +192,7 @@ Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
     ++taken;
   }
   work.left -= taken;
+  work.effort += taken * kGuideEffort;
   search.guide_left -= taken;
   return status;
 }
@@ -219,6 +224,7 @@ Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexce
   while (status == Status::kRunning && work.left > 0) {
     if (block_closed(search.guide, search.awaited)) {
       work.take();
+      work.effort += kVoxelEffort;
       status = take_voxel(search, grid);
       continue;
     }

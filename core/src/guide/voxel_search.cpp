@@ -5,6 +5,12 @@
 namespace tern {
 namespace {
 
+/// Instructions of expanding a node of the optimal search, besides its jumps; an entry of a flood; beginning a guided
+/// search or a flood.
+constexpr std::uint32_t kNodeEffort = 1500;
+constexpr std::uint32_t kPocketEffort = 2200;
+constexpr std::uint32_t kBeginEffort = 14000;
+
 void raise_high_water(VoxelSearch& search) {
   raise(search.nodes_high, static_cast<std::int32_t>(search.optimal.store.count));
   raise(search.open_high, search.optimal.open.high);
@@ -34,6 +40,7 @@ Status advance_optimal(VoxelSearch& search, const Grid& grid, Work& work) {
   Status status = Status::kRunning;
   while (status == Status::kRunning && !first_over(search) && work.take()) {
     status = search_expand(search.optimal, grid);
+    work.effort += kNodeEffort + search.optimal.effort;
     raise_high_water(search);
   }
   return status;
@@ -54,7 +61,10 @@ void begin_pocket(VoxelSearch& search, const Grid& grid, SearchMethod method) {
 Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
   const Voxel& to = search.method == SearchMethod::kGoalPocket ? search.start : search.goal;
   Status status = Status::kRunning;
-  while (status == Status::kRunning && work.take()) status = pocket_take(search.guided, grid, to);
+  while (status == Status::kRunning && work.take()) {
+    status = pocket_take(search.guided, grid, to);
+    work.effort += kPocketEffort;
+  }
   return status;
 }
 
@@ -94,6 +104,7 @@ Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
     const bool stalls = !floods && status == Status::kRunning && guide_stalls(search.guided);
     if (proves(status) || (status == Status::kRunning && !stalls)) return status;
     search.gave_up = search.gave_up || (!floods && !stalls);
+    work.effort += kBeginEffort;
     if (!begin_next(search, grid)) return status;
   }
   return status;
@@ -120,6 +131,7 @@ Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) n
   if (search.method == SearchMethod::kFirst) {
     const Status status = advance_optimal(search, grid, work);
     if (proves(status) || (status == Status::kRunning && !first_over(search))) return status;
+    work.effort += kBeginEffort;
     begin_guided(search, grid);
   }
   if (search.method == SearchMethod::kOptimal) return advance_optimal(search, grid, work);

@@ -4,6 +4,7 @@
 // Inflation, 64 voxels a word. A word of the blocked layer depends only on obstacles nearby. So only words near changed
 // ones are made again; after bind() all words count as changed. Of the words to make, rows that equal those of the
 // plane below are copied.
+#include "base/work.hpp"
 #include "grid/changes.hpp"
 #include "grid/stencil.hpp"
 #include "inflation/patch_maker.hpp"
@@ -12,6 +13,12 @@
 
 namespace tern {
 namespace {
+
+/// Instructions of beginning; of a word of the change map; of a plane of a window, and a word of it.
+constexpr std::uint32_t kBeginEffort = 3000;
+constexpr std::uint32_t kExtentEffort = 8;
+constexpr std::uint32_t kPlaneEffort = 500;
+constexpr std::uint32_t kReachedEffort = 90;
 
 /// Changed rows of a block in two planes together, word by word.
 struct ChangedRows {
@@ -67,6 +74,36 @@ std::int32_t count_runs(std::uint64_t rows) {
   return runs;
 }
 
+/// Adds the rows of gaps between runs that are shorter than 8 rows, and a few past the last run: a patch takes longer
+/// to begin than so many rows to make, and a row that is made although nothing reaches it stays the same.
+std::uint64_t without_gaps(std::uint64_t rows) {
+  for (int step = 1; step < 8; step *= 2) rows |= rows << step;
+  std::uint64_t gaps = ~rows;
+  for (int step = 1; step < 8; step *= 2) gaps |= gaps >> step;
+  return ~gaps;
+}
+
+/// From the first row to the last one.
+std::int32_t extent_of(std::uint64_t rows) {
+  return rows == 0 ? 0 : kBlockRows - __builtin_clzll(rows) - __builtin_ctzll(rows);
+}
+
+/// Prepares the rows for patches that take as little as possible: closes small gaps, and makes the same rows in all
+/// words if that is less than a patch for each word with the words beside it.
+void merge(WindowRows& rows, std::int32_t count) {
+  std::uint64_t any = 0;
+  std::int32_t apart = 0;
+  IndexRange words{count, 0};
+  for (std::int32_t k = 0; k < count; ++k) {
+    rows.words[k] = without_gaps(rows.words[k]);
+    any |= rows.words[k];
+    apart += 3 * extent_of(rows.words[k]);
+    if (rows.words[k] != 0) words = {k < words.begin ? k : words.begin, k + 1};
+  }
+  if ((words.end - words.begin + 2) * extent_of(any) > apart) return;
+  for (std::int32_t k = words.begin; k < words.end; ++k) rows.words[k] = without_gaps(any);
+}
+
 /// Removes the first run of rows from word k, and from the following words as long as they contain the whole run. Rows
 /// and words of the patch are counted from the window's first ones.
 Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
@@ -92,7 +129,8 @@ struct Inflation {
   const Regions regions;
   const std::uint64_t content;  ///< of the obstacle layer
   std::uint64_t* const
-      contents;  ///< of the blocked layer's regions: the content of the obstacles when they were last made
+      contents;           ///< of the blocked layer's regions: the content of the obstacles when they were last made
+  std::uint32_t& effort;  ///< see Work
 
   /// The rows of the window that changes reach in plane z.
   WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
@@ -124,15 +162,25 @@ struct Inflation {
     }
   }
 
+  void make(const Patch& patch) const {
+    effort += maker.make_effort(patch);
+    maker.make(patch);
+  }
+
   void make_all(const BlockWindow& window, std::int32_t z, WindowRows& rows) const {
-    for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch); });
+    const std::int32_t count = window.words.end - window.words.begin;
+    merge(rows, count);
+    const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
+    for (std::int32_t k = 0; k < count; ++k) rows.words[k] &= inside;
+    for_each_patch(window, z, rows, [this](const Patch& patch) { make(patch); });
   }
 
   /// Makes what may differ from the plane below. The patch has been copied from it.
   void make_differing(const Patch& patch, const PlaneSteps& steps) const {
     const IndexRange x = steps.voxels(patch.words);
-    if (maker.narrow(x)) return maker.make_narrow(patch, x);
-    maker.make(patch);
+    if (!maker.narrow(x)) return make(patch);
+    effort += maker.narrow_effort(patch);
+    maker.make_narrow(patch, x);
   }
 
   /// Makes the rows from the plane below and the differences. If it is cheaper to make all rows from obstacles, does
@@ -151,7 +199,10 @@ struct Inflation {
       price += count_runs(differing.words[k]) * (maker.narrow(steps.voxels({word, word + 1})) ? 1 : kWidePatch);
     }
     if (equal == 0 || price > count + kFewPatches) return false;
-    for_each_patch(window, z, reached, [this](const Patch& patch) { maker.copy_below(patch); });
+    for_each_patch(window, z, reached, [this](const Patch& patch) {
+      effort += maker.copy_effort(patch);
+      maker.copy_below(patch);
+    });
     for_each_patch(window, z, differing, [&](const Patch& patch) { make_differing(patch, steps); });
     return true;
   }
@@ -162,10 +213,12 @@ struct Inflation {
     bool follows = false;
     for (std::int32_t z = planes.begin; z < planes.end; ++z) {
       WindowRows reached = find_reached(window, z);
+      effort += kPlaneEffort + effort_of(kReachedEffort, count);
       for (std::int32_t k = 0; k < count; ++k) {
         if (reached.words[k] != 0) contents[regions.at(z, window.block, window.words.begin + k)] = content;
       }
       const bool any = reached.any(count) != 0;
+      if (any) effort += steps.effort(window, follows);
       if (any && follows) steps.advance();
       if (any && !follows) steps.begin(window, z);
       follows = any;
@@ -186,15 +239,16 @@ struct Inflation {
     return any != 0 ? kAllBits : 0;
   }
 
-  /// Makes what changes reach in the planes of `wanted`.
-  void run(PlaneSteps& steps, const IndexRange& wanted) const {
+  /// Makes what changes reach in the planes and blocks that are wanted.
+  void run(PlaneSteps& steps, const IndexRange& wanted, const IndexRange& blocks) const {
     const std::int32_t far_z = stencil.gap_z() + 1;
     const std::int32_t far_y = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
     const ChangeExtent extent =
         changes.extent(overlap({0, regions.planes}, {wanted.begin - far_z, wanted.end + far_z}));
     const IndexRange reached = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
     const IndexRange planes = overlap(reached, wanted);
-    for (std::int32_t block = 0; block < changes.blocks(); ++block) {
+    effort += effort_of(kExtentEffort, (wanted.end - wanted.begin + 2 * far_z) * regions.blocks * regions.words);
+    for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
       const std::uint64_t any = rows_reached(extent, block, far_y);
       if (any == 0) continue;
       const IndexRange rows{__builtin_ctzll(any), kBlockRows - __builtin_clzll(any)};
@@ -207,18 +261,22 @@ struct Inflation {
 
 }  // namespace
 
-void Grid::inflate_planes(std::int32_t begin, std::int32_t end) noexcept {
+std::uint32_t Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t first_block,
+                                   std::int32_t end_block) noexcept {
   const Changes changes(spec_.dims, changes_);
-  if (!changes.any()) return;
+  std::uint32_t effort = kBeginEffort;
+  if (!changes.any()) return effort;
   const Stencil stencil(spec_);
   const PatchMaker maker(*this, stencil, blocked_);
   PlaneSteps steps(*this, stencil);
-  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_}.run(steps, {begin, end});
+  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_, effort}.run(
+      steps, {begin, end}, {first_block, end_block});
+  return effort;
 }
 
 void Grid::inflate() noexcept {
   if (!bound()) return;
-  inflate_planes(0, spec_.dims.z);
+  inflate_planes(0, spec_.dims.z, 0, Regions(spec_.dims).blocks);
   Changes changes(spec_.dims, changes_);
   if (changes.any()) changes.clear();
   words_[kInflated] = words_[kRevision];

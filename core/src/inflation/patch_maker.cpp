@@ -2,11 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inflation/patch_maker.hpp"
 
+#include "base/work.hpp"
 #include "grid/lattice.hpp"
 #include "inflation/inflation_tile.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of a patch, of a tile of it, and of a plane of the ball in each round of it; of a row of the ball, for
+/// each word that it is added to.
+constexpr std::uint32_t kPatchEffort = 200;
+constexpr std::uint32_t kTileEffort = 600;
+constexpr std::uint32_t kRingEffort = 350;
+constexpr std::uint32_t kBallRowEffort = 7;
+
+/// Rows of the ball in the planes on one side of a voxel.
+int rows_of_ball(const Stencil& stencil) {
+  int rows = 0;
+  for (std::int32_t gap = 0; gap <= stencil.gap_z(); ++gap) rows += 2 * stencil.reach(gap, 0) + 1;
+  return rows;
+}
 
 void copy(const std::uint64_t* __restrict from, std::int32_t count, std::uint64_t* __restrict to) {
   for (std::int32_t k = 0; k < count; ++k) to[k] = from[k];
@@ -24,6 +39,26 @@ PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* 
       planes_inside_(inside_boundary(grid, 2)) {
   const IndexRange x = inside_boundary(grid, 0);
   for (std::int32_t k = 0; k < rows_.row_words; ++k) outside_x_[k] = ~bits_met(x, k);
+  tile_effort_ = kTileEffort + effort_of(kRingEffort, (stencil.gap_x() + 1) * (stencil.gap_z() + 1));
+  word_effort_ = 20 + effort_of(kBallRowEffort, rows_of_ball(stencil));
+}
+
+std::uint32_t PatchMaker::make_effort(const Patch& patch) const noexcept {
+  const IndexRange words = with_halo(patch.words);
+  const std::int32_t width = words.end - words.begin;
+  const std::int32_t rows = patch.rows.end - patch.rows.begin;
+  const std::int32_t tile_rows = kTileWords / width;
+  // Whole rows are contiguous, and take less.
+  const std::uint32_t word = width == rows_.row_words ? word_effort_ * 2 / 3 : word_effort_;
+  return kPatchEffort + effort_of(tile_effort_, (rows + tile_rows - 1) / tile_rows) + effort_of(word, rows * width);
+}
+
+std::uint32_t PatchMaker::narrow_effort(const Patch& patch) const noexcept {
+  return kPatchEffort + tile_effort_ + effort_of(30 + word_effort_, patch.rows.end - patch.rows.begin);
+}
+
+std::uint32_t PatchMaker::copy_effort(const Patch& patch) const noexcept {
+  return kPatchEffort + effort_of(16 + 5 * (patch.words.end - patch.words.begin), patch.rows.end - patch.rows.begin);
 }
 
 /// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.
@@ -32,10 +67,14 @@ bool PatchMaker::rows_apart(std::int32_t first, std::int32_t end) const noexcept
   return kWordBits * rows_.row_words - grid_.spec().dims.x > reach_x_;
 }
 
-void PatchMaker::make(const Patch& patch) const noexcept {
-  // Along x, words this far outside the patch can reach into it.
+/// Along x, words this far outside the patch can reach into it.
+IndexRange PatchMaker::with_halo(const IndexRange& words) const noexcept {
   const std::int32_t halo = words_for(reach_x_);
-  const IndexRange words = overlap({0, rows_.row_words}, {patch.words.begin - halo, patch.words.end + halo});
+  return overlap({0, rows_.row_words}, {words.begin - halo, words.end + halo});
+}
+
+void PatchMaker::make(const Patch& patch) const noexcept {
+  const IndexRange words = with_halo(patch.words);
   InflationTile tile;
   tile.z = patch.z;
   tile.first = words.begin;

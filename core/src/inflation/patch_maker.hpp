@@ -28,6 +28,10 @@ class PatchMaker {
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
+  /// What a patch takes, in instructions (see Work): making it, making it where it is narrow, and copying it.
+  std::uint32_t make_effort(const Patch& patch) const noexcept;
+  std::uint32_t narrow_effort(const Patch& patch) const noexcept;
+  std::uint32_t copy_effort(const Patch& patch) const noexcept;
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch) const noexcept;
   /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. All must lie within the patch's
@@ -39,6 +43,7 @@ class PatchMaker {
   void copy_below(const Patch& patch) const noexcept;
 
  private:
+  IndexRange with_halo(const IndexRange& words) const noexcept;
   bool rows_apart(std::int32_t first, std::int32_t end) const noexcept;
   void store(const InflationTile& tile, const IndexRange& words) const noexcept;
   void store_narrow(const InflationTile& tile, const IndexRange& x, std::int32_t k) const noexcept;
@@ -51,6 +56,8 @@ class PatchMaker {
   IndexRange rows_inside_;
   IndexRange planes_inside_;
   std::uint64_t outside_x_[kMaxRowWords];  ///< a row's bits outside the boundary
+  std::uint32_t tile_effort_;              ///< instructions of a tile, and of a word in it
+  std::uint32_t word_effort_;
 };
 
 }  // namespace tern

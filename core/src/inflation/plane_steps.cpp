@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inflation/plane_steps.hpp"
 
+#include "base/work.hpp"
 #include "grid/regions.hpp"
 
 namespace tern {
@@ -55,6 +56,11 @@ void PlaneSteps::advance() {
   known_ = rest_ == 0;
   if (rest_ > 0) --rest_;
   if (known_) take(z_ + reach_z_);
+}
+
+std::uint32_t PlaneSteps::effort(const BlockWindow& window, bool follows) const {
+  const int words = (window.rows.end - window.rows.begin + 2 * reach_y_) * (window.words.end - window.words.begin + 2);
+  return effort_of(400 + effort_of(14, words), follows ? 1 : 2 * reach_z_);
 }
 
 void PlaneSteps::judge(bool useful) {

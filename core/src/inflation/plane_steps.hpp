@@ -47,6 +47,8 @@ class PlaneSteps {
   void begin(const BlockWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
+  /// Instructions of advance(), if the window `follows`, or of begin(); see Work.
+  std::uint32_t effort(const BlockWindow& window, bool follows) const;
   /// Notes whether the marks were of use for this plane. If they were of no use for many planes, comparing is switched
   /// off for some.
   void judge(bool useful);

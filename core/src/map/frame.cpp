@@ -4,6 +4,7 @@
 // A depth image: checks it, places its view in the window, and enters what it sees into the map.
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "map/evidence.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -12,6 +13,13 @@ namespace tern {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
+/// Instructions of a row of a pyramid, and a pixel of it; of a block that the frame does not meet, of one that it does,
+/// and of a word of it that something is entered into.
+constexpr std::uint32_t kPyramidRowEffort = 250;
+constexpr std::uint32_t kPyramidEffort = 11;
+constexpr std::uint32_t kMissedEffort = 200;
+constexpr std::uint32_t kBlockEffort = 4000;
+constexpr std::uint32_t kEnteredEffort = 150;
 /// Largest tangent of a ray.
 constexpr double kMaxTangent = 100.0;
 
@@ -134,7 +142,7 @@ Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t 
   return Status::kRunning;
 }
 
-void MapState::make_pyramid_row(std::int64_t index) noexcept {
+std::uint32_t MapState::make_pyramid_row(std::int64_t index) noexcept {
   // All views of a frame have one size.
   const std::int64_t per_view = pieces() / frame.view_count;
   const DepthPyramid& pyramid = frame.views[index / per_view].pyramid;
@@ -142,6 +150,7 @@ void MapState::make_pyramid_row(std::int64_t index) noexcept {
   std::int32_t level = 1;
   while (level + 1 < pyramid.levels() && row >= pyramid.height(level)) row -= pyramid.height(level++);
   pyramid.make_row(level, static_cast<std::int32_t>(row));
+  return kPyramidRowEffort + effort_of(kPyramidEffort, pyramid.width(level));
 }
 
 VoxelBox MapState::block_at(std::int64_t index) const noexcept {
@@ -182,42 +191,59 @@ void MapState::prepare_views() noexcept {
   for (int v = 0; v < frame.view_count; ++v) frame.projectors[v] = Projector(frame.views[v], extent);
 }
 
-void MapState::enter_block(std::int64_t index) noexcept {
-  const VoxelBox block = block_at(index);
-  if (block.x.begin >= block.x.end) return;
+Evidence MapState::evidence_at(std::size_t word, bool forgotten) const noexcept {
+  return {forgotten ? 0 : seen[word], low[word], high[word], route.obstacle_row(0, 0)[word]};
+}
+
+void MapState::want_block(const VoxelBox& block) noexcept {
   const std::int32_t k = block.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(block.z.begin / kBlock);
-  const auto evidence = [&](std::size_t at) {
-    return Evidence{forget_first ? 0 : seen[at], low[at], high[at], GridWords(route).obstacles()[at]};
-  };
-  BlockWords wanted{};
-  BlockWords free{};
+  frame.wanted = frame.free = BlockWords{};
   for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      wanted.words[z - block.z.begin][y - block.y.begin] = open_to_misses(evidence(at)) & ~hit[at] & valid;
+      frame.wanted.words[z - block.z.begin][y - block.y.begin] =
+          open_to_misses(evidence_at(at, forget_first)) & ~hit[at] & valid;
     }
   }
-  for (int v = 0; v < frame.view_count; ++v) {
-    carve(frame.views[v], frame.projectors[v], {block.x.begin, block.y.begin, block.z.begin}, wanted, free);
-  }
+}
+
+std::uint32_t MapState::enter_block(const VoxelBox& block) noexcept {
+  const std::int32_t k = block.x.begin / 64;
+  const std::uint64_t valid = GridWords::valid_bits(route, k);
+  const bool forget_first = forgets(block.z.begin / kBlock);
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
+  std::uint32_t effort = kBlockEffort;
   for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
-      const std::uint64_t miss = free.words[z - block.z.begin][y - block.y.begin] & valid;
+      const std::uint64_t miss = frame.free.words[z - block.z.begin][y - block.y.begin] & valid;
       if (miss == 0 && hit[at] == 0 && !forget_first) continue;
-      const Evidence now = after(evidence(at), hit[at], miss, hits, misses);
+      const Evidence now = after(evidence_at(at, forget_first), hit[at], miss, hits, misses);
       if ((now.seen & ~seen[at]) != 0) ++learned;
       seen[at] = now.seen;
       low[at] = now.low;
       high[at] = now.high;
       hit[at] = 0;
       store(y, z, k, now.blocked);
+      effort += kEnteredEffort;
     }
   }
+  return effort;
+}
+
+std::uint32_t MapState::carve_block(std::int64_t index) noexcept {
+  const VoxelBox block = block_at(index);
+  if (block.x.begin >= block.x.end) return kMissedEffort;
+  if (frame.view == 0) want_block(block);
+  const Voxel first{block.x.begin, block.y.begin, block.z.begin};
+  const int view = frame.view++;
+  const std::uint32_t effort = carve(frame.views[view], frame.projectors[view], first, frame.wanted, frame.free);
+  if (frame.view < frame.view_count) return effort;
+  frame.view = 0;
+  return effort + enter_block(block);
 }
 
 }  // namespace tern

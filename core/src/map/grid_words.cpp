@@ -33,8 +33,18 @@ void GridWords::note(std::int32_t y, std::int32_t z, std::int32_t first, std::in
   Changes(grid_.spec_.dims, grid_.changes_).note(y, z, first, last);
 }
 
-void GridWords::inflate_planes(std::int32_t begin, std::int32_t end) const noexcept {
-  grid_.inflate_planes(begin, end);
+std::int32_t GridWords::inflation_pieces(const Voxel& dims) noexcept {
+  return (dims.z + kInflatedPlanes - 1) / kInflatedPlanes * Regions(dims).blocks;
+}
+
+std::uint32_t GridWords::inflate_piece(std::int32_t piece) const noexcept {
+  const Voxel& dims = grid_.spec_.dims;
+  const std::int32_t blocks = Regions(dims).blocks;
+  const std::int32_t begin = piece / blocks * kInflatedPlanes;
+  const std::int32_t end = begin + kInflatedPlanes < dims.z ? begin + kInflatedPlanes : dims.z;
+  const std::uint32_t effort = grid_.inflate_planes(begin, end, piece % blocks, piece % blocks + 1);
+  if (piece + 1 == inflation_pieces(dims)) finish_inflation();
+  return effort;
 }
 
 void GridWords::finish_inflation() const noexcept {

@@ -13,6 +13,9 @@
 
 namespace tern {
 
+/// Planes that one piece inflates.
+constexpr std::int32_t kInflatedPlanes = 4;
+
 class GridWords {
  public:
   explicit GridWords(Grid& grid) noexcept : grid_(grid) {}
@@ -34,9 +37,11 @@ class GridWords {
   /// inflated and the word changes.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t word) const noexcept;
 
-  /// Makes the blocked layer of planes begin .. end - 1 as inflate() would. Call finish_inflation() after the last
-  /// plane.
-  void inflate_planes(std::int32_t begin, std::int32_t end) const noexcept;
+  /// Pieces of an inflation: some planes, and 64 rows of them.
+  static std::int32_t inflation_pieces(const Voxel& dims) noexcept;
+  /// Makes one piece of the blocked layer as inflate() would. With the last one, the inflation is finished. Returns
+  /// what it took, in instructions (see Work).
+  std::uint32_t inflate_piece(std::int32_t piece) const noexcept;
   void finish_inflation() const noexcept;
 
   /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius, wherever that lies. No

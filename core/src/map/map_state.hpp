@@ -10,6 +10,7 @@
 
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
+#include "map/evidence.hpp"
 #include "map/hit_writer.hpp"
 #include "tern/map.hpp"
 #include "view/carve.hpp"
@@ -52,6 +53,10 @@ struct Frame {
   int view_count;
   VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
+  // The block at hand, which one view after the other carves.
+  int view;           ///< the next one; 0 before the first
+  BlockWords wanted;  ///< voxels that a miss would change,
+  BlockWords free;    ///< and those that the views so far see whole
 };
 
 /// The slide that is being made: voxel v of the new window is voxel v + by of the old one.
@@ -101,22 +106,28 @@ class MapState {
   /// The number of pieces of the current task, and the units that its next piece takes.
   std::int64_t pieces() const noexcept;
   std::uint32_t price() const noexcept;
-  void do_piece() noexcept;
+  /// Does the next piece of the job, and returns what it took, in instructions (see Work).
+  std::uint32_t advance() noexcept;
+  std::uint32_t do_piece() noexcept;
   /// Begins this task, or the first task after it that has any pieces.
   void begin(Task first) noexcept;
   /// Voxels of a block that the frame may change; an empty range along x if there are none.
   VoxelBox block_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
-  // The pieces of each task, by index. v is an image row.
-  void read_pixels(std::int32_t v) noexcept;
-  void clear_face_row(std::int32_t index) noexcept;
-  void close_face_row(std::int32_t index) noexcept;
-  void read_points(std::int64_t index) const noexcept;
-  void make_pyramid_row(std::int64_t index) noexcept;
-  void enter_block(std::int64_t index) noexcept;
-  void slide_plane(std::int32_t index) noexcept;
-  void copy_plane(std::int32_t z) const noexcept;
+  // The pieces of each task, by index. v is an image row. Each returns what it took.
+  std::uint32_t read_pixels(std::int32_t v) noexcept;
+  std::uint32_t clear_face_row(std::int32_t index) noexcept;
+  std::uint32_t close_face_row(std::int32_t index) noexcept;
+  std::uint32_t read_points(std::int64_t index) const noexcept;
+  std::uint32_t make_pyramid_row(std::int64_t index) noexcept;
+  std::uint32_t carve_block(std::int64_t index) noexcept;
+  /// What a frame changes in a block: misses where it was carved, and hits.
+  std::uint32_t enter_block(const VoxelBox& block) noexcept;
+  void want_block(const VoxelBox& block) noexcept;
+  Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
+  std::uint32_t slide_plane(std::int32_t index) noexcept;
+  std::uint32_t copy_plane(std::int32_t z) const noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
   /// Makes a row of the safe grid from what is hit and seen, and notes it in both grids.
@@ -129,7 +140,8 @@ class MapState {
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
   void note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept;
   /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window.
-  void mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
+  /// Returns what that took.
+  std::uint32_t mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
   /// Prepares the projectors of the frame's views.
   void prepare_views() noexcept;
   /// Inflates both grids at once.

@@ -4,6 +4,7 @@
 // Pixels of a depth image. Each gives a depth up to which its cone is free, and a voxel that is hit. Single precision
 // is enough: the depth is rounded towards the camera, and a hit is off by less than a thousandth of a voxel.
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "map/map_state.hpp"
 #include "map/support.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 
 /// Pixels that are processed together.
 constexpr std::int32_t kChunk = 64;
+/// Instructions of a row, of a pixel, and of one that is held against those around it.
+constexpr std::uint32_t kRowEffort = 600;
+constexpr std::uint32_t kPixelEffort = 60;
+constexpr std::uint32_t kJudgedEffort = 175;
 /// Depths of a chunk.
 struct Chunk {
   Four fours[kChunk / 4];
@@ -130,7 +135,7 @@ RowOfRays rays_of(const View& view, const Vec3& origin, double cell, float range
 
 }  // namespace
 
-void MapState::read_pixels(std::int32_t v) noexcept {
+std::uint32_t MapState::read_pixels(std::int32_t v) noexcept {
   const DepthView& depth = frame.image;
   const Scale scale = scale_of(depth);
   const float range = static_cast<float>(spec.range);
@@ -156,6 +161,7 @@ void MapState::read_pixels(std::int32_t v) noexcept {
     for (std::int32_t k = 0; k < count; ++k) row[u + k] = free.of(sees[k]);
     rays.mark(u, chunk, writer);
   }
+  return kRowEffort + effort_of(support.least > 0 ? kJudgedEffort : kPixelEffort, depth.width);
 }
 
 }  // namespace tern

@@ -3,6 +3,7 @@
 //
 // What the map is told rather than sees: the prior, boxes, cylinders and points to mark, and a ball that is free.
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
 #include "map/grid_words.hpp"
@@ -10,6 +11,10 @@
 
 namespace tern {
 namespace {
+
+/// Instructions of a box or cylinder of the prior, and of a word of it.
+constexpr std::uint32_t kPriorEffort = 200;
+constexpr std::uint32_t kMarkEffort = 90;
 
 /// The window's voxels whose interior overlaps the box.
 VoxelBox voxels_met(const GridSpec& window, const Box& box) {
@@ -64,11 +69,13 @@ std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first,
 
 }  // namespace
 
-void MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
+std::uint32_t MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
   const bool plane_kept = contains(kept.z, z);
+  std::uint32_t effort = effort_of(kPriorEffort, spec.prior_count + spec.prior_cylinder_count);
   const auto mark = [&](const IndexRange& met_x, const IndexRange& met_y) {
     visit_words({met_x, met_y, {z, z + 1}}, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
       const bool row_kept = plane_kept && contains(kept.y, y);
+      effort += kMarkEffort;
       if (row_kept) bits &= ~bits_met(kept.x, k);
       GridWords(route).store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)] | bits);
     });
@@ -82,6 +89,7 @@ void MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
     if (!contains(planes_met(route.spec(), cylinder), z)) continue;
     visit_rows(route.spec(), cylinder, [&](std::int32_t y, const IndexRange& x) { mark(x, {y, y + 1}); });
   }
+  return effort;
 }
 
 void MapState::inflate() noexcept {

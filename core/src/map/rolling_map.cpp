@@ -3,14 +3,13 @@
 //
 // A map's jobs, task by task and piece by piece.
 #include "base/math.hpp"
+#include "grid/regions.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 
 namespace tern {
 namespace {
 
-/// Planes that one piece inflates.
-constexpr std::int32_t kInflatedPlanes = 4;
 /// The most tasks of a job.
 constexpr int kTasks = 8;
 /// Words that one unit inflates or moves.
@@ -27,17 +26,19 @@ std::uint32_t units(std::size_t amount, std::size_t per_unit) {
   return static_cast<std::uint32_t>((amount + per_unit - 1) / per_unit);
 }
 
-std::int32_t inflation_pieces(const MapState& state) {
-  return (state.spec.dims.z + kInflatedPlanes - 1) / kInflatedPlanes;
-}
-
 std::size_t blocks(const MapState& state) {
   return static_cast<std::size_t>(state.row_words()) *
          static_cast<std::size_t>((state.spec.dims.y + kBlock - 1) / kBlock) * static_cast<std::size_t>(state.layers());
 }
 
-std::uint32_t plane_units(const MapState& state, std::int32_t planes) {
-  return units(state.row(0, 1) * static_cast<std::size_t>(planes), kUnitWords);
+std::uint32_t plane_units(const MapState& state) {
+  return units(state.row(0, 1), kUnitWords);
+}
+
+/// Units of a piece of an inflation.
+std::uint32_t inflation_price(const MapState& state) {
+  const std::int32_t rows = state.spec.dims.y < kBlockRows ? state.spec.dims.y : kBlockRows;
+  return units(state.row(rows, 0) * kInflatedPlanes, kUnitWords);
 }
 
 bool touches(const VoxelBox& box) {
@@ -72,20 +73,13 @@ Task task_after(Task task) {
 std::uint32_t slide_price(const MapState& state) {
   const std::size_t prior =
       static_cast<std::size_t>(state.spec.prior_count) + static_cast<std::size_t>(state.spec.prior_cylinder_count);
-  return plane_units(state, 1) + units(prior, kUnitWords);
-}
-
-void inflate_piece(Grid& grid, std::int64_t piece, bool last) {
-  const std::int32_t begin = static_cast<std::int32_t>(piece) * kInflatedPlanes;
-  const std::int32_t end = begin + kInflatedPlanes;
-  GridWords(grid).inflate_planes(begin, end < grid.spec().dims.z ? end : grid.spec().dims.z);
-  if (last) GridWords(grid).finish_inflation();
+  return plane_units(state) + units(prior, kUnitWords);
 }
 
 /// Units of all blocks, both inflations and one slide.
 std::uint32_t grids_work(const MapState& state) {
   const std::uint32_t planes =
-      static_cast<std::uint32_t>(inflation_pieces(state)) * plane_units(state, kInflatedPlanes);
+      static_cast<std::uint32_t>(GridWords::inflation_pieces(state.spec.dims)) * inflation_price(state);
   const std::uint32_t slide = static_cast<std::uint32_t>(state.spec.dims.z) * slide_price(state);
   return static_cast<std::uint32_t>(blocks(state)) * kBlock * kBlock + 2 * planes + slide;
 }
@@ -109,7 +103,7 @@ std::int64_t MapState::pieces() const noexcept {
       return static_cast<std::int64_t>(blocks(*this));
     case Task::kInflateRoute:
     case Task::kInflateSafe:
-      return inflation_pieces(*this);
+      return GridWords::inflation_pieces(spec.dims);
     case Task::kSlide:
     case Task::kCopy:
       return spec.dims.z;
@@ -119,22 +113,22 @@ std::int64_t MapState::pieces() const noexcept {
 
 // One line a task: a table.
 // clang-format off
-void MapState::do_piece() noexcept {
+std::uint32_t MapState::do_piece() noexcept {
   const std::int32_t index = static_cast<std::int32_t>(piece);
-  const bool last = piece + 1 == pieces();
   switch (task) {
-    case Task::kIdle: return;
+    case Task::kIdle: return 0;
     case Task::kPixels: return read_pixels(index);
     case Task::kClearFaces: return clear_face_row(index);
     case Task::kPoints: return read_points(piece);
     case Task::kCloseFaces: return close_face_row(index);
     case Task::kPyramids: return make_pyramid_row(index);
-    case Task::kBlocks: return enter_block(piece);
-    case Task::kInflateRoute: return inflate_piece(route, piece, last);
-    case Task::kInflateSafe: return inflate_piece(safe, piece, last);
+    case Task::kBlocks: return carve_block(piece);
+    case Task::kInflateRoute: return GridWords(route).inflate_piece(index);
+    case Task::kInflateSafe: return GridWords(safe).inflate_piece(index);
     case Task::kSlide: return slide_plane(index);
     case Task::kCopy: return copy_plane(index);
   }
+  return 0;
 }
 // clang-format on
 
@@ -142,7 +136,15 @@ void MapState::begin(Task first) noexcept {
   task = first;
   piece = 0;
   paid = 0;
+  frame.view = 0;
   for (int skipped = 0; skipped < kTasks && task != Task::kIdle && pieces() == 0; ++skipped) task = task_after(task);
+}
+
+std::uint32_t MapState::advance() noexcept {
+  const std::uint32_t effort = do_piece();
+  if (frame.view > 0) return effort;  // the block is not done yet
+  if (++piece >= pieces()) begin(task_after(task));
+  return effort;
 }
 
 std::uint32_t MapState::price() const noexcept {
@@ -157,14 +159,15 @@ std::uint32_t MapState::price() const noexcept {
     case Task::kCloseFaces:
       return units(static_cast<std::size_t>(face), 64);
     case Task::kBlocks:
+      if (frame.view > 0) return 0;
       return touches(block_at(piece)) ? kBlock * kBlock : 1;
     case Task::kInflateRoute:
     case Task::kInflateSafe:
-      return plane_units(*this, kInflatedPlanes);
+      return inflation_price(*this);
     case Task::kSlide:
       return slide_price(*this);
     case Task::kCopy:
-      return plane_units(*this, 1);
+      return plane_units(*this);
   }
   return 1;
 }
@@ -179,8 +182,7 @@ Status RollingMap::step(uint32_t work) noexcept {
     state.paid += given;
     if (state.paid < state.price()) return Status::kRunning;
     state.paid = 0;
-    state.do_piece();
-    if (++state.piece >= state.pieces()) state.begin(task_after(state.task));
+    state.advance();
   }
   return Status::kOk;
 }

@@ -4,6 +4,7 @@
 // A scan. Its points are sorted into images on the six faces of a cube around the sensor. These images are then used
 // like that of a camera.
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "map/map_state.hpp"
 
 namespace tern {
@@ -11,6 +12,10 @@ namespace {
 
 /// Points of a piece.
 constexpr std::size_t kPiecePoints = 64;
+/// Instructions of a piece of points; of a row of a face, and a pixel of it.
+constexpr std::uint32_t kPointsEffort = 13500;
+constexpr std::uint32_t kFaceRowEffort = 120;
+constexpr std::uint32_t kFacePixelEffort = 3;
 /// The depth of a pixel into which no point has fallen.
 constexpr Depth kNoPoint = 32767;
 
@@ -151,17 +156,19 @@ Status RollingMap::begin_scan(const Vec3* points, size_t count, const Vec3& orig
   return Status::kRunning;
 }
 
-void MapState::clear_face_row(std::int32_t index) noexcept {
+std::uint32_t MapState::clear_face_row(std::int32_t index) noexcept {
   Depth* row = frame.views[index / face].pyramid.row(index % face);
   for (std::int32_t u = 0; u < face; ++u) row[u] = kNoPoint;
+  return kFaceRowEffort + effort_of(kFacePixelEffort, face);
 }
 
-void MapState::close_face_row(std::int32_t index) noexcept {
+std::uint32_t MapState::close_face_row(std::int32_t index) noexcept {
   Depth* row = frame.views[index / face].pyramid.row(index % face);
   for (std::int32_t u = 0; u < face; ++u) row[u] = row[u] == kNoPoint ? Depth{0} : row[u];
+  return kFaceRowEffort + effort_of(kFacePixelEffort, face);
 }
 
-void MapState::read_points(std::int64_t index) const noexcept {
+std::uint32_t MapState::read_points(std::int64_t index) const noexcept {
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
   const std::size_t count = left < kPiecePoints ? left : kPiecePoints;
@@ -177,6 +184,7 @@ void MapState::read_points(std::int64_t index) const noexcept {
     for (int a = 0; a < 3; ++a) cells[a] = static_cast<float>(axis(from, a)) + per_cell * rays.axes[a];
     writer.add(cells, rays.hits);
   }
+  return kPointsEffort;
 }
 
 }  // namespace tern

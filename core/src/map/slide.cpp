@@ -3,11 +3,21 @@
 //
 // A slide of the window. All layers move in place, plane by plane, by whole words, rows and planes.
 #include "base/math.hpp"
+#include "base/work.hpp"
+#include "grid/regions.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of a plane, and of a word of it in all layers; of a row of the safe grid that is made anew, and a word;
+/// of a region at the end.
+constexpr std::uint32_t kPlaneEffort = 2000;
+constexpr std::uint32_t kMovedEffort = 130;
+constexpr std::uint32_t kRenewedEffort = 60;
+constexpr std::uint32_t kRenewedWordEffort = 40;
+constexpr std::uint32_t kRegionEffort = 8;
 
 /// The largest distance of the window's lower voxel from the spec's origin, in voxels.
 constexpr double kMaxBase = 1 << 28;
@@ -151,20 +161,23 @@ void MapState::renew_row(std::int32_t y, std::int32_t z) noexcept {
   }
 }
 
-void MapState::slide_plane(std::int32_t index) noexcept {
+std::uint32_t MapState::slide_plane(std::int32_t index) noexcept {
   const Voxel dims = spec.dims;
   const VoxelBox kept = kept_box(slide.by, dims);
   const std::int32_t z = slide.by.z >= 0 ? index : dims.z - 1 - index;
   if (index == 0) move_origin();
   move_plane(z, kept);
-  mark_prior(z, kept);
+  std::uint32_t effort = kPlaneEffort + effort_of(kMovedEffort, static_cast<int>(row(0, 1))) + mark_prior(z, kept);
   const bool whole = slide.by.x != 0 || Stale(slide.by.z, kept.z, dims.z).contains(z);
   const Stale stale(whole ? 1 : slide.by.y, whole ? IndexRange{0, 0} : kept.y, dims.y);
   for (std::int32_t y = stale.first.begin; y < stale.first.end; ++y) renew_row(y, z);
   for (std::int32_t y = stale.last.begin; y < stale.last.end; ++y) renew_row(y, z);
-  if (index + 1 < dims.z) return;
+  const int renewed = (stale.first.end - stale.first.begin) + (stale.last.end - stale.last.begin);
+  effort += effort_of(kRenewedEffort + effort_of(kRenewedWordEffort, row_words()), renewed);
+  if (index + 1 < dims.z) return effort;
   GridWords(route).end_shift(slide.by);
   GridWords(safe).end_shift(slide.by);
+  return effort + effort_of(kRegionEffort, Regions(dims).count());
 }
 
 void MapState::move_origin() noexcept {

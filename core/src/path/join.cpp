@@ -10,6 +10,10 @@
 namespace tern {
 namespace {
 
+/// Instructions of a candidate, without and with the line to it.
+constexpr std::uint32_t kTryEffort = 300;
+constexpr std::uint32_t kLineEffort = 15000;
+
 double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) {
   const Vec3 d = grid.center(voxel) - point;
   return dot(d, d);
@@ -99,18 +103,20 @@ bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) no
   return join.state == JoinState::kTrying;
 }
 
-void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
+std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
   const Voxel candidate = join.candidates[join.next++];
   const Vec3 center = grid.center(candidate);
   const double radius = grid.spec().clearance();
   const bool known = join.searched[cell_of(join, candidate)];
   const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);
-  if (!known && allowed && segment_clear(grid, point, center, radius)) {
+  const bool looks = !known && allowed;
+  if (looks && segment_clear(grid, point, center, radius)) {
     join.voxel = candidate;
     join.state = JoinState::kJoined;
   } else if (join.next == join.count) {
     join.state = JoinState::kRefused;
   }
+  return looks ? kLineEffort : kTryEffort;
 }
 
 }  // namespace tern

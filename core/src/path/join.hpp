@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "fence/fences.hpp"
 #include "tern/grid.hpp"
 
@@ -35,6 +36,13 @@ struct Join {
   bool searched[kJoinCells];    ///< around home, x fastest: a search from here found no path
 };
 
+/// Instructions of beginning to join an end, which sorts the candidates; and of finding those that a search has
+/// reached.
+constexpr std::uint32_t kSearchedEffort = 40000;
+inline std::uint32_t join_effort(const Join& join) noexcept {
+  return join.count > 0 ? 8000 + effort_of(8, join.count * join.count) : 1500;
+}
+
 /// A point in a free voxel is joined at once. If the voxel is not free but the point keeps the radius, the free voxels
 /// around it are the candidates.
 void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
@@ -48,7 +56,8 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept;
 
 /// Checks the line to the next candidate. The line must be clear of `fences` too (null: none). Call only while kTrying.
-void join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;
+/// Returns what that took, in instructions (see Work).
+std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;
 
 }  // namespace tern
 

@@ -8,17 +8,42 @@
 namespace tern {
 namespace {
 
+/// Instructions of a unit, and of a word of a row and of its neighbours.
+constexpr std::uint32_t kUnitEffort = 800;
+constexpr std::uint32_t kWordEffort = 80;
+
 void clear(ReachStage& stage, const Grid& grid) {
   if (!flood_clear(stage.flood)) return;
-  const bool any_free = nearest_free_voxel(grid, stage.query.goal, stage.best);
+  nearest_begin(stage.search, grid, stage.query.goal);
+  stage.phase = ReachPhase::kBest;
+}
+
+/// Once the search for the nearest free voxel, or for the nearest one that was reached, is done.
+void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
+  const bool found = stage.search.found;
+  if (stage.phase == ReachPhase::kNearest) {
+    if (found) stage.nearest = stage.search.voxel;
+    stage.phase = ReachPhase::kEnd;
+    return;
+  }
+  if (found) stage.best = stage.search.voxel;
   join_begin(stage.start, grid, stage.query.start);
-  stage.phase = any_free ? ReachPhase::kJoin : ReachPhase::kEnd;
+  work.effort += join_effort(stage.start);
+  stage.phase = found ? ReachPhase::kJoin : ReachPhase::kEnd;
+}
+
+/// Nothing more can be reached.
+void end_flood(ReachStage& stage, const Grid& grid) {
+  stage.phase = stage.joined ? ReachPhase::kNearest : ReachPhase::kEnd;
+  if (stage.joined) nearest_begin(stage.search, flooded(stage.flood, grid), stage.query.goal);
 }
 
 /// Joins the start to a voxel, and begins to flood from there.
-void join(ReachStage& stage, const Grid& grid) {
-  if (stage.start.state == JoinState::kTrying) join_try(stage.start, grid, stage.query.fences, stage.query.start);
-  if (stage.start.state == JoinState::kRefused) stage.phase = ReachPhase::kEnd;
+void join(ReachStage& stage, const Grid& grid, Work& work) {
+  if (stage.start.state == JoinState::kTrying) {
+    work.effort += join_try(stage.start, grid, stage.query.fences, stage.query.start);
+  }
+  if (stage.start.state == JoinState::kRefused) end_flood(stage, grid);
   if (stage.start.state != JoinState::kJoined) return;
   flood_from(stage.flood, grid, stage.start.voxel);
   stage.joined = true;
@@ -26,28 +51,27 @@ void join(ReachStage& stage, const Grid& grid) {
 }
 
 /// A row; after the last one, goes on from the next voxel that the start can join.
-void flood(ReachStage& stage, const Grid& grid) {
+void flood(ReachStage& stage, const Grid& grid, Work& work) {
   if (flooded(stage.flood, grid).free(stage.best)) {
-    stage.phase = ReachPhase::kEnd;
+    end_flood(stage, grid);
   } else if (stage.flood.count > 0) {
+    work.effort += effort_of(kWordEffort, grid.row_words());
     flood_row(stage.flood, grid);
   } else {
     const bool others = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
-    stage.phase = others ? ReachPhase::kJoin : ReachPhase::kEnd;
+    work.effort += kSearchedEffort + join_effort(stage.start);
+    others ? static_cast<void>(stage.phase = ReachPhase::kJoin) : end_flood(stage, grid);
   }
 }
 
-void advance_once(ReachStage& stage, const Grid& grid) {
-  switch (stage.phase) {
-    case ReachPhase::kClear:
-      return clear(stage, grid);
-    case ReachPhase::kJoin:
-      return join(stage, grid);
-    case ReachPhase::kFlood:
-      return flood(stage, grid);
-    case ReachPhase::kEnd:
-      break;
-  }
+void advance_once(ReachStage& stage, const Grid& grid, Work& work) {
+  work.effort += kUnitEffort;
+  if (stage.phase == ReachPhase::kClear) return clear(stage, grid);
+  stage.phase == ReachPhase::kJoin ? join(stage, grid, work) : flood(stage, grid, work);
+}
+
+bool searches(const ReachStage& stage) {
+  return stage.phase == ReachPhase::kBest || stage.phase == ReachPhase::kNearest;
 }
 
 }  // namespace
@@ -62,17 +86,21 @@ void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) n
 }
 
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept {
-  // Each turn takes a unit, and there are at most kReachBound.
+  // Each turn takes a unit or ends a search, and of units that count there are at most kReachBound.
   while (stage.phase != ReachPhase::kEnd) {
+    if (searches(stage)) {
+      const Grid reached = stage.phase == ReachPhase::kNearest ? flooded(stage.flood, grid) : grid;
+      if (nearest_advance(stage.search, reached, work) == Progress::kMore) return Progress::kMore;
+      take_nearest(stage, grid, work);
+      continue;
+    }
     if (is_full(stage.units >= stage.query.max_units)) return conclude(Status::kBudgetSearch, stage.status);
     if (!work.take()) return Progress::kMore;
     ++stage.units;
-    advance_once(stage, grid);
+    advance_once(stage, grid, work);
   }
   if (stage.status != Status::kOk) return Progress::kFailed;
-  if (!stage.joined) return conclude(Status::kStartOccupied, stage.status);
-  nearest_free_voxel(flooded(stage.flood, grid), stage.query.goal, stage.nearest);
-  return Progress::kDone;
+  return stage.joined ? Progress::kDone : conclude(Status::kStartOccupied, stage.status);
 }
 
 }  // namespace tern

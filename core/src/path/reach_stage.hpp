@@ -10,6 +10,7 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
+#include "grid/distance.hpp"
 #include "path/flood.hpp"
 #include "path/join.hpp"
 #include "tern/grid.hpp"
@@ -30,7 +31,14 @@ struct ReachQuery {
   bool start_moves = false;        ///< as SearchQuery::start_moves
 };
 
-enum class ReachPhase : std::uint8_t { kClear, kJoin, kFlood, kEnd };
+enum class ReachPhase : std::uint8_t {
+  kClear,
+  kBest,  ///< of all free voxels, the nearest to the goal
+  kJoin,
+  kFlood,
+  kNearest,  ///< of those that were reached
+  kEnd,
+};
 
 /// Plain data; needs no initialisation before reach_begin.
 struct ReachStage {
@@ -41,6 +49,7 @@ struct ReachStage {
   Voxel best;           ///< of all free voxels the nearest: once it is reached nothing is left to find
   ReachPhase phase;
   ReachQuery query;
+  NearestFree search;  ///< for kBest and kNearest
   Join start;
   Flood flood;
 };
@@ -48,7 +57,8 @@ struct ReachStage {
 /// The grid must be inflated and must not change until the stage ends.
 void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept;
 
-/// One unit is one row of the flood, one line that joins the start to the grid, or 1024 words cleared before that.
+/// One unit is one row of the flood, one line that joins the start to the grid, 1024 words cleared before that, or one
+/// of nearest_advance; those count for no budget.
 /// kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no
 /// voxel), kBudgetSearch, or kFenceLayerFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept;

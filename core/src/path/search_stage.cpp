@@ -10,12 +10,25 @@
 namespace tern {
 namespace {
 
-Status occupied(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
+/// Instructions of what comes between units: looking at the ends, beginning to join one, a path's extraction, and a
+/// voxel of it.
+constexpr std::uint32_t kEndsEffort = 3000;
+constexpr std::uint32_t kExtractEffort = 6000;
+constexpr std::uint32_t kPathVoxelEffort = 300;
+
+/// Goes on to look for the free voxel nearest to an end that joins none.
+void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
+  stage.status = status;
   stage.raw_occupied = !point_clear(grid, point, 0.0);
-  Voxel voxel{};
-  stage.has_nearest_free = nearest_free_voxel(grid, point, voxel);
-  if (stage.has_nearest_free) stage.nearest_free = grid.center(voxel);
-  return status;
+  stage.phase = SearchPhase::kNearest;
+  nearest_begin(stage.nearest, grid, point);
+}
+
+Progress advance_nearest(SearchStage& stage, const Grid& grid, Work& work) {
+  if (nearest_advance(stage.nearest, grid, work) == Progress::kMore) return Progress::kMore;
+  stage.has_nearest_free = stage.nearest.found;
+  if (stage.nearest.found) stage.nearest_free = grid.center(stage.nearest.voxel);
+  return Progress::kFailed;
 }
 
 /// Takes one unit of work from the budget and from the slice. kDone if both had one left.
@@ -32,13 +45,13 @@ Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& jo
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
     if (taken != Progress::kDone) return taken;
-    join_try(join, grid, stage.query.fences, point);
+    work.effort += join_try(join, grid, stage.query.fences, point);
   }
   if (join.state == JoinState::kJoined) return Progress::kDone;
   if (stage.failed > 0) return conclude(Status::kNoPath, stage.status);
   const bool at_start = &join == &stage.start;
-  const Status why = at_start ? Status::kStartOccupied : Status::kGoalOccupied;
-  return conclude(occupied(stage, grid, point, why), stage.status);
+  refuse_end(stage, grid, point, at_start ? Status::kStartOccupied : Status::kGoalOccupied);
+  return advance_nearest(stage, grid, work);
 }
 
 void join_start(SearchStage& stage, const Grid& grid) {
@@ -48,14 +61,19 @@ void join_start(SearchStage& stage, const Grid& grid) {
 
 /// After a search that found no path, chooses where the next one begins and ends. It tries the other candidates of the
 /// start first. Then it tries those of the goal, each with all candidates of the start. False if none is left.
-bool join_elsewhere(SearchStage& stage, const Grid& grid) {
+bool join_elsewhere(SearchStage& stage, const Grid& grid, Work& work) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
-  if (join_others(stage.start, grid, stage.query.start, stage.query.start_moves)) {
+  const bool has_other = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
+  work.effort += kSearchedEffort + join_effort(stage.start);
+  if (has_other) {
     stage.phase = SearchPhase::kJoinStart;
     return true;
   }
-  if (!join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves)) return false;
+  const bool has_goal = join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves);
+  work.effort += kSearchedEffort + join_effort(stage.goal);
+  if (!has_goal) return false;
   join_start(stage, grid);
+  work.effort += join_effort(stage.start);
   return true;
 }
 
@@ -78,7 +96,7 @@ void direct_path(SearchStage& stage, Path& out) {
 
 /// Writes the whole raw path: exact start, voxel centres, exact goal. A centre that equals the exact start or goal is
 /// left out.
-Status write_raw(SearchStage& stage, const Grid& grid, Path& out) {
+Status write_raw(SearchStage& stage, const Grid& grid, Path& out, Work& work) {
   const SearchQuery& query = stage.query;
   out.raw_count = 0;
   if (!same(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
@@ -86,6 +104,8 @@ Status write_raw(SearchStage& stage, const Grid& grid, Path& out) {
   const Status status = voxel_search_extract(stage.search, grid, at_center ? 0 : 1, out);
   if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
   stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;
+  const double voxels = status == Status::kOk ? out.grid_length : kMaxJumpPoints;
+  work.effort += kExtractEffort + effort_of(kPathVoxelEffort, static_cast<int>(voxels));
   return status;
 }
 
@@ -95,6 +115,7 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   Work allowed{most};
   const Status status = voxel_search_advance(stage.search, grid, allowed);
   work.left -= most - allowed.left;
+  work.effort += allowed.effort;
   stage.expansions += most - allowed.left;
   raise(stage.nodes_high, stage.search.nodes_high);
   raise(stage.open_high, stage.search.open_high);
@@ -105,10 +126,10 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
 /// Searches. If a fast path has too many turns, searches again for a cheapest one.
 Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
   Status status = run_search(stage, grid, work);
-  if (status == Status::kOk) status = write_raw(stage, grid, out);
+  if (status == Status::kOk) status = write_raw(stage, grid, out, work);
   if (status == Status::kJumpPointsFull && voxel_search_again(stage.search, grid)) {
     status = run_search(stage, grid, work);
-    if (status == Status::kOk) status = write_raw(stage, grid, out);
+    if (status == Status::kOk) status = write_raw(stage, grid, out, work);
   }
   if (status == Status::kOk) {
     stage.search_used = search_used(stage.search);
@@ -119,6 +140,7 @@ Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
 
 /// Joins both ends to the grid and searches once, going on from the current phase.
 Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
+  if (stage.phase == SearchPhase::kNearest) return advance_nearest(stage, grid, work);
   if (stage.phase == SearchPhase::kJoinStart) {
     const Progress joined = advance_join(stage, grid, work, stage.start, stage.query.start);
     if (joined != Progress::kDone) return joined;
@@ -127,6 +149,7 @@ Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& ou
   if (stage.phase == SearchPhase::kJoinGoal) {
     const Progress joined = advance_join(stage, grid, work, stage.goal, stage.query.goal);
     if (joined != Progress::kDone) return joined;
+    work.effort += kEndsEffort;
     voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
     stage.phase = SearchPhase::kSearch;
   }
@@ -155,6 +178,7 @@ void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const Sear
 
 Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept {
   if (stage.phase == SearchPhase::kJoinStart && stage.failed == 0 && is_direct(stage, grid)) {
+    work.effort += kEndsEffort;
     direct_path(stage, out);
     return Progress::kDone;
   }
@@ -162,7 +186,7 @@ Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& 
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
     const Progress progress = advance_once(stage, grid, work, out);
     const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;
-    if (!no_path || !join_elsewhere(stage, grid)) return progress;
+    if (!no_path || !join_elsewhere(stage, grid, work)) return progress;
   }
   return Progress::kFailed;
 }

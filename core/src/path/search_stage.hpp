@@ -10,6 +10,7 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
+#include "grid/distance.hpp"
 #include "guide/voxel_search.hpp"
 #include "path/join.hpp"
 #include "tern/grid.hpp"
@@ -39,7 +40,12 @@ struct SearchQuery {
   SearchMode mode = SearchMode::kOptimal;
 };
 
-enum class SearchPhase : std::uint8_t { kJoinStart, kJoinGoal, kSearch };
+enum class SearchPhase : std::uint8_t {
+  kJoinStart,
+  kJoinGoal,
+  kSearch,
+  kNearest,  ///< an end joins nothing: which free voxel is nearest to it?
+};
 
 /// Plain data; needs no initialisation before search_begin.
 struct SearchStage {
@@ -60,6 +66,7 @@ struct SearchStage {
   ScanMap* map;
   Join start;
   Join goal;
+  NearestFree nearest;
   VoxelSearch search;
 };
 

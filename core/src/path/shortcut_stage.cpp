@@ -3,9 +3,24 @@
 #include "path/shortcut_stage.hpp"
 
 #include "base/capacity.hpp"
+#include "path/sight.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of ranking the candidates.
+constexpr std::uint32_t kRankEffort = 800;
+
+std::uint32_t chain_effort(const Shortcut& shortcut, const Grid& grid, const Path& path) {
+  if (shortcut.probe < 0) return kRankEffort;
+  return kRankEffort + sight_effort(grid, path.raw[shortcut.probe], path.raw[shortcut.head]);
+}
+
+/// Both legs at the waypoint, wherever it moves.
+std::uint32_t trial_effort(const Tighten& tighten, const Grid& grid, const Path& path) {
+  const Vec3* const at = path.points + tighten.waypoint;
+  return kRankEffort + sight_effort(grid, at[-1], at[0]) + sight_effort(grid, at[0], at[1]);
+}
 
 /// Takes one unit of work from the budget and from the slice. kDone if both had one left.
 Progress take_sight_line(ShortcutStage& stage, Work& work) {
@@ -20,6 +35,7 @@ Progress advance_chain(ShortcutStage& stage, const Grid& grid, Work& work, Path&
   while (shortcut_needs_step(stage.shortcut, path)) {
     const Progress taken = take_sight_line(stage, work);
     if (taken != Progress::kDone) return taken;
+    work.effort += chain_effort(stage.shortcut, grid, path);
     shortcut_step(stage.shortcut, grid, path);
   }
   const Status status = shortcut_finish(stage.shortcut, path);
@@ -31,6 +47,7 @@ Progress advance_tighten(ShortcutStage& stage, const Grid& grid, Work& work, Pat
   while (tighten_needs_trial(stage.tighten, path)) {
     const Progress taken = take_sight_line(stage, work);
     if (taken != Progress::kDone) return taken;
+    work.effort += trial_effort(stage.tighten, grid, path);
     tighten_try(stage.tighten, grid, path);
   }
   return Progress::kDone;

@@ -3,6 +3,10 @@
 #ifndef TERN_PATH_SIGHT_HPP
 #define TERN_PATH_SIGHT_HPP
 
+#include <cstdint>
+
+#include "base/math.hpp"
+#include "base/work.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
 
@@ -17,6 +21,12 @@ constexpr double kSightRounding = 1e-9;
 /// Local frame. The ends may lie anywhere in the grid and may be equal. Reads the words of each row of voxels that the
 /// thick segment meets.
 bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin = kSightMargin) noexcept;
+
+/// Instructions of a line of sight at most, see Work: it reads the rows along x that the line meets.
+inline std::uint32_t sight_effort(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
+  const double across = absolute(b.y - a.y) + absolute(b.z - a.z);
+  return 500 + effort_of(60, static_cast<int>(across / grid.spec().cell));
+}
 
 }  // namespace tern
 

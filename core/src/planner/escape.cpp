@@ -11,6 +11,10 @@
 namespace tern {
 namespace {
 
+/// Instructions of making a stop, and an arrival.
+constexpr std::uint32_t kStopEffort = 60000;
+constexpr std::uint32_t kArrivalEffort = 8000;
+
 void shift(int by, Corridor& corridor, Trajectory& trajectory) {
   for (int i = corridor.count - 1; i >= 0; --i) corridor.polyhedra[i + by] = corridor.polyhedra[i];
   for (int i = trajectory.count - 1; i >= 0; --i) {
@@ -30,10 +34,8 @@ void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corr
   }
 }
 
-}  // namespace
-
-bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
-                Escape& escape) noexcept {
+/// Makes the next choice's stop. False where it breaks the limits.
+bool make_stop(const EscapeRoom& room, const State& state, const MotionLimits& limits, Escape& escape) {
   const int choice = escape.next++;
   Stopping& stopping = escape.stopping;
   const bool kept = room.to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
@@ -41,32 +43,72 @@ bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& 
   if (!kept) return false;
   escape.rest = rest_of(stopping);
   if (room.to_goal) reverse(stopping);
-  Tube tube = tube_of(escape, kEscapeSegments);
-  bool fits = true;
-  for (int i = 0; i < stopping.count && fits; ++i) {
-    fits = enclose(room.grid, room.origin, stopping.segments[i], scratch, tube) == Status::kOk;
-  }
-  escape.count = fits ? tube.count : 0;
-  return fits;
+  return true;
 }
 
-bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
-                GrowScratch& scratch, Escape& escape) noexcept {
+/// One curve from state to state. False where it breaks the limits.
+bool make_arrival(const State& start, const State& goal, const MotionLimits& limits, int choice, Stopping& out) {
   // Parts of what the way takes at the mean of both velocities.
   constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};
   const double speed = 0.5 * length(start.velocity + goal.velocity);
   const double way = distance(start.position, goal.position);
-  escape.count = 0;
   if (!(speed > 0.0) || !(way > 0.0)) return false;
-  Segment segment{};
+  out.count = 1;
+  Segment& segment = out.segments[0];
+  segment = Segment{};
   segment.duration = kParts[choice] * (way / speed);
   control_points({{start.position, start.velocity, start.acceleration, start.jerk}},
                  {{goal.position, goal.velocity, goal.acceleration, goal.jerk}}, segment.duration, segment.points);
-  if (!within_limits(segment, limits, kStopTolerance)) return false;
+  return within_limits(segment, limits, kStopTolerance);
+}
+
+void begin_trial(Escape& escape) {
+  escape.trying = true;
+  escape.enclosed = escape.appended = 0;
+  append_begin(escape.appending, escape.stopping.segments[0]);
+}
+
+/// Appends the segments of the stop or arrival in work to the tube.
+Progress advance_trial(const EscapeRoom& room, GrowScratch& scratch, Escape& escape, Work& work) {
   Tube tube = tube_of(escape, kEscapeSegments);
-  if (enclose(room.grid, room.origin, segment, scratch, tube) != Status::kOk) return false;
-  escape.count = tube.count;
-  return true;
+  tube.count = escape.enclosed;
+  Progress progress = Progress::kDone;
+  while (progress == Progress::kDone && escape.appended < escape.stopping.count) {
+    progress = append_advance(escape.appending, room.grid, room.origin, scratch, tube, work);
+    escape.enclosed = tube.count;
+    if (progress == Progress::kMore) return progress;
+    if (++escape.appended < escape.stopping.count) {
+      append_begin(escape.appending, escape.stopping.segments[escape.appended]);
+    }
+  }
+  escape.trying = false;
+  escape.count = progress == Progress::kDone ? escape.enclosed : 0;
+  return progress;
+}
+
+}  // namespace
+
+Progress escape_advance(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
+                        Escape& escape, Work& work) noexcept {
+  if (!escape.trying) {
+    if (!work.take()) return Progress::kMore;
+    work.effort += kStopEffort;
+    if (!make_stop(room, state, limits, escape)) return Progress::kFailed;
+    begin_trial(escape);
+  }
+  return advance_trial(room, scratch, escape, work);
+}
+
+Progress arrive_advance(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits,
+                        int choice, GrowScratch& scratch, Escape& escape, Work& work) noexcept {
+  if (!escape.trying) {
+    if (!work.take()) return Progress::kMore;
+    work.effort += kArrivalEffort;
+    escape.count = 0;
+    if (!make_arrival(start, goal, limits, choice, escape.stopping)) return Progress::kFailed;
+    begin_trial(escape);
+  }
+  return advance_trial(room, scratch, escape, work);
 }
 
 bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept {

@@ -32,10 +32,14 @@ constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::
 /// The motion of one end to rest, with a polyhedron for each segment. It is one of the choices, or the rest of the
 /// previous plan.
 struct Escape {
-  int next;           ///< choice to be tried next, 0 .. kStoppingChoices
-  int count;          ///< segments; 0 if there is no motion yet
-  Stopping stopping;  ///< the current choice
-  Vec3 rest;          ///< where the motion ends (for a goal: begins), relative to the plan's origin
+  int next;             ///< choice to be tried next, 0 .. kStoppingChoices
+  int count;            ///< segments; 0 if there is no motion yet
+  bool trying;          ///< the choice before `next` is in work:
+  int enclosed;         ///< segments so far that have a polyhedron, halves included
+  int appended;         ///< segments of the choice that are among them
+  Appending appending;  ///< the one after those
+  Stopping stopping;    ///< the current choice
+  Vec3 rest;            ///< where the motion ends (for a goal: begins), relative to the plan's origin
   Segment segments[kMaxSegments];
   Polyhedron polyhedra[kMaxSegments];
 };
@@ -52,19 +56,19 @@ struct EscapeRoom {
   bool to_goal;  ///< the state is the goal's
 };
 
-/// Tries the next choice for `state` (relative to the plan's origin). If it has room, fills the escape and returns
-/// true.
-bool escape_try(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
-                Escape& escape) noexcept;
+/// Tries the next choice for `state` (relative to the plan's origin). A unit of work makes the stop, or is one of
+/// append_advance. kDone: it has room, and the escape is filled in. kFailed: it has none.
+Progress escape_advance(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
+                        Escape& escape, Work& work) noexcept;
 
 /// Durations that an arrival tries.
 constexpr int kArrivals = 12;
 
 /// Tries an arrival: one curve from the start straight into the motion of the goal, with duration number `choice`, 0 ..
-/// kArrivals - 1. This helps near the end of a flight, when there is no room left to stop before the goal. If the curve
-/// has room, fills the escape and returns true.
-bool arrive_try(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits, int choice,
-                GrowScratch& scratch, Escape& escape) noexcept;
+/// kArrivals - 1. This helps near the end of a flight, when there is no room left to stop before the goal. Units and
+/// answers as of escape_advance.
+Progress arrive_advance(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits,
+                        int choice, GrowScratch& scratch, Escape& escape, Work& work) noexcept;
 
 /// Puts the start's escape before a plan and the goal's behind it; either may be empty. False, with nothing changed, if
 /// there is no capacity for all segments or polyhedra.

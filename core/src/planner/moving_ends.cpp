@@ -23,6 +23,10 @@ constexpr std::uint32_t kEscapeTries = 3;
 /// The most half-spaces that a plan makes for the stops of both ends and the arrivals together.
 constexpr std::uint32_t kEscapeBound = (2u * kStoppingChoices + kArrivals) * kEscapePlanes;
 
+/// Instructions of a detour, and of each line that it looks along.
+constexpr std::uint32_t kDetourEffort = 20000;
+constexpr std::uint32_t kDetourLineEffort = 15000;
+
 /// A capacity or the request's budget ran out.
 bool lacks_room(Status status) {
   const bool capacity = status >= Status::kNodesFull && status < Status::kInfeasible;
@@ -76,6 +80,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
                      take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
+  work.effort += kDetourEffort + lines * kDetourLineEffort;
   count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
     fail(Stage::kTrajectory, Status::kNoTrajectory);
@@ -152,47 +157,60 @@ void Plan::begin_escape() noexcept {
   ++escapes_;
 }
 
-/// One unit tries one duration. True if the curve has room; it is then the whole plan. It passes no vias.
-bool Plan::arrives(Work& work) noexcept {
+/// Tries durations of an arrival. kDone: the curve has room; it is then the whole plan. It passes no vias. kFailed: no
+/// duration is left.
+Progress Plan::run_arrivals(Work& work) noexcept {
   Layout& memory = *memory_;
+  Escape& escape = memory.escapes[0];
   const EscapeRoom room{world(), memory.ends.origin_in_grid, false};
-  if (via_count() > 0 || at_rest(asked_.goal) || escapes_ > 1 || memory.escapes[0].count > 0) return false;
-  while (arrivals_ < kArrivals && work.take()) {
-    const bool arrived = arrive_try(room, asked_end(0), asked_end(1), limits_, arrivals_++, memory.stage.corridor.grow,
-                                    memory.escapes[0]);
+  if (via_count() > 0 || at_rest(asked_.goal) || escapes_ > 1 || escape.count > 0) return Progress::kFailed;
+  for (; arrivals_ < kArrivals; ++arrivals_) {
+    const Progress arrived =
+        arrive_advance(room, asked_end(0), asked_end(1), limits_, arrivals_, memory.stage.corridor.grow, escape, work);
     count_escape();
-    if (!arrived) continue;
+    if (arrived == Progress::kMore) return arrived;
+    if (arrived == Progress::kFailed) continue;
     memory.corridor.count = memory.trajectory.count = 0;
     memory.trajectory.origin = asked_.start.position;
-    add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory);
-    memory.escapes[0].count = 0;
-    return true;
+    add_escapes(escape, memory.escapes[1], memory.corridor, memory.trajectory);
+    escape.count = 0;
+    ++arrivals_;
+    return Progress::kDone;
   }
-  return false;
+  return Progress::kFailed;
 }
 
-/// One unit tries one choice of one end. Once each end in motion has an escape, the plan begins again between their
-/// places of rest.
+/// Tries choices for the end. kDone: one has room. kFailed: none is left.
+Progress Plan::run_choices(int end, Work& work) noexcept {
+  Layout& memory = *memory_;
+  const State state = asked_end(end);
+  Escape& escape = memory.escapes[end];
+  const EscapeRoom room{world(), memory.ends.origin_in_grid, end == 1};
+  while (!at_rest(state) && escape.count == 0) {
+    if (!escape.trying && escape.next == kStoppingChoices) return Progress::kFailed;
+    const Progress tried = escape_advance(room, state, limits_, memory.stage.corridor.grow, escape, work);
+    count_escape();
+    if (tried == Progress::kMore) return tried;
+  }
+  return Progress::kDone;
+}
+
+/// Once each end in motion has an escape, the plan begins again between their places of rest.
 Progress Plan::run_escape(Work& work) noexcept {
   Layout& memory = *memory_;
-  if (arrives(work)) {
+  const Progress arrived = run_arrivals(work);
+  if (arrived == Progress::kMore) return arrived;
+  if (arrived == Progress::kDone) {
     report_.optimiser = Status::kOk;  // whatever it made of another corridor
     fly(Quality::kStopAndGo, kEscaped);
     return Progress::kDone;
   }
-  for (int e = 0; e < 2; ++e) {
-    const State state = asked_end(e);
-    Escape& escape = memory.escapes[e];
-    const EscapeRoom room{world(), memory.ends.origin_in_grid, e == 1};
-    while (!at_rest(state) && escape.count == 0) {
-      if (escape.next == kStoppingChoices) {
-        give_up();
-        return Progress::kFailed;
-      }
-      if (!work.take()) return Progress::kMore;
-      escape_try(room, state, limits_, memory.stage.corridor.grow, escape);
-      count_escape();
-    }
+  for (int end = 0; end < 2; ++end) {
+    const Progress progress = run_choices(end, work);
+    if (progress == Progress::kMore) return progress;
+    if (progress == Progress::kDone) continue;
+    give_up();
+    return progress;
   }
   rest_at_escapes();
   has_corridor_ = false;

@@ -4,11 +4,18 @@
 
 #include "base/math.hpp"
 #include "base/work.hpp"
+#include "grid/bit_rows.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of a turn of step(), besides what the stage counts.
+constexpr std::uint32_t kTurnEffort = 250;
+/// Of begin() and finish(), and of a fence that is read.
+constexpr std::uint32_t kBeginEffort = 12000;
+constexpr std::uint32_t kFenceEffort = 40000;
 
 /// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
@@ -80,7 +87,7 @@ bool Plan::keeps_fences(const Vec3& place) noexcept {
 /// Reads the fences and holds start, vias and goal against them; kRunning where all is well.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
-  fences_blocked_ = 0;
+  fences_blocked_ = fence_plane_ = 0;
   if (!has_fences_) return Status::kRunning;
   Layout& memory = *memory_;
   const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
@@ -95,6 +102,7 @@ Status Plan::accept_fences(const Request& request) noexcept {
     return refuse(Status::kViaFenced, Field::kVias);
   }
   if (!keeps_fences(memory.ends.goal_in_grid)) give_up_goal();
+  effort_ += static_cast<std::uint32_t>(2 * GridView::layer_words(*grid_));
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
   if (copied == Status::kOk) return Status::kRunning;
   if (report_.field == Field::kGoalPosition) return refuse(Status::kGoalFenced, Field::kGoalPosition);
@@ -119,7 +127,10 @@ void Plan::begin_attempt() noexcept {
   ends.goal = asked_.goal;
   ends.start.position = {0.0, 0.0, 0.0};
   ends.goal.position = asked_.goal.position - asked_.start.position;
-  for (Escape& escape : memory_->escapes) escape.next = escape.count = 0;
+  for (Escape& escape : memory_->escapes) {
+    escape.next = escape.count = 0;
+    escape.trying = false;
+  }
   cut_previous(*grid_, asked_, memory_->previous);
   tries_rest_ = false;
 }
@@ -131,6 +142,7 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   has_corridor_ = false;
   searched_again_ = 0;
   grid_ = &grid;
+  effort_ = kBeginEffort + static_cast<std::uint32_t>(request.fence_count > 0 ? request.fence_count : 0) * kFenceEffort;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);
   if (verdict.status != Status::kOk) return refuse(verdict.status, verdict.field);
@@ -158,7 +170,10 @@ Status Plan::step(std::uint32_t work) noexcept {
   // Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a detour or an escape.
   while (life_ == Life::kBegun) {
     if (!grid_->version().equals(version_)) return end(stage_, Status::kMapChanged);
-    if (advance(slice) == Progress::kMore) return Status::kRunning;
+    slice.effort = kTurnEffort;
+    const Progress progress = advance(slice);
+    effort_ += slice.effort;
+    if (progress == Progress::kMore) return Status::kRunning;
   }
   return status_;
 }

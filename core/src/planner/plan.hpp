@@ -42,6 +42,8 @@ class Plan {
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
   Stage stage() const noexcept { return stage_; }
+  /// What the plan took so far, in instructions (see Work); modulo 2^32.
+  std::uint32_t effort() const noexcept { return effort_; }
   const Path* path() const noexcept;
   const Corridor* corridor() const noexcept;
 
@@ -75,6 +77,7 @@ class Plan {
   void report_vias() noexcept;
 
   // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
+  std::uint32_t block_plane(std::int32_t z) noexcept;
   Progress run_fences(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
@@ -107,7 +110,8 @@ class Plan {
   void count_escape() noexcept;
   void fly(Quality quality, std::int32_t detours) noexcept;
   Progress run_escape(Work& work) noexcept;
-  bool arrives(Work& work) noexcept;
+  Progress run_arrivals(Work& work) noexcept;
+  Progress run_choices(int end, Work& work) noexcept;
   void rest_at_escapes() noexcept;
   State asked_end(int end) const noexcept;
   bool rests() const noexcept;
@@ -143,11 +147,13 @@ class Plan {
   void* clock_context_ = nullptr;
   GridVersion version_{};  // of the grid when the plan began
   Life life_ = Life::kIdle;
+  std::uint32_t effort_ = 0;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
   std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal
   bool given_at_rest_ = false;              // both ends of the request as given
-  std::int32_t fences_blocked_ = 0;         // units of the fences' stage that are done
+  std::int32_t fences_blocked_ = 0;         // in the grid: all keep-ins, then the keep-outs
+  std::int32_t fence_plane_ = 0;            // of voxels, the next one for the fence after those
   std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried

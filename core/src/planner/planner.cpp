@@ -72,6 +72,10 @@ Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
   return report.status;
 }
 
+std::uint32_t Planner::effort() const noexcept {
+  return workspace_ == nullptr ? 0 : plan_at_hand().effort();
+}
+
 Stage Planner::stage() const noexcept {
   return workspace_ == nullptr ? Stage::kRequest : plan_at_hand().stage();
 }

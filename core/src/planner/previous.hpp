@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "planner/tube.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
@@ -34,16 +35,18 @@ constexpr std::uint32_t kPreviousPlanes =
 
 /// The rest of a plan. Plain data.
 struct Previous {
-  int count;        ///< segments; 0 if nothing is left to fly
-  int next;         ///< the first segment that has no polyhedron yet
-  int enclosed;     ///< parts of segments that have a polyhedron
-  int tries;        ///< 0 .. last_try
-  int last_try;     ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
-  bool flown;       ///< the current plan begins with it
-  bool meets_goal;  ///< it ends at the goal of the current plan
-  bool in_place;    ///< `origin` is that of the previous plan; else the requested start
-  Vec3 jerk;        ///< at its beginning, m/s^3
-  Vec3 origin;      ///< of the segments, in the world frame
+  int count;            ///< segments; 0 if nothing is left to fly
+  int next;             ///< the first segment that has no polyhedron yet
+  int enclosed;         ///< parts of segments that have a polyhedron
+  bool appends;         ///< the next segment's polyhedra are in work
+  Appending appending;  ///< of that one
+  int tries;            ///< 0 .. last_try
+  int last_try;         ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
+  bool flown;           ///< the current plan begins with it
+  bool meets_goal;      ///< it ends at the goal of the current plan
+  bool in_place;        ///< `origin` is that of the previous plan; else the requested start
+  Vec3 jerk;            ///< at its beginning, m/s^3
+  Vec3 origin;          ///< of the segments, in the world frame
   Segment segments[kMaxSegments];
   Trajectory plan;  ///< the whole previous plan, for the second frame
 };

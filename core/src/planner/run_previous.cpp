@@ -82,10 +82,11 @@ void Plan::begin_previous() noexcept {
   Previous& rest = memory_->previous;
   if (++rest.tries > 1) cut_again(asked_, rest);
   rest.flown = false;
+  rest.appends = false;
   begin_hulls();
 }
 
-/// One unit encloses one segment of the rest. If the rest meets the goal, it is the whole plan. Otherwise it takes the
+/// A unit is one of append_advance. If the rest meets the goal, it is the whole plan. Otherwise it takes the
 /// place of the start's escape.
 Progress Plan::run_previous(Work& work) noexcept {
   Layout& memory = *memory_;
@@ -98,11 +99,13 @@ Progress Plan::run_previous(Work& work) noexcept {
   tube.slack = kPreviousSlack * check_distance(*grid_);
   const Vec3 origin = rest.in_place ? grid_->to_local(rest.origin) : memory.ends.origin_in_grid;
   for (; rest.next < rest.count; ++rest.next) {
-    if (!work.take()) return Progress::kMore;
-    const Status status = enclose(world(), origin, rest.segments[rest.next], scratch, tube);
+    if (!rest.appends) append_begin(rest.appending, rest.segments[rest.next]);
+    const Progress progress = append_advance(rest.appending, world(), origin, scratch, tube, work);
+    rest.appends = progress == Progress::kMore;
     rest.enclosed = tube.count;
     count(Stage::kPrevious, scratch.planes, asked_.budget.planes, attempts() * kPreviousPlanes);
-    if (status != Status::kOk) return drop_previous(status);
+    if (progress == Progress::kMore) return progress;
+    if (progress == Progress::kFailed) return drop_previous(rest.appending.status);
   }
   rest.flown = true;
   if (rest.meets_goal) {

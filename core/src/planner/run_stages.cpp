@@ -42,17 +42,25 @@ std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
 
-/// Blocks the voxels that fences forbid: one unit for all keep-ins together, and one for each keep-out.
+/// Blocks the voxels of plane z that the fence at hand forbids: all keep-ins together, or one keep-out.
+std::uint32_t Plan::block_plane(std::int32_t z) noexcept {
+  const Fences& fences = memory_->fences;
+  FenceLayer& layer = memory_->fence_layer;
+  if (fences_blocked_ == 0) return block_outside(fences, layer, memory_->fenced, z);
+  const KeepOut& fence = fences.keep_out[fences_blocked_ - 1];
+  const std::uint32_t effort = z == 0 ? prepare_keep_out(fences, fence, layer, memory_->fenced) : 0;
+  return effort + block_keep_out(layer, memory_->fenced, z);
+}
+
+/// One unit of work is a plane of voxels for all keep-ins together, or for one keep-out.
 Progress Plan::run_fences(Work& work) noexcept {
-  Layout& memory = *memory_;
-  const Fences& fences = memory.fences;
-  for (; fences_blocked_ <= fences.keep_out_count; ++fences_blocked_) {
-    if (!work.take()) return Progress::kMore;
-    if (fences_blocked_ == 0) {
-      block_outside(fences, memory.fence_layer, memory.fenced);
-    } else {
-      block_keep_out(fences, fences.keep_out[fences_blocked_ - 1], memory.fence_layer, memory.fenced);
+  const std::int32_t planes = world().spec().dims.z;
+  for (; fences_blocked_ <= memory_->fences.keep_out_count; ++fences_blocked_) {
+    for (; fence_plane_ < planes; ++fence_plane_) {
+      if (!work.take()) return Progress::kMore;
+      work.effort += block_plane(fence_plane_);
     }
+    fence_plane_ = 0;
     count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
   }
   if (failed_status_ == Status::kGoalFenced) {
@@ -73,6 +81,7 @@ void Plan::begin_search() noexcept {
                           leg_ == via_count() && !at_rest(ends.goal),
                           searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
   search_begin(memory_->stage.search, memory_->scans, world(), query);
+  effort_ += join_effort(memory_->stage.search.start) + join_effort(memory_->stage.search.goal);
 }
 
 Progress Plan::run_search(Work& work) noexcept {

@@ -3,22 +3,33 @@
 #include "planner/tube.hpp"
 
 #include "base/capacity.hpp"
-#include "corridor/hull_polyhedron.hpp"
 #include "curve/bezier.hpp"
 
 namespace tern {
 namespace {
 
-/// Appends the segment with a polyhedron around its hull.
-bool append_whole(const Grid& grid, const Vec3& origin, const Segment& segment, GrowScratch& scratch, Tube& tube) {
+void push(Appending& appending, const Segment& next, int halved) {
+  appending.segment[appending.pending] = next;
+  appending.halvings[appending.pending++] = halved;
+  enclose_begin(appending.growth);
+}
+
+/// A polyhedron around the hull of the next part.
+Progress enclose_next(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+                      Work& work) {
+  const Segment& segment = appending.segment[appending.pending - 1];
   Vec3 points[kControlPoints];
   for (int k = 0; k < kControlPoints; ++k) points[k] = origin + segment.points[k];
-  Polyhedron& polyhedron = tube.polyhedra[tube.count];
-  if (enclose_hull(grid, {points, kControlPoints}, tube.slack, scratch, polyhedron) != Status::kOk) return false;
-  tube.segments[tube.count] = segment;
+  return enclose_advance(appending.growth, grid, {points, kControlPoints}, tube.slack, scratch,
+                         tube.polyhedra[tube.count], work);
+}
+
+/// Takes the next part, which has a polyhedron.
+void append(Appending& appending, Tube& tube) {
+  tube.segments[tube.count] = appending.segment[--appending.pending];
   tube.segments[tube.count].polyhedron = tube.count;
   ++tube.count;
-  return true;
+  enclose_begin(appending.growth);
 }
 
 Segment half_of(const Segment& whole, const Curve& curve) {
@@ -28,37 +39,49 @@ Segment half_of(const Segment& whole, const Curve& curve) {
   return segment;
 }
 
-/// Segments that wait for a polyhedron, the next one last.
-struct Pending {
-  int count;
-  Segment segment[kTubeHalvings + 1];
-  int halvings[kTubeHalvings + 1];
-
-  void push(const Segment& next, int halved) {
-    segment[count] = next;
-    halvings[count++] = halved;
-  }
-};
+/// Halves the next part, which has no room as a whole. False where it is too small.
+bool halve(Appending& appending) {
+  const Segment segment = appending.segment[--appending.pending];
+  const int halvings = appending.halvings[appending.pending];
+  if (halvings == kTubeHalvings) return false;
+  Curve first = curve_of(segment);
+  const Curve second = split(first);
+  push(appending, half_of(segment, second), halvings + 1);
+  push(appending, half_of(segment, first), halvings + 1);
+  return true;
+}
 
 }  // namespace
 
-Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept {
-  Pending pending;
-  pending.count = 0;
-  pending.push(whole, 0);
-  // Each iteration appends a segment or halves one. A segment that does not fit ends the loop.
-  while (pending.count > 0) {
-    if (is_full(tube.count + pending.count > tube.capacity)) return Status::kSegmentsFull;
-    const Segment segment = pending.segment[--pending.count];
-    const int halvings = pending.halvings[pending.count];
-    if (append_whole(grid, origin, segment, scratch, tube)) continue;
-    if (halvings == kTubeHalvings) return Status::kCorridorBlocked;
-    Curve first = curve_of(segment);
-    const Curve second = split(first);
-    pending.push(half_of(segment, second), halvings + 1);
-    pending.push(half_of(segment, first), halvings + 1);
+void append_begin(Appending& appending, const Segment& whole) noexcept {
+  appending.status = Status::kOk;
+  appending.pending = 0;
+  push(appending, whole, 0);
+}
+
+Progress append_advance(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+                        Work& work) noexcept {
+  // Each turn appends a part or halves one. A part that does not fit ends the loop.
+  while (appending.pending > 0) {
+    if (is_full(tube.count + appending.pending > tube.capacity))
+      return conclude(Status::kSegmentsFull, appending.status);
+    const Progress enclosed = enclose_next(appending, grid, origin, scratch, tube, work);
+    if (enclosed == Progress::kMore) return enclosed;
+    if (enclosed == Progress::kDone) {
+      append(appending, tube);
+    } else if (!halve(appending)) {
+      return conclude(Status::kCorridorBlocked, appending.status);
+    }
   }
-  return Status::kOk;
+  return Progress::kDone;
+}
+
+Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept {
+  Appending appending;
+  append_begin(appending, whole);
+  Work all{0xFFFFFFFFu};
+  append_advance(appending, grid, origin, scratch, tube, all);
+  return appending.status;
 }
 
 }  // namespace tern

@@ -5,7 +5,10 @@
 #ifndef TERN_PLANNER_TUBE_HPP
 #define TERN_PLANNER_TUBE_HPP
 
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
+#include "corridor/hull_polyhedron.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
@@ -23,12 +26,27 @@ struct Tube {
   Polyhedron* polyhedra;
   int capacity;
   int count;
-  double slack;  ///< see enclose_hull
+  double slack;  ///< see enclose_advance
 };
 
-/// Appends the segment, which is relative to `origin`, a point of the grid's local frame. Appends the whole segment if
-/// its hull keeps clear of everything; otherwise its halves, and so on. kCorridorBlocked if even the smallest parts do
-/// not keep clear; kSegmentsFull if the tube has too little room for the parts. It then contains the parts that fitted.
+/// A segment being appended. Plain data; needs no initialisation before append_begin.
+struct Appending {
+  Status status;  ///< why it failed; else kOk
+  int pending;    ///< parts that wait for a polyhedron, the next one last
+  Segment segment[kTubeHalvings + 1];
+  int halvings[kTubeHalvings + 1];
+  HullGrowth growth;  ///< of the next one
+};
+
+/// Appends a segment, which is relative to `origin`, a point of the grid's local frame. Appends the whole segment if
+/// its hull keeps clear of everything; otherwise its halves, and so on. A unit of work is one of enclose_advance.
+/// kFailed: kCorridorBlocked if even the smallest parts do not keep clear; kSegmentsFull if the tube has too little
+/// room for the parts. It then contains the parts that fitted.
+void append_begin(Appending& appending, const Segment& whole) noexcept;
+Progress append_advance(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+                        Work& work) noexcept;
+
+/// All of it: kOk, or why it failed.
 Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
 
 }  // namespace tern

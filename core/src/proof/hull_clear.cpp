@@ -15,6 +15,12 @@ constexpr int kImprovements = 4;
 /// Rounding of a sum of three squares.
 constexpr double kWider = 1.0 + 1e-15;
 
+/// Instructions of a hull, a row near it, a box of obstacles in a row, and the search for a plane between the two.
+constexpr std::uint32_t kHullEffort = 800;
+constexpr std::uint32_t kRowEffort = 140;
+constexpr std::uint32_t kBoxEffort = 180;
+constexpr std::uint32_t kPlaneEffort = 550;
+
 Vec3 nearest_in(const Box& box, const Vec3& p) {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
           clamp(p.z, box.lower.z, box.upper.z)};
@@ -123,7 +129,9 @@ std::int32_t end_of_box(const Row& row, const IndexRange& xs, const IndexRange& 
   return x < alone.begin && alone.begin < end ? alone.begin : end;
 }
 
-bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::int32_t y, std::int32_t z, Voxel& found) {
+bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::int32_t y, std::int32_t z, Voxel& found,
+               std::uint32_t& effort) {
+  effort += kRowEffort;
   const double cell = grid.spec().cell;
   const Row row = row_of(grid, hull.keeps.pardon, y, z);
   std::int32_t x = find_bit(row, xs, true);
@@ -131,8 +139,9 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const std::int32_t end = end_of_box(row, xs, hull.alone, x);
     const Box box{{x * cell, y * cell, z * cell}, {end * cell, (y + 1) * cell, (z + 1) * cell}};
     const double distance = distance_from(hull, box);
-    const bool apart = !(distance > 0.0) || boxes_apart(hull.box, box, distance) ||
-                       plane_between(hull.points, hull.count, box, distance);
+    bool apart = !(distance > 0.0) || boxes_apart(hull.box, box, distance);
+    effort += apart ? kBoxEffort : kBoxEffort + kPlaneEffort;
+    apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
       found = {x, y, z};
       return false;
@@ -155,7 +164,9 @@ Box box_around(const Vec3* points, int count) noexcept {
   return box;
 }
 
-bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept {
+bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
+                std::uint32_t& effort) noexcept {
+  effort += kHullEffort;
   const GridSpec& spec = grid.spec();
   const double distance = clearance.distance;
   Hull hull{points, count, box_around(points, count), clearance, {0, 0}};
@@ -173,7 +184,7 @@ bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance
       const double rest = distance * distance - (apart_y * apart_y + apart_z * apart_z);
       if (rest <= 0.0) continue;
       const IndexRange xs = voxels_within(lower.x, upper.x, square_root(rest), spec.cell, spec.dims.x);
-      if (!row_clear(grid, hull, xs, y, z, found)) return false;
+      if (!row_clear(grid, hull, xs, y, z, found, effort)) return false;
     }
   }
   return true;

@@ -5,6 +5,8 @@
 #ifndef TERN_PROOF_HULL_CLEAR_HPP
 #define TERN_PROOF_HULL_CLEAR_HPP
 
+#include <cstdint>
+
 #include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
@@ -30,8 +32,9 @@ struct Clearance {
 
 /// True only where the hull of the points keeps the clearance from all obstacle cubes. `found` gets the first voxel for
 /// which it is false. The answer may be false although the hull keeps it, but hardly where the points lie nearly on a
-/// line. Reads the voxels within the distance of the hull's box.
-bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found) noexcept;
+/// line. Reads the voxels within the distance of the hull's box. `effort` grows by what that took (see Work).
+bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
+                std::uint32_t& effort) noexcept;
 
 }  // namespace tern
 

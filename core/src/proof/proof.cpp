@@ -19,6 +19,17 @@ constexpr double kPlaceUlps = 32.0;
 /// The same for the control points that derivatives are differences of.
 constexpr double kPointUlps = 40.0;
 
+/// Instructions of a piece, besides what its surroundings take; of a fence, a face of it, and an edge between two.
+constexpr std::uint32_t kPieceEffort = 1200;
+constexpr std::uint32_t kFenceEffort = 200;
+constexpr std::uint32_t kFaceEffort = 150;
+constexpr std::uint32_t kEdgeEffort = 250;
+
+std::uint32_t fence_effort(const Fence& fence) {
+  const auto faces = static_cast<std::uint32_t>(fence.count);
+  return kFenceEffort + kFaceEffort * faces + (fence.kind == FenceKind::kKeepOut ? kEdgeEffort * faces * faces / 2 : 0);
+}
+
 double size_of(const Vec3& v) {
   return (absolute(v.x) + absolute(v.y)) + absolute(v.z);
 }
@@ -190,13 +201,14 @@ bool Proof::keeps_clear(const Piece& piece, ProofEnd& end) noexcept {
   const Pardon pardon{
       pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
   const Clearance clearance{spec.clearance() - tolerance, has_left_ ? &left_ : nullptr, tolerance, pardon};
-  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel);
+  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, effort_);
 }
 
-bool Proof::keeps_fences(const Piece& piece, double tolerance) const noexcept {
+bool Proof::keeps_fences(const Piece& piece, double tolerance) noexcept {
   const GridSpec& spec = grid_->spec();
   const FenceRule rule{spec.origin, spec.clearance() - tolerance, tolerance};
   for (int32_t k = 0; k < fence_count_; ++k) {
+    effort_ += fence_effort(fences_[k]);
     if (!fence_clear(fences_[k], rule, piece.c, kControlPoints)) return false;
   }
   return true;
@@ -232,6 +244,7 @@ void Proof::look_at_piece() noexcept {
   const int degree = kDegree - part_;
   ProofEnd end = ProofEnd::kPieces;
   ++report_.work;
+  effort_ += kPieceEffort;
   if (is_full(pieces_++ == kProofPieces)) return lose(piece.begin, end);
   if (holds(piece, degree + 1, end)) {
     --height_;

@@ -3,6 +3,7 @@
 #include "qp/factor.hpp"
 
 #include "base/math.hpp"
+#include "qp/effort.hpp"
 
 namespace tern::qp {
 namespace {
@@ -171,11 +172,14 @@ void split_row(QpSolver& solver, int begin) {
   const int k = solver.active_count;
   for (int i = 0; i < solver.stride; ++i) solver.direction[i] = solver.row[i];
   solver.direction_squared = solver.entering_squared;
+  solver.effort += effort_of(4, solver.stride);
   if (k == 0) return;
+  solver.effort += 2 * basis_effort(solver);
   project(solver, begin, solver.row, solver.projection);
   subtract(solver, solver.projection, solver.direction);
   solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
   if (solver.direction_squared >= kCancellation * solver.entering_squared) return;
+  solver.effort += 2 * basis_effort(solver);
   double* again = solver.ratio;
   project(solver, 0, solver.direction, again);
   subtract(solver, again, solver.direction);
@@ -225,6 +229,7 @@ void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
 
 void drop_row(QpSolver& solver, int j, double* coordinates) {
   const int last = solver.active_count - 1;
+  solver.effort += rotation_effort(solver, j);
   for (int c = j; c < last; ++c) shift_triangle_column(solver, j, c);
   rotate_coordinates(solver, j, last, coordinates);
   rotate_basis(solver, j, last);

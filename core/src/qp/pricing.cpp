@@ -3,6 +3,7 @@
 #include "qp/pricing.hpp"
 
 #include "base/math.hpp"
+#include "qp/effort.hpp"
 #include "qp/hessian.hpp"
 #include "qp/point_batch.hpp"
 
@@ -81,6 +82,10 @@ void price_batch(const QpProblem& problem, QpSolver& solver, int group, int begi
   PointBatch batch;
   scan.numbers += fill(problem.points + begin, end - begin, solver, batch);
   const int plane_end = problem.groups[group].plane_end;
+  const int planes = plane_end - solver.screens[group].oblique;
+  const bool alone = end - begin == 1;
+  solver.effort +=
+      alone ? kPointEffort + effort_of(kPointPlaneEffort, planes) : kBatchEffort + effort_of(kPlaneEffort, planes);
   if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, batch)) return;
   for (int point = begin; point < end; ++point) {
     const double violation = batch.worst[point - begin];
@@ -114,6 +119,7 @@ void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& sca
 /// Prices the worst point of each promising batch again, and nothing else.
 void scan_promising(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   QpPrice unkept;
+  solver.effort += effort_of(kSkipEffort, solver.batches);
   for (int t = 0; t < solver.batches; ++t) {
     const QpPrice& last = solver.prices[t];
     if (promising(solver, last)) price_batch(problem, solver, last.group, last.point, last.point + 1, scan, unkept);
@@ -123,6 +129,7 @@ void scan_promising(const QpProblem& problem, QpSolver& solver, Scan& scan) {
 void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   scan.batches = 0;
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
+  solver.effort += effort_of(kSkipEffort, scan.batches + problem.group_count);
 }
 
 /// The plane that the point violates most; of equals, the first. A scan adds in a different order, so the violation
@@ -143,7 +150,9 @@ int violated_plane(const QpProblem& problem, const QpSolver& solver, const QpGro
 Candidate candidate_of(const QpProblem& problem, QpSolver& solver, const Scan& scan) {
   solver.entered = scan.distance;
   if (scan.group < 0) return {};
-  const int plane = violated_plane(problem, solver, problem.groups[scan.group], scan.point);
+  const QpGroup& group = problem.groups[scan.group];
+  solver.effort += kPointEffort + effort_of(kPointPlaneEffort, group.plane_end - group.plane_begin);
+  const int plane = violated_plane(problem, solver, group, scan.point);
   return {true, scan.constant, {scan.point, plane}, scan.violation};
 }
 

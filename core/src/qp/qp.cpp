@@ -5,6 +5,7 @@
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "qp/active_set.hpp"
+#include "qp/effort.hpp"
 #include "qp/factor.hpp"
 #include "qp/hessian.hpp"
 #include "qp/kkt.hpp"
@@ -67,6 +68,7 @@ void start(const QpProblem& problem, QpSolver& solver) {
 /// Computes the optimum of the working set, at x = 0 as solve_working_set() needs it. Its multipliers decide which rows
 /// stay.
 void solve_warm(const QpProblem& problem, QpSolver& solver) {
+  solver.effort += qp::triangle_effort(solver);
   qp::solve_working_set(problem, solver, solver.target);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
@@ -86,11 +88,13 @@ int most_negative(const QpSolver& solver) {
 
 void finish_warm(QpSolver& solver) {
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = solver.target[i];
+  solver.effort += qp::basis_effort(solver);
   qp::subtract(solver, solver.projection, solver.z);
   solver.phase = QpPhase::kPrice;
 }
 
 void drop_negative(QpSolver& solver) {
+  solver.effort += qp::triangle_effort(solver);
   qp::drop_row(solver, most_negative(solver), solver.projection);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
@@ -113,6 +117,7 @@ void contradict(const QpProblem& problem, QpSolver& solver, const QpRow& row, Qp
 }
 
 void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
+  solver.effort += qp::unknowns_effort(solver);
   qp::unknowns_from(solver, solver.z);
   QpRow row;
   if (solver.contradictory && qp::find_contradiction(problem, row)) return contradict(problem, solver, row, solution);
@@ -149,6 +154,7 @@ Status refuse(const QpSolver& solver, QpSolution& solution) {
 }
 
 void give_up(const QpProblem& problem, QpSolver& solver, Status status, QpSolution& solution) {
+  solver.effort += qp::unknowns_effort(solver);
   qp::unknowns_from(solver, solver.z);
   qp::measure(problem, solver, solution);
   end(solver, status);
@@ -173,6 +179,7 @@ void advance_step(const QpProblem& problem, QpSolver& solver, QpSolution& soluti
 
 void iterate(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   ++solver.iterations;
+  solver.effort += qp::kIterationEffort;
   if (solver.phase == QpPhase::kWarmRow) {
     qp::add_warm_row(problem, solver, solver.warm[solver.warm_next++]);
   } else if (solver.phase == QpPhase::kWarmSigns) {
@@ -192,6 +199,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   solver.warm_next = 0;
   solver.warm_count = warm == nullptr ? 0 : (warm_count < kMaxActive ? warm_count : kMaxActive);
   for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
+  solver.effort = qp::begin_effort(problem);
   solver.usable = qp::factor_hessian(problem, solver);
   qp::forget_lengths(problem, solver);
   qp::prepare_points(problem, solver);
@@ -209,7 +217,9 @@ void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution
   ++solution.active_count;
 }
 
-Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
+namespace {
+
+Status advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) {
   if (!solver.usable) return refuse(solver, solution);
   for (int unit = 0; unit <= kMaxQpIterations; ++unit) {
     settle(problem, solver, solution);
@@ -220,6 +230,15 @@ Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolu
   }
   give_up(problem, solver, Status::kIterationLimit, solution);
   return solver.status;
+}
+
+}  // namespace
+
+Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
+  const Status status = advance(solver, problem, work, solution);
+  work.effort += solver.effort;
+  solver.effort = 0;
+  return status;
 }
 
 }  // namespace tern

@@ -102,7 +102,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
 
 /// Runs up to work.left iterations (one unit each). Returns kRunning until the end, then kOk, kInfeasible (proven),
 /// kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x is not feasible,
-/// because the method is dual.
+/// because the method is dual. work.effort includes what qp_begin took.
 Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;
 
 /// A lower bound during a solve: apart from rounding, no feasible x has an objective below it. It rises from step to

@@ -10,10 +10,16 @@
 namespace tern {
 namespace {
 
+/// Instructions of a node that is reached, of a scan along a line, and of a step of a sweep.
+constexpr std::uint32_t kReachEffort = 250;
+constexpr std::uint32_t kScanEffort = 300;
+constexpr std::uint32_t kSweepEffort = 200;
+
 /// Records a path of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
 /// known, an equally good one adds its arrival, a worse one changes nothing.
 void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
+  search.effort += kReachEffort;
   const std::uint32_t index = store_find_or_add(search.store, voxel);
   if (is_full(index == static_cast<std::uint32_t>(kMaxNodes))) {
     search.nodes_full = true;
@@ -37,7 +43,9 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arriva
 template <int kAxis, bool kUp>
 void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   Search& search = from.search;
+  const std::uint32_t before = search.map->along[kAxis].effort;
   const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor);
+  search.effort += kScanEffort + (search.map->along[kAxis].effort - before);
   if (stop == scan::kNowhere) return;
   Voxel found = cursor;
   axis(found, kAxis) = stop;
@@ -82,6 +90,7 @@ void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   for (int k = 1; k <= steps && walk.step(); ++k) {
     cursor = cursor + step;
     g += kPlaneDiagonalCost;
+    from.search.effort += kSweepEffort;
     if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
@@ -112,6 +121,7 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
   for (int k = 1; legal_move(move, free); ++k) {
     cursor = cursor + step;
     g += kSpaceDiagonalCost;
+    from.search.effort += kSweepEffort;
     if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);

@@ -31,6 +31,7 @@ struct JumpStopLayer {
   std::int32_t blocks;                           ///< tiles side by side along x; not used for lines along x
   std::uint64_t ready[kJumpStopWords / 64 + 1];  ///< one bit a word along x, one a tile along y and z
   std::uint8_t walked[kJumpStopWords];           ///< steps that scans walked through a tile before it was made
+  std::uint32_t effort;                          ///< instructions of making stops and walking, see Work; modulo 2^32
   JumpStopWord bits[kJumpStopWords];
 };
 

@@ -6,6 +6,7 @@
 #define TERN_SEARCH_SCAN_HPP
 
 #include "base/direction.hpp"
+#include "base/work.hpp"
 #include "grid/lattice.hpp"
 #include "grid/regions.hpp"
 #include "search/jump_stops.hpp"
@@ -25,6 +26,11 @@ struct ScanMap {
   JumpStopLayer along[3];
 };
 
+/// Instructions of making a word of stops along x, or a tile of them along y or z, and of a step of a walk.
+constexpr std::uint32_t kFillRowEffort = 800;
+constexpr std::uint32_t kFillTileEffort = 20000;
+constexpr std::uint32_t kWalkEffort = 60;
+
 /// To be called once before the first scan_begin, on memory with any content.
 inline void scan_forget(ScanMap& map) noexcept {
   map.kept = false;
@@ -42,17 +48,20 @@ constexpr std::int32_t kNowhere = -1;
 /// Voxel by voxel, along an axis that has no stops. As scan_straight.
 std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept;
 
-/// Walks through word k of the line, from `from` or from where the word begins, and counts the steps.
+/// Walks through word k of the line, from `from` or from where the word begins, and counts the steps through the tile.
 template <int kAxis, bool kUp>
-std::uint64_t walk_word(std::uint8_t& walked, const Grid& grid, Voxel from, std::int32_t k) noexcept {
+std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& grid, Voxel from,
+                        std::int32_t k) noexcept {
   const std::int32_t count = axis(grid.spec().dims, kAxis);
   std::int32_t& at = axis(from, kAxis);
   if (kUp && at < k * 64) at = k * 64 - 1;
   if (!kUp && at > k * 64 + 63) at = k * 64 + 64;
   const std::int32_t last = kUp ? (k * 64 + 63 < count ? k * 64 + 63 : count - 1) : k * 64;
   const std::int32_t stop = walk_line<kAxis, kUp>(grid, from, last);
-  const std::int32_t steps = walked + (kUp ? stop - at : at - stop);
-  walked = static_cast<std::uint8_t>(steps < kWalkFirst ? steps : kWalkFirst);
+  const std::int32_t steps = kUp ? stop - at : at - stop;
+  const std::int32_t walked = layer.walked[tile] + steps;
+  layer.walked[tile] = static_cast<std::uint8_t>(walked < kWalkFirst ? walked : kWalkFirst);
+  layer.effort += effort_of(kWalkEffort, steps);
   return stop >> 6 == k ? std::uint64_t{1} << (stop & 63) : 0;
 }
 
@@ -62,11 +71,15 @@ template <int kAxis, bool kUp>
 std::uint64_t stops_in_word(JumpStopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
   const std::int32_t index = jump_stops_index<kAxis>(layer, from, k);
   if constexpr (kAxis == 0) {
-    if (!jump_stops_ready(layer, index)) jump_stops_fill_row(layer, grid, from.y, from.z, k);
+    if (!jump_stops_ready(layer, index)) {
+      layer.effort += kFillRowEffort;
+      jump_stops_fill_row(layer, grid, from.y, from.z, k);
+    }
   } else {
     const std::int32_t tile = jump_stops_tile<kAxis>(layer, from, k);
     if (!jump_stops_ready(layer, tile)) {
-      if (layer.walked[tile] < kWalkFirst) return walk_word<kAxis, kUp>(layer.walked[tile], grid, from, k);
+      if (layer.walked[tile] < kWalkFirst) return walk_word<kAxis, kUp>(layer, tile, grid, from, k);
+      layer.effort += kFillTileEffort;
       jump_stops_fill_tile(layer, grid, kAxis, from.x >> 6, kAxis == 2 ? from.y : from.z, k);
     }
   }

@@ -10,6 +10,10 @@
 namespace tern {
 namespace {
 
+/// Instructions of clearing what jumps look up, for so many voxels one; and for each voxel that steps have reached.
+constexpr std::int64_t kVoxelsPerInstruction = 60;
+constexpr std::uint32_t kKnownEffort = 60;
+
 /// While the search makes progress it goes on step by step, for so many times the least number of steps at most.
 constexpr std::uint32_t kMostSteps = 4;
 
@@ -25,7 +29,10 @@ bool steps_pay(const Search& search) {
 
 /// Clears what jumps look up, and lets them know of the voxels that steps have reached.
 void begin_jumps(Search& search, const Grid& grid) {
+  const Voxel& dims = grid.spec().dims;
   search.jumps = true;
+  search.effort += static_cast<std::uint32_t>(std::int64_t{dims.x} * dims.y * dims.z / kVoxelsPerInstruction);
+  search.effort += kKnownEffort * search.store.count;
   scan_begin(*search.map, grid);
   dominance_reset(search.dominance, grid);
   for (std::uint32_t k = 0; k < search.store.count; ++k) {
@@ -86,6 +93,7 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
 Status search_expand(Search& search, const Grid& grid) noexcept {
   if (is_full(search.units == kExpansionBound)) return Status::kNodesFull;
   ++search.units;
+  search.effort = 0;
   if (!open_ready(search.open, search.store, search.goal)) return end_or_running(search);
   Cost f = 0;
   const std::uint32_t index = open_take(search.open, search.store, f);

@@ -41,6 +41,7 @@ struct Search {
   std::uint32_t expanded;  ///< nodes so far
   std::uint32_t jumped;    ///< those of them that jumped
   std::uint32_t units;     ///< of work so far, <= kExpansionBound
+  std::uint32_t effort;    ///< instructions of the last unit's jumps, see Work
   Cost least_h;            ///< of the nodes expanded so far
   NodeStore store;
   OpenList open;

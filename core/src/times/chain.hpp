@@ -83,6 +83,14 @@ inline double chain_duration(const Chain& chain) noexcept {
   return sum;
 }
 
+/// True where the chain passes a via with a given velocity: there is no stop-and-go, and no stretch in time.
+inline bool hurries(const Chain& chain) noexcept {
+  for (int i = 0; i < chain.hold_count; ++i) {
+    if (chain.holds[i].has_velocity) return true;
+  }
+  return false;
+}
+
 }  // namespace tern
 
 #endif

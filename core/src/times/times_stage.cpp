@@ -9,6 +9,9 @@
 namespace tern {
 namespace {
 
+/// Instructions of a segment.
+constexpr std::uint32_t kSegmentEffort = 1500;
+
 /// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
 /// below what is feasible costs more than to begin above.
 constexpr double kFirstSlack = 1.5;
@@ -201,6 +204,7 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
     if (!work.take()) return Progress::kMore;
+    work.effort += kSegmentEffort;
     chain.duration[stage.timed] = time_of(stage, chain, corridor, stage.timed);
   }
   return Progress::kDone;

@@ -44,9 +44,10 @@ bool end_holds(const JointState& end, const Polyhedron& polyhedron, const Motion
 }
 
 double fitting_duration(const JointState& end, const Polyhedron& polyhedron, const MotionLimits& limits,
-                        double duration) {
+                        double duration, int& tries) {
   if (!moves(end)) return duration;
   for (int i = 0; i < kEndTries && duration > kMinDuration; ++i) {
+    ++tries;
     if (end_holds(end, polyhedron, limits, duration)) return duration;
     duration *= kEndStep;
   }
@@ -55,10 +56,11 @@ double fitting_duration(const JointState& end, const Polyhedron& polyhedron, con
 
 /// Shortens a segment that leaves a point with a given velocity until the control point that follows from both is in
 /// the polyhedron.
-double fitting_lead(const Vec3& from, const Vec3& velocity, const Polyhedron& polyhedron, double duration) {
+double fitting_lead(const Vec3& from, const Vec3& velocity, const Polyhedron& polyhedron, double duration, int& tries) {
   Segment segment{};
   for (Vec3& point : segment.points) point = from;
   for (int i = 0; i < kEndTries && duration > kMinDuration; ++i) {
+    ++tries;
     segment.points[1] = from + (duration / kDegree) * velocity;
     if (inside(segment, polyhedron)) return duration;
     duration *= kEndStep;
@@ -79,22 +81,24 @@ JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }
 
-void fit_hold(const Corridor& corridor, const Hold& hold, Chain& chain) {
+void fit_hold(const Corridor& corridor, const Hold& hold, Chain& chain, int& tries) {
   if (!hold.has_velocity) return;
   const Vec3 before = kZero - hold.velocity;
   double* const duration = chain.duration + hold.segment;
-  duration[0] = fitting_lead(hold.position, hold.velocity, corridor.polyhedra[hold.polyhedron], duration[0]);
-  duration[-1] = fitting_lead(hold.position, before, corridor.polyhedra[hold.polyhedron - 1], duration[-1]);
+  duration[0] = fitting_lead(hold.position, hold.velocity, corridor.polyhedra[hold.polyhedron], duration[0], tries);
+  duration[-1] = fitting_lead(hold.position, before, corridor.polyhedra[hold.polyhedron - 1], duration[-1], tries);
 }
 
 }  // namespace
 
-void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept {
+int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept {
   const int last = chain.count - 1;
-  chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0]);
+  int tries = 0;
+  chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0], tries);
   chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
-                                          backwards(limits), chain.duration[last]);
-  for (int i = 0; i < chain.hold_count; ++i) fit_hold(corridor, chain.holds[i], chain);
+                                          backwards(limits), chain.duration[last], tries);
+  for (int i = 0; i < chain.hold_count; ++i) fit_hold(corridor, chain.holds[i], chain, tries);
+  return tries;
 }
 
 void follow(const Trajectory& plan, Chain& chain) noexcept {

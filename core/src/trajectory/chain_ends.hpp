@@ -15,8 +15,8 @@ namespace tern {
 
 /// Shortens the first and the last segment until what follows from the boundary states alone (half of their control
 /// points, and the hodographs' there) keeps the polyhedra and the limits; kMinDuration at least. Likewise those
-/// that meet at a via with a velocity. No effect at rest.
-void fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;
+/// that meet at a via with a velocity. No effect at rest. Returns how many lengths it tried.
+int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;
 
 /// The segments of a plan that keeps everything, from the chain's start to its goal, with their durations: a programme
 /// over them has a solution. Segments from rest to rest become halves, which gives the programme freedom there, as far

@@ -7,6 +7,7 @@
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
+#include "trajectory/effort.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 
@@ -24,14 +25,6 @@ constexpr std::uint32_t kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
-}
-
-/// True where the chain passes a via with a given velocity: there is no stop-and-go, and no stretch in time.
-bool hurries(const Chain& chain) {
-  for (int i = 0; i < chain.hold_count; ++i) {
-    if (chain.holds[i].has_velocity) return true;
-  }
-  return false;
 }
 
 bool is_elastic(const TrajectoryStage& stage) {
@@ -69,15 +62,16 @@ void even_out(Chain& chain) {
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(chain.duration[i], least);
 }
 
-void propose(TrajectoryStage& stage, const Corridor& corridor) {
+void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   if (stage.refinement.phase == RefinementPhase::kDone || is_full(stage.solves == kMaxQpSolves)) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
-  fit_ends(corridor, stage.query.limits, stage.chain);
+  work.effort += effort_of(kEndEffort, fit_ends(corridor, stage.query.limits, stage.chain));
   if (stage.chain.hold_count > 0) even_out(stage.chain);
   assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
+  work.effort += assembly_effort(stage.chain, stage.problem);
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
   stage.solve_begin = stage.iterations;
   stage.variables = kQpAxes * stage.problem.unknowns;
@@ -109,6 +103,7 @@ Status solve_on(TrajectoryStage& stage, Work& work) {
   Work inner{slice};
   const Status status = qp_advance(stage.solver, stage.problem, inner, stage.solution);
   work.left -= slice - inner.left;
+  work.effort += inner.effort;
   note_iterations(stage, slice - inner.left);
   if (status != Status::kRunning || slice < stride || !hopeless(stage)) return status;
   return Status::kIterationLimit;
@@ -143,7 +138,8 @@ void keep_best(TrajectoryStage& stage) {
 }
 
 /// A solution's plan, where it keeps what it should; a solution that does not is as good as none.
-void accept(TrajectoryStage& stage, const Corridor& corridor) {
+void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
+  work.effort += points_effort(stage.chain);
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
@@ -156,6 +152,7 @@ void accept(TrajectoryStage& stage, const Corridor& corridor) {
   if (!holds) stage.solve_status = Status::kNumerical;
   round.better = better && holds;
   if (!round.better) return;
+  work.effort += prices_effort(stage.chain, stage.solution);
   keep_best(stage);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
@@ -167,9 +164,10 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
 }
 
 /// Where no programme had a solution: starts again from stop-and-go, along whose segments there is one.
-void follow_fallback(TrajectoryStage& stage, const Corridor& corridor) {
+void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
   if (stage.best.found || stage.has_fallback || hurries(stage.chain)) return;
+  work.effort += rest_effort(corridor.count, rests(query));
   if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
   stage.has_fallback = true;
   stage.warm_count = 0;
@@ -191,48 +189,51 @@ bool give_up_tolerances(TrajectoryStage& stage) {
 }
 
 /// What an abandoned programme says about the durations of a chain with vias. Other chains do without.
-void weigh_bound(TrajectoryStage& stage) {
+void weigh_bound(TrajectoryStage& stage, Work& work) {
   Round& round = stage.round;
   const double bound = qp_lower_bound(stage.solver);
   round.bounded = stage.chain.hold_count > 0 && stage.best.found && bound > -kQpNoBound;
   if (!round.bounded) return;
   round.offer.snap = stage.scale.snap_per_cost * bound + stage.fixed_snap;
   qp_abandon(stage.solver, stage.problem, stage.solution);
+  work.effort += stage.solver.effort + points_effort(stage.chain) + prices_effort(stage.chain, stage.solution);
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
-void judge(TrajectoryStage& stage, const Corridor& corridor) {
+void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
+  work.effort += kJudgementEffort;
   if (stage.solve_status == Status::kNumerical && give_up_tolerances(stage)) {
     stage.phase = TrajectoryPhase::kPropose;
     return;
   }
   stage.round.better = false;
-  weigh_bound(stage);
-  if (stage.solve_status == Status::kOk) accept(stage, corridor);
+  weigh_bound(stage, work);
+  if (stage.solve_status == Status::kOk) accept(stage, corridor, work);
   stage.optimiser = stage.best.found ? Status::kOk : stage.solve_status;
   stage.round.iterations = static_cast<int>(stage.iterations - stage.solve_begin);
   refinement_next(stage.refinement, stage.round, stage.chain);
-  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor);
+  if (stage.refinement.phase == RefinementPhase::kDone) follow_fallback(stage, corridor, work);
   stage.phase = TrajectoryPhase::kPropose;
 }
 
 /// Where there is nothing better, from stop to stop.
-Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out, Work& work) {
   const TrajectoryQuery& query = stage.query;
+  work.effort += rest_effort(corridor.count, rests(query));
   const Status status =
       hurries(stage.chain) ? Status::kNoTrajectory : stop_and_go(corridor, query.start, query.goal, query.limits, out);
   stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
   return conclude(status, stage.status);
 }
 
-Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out) {
+Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out, Work& work) {
   if (stays(corridor) && is_elastic(stage)) {
     stage.quality = Quality::kHover;
     hover(stage.query.start.position, out);
     return Progress::kDone;
   }
-  if (!stage.best.found) return fall_back(stage, corridor, out);
+  if (!stage.best.found) return fall_back(stage, corridor, out, work);
   stage.quality = Quality::kOptimised;
   stage.active = stage.best.active;
   stage.kkt_residual = stage.best.kkt_residual;
@@ -279,20 +280,20 @@ Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Wo
     switch (stage.phase) {
       case TrajectoryPhase::kPropose:
         if (!work.take()) return Progress::kMore;
-        propose(stage, corridor);
+        propose(stage, corridor, work);
         break;
       case TrajectoryPhase::kSolve:
         if (!solve(stage, work)) return Progress::kMore;
         break;
       case TrajectoryPhase::kJudge:
         if (!work.take()) return Progress::kMore;
-        judge(stage, corridor);
+        judge(stage, corridor, work);
         break;
       case TrajectoryPhase::kFinish:
         break;
     }
   }
-  return finish(stage, corridor, out);
+  return finish(stage, corridor, out, work);
 }
 
 }  // namespace tern

@@ -3,10 +3,16 @@
 #include "view/carve.hpp"
 
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "view/projector.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of choosing among eight cubes, and among eight voxels; and of deciding the chosen ones.
+constexpr std::uint32_t kChooseEffort = 750;
+constexpr std::uint32_t kLeastEffort = 300;
+constexpr std::uint32_t kDecideEffort = 850;
 
 /// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
 struct Cube {
@@ -60,6 +66,7 @@ struct Carving {
   const Projector& projector;
   const BlockWords& wanted;
   BlockWords& free;
+  std::uint32_t& effort;
 
   /// Marks the cubes of eight that may have a wanted voxel which is seen whole.
   template <std::int32_t kSize>
@@ -79,7 +86,9 @@ struct Carving {
   template <std::int32_t kSize>
   void decide(const Centers& centers, const Cube* cubes) const {
     bool chosen[8];
+    effort += kSize > 1 ? kChooseEffort : kLeastEffort;
     if (!choose<kSize>(centers, cubes, chosen)) return;
+    effort += kDecideEffort;
     const Footprints feet = projector.footprints(centers, kSize);
     for (int k = 0; k < 8; ++k) {
       if (!chosen[k]) continue;
@@ -104,14 +113,16 @@ struct Carving {
 
 }  // namespace
 
-void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
-           BlockWords& free) noexcept {
+std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
+                    BlockWords& free) noexcept {
+  std::uint32_t effort = 0;
   const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
   const Centers centers =
       projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
   Cube cubes[8];
   for (int k = 0; k < 8; ++k) cubes[k] = {kBlock * k, 0, 0};
-  Carving{view, projector, wanted, free}.decide<kBlock>(centers, cubes);
+  Carving{view, projector, wanted, free, effort}.decide<kBlock>(centers, cubes);
+  return effort;
 }
 
 }  // namespace tern

@@ -20,8 +20,9 @@ struct BlockWords {
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
 /// the block's lowest voxel. Begins with cubes of 8 voxels and divides only those that cannot be decided as a whole.
-void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
-           BlockWords& free) noexcept;
+/// Returns what it took, in instructions (see Work).
+std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
+                    BlockWords& free) noexcept;
 
 }  // namespace tern
 

@@ -10,6 +10,11 @@
 namespace tern {
 namespace {
 
+/// Instructions of a point of the spline; of an iteration, and each piece in it.
+constexpr uint32_t kPointEffort = 2500;
+constexpr uint32_t kIterationEffort = 2000;
+constexpr uint32_t kPieceEffort = 1600;
+
 /// Pieces are this long, s, unless that takes more of them than there are.
 constexpr double kPiece = 0.1;
 constexpr int kLeastPieces = 8;
@@ -125,6 +130,14 @@ void YawPlanner::wish_next() noexcept {
   wish_[knot_] = follower_ + turn;
   const double most = request_.rate_max * plan_.step;
   follower_ += clamp(turn, -most, most);
+}
+
+uint32_t YawPlanner::unit_effort() const noexcept {
+  const auto pieces = static_cast<uint32_t>(plan_.count);
+  const uint32_t iteration = kIterationEffort + kPieceEffort * pieces;
+  // The last point begins the fit.
+  if (phase_ == Phase::kWish) return knot_ < plan_.count ? kPointEffort : kPointEffort + iteration;
+  return iteration;
 }
 
 Status YawPlanner::step(uint32_t work) noexcept {

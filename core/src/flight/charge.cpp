@@ -1,0 +1,80 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a tick spends. Whoever is at work does one piece after the other as long as any of the tick's units are left,
+// and pays for each what it took. What the last piece took beyond that is owed to the ticks that follow.
+#include "base/math.hpp"
+#include "flight/flight_state.hpp"
+#include "map/map_state.hpp"
+
+namespace tern {
+namespace {
+
+/// Instructions that a unit stands for.
+constexpr std::uint32_t kUnitEffort = 1000;
+/// Instructions of what a plan takes besides the planner: choosing an aim and a draft, and copies of trajectories.
+constexpr std::uint32_t kPlanEffort = 40000;
+
+}  // namespace
+
+/// The units that the tick has: what earlier ones owe comes off first. A brake in work does not wait for that.
+Work FlightState::begin_work() noexcept {
+  Work work{spec.work_per_tick};
+  if (job != Job::kEvade) {
+    owed += deferred;
+    deferred = 0;
+  }
+  owe(0, work);
+  return work;
+}
+
+void FlightState::owe(std::uint32_t effort, Work& work) noexcept {
+  owed += effort;
+  const std::uint64_t units = owed / kUnitEffort;
+  const std::uint32_t paid = units < work.left ? static_cast<std::uint32_t>(units) : work.left;
+  work.left -= paid;
+  owed -= std::uint64_t{paid} * kUnitEffort;
+}
+
+void FlightState::defer_debt() noexcept {
+  deferred += owed;
+  owed = 0;
+}
+
+Progress FlightState::step_proof(Proof& of, Work& work) noexcept {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    if (work.left == 0) return Progress::kMore;
+    const std::uint32_t paid = of.effort_;
+    status = of.step(1);
+    owe(of.effort_ - paid, work);
+  }
+  return Progress::kDone;
+}
+
+void FlightState::begin_planner(const Request& request) noexcept {
+  planner->begin(route.grid(), request);
+  planner_effort = 0;
+  owed += kPlanEffort;
+}
+
+/// A unit of the planner's.
+Status FlightState::step_planner(Work& work) noexcept {
+  const Status status = planner->step(1);
+  owe(planner->effort() - planner_effort, work);
+  planner_effort = planner->effort();
+  return status;
+}
+
+/// The map gets half of the work, or most of it where nothing else is in work.
+void FlightState::step_map(Work& work) noexcept {
+  if (reads_map()) return;
+  if (!map.busy()) follow_window();
+  if (!map.busy()) return;
+  const std::uint32_t kept = job == Job::kIdle ? work.left / 4 : work.left / 2;
+  while (map.busy() && work.left > kept) owe(map.state_->advance(), work);
+  // Before the next frame comes: there may always be one waiting.
+  if (!map.busy()) follow_window();
+}
+
+}  // namespace tern
