@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "timing/hard_world.hpp"
 
+#include <initializer_list>
+
 namespace tern_timing {
 namespace {
 
