@@ -2,27 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 "use strict";
 
+/** Seconds for which a dropped plan is shown. */
+const DROPPED_FOR = 1;
+
+// What was seen just now is brighter, and the edge of what is known has a line.
+const SEEN_FRAGMENT = `
+  uniform float now;
+  uniform sampler2D times;
+  uniform vec2 cells;
+  uniform vec3 seen, fresh, frontier;
+  varying vec2 place;
+  float unseen(vec2 by) {
+    return step(now, texture2D(times, place + by / cells).r);
+  }
+  void main() {
+    float time = texture2D(times, place).r;
+    if (time > now) discard;
+    vec3 colour = mix(fresh, seen, smoothstep(0.2, 2.5, now - time));
+    float edge = max(max(unseen(vec2(1, 0)), unseen(vec2(-1, 0))), max(unseen(vec2(0, 1)), unseen(vec2(0, -1))));
+    gl_FragColor = vec4(mix(colour, frontier, 0.85 * edge), 1.0);
+  }`;
+
 /** What a flight knew and meant to do at each time: obstacles seen, space seen, committed and dropped plans. */
 class Film {
-  constructor(film, palette, width, floor) {
-    this.film = film;
+  /** `run`: a flight; `size`: of a thin line, in metres; `shared`: uniforms of the view. */
+  constructor(run, palette, size, shared) {
+    this.film = run.film;
     this.palette = palette;
-    this.width = width;
-    this.now = {value: 0};  // shared by the shaders
-    this.known = new THREE.Group();
-    this.plans = new THREE.Group();
-    this.shown = -1;
+    this.size = size;
+    this.pixel = shared.pixel;
+    this.now = {value: 0};
     this.begins = [];
-    if (film.known.blocks.length > 0) this.known.add(this.knownMesh(film.known));
-    this.known.add(this.seenMesh(film.seen, floor));
-    this.plan = new THREE.Group();
-    this.lost = new THREE.Group();
-    this.plans.add(this.plan, this.lost);
-    this.corridor = new THREE.Group();
+    this.shown = "";
+    const {known, seen} = run.film;
+    this.groups = {seen: this.seenMesh(seen, run.boundary[2])};
+    for (const name of ["known", "corridor", "plan", "brake", "dropped"]) this.groups[name] = new THREE.Group();
+    if (known.blocks.length > 0) this.groups.known.add(this.knownMesh(known, run.boundary, shared.vehicle));
   }
 
   /** Blocks of voxels, each for as long as the map holds it for solid, in the order of their beginning. */
-  knownMesh({cell, origin, blocks}) {
+  knownMesh({cell, origin, blocks}, boundary, vehicle) {
     const corners = [];
     const lives = [];
     for (let i = 0; i < blocks.length; i += 7) {
@@ -32,17 +51,9 @@ class Film {
       lives.push(from, until < 0 ? 1e9 : until);
       this.begins.push({t: from});
     }
-    const material = new THREE.MeshLambertMaterial({color: this.palette.known});
-    material.onBeforeCompile = (shader) => {
-      shader.uniforms.now = this.now;
-      shader.vertexShader = "attribute vec2 life;\nuniform float now;\n" + shader.vertexShader.replace(
-        "#include <begin_vertex>",
-        "#include <begin_vertex>\ntransformed *= step(life.x, now) * (1.0 - step(life.y, now));");
-    };
-    const mesh = boxesMesh(corners, material);
-    mesh.geometry.setAttribute("life", new THREE.InstancedBufferAttribute(new Float32Array(lives), 2));
-    this.blocks = mesh;
-    return mesh;
+    this.blocks = boxesMesh(corners, solidMaterial(this.palette.known, boundary, vehicle, this.now));
+    this.blocks.geometry.setAttribute("life", new THREE.InstancedBufferAttribute(new Float32Array(lives), 2));
+    return this.blocks;
   }
 
   /** The floor below what was seen free. A texel holds the time of the first look; a shader compares it with now. */
@@ -52,15 +63,16 @@ class Film {
     times.forEach((time, i) => { data[4 * i] = time < 0 ? 1e9 : time / 10; });
     const texture = new THREE.DataTexture(data, nx, ny, THREE.RGBAFormat, THREE.FloatType);
     texture.needsUpdate = true;
+    const colours = {};
+    for (const name of ["seen", "fresh", "frontier"]) colours[name] = {value: new THREE.Color(this.palette[name])};
     const mesh = new THREE.Mesh(new THREE.PlaneBufferGeometry(nx * cell, ny * cell), new THREE.ShaderMaterial({
-      uniforms: {now: this.now, times: {value: texture}, colour: {value: new THREE.Color(this.palette.seen)}},
+      uniforms: {now: this.now, times: {value: texture}, cells: {value: new THREE.Vector2(nx, ny)}, ...colours},
       vertexShader: "varying vec2 place; void main() { place = uv; " +
         "gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-      fragmentShader: "uniform float now; uniform sampler2D times; uniform vec3 colour; varying vec2 place; " +
-        "void main() { if (texture2D(times, place).r > now) discard; gl_FragColor = vec4(colour, 0.55); }",
-      transparent: true, depthWrite: false,
+      fragmentShader: SEEN_FRAGMENT, transparent: true, depthWrite: false,
     }));
     mesh.position.set(origin[0] + (nx * cell) / 2, origin[1] + (ny * cell) / 2, floor + 0.01);
+    mesh.renderOrder = ON_FLOOR.seen;
     return mesh;
   }
 
@@ -74,37 +86,47 @@ class Film {
     return low - 1;
   }
 
-  /** Other objects in a group. */
-  static replace(group, objects) {
-    group.traverse((old) => {
-      if (old.geometry) old.geometry.dispose();
-      if (old.material) old.material.dispose();
-    });
+  replace(name, objects) {
+    const group = this.groups[name];
+    dispose(group);
     group.remove(...group.children);
     if (objects.length > 0) group.add(...objects);
   }
 
-  /** Green up to the branch, orange where it brakes; the thin line is how the plan would go on. */
-  commitMeshes(commit) {
+  tube(points, colour, options) {
+    return points.length > 1 ? [plainTube(points, colour, this.size, 4, this.pixel, options)] : [];
+  }
+
+  /** What is flown up to the branch, its brake, and the thin line of how the planner's plan would go on. */
+  showCommit(commit) {
+    if (!commit) return ["plan", "brake"].forEach((name) => this.replace(name, []));
     const finer = 4;  // points of a smooth curve for each of the commit's
     const corners = pointsOf(commit.points);
-    const points = new THREE.CatmullRomCurve3(corners).getPoints(finer * (corners.length - 1));
-    const colours = points.map((_, i) =>
-      new THREE.Color(commit.t + (i * commit.step) / finer < commit.branch ? this.palette.commit : this.palette.brake));
-    return [
-      new THREE.Mesh(tube(points, this.width, colours),
-        new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors})),
-      line(pointsOf(commit.wished), this.palette.commit, 0.6),
-    ];
+    const points = corners.length > 1 ? new THREE.CatmullRomCurve3(corners).getPoints(finer * (corners.length - 1)) : [];
+    const branch = Math.ceil(((commit.branch - commit.t) * finer) / commit.step);
+    const cut = Math.min(Math.max(branch, 0), points.length);
+    const wished = pointsOf(commit.wished);
+    this.replace("plan", [
+      ...this.tube(points.slice(0, cut + 1), this.palette.commit),
+      ...(wished.length > 1 ? [plainTube(wished, this.palette.commit, 0, 1.5, this.pixel)] : []),
+    ]);
+    this.replace("brake", this.tube(points.slice(cut), this.palette.brake));
   }
 
   /** The corridor of the last new plan: where a plan goes on, its corridor stays. */
-  corridorMeshes(number) {
-    for (let i = number; i >= 0; --i) {
-      const {corridor} = this.film.commits[i];
-      if (corridor) return corridor.map((halfspaces) => polyhedronMesh(halfspaces, this.palette.corridor, 0.05));
-    }
-    return [];
+  showCorridor(number) {
+    const {commits} = this.film;
+    let i = number;
+    while (i >= 0 && !commits[i].corridor) --i;
+    const corridor = i < 0 ? [] : commits[i].corridor;
+    this.replace("corridor", corridor.map((halfspaces) => polyhedronMesh(halfspaces, this.palette.corridor, 0.07, 0.6)));
+  }
+
+  showDropped(drop) {
+    if (!drop || drop.points.length < 6) return this.replace("dropped", []);
+    const shade = new THREE.Color(this.palette.dropped);
+    const lists = dashes(pointsOf(drop.points), 8 * this.size);
+    this.replace("dropped", [tube(tubeGeometry(lists, () => shade), this.size, 4, this.pixel)]);
   }
 
   setTime(t) {
@@ -113,12 +135,11 @@ class Film {
     const {commits, dropped} = this.film;
     const commit = Film.last(commits, t);
     const drop = Film.last(dropped, t);
-    const fresh = drop >= 0 && t - dropped[drop].t < 0.5 ? drop : -1;
-    const key = commit + "/" + fresh;
-    if (key === this.shown) return;
-    this.shown = key;
-    Film.replace(this.plan, commit >= 0 ? this.commitMeshes(commits[commit]) : []);
-    Film.replace(this.corridor, this.corridorMeshes(commit));
-    Film.replace(this.lost, fresh >= 0 ? [line(pointsOf(dropped[fresh].points), this.palette.dropped)] : []);
+    const fresh = drop >= 0 && t - dropped[drop].t < DROPPED_FOR ? drop : -1;
+    if (`${commit}/${fresh}` === this.shown) return;
+    this.shown = `${commit}/${fresh}`;
+    this.showCommit(commits[commit]);
+    this.showCorridor(commit);
+    this.showDropped(dropped[fresh]);
   }
 }

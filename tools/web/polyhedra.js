@@ -35,7 +35,7 @@ function clipped(polygon, [x, y, z, offset]) {
 }
 
 /** Translucent faces and their edges. */
-function polyhedronMesh(halfspaces, colour, opacity) {
+function polyhedronMesh(halfspaces, colour, opacity, edgeOpacity) {
   const corners = [];
   const edges = [];
   for (const face of facesOf(halfspaces)) {
@@ -49,7 +49,7 @@ function polyhedronMesh(halfspaces, colour, opacity) {
     color: colour, transparent: true, opacity, side: THREE.DoubleSide, depthWrite: false,
   })));
   group.add(new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(edges), new THREE.LineBasicMaterial({
-    color: colour, transparent: true, opacity: Math.min(1, 4 * opacity),
+    color: colour, transparent: true, opacity: edgeOpacity,
   })));
   return group;
 }
