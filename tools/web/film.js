@@ -5,31 +5,36 @@
 /** Seconds for which a dropped plan is shown. */
 const DROPPED_FOR = 1;
 
-// What was seen just now is brighter, and the edge of what is known has a line.
+// What was seen just now is brighter. The edge of what is known is a line of 2 pixels, or of a cell if that is less.
 const SEEN_FRAGMENT = `
   uniform float now;
   uniform sampler2D times;
   uniform vec2 cells;
   uniform vec3 seen, fresh, frontier;
   varying vec2 place;
-  float unseen(vec2 by) {
-    return step(now, texture2D(times, place + by / cells).r);
+  float edge(vec2 by, float pixels) {
+    return step(now, texture2D(times, place + by / cells).r) * step(pixels, 2.0);
   }
   void main() {
     float time = texture2D(times, place).r;
     if (time > now) discard;
+    vec2 width = fwidth(place * cells);
+    vec2 low = fract(place * cells) / width;
+    vec2 high = (1.0 - fract(place * cells)) / width;
+    float line = max(max(edge(vec2(1, 0), high.x), edge(vec2(-1, 0), low.x)),
+      max(edge(vec2(0, 1), high.y), edge(vec2(0, -1), low.y)));
     vec3 colour = mix(fresh, seen, smoothstep(0.2, 2.5, now - time));
-    float edge = max(max(unseen(vec2(1, 0)), unseen(vec2(-1, 0))), max(unseen(vec2(0, 1)), unseen(vec2(0, -1))));
-    gl_FragColor = vec4(mix(colour, frontier, 0.85 * edge), 1.0);
+    gl_FragColor = vec4(mix(colour, frontier, line), 1.0);
   }`;
 
 /** What a flight knew and meant to do at each time: obstacles seen, space seen, committed and dropped plans. */
 class Film {
-  /** `run`: a flight; `size`: of a thin line, in metres; `shared`: uniforms of the view. */
-  constructor(run, palette, size, shared) {
+  /** `run`: a flight; `dash`: length of a dash in metres; `shared`: uniforms of the view. */
+  constructor(run, palette, dash, shared) {
     this.film = run.film;
     this.palette = palette;
-    this.size = size;
+    this.dash = dash;
+    this.radius = 0.1 * run.radius;  // of the tubes
     this.pixel = shared.pixel;
     this.now = {value: 0};
     this.begins = [];
@@ -37,11 +42,11 @@ class Film {
     const {known, seen} = run.film;
     this.groups = {seen: this.seenMesh(seen, run.boundary[2])};
     for (const name of ["known", "corridor", "plan", "brake", "dropped"]) this.groups[name] = new THREE.Group();
-    if (known.blocks.length > 0) this.groups.known.add(this.knownMesh(known, run.boundary, shared.vehicle));
+    if (known.blocks.length > 0) this.groups.known.add(this.knownMesh(known, run.boundary, shared));
   }
 
   /** Blocks of voxels, each for as long as the map holds it for solid, in the order of their beginning. */
-  knownMesh({cell, origin, blocks}, boundary, vehicle) {
+  knownMesh({cell, origin, blocks}, boundary, shared) {
     const corners = [];
     const lives = [];
     for (let i = 0; i < blocks.length; i += 7) {
@@ -51,7 +56,7 @@ class Film {
       lives.push(from, until < 0 ? 1e9 : until);
       this.begins.push({t: from});
     }
-    this.blocks = boxesMesh(corners, solidMaterial(this.palette.known, boundary, vehicle, this.now));
+    this.blocks = boxesMesh(corners, solidMaterial(this.palette.known, boundary, shared, this.now));
     this.blocks.geometry.setAttribute("life", new THREE.InstancedBufferAttribute(new Float32Array(lives), 2));
     return this.blocks;
   }
@@ -69,7 +74,7 @@ class Film {
       uniforms: {now: this.now, times: {value: texture}, cells: {value: new THREE.Vector2(nx, ny)}, ...colours},
       vertexShader: "varying vec2 place; void main() { place = uv; " +
         "gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-      fragmentShader: SEEN_FRAGMENT, transparent: true, depthWrite: false,
+      fragmentShader: SEEN_FRAGMENT, extensions: {derivatives: true}, transparent: true, depthWrite: false,
     }));
     mesh.position.set(origin[0] + (nx * cell) / 2, origin[1] + (ny * cell) / 2, floor + 0.01);
     mesh.renderOrder = ON_FLOOR.seen;
@@ -94,7 +99,7 @@ class Film {
   }
 
   tube(points, colour, options) {
-    return points.length > 1 ? [plainTube(points, colour, this.size, 4, this.pixel, options)] : [];
+    return points.length > 1 ? [plainTube(points, colour, this.radius, 4, this.pixel, options)] : [];
   }
 
   /** What is flown up to the branch, its brake, and the thin line of how the planner's plan would go on. */
@@ -119,14 +124,14 @@ class Film {
     let i = number;
     while (i >= 0 && !commits[i].corridor) --i;
     const corridor = i < 0 ? [] : commits[i].corridor;
-    this.replace("corridor", corridor.map((halfspaces) => polyhedronMesh(halfspaces, this.palette.corridor, 0.07, 0.6)));
+    this.replace("corridor", corridor.map((halfspaces) => polyhedronMesh(halfspaces, this.palette.corridor, 0.06, 0.5)));
   }
 
   showDropped(drop) {
     if (!drop || drop.points.length < 6) return this.replace("dropped", []);
     const shade = new THREE.Color(this.palette.dropped);
-    const lists = dashes(pointsOf(drop.points), 8 * this.size);
-    this.replace("dropped", [tube(tubeGeometry(lists, () => shade), this.size, 4, this.pixel)]);
+    const lists = dashes(pointsOf(drop.points), this.dash);
+    this.replace("dropped", [tube(tubeGeometry(lists, () => shade), this.radius, 4, this.pixel)]);
   }
 
   setTime(t) {

@@ -113,8 +113,10 @@ class Plots {
   addStates(run, i) {
     const item = this.add(this.runs.length > 1 ? `state of ${run.name}` : "state", "strip");
     item.draw = () => drawStates(this.prepare(item.canvas, false), run, this.motions[i], this.palette);
-    for (const [name, colour] of STATES) this.key(item, name, `6px solid ${css(this.palette[colour])}`);
-    if (run.film.dropped.length > 0) this.key(item, "dropped", `6px solid ${css(this.palette.dropped)}`);
+    if (this.runs.slice(0, i).some((other) => other.film)) return;
+    for (const [name, colour] of [...STATES, ["dropped", "dropped"]]) {
+      this.key(item, name, `6px solid ${css(this.palette[colour])}`);
+    }
   }
 
   addAxis() {
@@ -173,7 +175,7 @@ class Plots {
       context.strokeStyle = context.fillStyle = colour;
       context.lineWidth = 1.5;
       context.setLineDash(dashed ? [5, 3] : []);
-      if (isBand) this.drawBand(context, numbers, this.end / step / (width - GUTTER), width - GUTTER, y);
+      if (isBand && curves.length === 1) this.drawBand(context, numbers, this.end / step / (width - GUTTER), width - GUTTER, y);
       else drawCurve(context, numbers, (i) => x(i * step), y);
     }
   }

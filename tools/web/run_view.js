@@ -30,8 +30,8 @@ class RunView {
     this.size = this.extent.length();
     this.turn = 0;
     this.time = 0;
-    // Shared by the shaders: metres a pixel at unit depth, and the vehicle's place for the camera.
-    this.shared = {pixel: {value: 0.001}, vehicle: {value: new THREE.Vector4(0, 0, -1, 0)}};
+    // Shared by the shaders: metres a pixel at unit depth; the vehicle's place for the camera and its radius; solid.js.
+    this.shared = {pixel: {value: 0.001}, vehicle: {value: new THREE.Vector4(0, 0, -1, 0)}, hole: {value: 0}};
     this.walls = [...Array(6)].map(() => new THREE.Plane());
     this.build(palette);
   }
@@ -56,7 +56,7 @@ class RunView {
     this.scene.add(this.root, sun, sky);
     this.root.add(floorAndFrame(run, palette),
       endsAndVias(run, palette, Math.max(0.6 * run.radius, 0.005 * this.size)));
-    if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared.vehicle));
+    if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared));
     if (run.fences.length + run.keepout.length > 0) this.addLayer("fences", fences(run, palette));
     if (run.path) this.addLayer("path", this.paths(palette));
     if (run.corridor) this.addLayer("corridor", this.corridor(palette));
@@ -85,7 +85,7 @@ class RunView {
   }
 
   addFilm(palette) {
-    this.film = new Film(this.run, palette, 0.25 * this.run.radius, this.shared);
+    this.film = new Film(this.run, palette, Math.max(0.008 * this.size, 1.2 * this.run.radius), this.shared);
     this.addLayer("ghost", ghostObstacles(this.run, palette));
     for (const [name, group] of Object.entries(this.film.groups)) this.addLayer(name, group);
     this.addLayer("sensor", sensorVolume(this.run.film.sensor, palette, this.walls));
@@ -101,7 +101,7 @@ class RunView {
     const speeds = this.motion.lengths("v");
     const points = rows.map((i) => new THREE.Vector3(px[i], py[i], pz[i]));
     const shape = tubeGeometry([points], (_, i) => speedColour(speeds[rows[i]] / this.fastest, palette));
-    this.flown = tube(shape, 0.16 * this.run.radius, 3, this.shared.pixel);
+    this.flown = tube(shape, 0.08 * this.run.radius, 3, this.shared.pixel);
     const flown = new THREE.Group();
     flown.add(this.flown);
     if (this.run.kind === "plan") {  // the rest of a plan, through whatever hides it
@@ -144,7 +144,7 @@ class RunView {
 
   /**
    * Places the world for a camera that draws it `height` pixels high. The vehicle is drawn `least` pixels wide at least.
-   * `hole`: the radius, in those of the vehicle, around it within which nothing solid hides it.
+   * `hole`: in radii of the vehicle, how far around it nothing solid hides it.
    */
   place({focus, scale}, camera, height, least, hole) {
     const {root, shared} = this;
@@ -162,7 +162,8 @@ class RunView {
     const seen = root.localToWorld(this.vehicle.position.clone())
       .applyMatrix4(new THREE.Matrix4().getInverse(camera.matrixWorld));
     const radius = this.run.radius * scale;
-    shared.vehicle.value.set(seen.x, seen.y, seen.z, hole * radius);
+    shared.vehicle.value.set(seen.x, seen.y, seen.z, radius);
+    shared.hole.value = hole;
     const larger = Math.max(1, (0.5 * least * unit * -seen.z) / radius);
     this.vehicle.scale.setScalar(larger);
     this.ball.visible = larger === 1;

@@ -10,31 +10,31 @@ const SOLID_VERTEX = `
   #else
     lift = transformed.z;
   #endif`;
-// The hole has a dithered rim, which needs no sorting as transparency does.
+// A solid thing is cut away where it is nearer than the vehicle and would hide what is within `hole` of its radii. The
+// rim is dithered: unlike transparency, that needs no sorting.
 const SOLID_FRAGMENT = `
   float eye = length(vehicle.xyz);
   float along = dot(placed, vehicle.xyz) / eye;
   float off = length(placed - vehicle.xyz * (along / eye)) * eye / max(along, 1e-6);
   float dither = fract(52.98 * fract(dot(gl_FragCoord.xy, vec2(0.0671, 0.00584))));
-  if (along < eye - 0.5 * vehicle.w && off < vehicle.w * (0.75 + 0.25 * dither)) discard;`;
+  if (along < eye - 1.2 * vehicle.w && off < hole * vehicle.w * (0.75 + 0.25 * dither)) discard;`;
 
 /**
- * The material of solid things. They are a little darker near the floor, and open where they would hide the vehicle:
- * `vehicle` is a shared uniform, its place in the camera's frame and the radius of the hole, 0 for none. With `now`, each
- * instance has a `life`, from when until when it is there.
+ * The material of solid things, a little darker near the floor. `shared`: uniforms of the view, `vehicle` (its place in
+ * the camera's frame, and its radius) and `hole`. With `now`, each instance has a `life`: from when until when it is there.
  */
-function solidMaterial(colour, [, , z0, , , z1], vehicle, now) {
+function solidMaterial(colour, [, , z0, , , z1], {vehicle, hole}, now) {
   const material = new THREE.MeshLambertMaterial({color: colour});
   const height = {value: new THREE.Vector2(z0, Math.max(z1 - z0, 1e-6))};
   if (now) material.defines = {LIFE: ""};
   material.onBeforeCompile = (shader) => {
-    Object.assign(shader.uniforms, {vehicle, height, now: now || {value: 0}});
+    Object.assign(shader.uniforms, {vehicle, hole, height, now: now || {value: 0}});
     shader.vertexShader = "varying vec3 placed;\nvarying float lift;\n#ifdef LIFE\nattribute vec2 life;\n" +
       "uniform float now;\n#endif\n" + shader.vertexShader
         .replace("#include <begin_vertex>", "#include <begin_vertex>\n#ifdef LIFE\n" +
           "transformed *= step(life.x, now) * (1.0 - step(life.y, now));\n#endif")
         .replace("#include <project_vertex>", "#include <project_vertex>" + SOLID_VERTEX);
-    shader.fragmentShader = "varying vec3 placed;\nvarying float lift;\nuniform vec4 vehicle;\nuniform vec2 height;\n" +
+    shader.fragmentShader = "varying vec3 placed;\nvarying float lift;\nuniform vec4 vehicle;\nuniform float hole;\nuniform vec2 height;\n" +
       shader.fragmentShader
         .replace("#include <clipping_planes_fragment>", "#include <clipping_planes_fragment>" + SOLID_FRAGMENT)
         .replace("#include <color_fragment>", "#include <color_fragment>\n" +

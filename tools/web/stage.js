@@ -3,15 +3,14 @@
 "use strict";
 
 const DISTANCE = 10;        // of the camera from what it looks at, in units of the scene
-const FOLLOW_SIZE = 0.5;    // the vehicle's radius there, where the camera follows it
+const FOLLOW_SIZE = 0.32;   // the vehicle's radius there, where the camera follows it
 const STRIP = 30;           // pixels above each world, for its name
 const VEHICLE_PIXELS = [12, 26];  // width of the vehicle at least, where all of the world is seen: in small and large cells
-const HOLE = 3.5;           // in radii of the vehicle: nothing hides what is around it
-// Close-ups: their share of a cell, below or beside the world. They are never smaller than `LEAST_CLOSEUP`, in pixels, and
-// the world may be smaller for them by 1 / CLOSEUP_WORTH.
+const HOLE = {follow: 4, closeup: 100};  // in radii of the vehicle: nothing solid hides what is that near to it
+// Close-ups: their share of a cell, below or beside the world, and their least size in pixels. A close-up is worth a
+// world that is smaller by its share.
 const INSETS = [{}, {below: 0.3}, {below: 0.42}, {beside: 0.3}, {beside: 0.4}];
-const LEAST_CLOSEUP = {width: 200, height: 120};
-const CLOSEUP_WORTH = 1.3;
+const LEAST_CLOSEUP = {width: 200, height: 120, aspect: 0.8};
 
 /** All runs on one canvas, a cell each, under one camera. A cell has the world and, where there is room, a close-up. */
 class Stage {
@@ -54,7 +53,7 @@ class Stage {
         const {width, height} = this.main(0);
         for (const elevation of ELEVATIONS) {
           const found = this.views.map((view) => bestTurn(view, elevation, width, height));
-          const worth = found.reduce((sum, one) => sum + one.worth, 0) * (inset === INSETS[0] ? 1 : CLOSEUP_WORTH);
+          const worth = found.reduce((sum, one) => sum + one.worth, 0) * (1 + (inset.below || inset.beside || 0));
           if (worth > best.worth) best = {worth, columns, inset, elevation, turns: found.map((one) => one.turn)};
         }
       }
@@ -69,7 +68,8 @@ class Stage {
   hasRoom() {
     const closeup = this.closeupOf(0);
     return closeup === null || (this.hasCloseups && !this.follows && this.views.every((view) => view.vehicle) &&
-      closeup.width >= LEAST_CLOSEUP.width && closeup.height >= LEAST_CLOSEUP.height);
+      closeup.width >= LEAST_CLOSEUP.width && closeup.height >= LEAST_CLOSEUP.height &&
+      closeup.width >= LEAST_CLOSEUP.aspect * closeup.height);
   }
 
   /** Fits the worlds into their cells as they are turned. */
@@ -136,19 +136,19 @@ class Stage {
     const view = this.views[i];
     const follows = this.follows && view.vehicle;
     const look = follows ? {focus: view.vehicle.position, scale: FOLLOW_SIZE / view.run.radius} : view.fit;
-    view.place(look, this.camera, this.main(i).height, follows ? 0 : this.leastVehicle(), follows ? HOLE : 0);
+    view.place(look, this.camera, this.main(i).height, follows ? 0 : this.leastVehicle(), follows ? HOLE.follow : 0);
   }
 
   /** Behind, above and a little to the right of the vehicle, so that the way that it came does not hide it. */
   placeCloseup(view, {width, height}) {
     const angle = view.motion.heading(view.time) + view.turn;
     const turned = (x, y, z) => new THREE.Vector3(x, y, z).applyAxisAngle(this.closeup.up, angle);
-    this.closeup.position.copy(turned(-7, -2.6, 3.2));
-    this.closeup.lookAt(turned(3.5, 0.8, 0));
+    this.closeup.position.copy(turned(-8, -3.5, 5));
+    this.closeup.lookAt(turned(3, 0.8, 0));
     this.closeup.aspect = width / height;
     this.closeup.fov = 46 * Math.max(1, Math.min(1.3 / this.closeup.aspect, 1.6));
     this.closeup.updateProjectionMatrix();
-    view.place({focus: view.vehicle.position, scale: 1 / view.run.radius}, this.closeup, height, 0, HOLE);
+    view.place({focus: view.vehicle.position, scale: 1 / view.run.radius}, this.closeup, height, 0, HOLE.closeup);
   }
 
   /** Where a point of view i's world is, in CSS pixels from the canvas' top left. */

@@ -47,9 +47,9 @@ function ball([x, y, z], radius, colour, opacity) {
 }
 
 /** What is known of a plan's world: all of it. */
-function knownObstacles(run, palette, vehicle) {
+function knownObstacles(run, palette, shared) {
   const group = new THREE.Group();
-  const material = solidMaterial(palette.known, run.boundary, vehicle, null);
+  const material = solidMaterial(palette.known, run.boundary, shared, null);
   if (run.boxes.length > 0) group.add(boxesMesh(run.boxes, material));
   if (run.cylinders.length > 0) group.add(cylindersMesh(run.cylinders, material));
   group.add(outlines(run, palette.paper, 0.35));
