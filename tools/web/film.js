@@ -34,8 +34,10 @@ class Film {
     this.film = run.film;
     this.palette = palette;
     this.dash = dash;
-    this.radius = 0.1 * run.radius;  // of the tubes
-    this.pixel = shared.pixel;
+    // Shared by all plans: a material that goes takes its shader with it, and compiling takes long.
+    this.thick = tubeMaterial(0.1 * run.radius, 4, shared.pixel);
+    this.thin = tubeMaterial(0, 1.5, shared.pixel);
+    this.volume = volumeMaterials(palette.corridor, 0.06, 0.5);
     this.now = {value: 0};
     this.begins = [];
     this.shown = "";
@@ -91,31 +93,23 @@ class Film {
     return low - 1;
   }
 
-  replace(name, objects) {
+  /** What a group has from now on. */
+  replace(name, ...objects) {
     const group = this.groups[name];
-    dispose(group);
+    group.traverse((old) => { if (old.geometry) old.geometry.dispose(); });
     group.remove(...group.children);
     if (objects.length > 0) group.add(...objects);
   }
 
-  tube(points, colour, options) {
-    return points.length > 1 ? [plainTube(points, colour, this.radius, 4, this.pixel, options)] : [];
-  }
-
   /** What is flown up to the branch, its brake, and the thin line of how the planner's plan would go on. */
   showCommit(commit) {
-    if (!commit) return ["plan", "brake"].forEach((name) => this.replace(name, []));
     const finer = 4;  // points of a smooth curve for each of the commit's
     const corners = pointsOf(commit.points);
     const points = corners.length > 1 ? new THREE.CatmullRomCurve3(corners).getPoints(finer * (corners.length - 1)) : [];
-    const branch = Math.ceil(((commit.branch - commit.t) * finer) / commit.step);
-    const cut = Math.min(Math.max(branch, 0), points.length);
-    const wished = pointsOf(commit.wished);
-    this.replace("plan", [
-      ...this.tube(points.slice(0, cut + 1), this.palette.commit),
-      ...(wished.length > 1 ? [plainTube(wished, this.palette.commit, 0, 1.5, this.pixel)] : []),
-    ]);
-    this.replace("brake", this.tube(points.slice(cut), this.palette.brake));
+    const branch = Math.max(Math.ceil(((commit.branch - commit.t) * finer) / commit.step), 0);
+    this.replace("plan", plainTubes([points.slice(0, branch + 1)], this.palette.commit, this.thick),
+      plainTubes([pointsOf(commit.wished)], this.palette.commit, this.thin));
+    this.replace("brake", plainTubes([points.slice(branch)], this.palette.brake, this.thick));
   }
 
   /** The corridor of the last new plan: where a plan goes on, its corridor stays. */
@@ -123,15 +117,11 @@ class Film {
     const {commits} = this.film;
     let i = number;
     while (i >= 0 && !commits[i].corridor) --i;
-    const corridor = i < 0 ? [] : commits[i].corridor;
-    this.replace("corridor", corridor.map((halfspaces) => polyhedronMesh(halfspaces, this.palette.corridor, 0.06, 0.5)));
+    this.replace("corridor", polyhedraMesh(i < 0 ? [] : commits[i].corridor, this.volume));
   }
 
   showDropped(drop) {
-    if (!drop || drop.points.length < 6) return this.replace("dropped", []);
-    const shade = new THREE.Color(this.palette.dropped);
-    const lists = dashes(pointsOf(drop.points), this.dash);
-    this.replace("dropped", [tube(tubeGeometry(lists, () => shade), this.radius, 4, this.pixel)]);
+    this.replace("dropped", plainTubes(dashes(pointsOf(drop.points), this.dash), this.palette.dropped, this.thick));
   }
 
   setTime(t) {
@@ -143,8 +133,9 @@ class Film {
     const fresh = drop >= 0 && t - dropped[drop].t < DROPPED_FOR ? drop : -1;
     if (`${commit}/${fresh}` === this.shown) return;
     this.shown = `${commit}/${fresh}`;
-    this.showCommit(commits[commit]);
+    const nothing = {t: 0, branch: 0, step: 1, points: [], wished: []};
+    this.showCommit(commits[commit] || nothing);
     this.showCorridor(commit);
-    this.showDropped(dropped[fresh]);
+    this.showDropped(dropped[fresh] || nothing);
   }
 }

@@ -47,7 +47,7 @@ class Labels {
       name.lastChild.hidden = width < 250;
       Object.assign(name.style, {left: `${left + 8}px`, top: `${top + 4}px`, maxWidth: `${width - 16}px`});
       const inset = stage.closeupOf(i);
-      closeup.hidden = inset === null;
+      closeup.hidden = inset === null || !stage.views[i].vehicle;
       for (const side of inset ? ["left", "top", "width", "height"] : []) closeup.style[side] = `${inset[side]}px`;
     });
   }

@@ -48,10 +48,10 @@ class RunView {
     this.scene.background = new THREE.Color(palette.paper);
     this.root = new THREE.Group();
     this.layers = {};
-    // What faces upwards has its own colour: 0.74 + 0.36 * 0.72 = 1.
-    const sun = new THREE.DirectionalLight(0xffffff, 0.36);
+    // What faces upwards has its own colour: 0.81 + 0.26 * 0.72 = 1.
+    const sun = new THREE.DirectionalLight(0xffffff, 0.26);
     sun.position.set(-0.4, -0.57, 0.72);
-    const sky = new THREE.HemisphereLight(0xffffff, 0xb8bfca, 0.74);
+    const sky = new THREE.HemisphereLight(0xffffff, 0xc8cdd6, 0.81);
     sky.position.set(0, 0, 1);
     this.scene.add(this.root, sun, sky);
     this.root.add(floorAndFrame(run, palette),
@@ -59,7 +59,9 @@ class RunView {
     if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared));
     if (run.fences.length + run.keepout.length > 0) this.addLayer("fences", fences(run, palette));
     if (run.path) this.addLayer("path", this.paths(palette));
-    if (run.corridor) this.addLayer("corridor", this.corridor(palette));
+    if (run.corridor) {
+      this.addLayer("corridor", polyhedraMesh(this.run.corridor, volumeMaterials(palette.corridor, 0.04, 0.28)));
+    }
     if (this.motion) this.addFlight(palette);
     this.setTime(this.time);
   }
@@ -72,15 +74,8 @@ class RunView {
   paths(palette) {
     const group = new THREE.Group();
     for (const [name, colour, pixels] of [["search", palette.search, 1.5], ["short", palette.ink, 2]]) {
-      const points = pointsOf(this.run.path[name]);
-      if (points.length > 1) group.add(plainTube(points, colour, 0, pixels, this.shared.pixel));
+      group.add(plainTubes([pointsOf(this.run.path[name])], colour, tubeMaterial(0, pixels, this.shared.pixel)));
     }
-    return group;
-  }
-
-  corridor(palette) {
-    const group = new THREE.Group();
-    for (const halfspaces of this.run.corridor) group.add(polyhedronMesh(halfspaces, palette.corridor, 0.04, 0.28));
     return group;
   }
 
@@ -101,12 +96,15 @@ class RunView {
     const speeds = this.motion.lengths("v");
     const points = rows.map((i) => new THREE.Vector3(px[i], py[i], pz[i]));
     const shape = tubeGeometry([points], (_, i) => speedColour(speeds[rows[i]] / this.fastest, palette));
-    this.flown = tube(shape, 0.08 * this.run.radius, 3, this.shared.pixel);
+    this.flown = new THREE.Mesh(shape, tubeMaterial(0.08 * this.run.radius, 3, this.shared.pixel));
+    this.flown.frustumCulled = false;
     const flown = new THREE.Group();
     flown.add(this.flown);
     if (this.run.kind === "plan") {  // the rest of a plan, through whatever hides it
-      flown.add(tube(shape.clone(), 0, 2, this.shared.pixel,
+      const rest = new THREE.Mesh(shape.clone(), tubeMaterial(0, 2, this.shared.pixel,
         {transparent: true, opacity: 0.55, depthTest: false, depthWrite: false}));
+      rest.frustumCulled = false;
+      flown.add(rest);
     }
     const floor = this.run.boundary[2] + 0.03;
     this.shadow = new THREE.Line(

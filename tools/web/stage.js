@@ -32,15 +32,12 @@ class Stage {
     this.inset = {};  // one of INSETS
   }
 
+  /** Shows views; those that replace others of the same worlds may keep the camera. */
   show(views, keepsCamera) {
-    const turns = this.views.map((view) => view.turn);
+    const before = this.views;
     this.views = views;
-    if (keepsCamera) {
-      views.forEach((view, i) => { view.turn = turns[i] || 0; });
-      this.layOut();
-    } else {
-      this.frame();
-    }
+    if (!keepsCamera) return this.frame();
+    views.forEach((view, i) => Object.assign(view, {turn: before[i].turn, fit: before[i].fit}));
   }
 
   /** Turns worlds and camera so that the ways are seen and the worlds are large, in the best arrangement. */
@@ -187,7 +184,7 @@ class Stage {
       this.place(i);
       this.draw(view, this.camera, this.main(i));
       const closeup = this.closeupOf(i);
-      if (closeup === null) return;
+      if (closeup === null || !view.vehicle) return;
       this.placeCloseup(view, closeup);
       this.draw(view, this.closeup, closeup);
     });

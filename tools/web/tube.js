@@ -46,10 +46,10 @@ function tubeGeometry(lists, colourOf) {
 }
 
 /**
- * A tube of `radius` metres, but at least `pixels` wide on the screen. `pixel` is a shared uniform: metres that a pixel
- * is wide, for each unit of depth in the camera's frame.
+ * Of tubes of `radius` metres, but at least `pixels` wide on the screen. `pixel` is a shared uniform: metres that a pixel is
+ * wide, for each unit of depth in the camera's frame.
  */
-function tube(geometry, radius, pixels, pixel, options = {}) {
+function tubeMaterial(radius, pixels, pixel, options = {}) {
   const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors, ...options});
   const width = {value: new THREE.Vector2(radius, pixels / 2)};
   material.onBeforeCompile = (shader) => {
@@ -59,19 +59,20 @@ function tube(geometry, radius, pixels, pixel, options = {}) {
         "float depth = -(modelViewMatrix * vec4(position, 1.0)).z;\n" +
         "vec3 transformed = position + side * max(width.x, width.y * pixel * depth);");
   };
-  const mesh = new THREE.Mesh(geometry, material);
+  return material;
+}
+
+/** Tubes of one colour along lists of points. */
+function plainTubes(lists, colour, material) {
+  const shade = new THREE.Color(colour);
+  const mesh = new THREE.Mesh(tubeGeometry(lists.filter((points) => points.length > 1), () => shade), material);
   mesh.frustumCulled = false;
   return mesh;
 }
 
-/** A tube of one colour along one list of points. */
-function plainTube(points, colour, radius, pixels, pixel, options) {
-  const shade = new THREE.Color(colour);
-  return tube(tubeGeometry([points], () => shade), radius, pixels, pixel, options);
-}
-
 /** The dashes of a line: lists of points, `length` metres long and as far apart. */
 function dashes(points, length) {
+  if (points.length < 2) return [];
   const lists = [];
   let [list, left, drawing] = [[points[0]], length, true];
   for (let i = 1; i < points.length; ++i) {

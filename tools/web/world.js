@@ -71,8 +71,8 @@ function ghostObstacles(run, palette) {
 function fences(run, palette) {
   const group = new THREE.Group();
   for (const fence of run.fences) {
-    const opacity = fence.keep_in ? [0.02, 0.8] : [0.28, 0.9];
-    group.add(polyhedronMesh(fence.halfspaces, palette.fence, ...opacity));
+    const opacities = fence.keep_in ? [0.02, 0.8] : [0.28, 0.9];
+    group.add(polyhedraMesh([fence.halfspaces], volumeMaterials(palette.fence, ...opacities)));
   }
   if (run.keepout.length > 0) {
     group.add(
