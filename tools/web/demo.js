@@ -4,9 +4,9 @@
 
 /** What the reader can set with a slider: key, text, least, most, step, unit. */
 const SETTINGS = [
-  ["v_max", "speed limit, each axis", 0.5, 8, 0.1, "m/s"],
+  ["v_max", "speed limit", 0.5, 8, 0.1, "m/s"],
   ["a_max", "acceleration limit", 1, 15, 0.5, "m/s²"],
-  ["radius", "radius of the robot", 0.1, 0.8, 0.05, "m"],
+  ["radius", "radius", 0.1, 0.8, 0.05, "m"],
 ];
 
 // The planner's thread: a scenario's text in, a run of the page and the milliseconds that it took out.
@@ -44,7 +44,7 @@ class Demo {
     editor.hidden = false;
     const hint = document.createElement("p");
     hint.textContent = matchMedia("(pointer: coarse)").matches
-      ? "Drag the start, the goal or a block. The sliders set the heights of start and goal."
+      ? "Drag the start, the goal or a block. Sliders set the heights."
       : "Drag the start, the goal or a block; with Shift, up and down.";
     editor.append(hint);
     for (const [key, text, least, most, step, unit] of SETTINGS) {
@@ -52,7 +52,7 @@ class Demo {
     }
     const [, , z0, , , z1] = this.scenario.records.boundary;
     for (const key of ["start", "goal"]) {
-      editor.append(this.slider(key, `height of the ${key}`, z0, z1, 0.1, "m", this.scenario.records[key], 2));
+      editor.append(this.slider(key, `${key} height`, z0, z1, 0.1, "m", this.scenario.records[key], 2));
     }
     const buttons = document.createElement("div");
     buttons.append(
@@ -60,7 +60,7 @@ class Demo {
       this.button("remove", "Remove the block", () => this.removeBlock()),
       this.button("forest", "New forest", () => this.scenario.scatter(40)));
     this.result = document.createElement("output");
-    this.result.id = "result";
+    Object.assign(this.result, {id: "result", textContent: "planning"});
     editor.append(buttons, this.result);
   }
 

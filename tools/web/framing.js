@@ -77,7 +77,7 @@ function worthOf(view, turn, elevation, width, height) {
   const {start, goal} = view.run;
   const [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
   const ahead = (c * dx - s * dy) / Math.max(Math.hypot(dx, dy), 1e-6);
-  return size * (0.3 + view.visible[key]) * (0.7 + 0.3 * ahead);
+  return size * (0.25 + view.visible[key]) * (0.8 + 0.2 * ahead);
 }
 
 /** The best turn of a view's world in a rectangle, and its worth. */

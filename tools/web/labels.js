@@ -72,6 +72,6 @@ class Labels {
 function runKey(i, palette) {
   const key = document.createElement("i");
   key.className = "run";
-  key.style.borderTop = `4px ${runIsDashed(i, palette) ? "dashed" : "solid"} ${runColour(i, palette)}`;
+  key.style.borderTop = `4px ${runIsDashed(i, palette) ? "dotted" : "solid"} ${runColour(i, palette)}`;
   return key;
 }

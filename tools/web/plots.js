@@ -35,6 +35,7 @@ class Plots {
   constructor(parent, onTime) {
     this.parent = parent;
     this.onTime = onTime;
+    this.items = [];
   }
 
   show(runs, end, palette) {
@@ -175,17 +176,17 @@ class Plots {
       context.strokeStyle = context.fillStyle = colour;
       context.lineWidth = 1.5;
       context.setLineDash(dashed ? [5, 3] : []);
-      if (isBand && curves.length === 1) this.drawBand(context, numbers, this.end / step / (width - GUTTER), width - GUTTER, y);
+      if (isBand) this.drawBand(context, curves.length === 1, numbers, this.end / step / (width - GUTTER), width - GUTTER, y);
       else drawCurve(context, numbers, (i) => x(i * step), y);
     }
   }
 
-  /** All that is between the least and the largest number of a pixel, and a line at their mean. */
-  drawBand(context, numbers, perPixel, width, y) {
+  /** A line at the mean of each pixel's numbers; and all that is between the least and the largest of them, if asked for. */
+  drawBand(context, isFilled, numbers, perPixel, width, y) {
     const band = bandOf(numbers, perPixel, Math.max(Math.round(width), 1));
     context.globalAlpha = 0.35;
     band.forEach((pixel, x) => {
-      if (pixel) context.fillRect(GUTTER + x, y(pixel.most), 1, Math.max(y(pixel.least) - y(pixel.most), 1));
+      if (pixel && isFilled) context.fillRect(GUTTER + x, y(pixel.most), 1, Math.max(y(pixel.least) - y(pixel.most), 1));
     });
     context.globalAlpha = 1;
     context.lineWidth = 1;
@@ -207,7 +208,7 @@ class Plots {
   }
 
   draw() {
-    for (const item of this.items || []) item.draw();
+    for (const item of this.items) item.draw();
   }
 
   setTime(t) {

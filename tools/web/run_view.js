@@ -96,15 +96,12 @@ class RunView {
     const speeds = this.motion.lengths("v");
     const points = rows.map((i) => new THREE.Vector3(px[i], py[i], pz[i]));
     const shape = tubeGeometry([points], (_, i) => speedColour(speeds[rows[i]] / this.fastest, palette));
-    this.flown = new THREE.Mesh(shape, tubeMaterial(0.08 * this.run.radius, 3, this.shared.pixel));
-    this.flown.frustumCulled = false;
+    this.flown = tubeMesh(shape, tubeMaterial(0.08 * this.run.radius, 3, this.shared.pixel));
     const flown = new THREE.Group();
     flown.add(this.flown);
     if (this.run.kind === "plan") {  // the rest of a plan, through whatever hides it
-      const rest = new THREE.Mesh(shape.clone(), tubeMaterial(0, 2, this.shared.pixel,
-        {transparent: true, opacity: 0.55, depthTest: false, depthWrite: false}));
-      rest.frustumCulled = false;
-      flown.add(rest);
+      flown.add(tubeMesh(shape.clone(), tubeMaterial(0, 2, this.shared.pixel,
+        {opacity: 0.55, depthTest: false, depthWrite: false})));
     }
     const floor = this.run.boundary[2] + 0.03;
     this.shadow = new THREE.Line(

@@ -11,13 +11,13 @@ const SOLID_VERTEX = `
     lift = transformed.z;
   #endif`;
 // A solid thing is cut away where it is nearer than the vehicle and would hide what is within `hole` of its radii. The
-// rim is dithered: unlike transparency, that needs no sorting.
+// cut is dithered: unlike transparency, that needs no sorting.
 const SOLID_FRAGMENT = `
   float eye = length(vehicle.xyz);
   float along = dot(placed, vehicle.xyz) / eye;
   float off = length(placed - vehicle.xyz * (along / eye)) * eye / max(along, 1e-6);
   float dither = fract(52.98 * fract(dot(gl_FragCoord.xy, vec2(0.0671, 0.00584))));
-  if (along < eye - 1.2 * vehicle.w && off < hole * vehicle.w * (0.75 + 0.25 * dither)) discard;`;
+  if (along < eye - (1.2 + 4.0 * dither) * vehicle.w && off < hole * vehicle.w * (0.75 + 0.25 * dither)) discard;`;
 
 /**
  * The material of solid things, a little darker near the floor. `shared`: uniforms of the view, `vehicle` (its place in

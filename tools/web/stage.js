@@ -10,7 +10,7 @@ const HOLE = {follow: 4, closeup: 100};  // in radii of the vehicle: nothing sol
 // Close-ups: their share of a cell, below or beside the world, and their least size in pixels. A close-up is worth a
 // world that is smaller by its share.
 const INSETS = [{}, {below: 0.3}, {below: 0.42}, {beside: 0.3}, {beside: 0.4}];
-const LEAST_CLOSEUP = {width: 200, height: 120, aspect: 0.8};
+const LEAST_CLOSEUP = {width: 200, height: 120, aspects: [0.8, 5]};  // width over height
 
 /** All runs on one canvas, a cell each, under one camera. A cell has the world and, where there is room, a close-up. */
 class Stage {
@@ -66,7 +66,8 @@ class Stage {
     const closeup = this.closeupOf(0);
     return closeup === null || (this.hasCloseups && !this.follows && this.views.every((view) => view.vehicle) &&
       closeup.width >= LEAST_CLOSEUP.width && closeup.height >= LEAST_CLOSEUP.height &&
-      closeup.width >= LEAST_CLOSEUP.aspect * closeup.height);
+      closeup.width >= LEAST_CLOSEUP.aspects[0] * closeup.height &&
+      closeup.width <= LEAST_CLOSEUP.aspects[1] * closeup.height);
   }
 
   /** Fits the worlds into their cells as they are turned. */

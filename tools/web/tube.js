@@ -50,7 +50,7 @@ function tubeGeometry(lists, colourOf) {
  * wide, for each unit of depth in the camera's frame.
  */
 function tubeMaterial(radius, pixels, pixel, options = {}) {
-  const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors, ...options});
+  const material = new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors, transparent: true, ...options});
   const width = {value: new THREE.Vector2(radius, pixels / 2)};
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, {pixel, width});
@@ -62,12 +62,18 @@ function tubeMaterial(radius, pixels, pixel, options = {}) {
   return material;
 }
 
+/** Drawn after volumes that are see-through, so that these do not change its colours. */
+function tubeMesh(geometry, material) {
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.renderOrder = 10;
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
 /** Tubes of one colour along lists of points. */
 function plainTubes(lists, colour, material) {
   const shade = new THREE.Color(colour);
-  const mesh = new THREE.Mesh(tubeGeometry(lists.filter((points) => points.length > 1), () => shade), material);
-  mesh.frustumCulled = false;
-  return mesh;
+  return tubeMesh(tubeGeometry(lists.filter((points) => points.length > 1), () => shade), material);
 }
 
 /** The dashes of a line: lists of points, `length` metres long and as far apart. */

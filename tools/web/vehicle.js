@@ -10,7 +10,7 @@ function quadrotor(radius, palette) {
   const group = new THREE.Group();
   const coloured = (color, opacity = 1) => new THREE.MeshLambertMaterial({color, opacity, transparent: true,
     side: THREE.DoubleSide});
-  const [dark, front, rear] = [coloured(palette.ink), coloured(palette.sensor), coloured(palette.known)];
+  const [dark, front] = [coloured(palette.ink), coloured(palette.sensor)];
   const add = (geometry, material, x, y, z) => {
     const mesh = new THREE.Mesh(geometry, material);
     mesh.position.set(x * radius, y * radius, z * radius);
@@ -26,7 +26,7 @@ function quadrotor(radius, palette) {
     const arm = add(new THREE.BoxBufferGeometry(0.75 * radius, 0.09 * radius, 0.09 * radius), dark, 0.27 * x, 0.27 * y, 0);
     arm.rotation.z = Math.atan2(y, x);
     const rotor = add(new THREE.CylinderBufferGeometry(0.36 * radius, 0.36 * radius, 0.035 * radius, 24),
-      x > 0 ? front : rear, 0.5 * x, 0.5 * y, 0.12);
+      x > 0 ? front : dark, 0.5 * x, 0.5 * y, 0.12);
     rotor.rotation.x = Math.PI / 2;
   }
   return group;

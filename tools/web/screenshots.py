@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026, the Tern authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""screenshots.py TERN DEMO FOLDER: page and demo on a desktop and a phone, light and dark, to FOLDER/page/; and a flight
+without controls around it to FOLDER/flight.png."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tests/page"))
+import browser  # noqa: E402
+
+PAGE_WORLD = "P12:3"
+STILL_WORLD = "M:2"
+SCREENS = {"desktop": {"width": 1280, "height": 800}, "phone": {"width": 390, "height": 844, "phone": True}}
+STILL = {"width": 1400, "height": 560}
+DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+STAGE_ALONE = """(() => {
+  const style = document.createElement("style");
+  style.textContent = "main { grid-template: 1fr / 1fr } #panel, #controls, #layers { display: none }";
+  document.head.append(style);
+})()"""
+# The commit with the most to see between two parts of a flight: a way before the brake and a brake, not behind obstacles.
+TELLING = """((from, to) => {
+  const {views: [view], runs: [{film}], stage: {camera}} = page;
+  const towards = camera.position.clone().normalize().applyAxisAngle(camera.up, -view.turn).toArray();
+  const length = (points) => points.slice(1).reduce((sum, p, i) => sum + p.distanceTo(points[i]), 0);
+  let best = {worth: -1, t: 0};
+  for (const {t, branch, step, points, corridor} of film.commits) {
+    if (!corridor || t < from * view.end || t > to * view.end) continue;
+    const way = pointsOf(points);
+    const cut = Math.max(0, Math.round((branch - t) / step));
+    const least = Math.min(length(way.slice(0, cut + 1)), length(way.slice(cut)));
+    const seen = way.filter((p) => !view.boxes.some((box) => meets(p.toArray(), towards, box))).length / way.length;
+    const worth = least * seen ** 2;
+    if (worth > best.worth) best = {worth, t};
+  }
+  return best.t + 0.04;
+})"""
+
+
+def take(tab, path):
+    tab.run(DRAWN)
+    tab.picture(path)
+    print(f"{path}: {path.stat().st_size} bytes")
+
+
+def fly(program, world, folder):
+    page = pathlib.Path(folder) / f"{world.replace(':', '_')}.html"
+    subprocess.run([program, "fly", world, "--html", page], check=True)
+    return page
+
+
+def main():
+    program, demo, folder = sys.argv[1], *(pathlib.Path(path).resolve() for path in sys.argv[2:])
+    (folder / "page").mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch, browser.Browser(browser.find()) as tab:
+        pages = {"page": fly(program, PAGE_WORLD, scratch), "demo": demo}
+        for name, page in pages.items():
+            for screen, size in SCREENS.items():
+                for theme in ("light", "dark"):
+                    tab.screen(**size, dark=theme == "dark")
+                    tab.open(page.as_uri(), "window.page && page.views")
+                    tab.run("page.player.playing && page.player.toggle()")
+                    tab.run(f"page.player.set(page.runs[0].film ? {TELLING}(0.5, 0.9) : 0.37 * page.player.end)")
+                    take(tab, folder / "page" / f"{name}_{screen}_{theme}.png")
+        still = fly(program, STILL_WORLD, scratch)
+        tab.screen(**STILL)
+        tab.open(still.as_uri(), "window.page && page.views")
+        tab.run(STAGE_ALONE)
+        tab.run(f"page.player.set({TELLING}(0.55, 0.85))")
+        take(tab, folder / "flight.png")
+        if tab.faults:
+            sys.exit(f"errors in the browser: {tab.faults}")
+
+
+main()
