@@ -37,7 +37,7 @@ class Film {
     // Shared by all plans: a material that goes takes its shader with it, and compiling takes long.
     this.thick = tubeMaterial(0.1 * run.radius, 4, shared.pixel);
     this.thin = tubeMaterial(0, 1.5, shared.pixel);
-    this.volume = volumeMaterials(palette.corridor, 0.05, 0.45);
+    this.volume = volumeMaterials(palette.corridor, 0.05, 0.45, shared.walls);
     this.now = {value: 0};
     this.begins = [];
     this.shown = "";

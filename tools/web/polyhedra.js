@@ -34,13 +34,13 @@ function clipped(polygon, [x, y, z, offset]) {
   return inside;
 }
 
-/** Of translucent faces, and of their edges. */
-function volumeMaterials(colour, opacity, edgeOpacity) {
-  return {
-    faces: new THREE.MeshBasicMaterial({color: colour, transparent: true, opacity, side: THREE.DoubleSide,
-      depthWrite: false}),
-    edges: lineMaterial(colour, edgeOpacity),
-  };
+/** Of translucent faces, and of their edges; cut off at `planes`. */
+function volumeMaterials(colour, opacity, edgeOpacity, planes = []) {
+  const faces = new THREE.MeshBasicMaterial({color: colour, transparent: true, opacity, side: THREE.DoubleSide,
+    depthWrite: false});
+  const edges = lineMaterial(colour, edgeOpacity);
+  faces.clippingPlanes = edges.clippingPlanes = planes;
+  return {faces, edges};
 }
 
 /** Polyhedra, each a list of half-spaces. */

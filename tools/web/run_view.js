@@ -31,8 +31,8 @@ class RunView {
     this.turn = 0;
     this.time = 0;
     // Shared by the shaders: metres a pixel at unit depth; the vehicle's place for the camera and its radius; solid.js.
-    this.shared = {pixel: {value: 0.001}, vehicle: {value: new THREE.Vector4(0, 0, -1, 0)}, hole: {value: 0}};
-    this.walls = [...Array(6)].map(() => new THREE.Plane());
+    this.shared = {pixel: {value: 0.001}, vehicle: {value: new THREE.Vector4(0, 0, -1, 0)}, hole: {value: 0},
+      walls: [...Array(6)].map(() => new THREE.Plane())};
     this.build(palette);
   }
 
@@ -83,7 +83,7 @@ class RunView {
     this.film = new Film(this.run, palette, Math.max(0.008 * this.size, 1.2 * this.run.radius), this.shared);
     this.addLayer("ghost", ghostObstacles(this.run, palette));
     for (const [name, group] of Object.entries(this.film.groups)) this.addLayer(name, group);
-    this.addLayer("sensor", sensorVolume(this.run.film.sensor, palette, this.walls));
+    this.addLayer("sensor", sensorVolume(this.run.film.sensor, palette, this.shared.walls));
   }
 
   /** The way flown, its shadow, and the vehicle. */
@@ -151,7 +151,7 @@ class RunView {
     shared.pixel.value = unit / scale;
     const [x0, y0, z0, x1, y1, z1] = this.run.boundary;
     [[1, 0, 0, -x0], [-1, 0, 0, x1], [0, 1, 0, -y0], [0, -1, 0, y1], [0, 0, 1, -z0], [0, 0, -1, z1]].forEach(
-      ([x, y, z, offset], i) => this.walls[i].setComponents(x, y, z, offset).applyMatrix4(root.matrixWorld));
+      ([x, y, z, offset], i) => shared.walls[i].setComponents(x, y, z, offset).applyMatrix4(root.matrixWorld));
     if (!this.vehicle) return;
     camera.updateMatrixWorld();
     const seen = root.localToWorld(this.vehicle.position.clone())

@@ -3,10 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """screenshots.py TERN DEMO FOLDER: page and demo on a desktop and a phone, light and dark, to FOLDER/page/; and a flight
 without controls around it to FOLDER/flight.png."""
+import base64
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tests/page"))
 import browser  # noqa: E402
@@ -40,9 +43,33 @@ TELLING = """((from, to) => {
 })"""
 
 
+def compress(tab, path):
+    """Writes a picture again as PNG without filters, which suits flat colours: a fifth smaller than the browser's."""
+    text = base64.b64encode(path.read_bytes()).decode()
+    width, height, pixels = tab.run(f"""(async () => {{
+      const image = new Image();
+      image.src = "data:image/png;base64,{text}";
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [image.width, image.height];
+      const context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      const {{data}} = context.getImageData(0, 0, image.width, image.height);
+      let text = "";
+      for (let i = 0; i < data.length; i += 4) text += String.fromCharCode(data[i], data[i + 1], data[i + 2]);
+      return [image.width, image.height, btoa(text)];
+    }})()""")
+    rgb = base64.b64decode(pixels)
+    rows = b"".join(b"\0" + rgb[3 * width * y:3 * width * (y + 1)] for y in range(height))
+    chunks = ((b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b""))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in chunks))
+
+
 def take(tab, path):
     tab.run(DRAWN)
     tab.picture(path)
+    compress(tab, path)
     print(f"{path}: {path.stat().st_size} bytes")
 
 
@@ -69,7 +96,7 @@ def main():
         tab.screen(**STILL)
         tab.open(still.as_uri(), "window.page && page.views")
         tab.run(STAGE_ALONE)
-        tab.run(f"page.player.set({TELLING}(0.55, 0.85))")
+        tab.run(f"page.player.set({TELLING}(0.6, 0.9))")
         take(tab, folder / "flight.png")
         if tab.faults:
             sys.exit(f"errors in the browser: {tab.faults}")

@@ -42,8 +42,7 @@ function bandFaces({range, fov}) {
 /** What the sensor sees at most. A camera: a level pyramid along x, from its eye to its range. Cut off at `planes`. */
 function sensorVolume({range, fov}, palette, planes) {
   const group = new THREE.Group();
-  const faces = new THREE.MeshBasicMaterial({color: palette.sensor, transparent: true, opacity: 0.1,
-    side: THREE.DoubleSide, depthWrite: false, clippingPlanes: planes});
+  const {faces, edges} = volumeMaterials(palette.sensor, 0.1, 0.8, planes);
   if (fov[0] >= 360) {
     group.add(new THREE.Mesh(bandFaces({range, fov}), faces));
     return group;
@@ -51,15 +50,13 @@ function sensorVolume({range, fov}, palette, planes) {
   const [half, high] = fov.map((degrees) => range * Math.tan((degrees * Math.PI) / 360));
   const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([a, b]) => new THREE.Vector3(range, a * half, b * high));
   const eye = new THREE.Vector3();
-  const [triangles, edges] = [[], []];
+  const [triangles, ends] = [[], []];
   corners.forEach((corner, i) => {
     const next = corners[(i + 1) % 4];
     triangles.push(eye, corner, next);
-    edges.push(eye, corner, corner, next);
+    ends.push(eye, corner, corner, next);
   });
-  const lines = lineMaterial(palette.sensor, 0.8);
-  lines.clippingPlanes = planes;
   group.add(new THREE.Mesh(new THREE.BufferGeometry().setFromPoints(triangles), faces),
-    new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(edges), lines));
+    new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(ends), edges));
   return group;
 }
