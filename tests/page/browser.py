@@ -115,6 +115,7 @@ class Browser:
     def screen(self, width, height, scale=1, phone=False, dark=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale,
                   mobile=phone)
+        self.call("Emulation.setTouchEmulationEnabled", enabled=phone)
         self.call("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
@@ -128,6 +129,20 @@ class Browser:
         for part in (0.5, 1.0):
             self.mouse("mouseMoved", x0 + part * (x1 - x0), y0 + part * (y1 - y0))
         self.mouse("mouseReleased", x1, y1)
+
+    def click(self, selector):
+        """In the middle of an element."""
+        left, top, width, height = self.run(
+            f"(({{left, top, width, height}}) => [left, top, width, height])"
+            f"(document.querySelector({json.dumps(selector)}).getBoundingClientRect())")
+        self.drag(left + width / 2, top + height / 2, left + width / 2, top + height / 2)
+
+    def key(self, key, code):
+        """Press and release a key."""
+        text = {"text": key} if len(key) == 1 else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=code,
+                  windowsVirtualKeyCode={"Space": 32, "ArrowRight": 39}[code], **text)
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=code)
 
     def mouse(self, kind, x, y):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)

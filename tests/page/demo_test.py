@@ -12,10 +12,9 @@ SKIPPED = 77
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Where a point of the world is on the screen.
 ON_SCREEN = """((x, y, z) => {
-  const {stage, views: [view]} = page;
-  const p = new THREE.Vector3(x, y, z).applyMatrix4(view.root.matrixWorld).project(stage.camera);
-  const {left, top, width, height} = stage.canvas.getBoundingClientRect();
-  return [left + (p.x + 1) / 2 * width, top + (1 - p.y) / 2 * height];
+  const {left, top} = page.stage.canvas.getBoundingClientRect();
+  const p = page.stage.project(0, new THREE.Vector3(x, y, z));
+  return [left + p.x, top + p.y];
 })"""
 
 failures = []
@@ -28,6 +27,9 @@ def check(condition, text):
 
 
 def result(tab):
+    """What the page says about the plan, once there is one of all that was dragged or set."""
+    tab.run(DRAWN)
+    tab.wait("!demo.busy && !demo.waits")
     tab.run(DRAWN)
     return tab.run("document.getElementById('result').textContent")
 
@@ -56,6 +58,21 @@ def set_limit(tab, key, value):
     return result(tab)
 
 
+def check_thread(tab):
+    """The page goes on while a plan is made: what is moved meanwhile is shown at once, and planned next."""
+    busy, plans, shown = tab.run("""(() => {
+      const [block] = demo.scenario.blocks;
+      demo.plan();
+      demo.scenario.moveBox(block, [0.1, 0, 0], 2);
+      demo.plan();
+      return [demo.busy, demo.plans, page.runs[0].boxes[0] === block[0]];
+    })()""")
+    check(busy and shown, f"a plan is being made: {busy}; the moved block is shown: {shown}")
+    check(result(tab).startswith("ok"), f"a plan with the moved block: {result(tab)}")
+    check(tab.run("demo.plans") == plans + 2 and tab.run("demo.run.boxes[0] === demo.scenario.blocks[0][0]"),
+          "the moved block was planned with")
+
+
 def main():
     demo, folder = map(pathlib.Path, sys.argv[1:])
     path = browser.find()
@@ -64,8 +81,9 @@ def main():
         sys.exit(SKIPPED)
     with browser.Browser(path) as tab:
         tab.screen(width=1280, height=800)
-        tab.open(demo.as_uri(), "window.demo")
-        tab.run("page.player.toggle()")
+        tab.open(demo.as_uri(), "window.demo && demo.run")
+        tab.run("page.player.playing && page.player.toggle()")
+        check("Shift" in tab.run("document.getElementById('editor').textContent"), "a mouse moves things up and down")
         check(result(tab).startswith("ok: planned in "), f"there is a plan: {result(tab)}")
         tab.picture(folder / "demo.png")
         print(f"{demo.stat().st_size} bytes; {result(tab)}")
@@ -88,9 +106,19 @@ def main():
         check(text.startswith("goal_occupied"), f"a block on the goal: {text}")
         tab.run("document.getElementById('remove').click()")
         check(result(tab).startswith("ok"), "without the block there is a plan again")
+        check_thread(tab)
+        camera = tab.run("page.stage.camera.position.toArray()")
+        tab.drag(20, 500, 120, 500)
+        turned = tab.run("page.stage.camera.position.toArray()")
+        check(turned != camera, "the scene turns where nothing is grabbed")
+        set_limit(tab, "v_max", 2)
+        check(tab.run("page.stage.camera.position.toArray()") == turned, "the camera stays where it was turned to")
         tab.screen(width=390, height=844, phone=True, dark=True)
+        tab.open(demo.as_uri(), "window.demo && demo.run")
         tab.run(DRAWN)
         tab.picture(folder / "demo_phone.png")
+        hint = tab.run("document.getElementById('editor').textContent")
+        check("Shift" not in hint and "Sliders" in hint, f"a phone has no key to press: {hint}")
         check(tab.run("document.documentElement.scrollWidth") <= 390, "the page is as wide as the phone")
         check(not tab.faults, f"errors in the browser: {tab.faults}")
     sys.exit(1 if failures else 0)

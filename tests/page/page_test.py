@@ -28,21 +28,6 @@ COLOURS = """(() => {
   for (let i = 0; i < data.length; i += 4) colours.add(data[i] * 65536 + data[i + 1] * 256 + data[i + 2]);
   return colours.size;
 })()"""
-# Milliseconds a frame with the scene drawn anew for each: of scripts alone, and until it is drawn.
-FRAME_TIME = """(async () => {
-  const frames = 12;
-  const begin = performance.now();
-  let scripts = 0;
-  for (let i = 0; i < frames; ++i) {
-    const before = performance.now();
-    page.player.set(page.player.end * i / frames);
-    page.draw();
-    scripts += performance.now() - before;
-    page.stage.renderer.getContext().finish();
-    await new Promise(requestAnimationFrame);
-  }
-  return [scripts / frames, (performance.now() - begin) / frames];
-})()"""
 
 failures = []
 
@@ -91,7 +76,8 @@ def check_slider(tab):
     tab.drag(left + 8, middle, left + width / 2, middle)
     time, end = tab.run("[page.player.time, page.player.end]")
     check(abs(time - end / 2) < 0.03 * end, f"the slider was dragged to the middle, the time is {time} of {end}")
-    check(tab.run("document.getElementById('clock').textContent") == f"{time:.2f} s", "the clock shows the time")
+    check(tab.run("document.getElementById('clock').textContent") == f"{time:.2f} / {end:.2f} s",
+          "the clock shows the time")
     tab.run("document.getElementById('play').click()")
     tab.wait(f"page.player.time > {time} + 0.05")
     tab.run("document.getElementById('play').click()")
@@ -105,15 +91,31 @@ def check_turn(tab):
     check(abs(tab.run("page.stage.camera.position.x") - before) > 1e-3, "dragging turns the scene")
     left, top, width = tab.run(
         "(({left, top, width}) => [left, top, width])(document.querySelector('.plot canvas').getBoundingClientRect())")
-    tab.drag(left + 5, top + 20, left + width / 4, top + 20)
+    gutter = tab.run("GUTTER")
+    tab.drag(left + gutter + 5, top + 20, left + gutter + (width - gutter) / 4, top + 20)
     time, end = tab.run("[page.player.time, page.player.end]")
     check(abs(time - end / 4) < 0.02 * end, f"a plot sets the time: {time} of {end}")
 
 
-def print_costs(tab, page):
-    scripts, frame = tab.run(FRAME_TIME)
-    print(f"{page.name}: {page.stat().st_size} bytes; a frame takes {scripts:.1f} ms of scripts, {frame:.1f} ms in all "
-          "where the processor draws it")
+def check_keys(tab):
+    """The space bar plays and pauses, whatever was used last."""
+    def press_space():
+        before = tab.run("page.player.playing")
+        tab.key(" ", "Space")
+        return tab.run("page.player.playing") != before
+
+    check(press_space() and press_space(), "the space bar plays and pauses after the slider was used")
+    for name in ("follow", "theme"):
+        tab.click(f"#{name}")
+        check(press_space() and press_space(), f"the space bar plays and pauses after a click on {name}")
+    tab.click("#follow")
+    tab.run("document.getElementById('follow').focus()")
+    tab.key(" ", "Space")
+    check(tab.run("document.getElementById('follow').checked"), "the keyboard reaches the checkbox")
+    tab.key(" ", "Space")
+    tab.run("document.activeElement.blur(), page.player.set(1)")
+    tab.key("ArrowRight", "ArrowRight")
+    check(abs(tab.run("page.player.time") - 1.1) < 1e-9, "an arrow key steps by 0.1 s")
 
 
 def check_plan(tab, program, root, folder):
@@ -128,8 +130,8 @@ def check_plan(tab, program, root, folder):
     tab.screen(width=1280, height=800)
     check_readouts(tab, list(csv.DictReader(table.open())))
     check_slider(tab)
+    check_keys(tab)
     check_turn(tab)
-    print_costs(tab, page)
 
 
 def check_table(tab, program, root, folder):
@@ -172,7 +174,6 @@ def check_flight(tab, program, folder):
       return [count, times.filter((time) => time >= 0 && time <= 10 * {t}).length];
     }})()""") for t in (1, 6, 12)]
     check(all(0 < a < b for pair in zip(known, known[1:]) for a, b in zip(*pair)), f"what is known grows: {known}")
-    print_costs(tab, page)
 
 
 def check_no_plan(tab, program, root, folder):

@@ -4,92 +4,55 @@
 
 /** What the reader can set with a slider: key, text, least, most, step, unit. */
 const SETTINGS = [
-  ["v_max", "speed limit, each axis", 0.5, 8, 0.1, "m/s"],
+  ["v_max", "speed limit", 0.5, 8, 0.1, "m/s"],
   ["a_max", "acceleration limit", 1, 15, 0.5, "m/s²"],
-  ["radius", "radius of the robot", 0.1, 0.8, 0.05, "m"],
+  ["radius", "radius", 0.1, 0.8, 0.05, "m"],
 ];
 
-/** A scenario that is edited: numbers by their keys, and blocks. */
-class Scenario {
-  constructor(text) {
-    this.records = {};
-    this.blocks = [];
-    for (const line of text.split("\n")) {
-      const [key, ...numbers] = line.trim().split(/\s+/);
-      if (key === "block") this.blocks.push(numbers.map(Number));
-      else if (key) this.records[key] = numbers.map(Number);
-    }
-  }
+// The planner's thread: a scenario's text in, a run of the page and the milliseconds that it took out.
+const WORKER = `
+  const ready = new Promise((done) => { if (Module.calledRun) done(); else Module.onRuntimeInitialized = done; });
+  onmessage = async ({data}) => {
+    await ready;
+    const began = performance.now();
+    const answer = Module.cwrap("tern_demo_plan", "string", ["string"])(data);
+    postMessage({answer, milliseconds: performance.now() - began});
+  };`;
 
-  /** As a file (docs/formats.md). */
-  text() {
-    const records = Object.entries(this.records).map(([key, numbers]) => `${key} ${numbers.join(" ")}`);
-    return [...records, ...this.blocks.map((block) => `block ${block.join(" ")}`)].join("\n") + "\n";
-  }
-
-  /** Something that has a place: its corners, and how to move it. */
-  handles() {
-    const {start, goal, radius: [radius]} = this.records;
-    const size = Math.max(radius, 0.3);
-    const ends = [start, goal].map((point) => ({
-      box: [...point.map((x) => x - size), ...point.map((x) => x + size)],
-      move: (by) => this.moveBox(point, by, 1),
-    }));
-    return [...ends, ...this.blocks.map((block) => ({box: block, block, move: (by) => this.moveBox(block, by, 2)}))];
-  }
-
-  /** Moves `corners` points of three numbers together; they stay within the boundary. */
-  moveBox(numbers, by, corners) {
-    const {boundary} = this.records;
-    for (let axis = 0; axis < 3; ++axis) {
-      const least = boundary[axis] - numbers[axis];
-      const most = boundary[axis + 3] - numbers[axis + 3 * (corners - 1)];
-      const step = Math.min(Math.max(by[axis], least), most);
-      for (let i = axis; i < numbers.length; i += 3) numbers[i] = Math.round((numbers[i] + step) * 100) / 100;
-    }
-  }
-
-  /** Trunks at random places, none near to start or goal. */
-  scatter(count) {
-    const {boundary: [x0, y0, z0, x1, y1, z1], start, goal} = this.records;
-    this.blocks = [];
-    for (let tries = 0; this.blocks.length < count && tries < 50 * count; ++tries) {
-      const size = 0.3 + 0.5 * Math.random();
-      const [x, y] = [x0 + Math.random() * (x1 - x0 - size), y0 + Math.random() * (y1 - y0 - size)];
-      if ([start, goal].some((p) => Math.hypot(p[0] - x, p[1] - y) < 1.8)) continue;
-      this.blocks.push([x, y, z0, x + size, y + size, z1].map((number) => Math.round(number * 100) / 100));
-    }
-  }
-}
-
-/** The page with a planner in it: what is dragged or set is planned anew. */
+/** The page with a planner in it: what is dragged or set is planned anew, in a thread of its own. */
 class Demo {
-  constructor(page, text, engine) {
+  constructor(page, text) {
     this.page = page;
     this.scenario = new Scenario(text);
-    this.engine = engine;
+    this.run = null;      // shown last
     this.plans = 0;
     this.grabbed = null;
     this.chosen = null;
-    this.waiting = false;
+    this.waits = false;   // for the next frame
+    this.busy = false;    // planning
+    this.stale = false;   // something changed since that plan began
+    this.engine = new Worker(URL.createObjectURL(
+      new Blob([element("engine").textContent, WORKER], {type: "text/javascript"})));
+    this.engine.onmessage = ({data}) => this.planned(data);
     this.buildEditor();
     this.listen();
-    this.plan(false);
-    page.player.toggle();
+    this.plan();
   }
 
   buildEditor() {
     const editor = element("editor");
     editor.hidden = false;
     const hint = document.createElement("p");
-    hint.textContent = "Drag the start (green), the goal (orange) or a block; with Shift, up and down.";
+    hint.textContent = matchMedia("(pointer: coarse)").matches
+      ? "Drag the start, the goal or a block. Sliders set the heights."
+      : "Drag the start, the goal or a block; with Shift, up and down.";
     editor.append(hint);
     for (const [key, text, least, most, step, unit] of SETTINGS) {
       editor.append(this.slider(key, text, least, most, step, unit, this.scenario.records[key]));
     }
     const [, , z0, , , z1] = this.scenario.records.boundary;
     for (const key of ["start", "goal"]) {
-      editor.append(this.slider(key, `height of the ${key}`, z0, z1, 0.1, "m", this.scenario.records[key], 2));
+      editor.append(this.slider(key, `${key} height`, z0, z1, 0.1, "m", this.scenario.records[key], 2));
     }
     const buttons = document.createElement("div");
     buttons.append(
@@ -97,7 +60,7 @@ class Demo {
       this.button("remove", "Remove the block", () => this.removeBlock()),
       this.button("forest", "New forest", () => this.scenario.scatter(40)));
     this.result = document.createElement("output");
-    this.result.id = "result";
+    Object.assign(this.result, {id: "result", textContent: "planning"});
     editor.append(buttons, this.result);
   }
 
@@ -151,18 +114,12 @@ class Demo {
 
   /** The ray under the pointer, in the world's frame. */
   ray(event) {
-    const {left, top, width, height} = element("scene").getBoundingClientRect();
-    const pointer = new THREE.Vector2(2 * (event.clientX - left) / width - 1, 1 - 2 * (event.clientY - top) / height);
-    const caster = new THREE.Raycaster();
-    caster.setFromCamera(pointer, this.page.stage.camera);
-    const {stage, views: [{root}]} = this.page;
-    // A view that was just made anew has no place before it is drawn.
-    this.page.views[0].look(stage.follows, stage.size);
-    root.updateMatrixWorld();
-    return caster.ray.applyMatrix4(new THREE.Matrix4().getInverse(root.matrixWorld));
+    const {left, top} = element("scene").getBoundingClientRect();
+    return this.page.stage.rayAt(0, event.clientX - left, event.clientY - top);
   }
 
   grab(event) {
+    if (this.run === null) return;
     const ray = this.ray(event);
     let nearest = Infinity;
     for (const handle of this.scenario.handles()) {
@@ -182,11 +139,11 @@ class Demo {
   /** Over the plane of the hit: level, or upright with Shift. */
   drag(event) {
     if (this.grabbed === null) return;
-    const {camera} = this.page.stage;
-    const forward = camera.getWorldDirection(new THREE.Vector3());
-    const normal = event.shiftKey ? new THREE.Vector3(forward.x, forward.y, 0).normalize() : new THREE.Vector3(0, 0, 1);
+    const ray = this.ray(event);
+    const upright = new THREE.Vector3(ray.direction.x, ray.direction.y, 0).normalize();
+    const normal = event.shiftKey ? upright : new THREE.Vector3(0, 0, 1);
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(normal, this.grabbed.at);
-    const hit = this.ray(event).intersectPlane(plane, new THREE.Vector3());
+    const hit = ray.intersectPlane(plane, new THREE.Vector3());
     if (hit === null) return;
     const by = hit.clone().sub(this.grabbed.at);
     this.grabbed.move(event.shiftKey ? [0, 0, by.z] : [by.x, by.y, 0]);
@@ -202,33 +159,45 @@ class Demo {
 
   /** Once for all that happens before the next frame. */
   planSoon() {
-    if (this.waiting) return;
-    this.waiting = true;
+    if (this.waits) return;
+    this.waits = true;
     requestAnimationFrame(() => {
-      this.waiting = false;
-      this.plan(true);
+      this.waits = false;
+      this.plan();
     });
   }
 
-  plan(keepsCamera) {
-    const began = performance.now();
-    const run = JSON.parse(this.engine(this.scenario.text()));
-    const milliseconds = performance.now() - began;
+  /** One plan at a time. Until the next one, the last one is shown among what was moved. */
+  plan() {
+    this.stale = this.busy;
+    if (this.busy) return this.page.show([{...this.run, ...this.scenario.places()}], true);
+    this.busy = true;
+    this.engine.postMessage(this.scenario.text());
+  }
+
+  planned({answer, milliseconds}) {
+    const run = JSON.parse(answer);
     ++this.plans;
+    this.busy = false;
     if (run.error) {
       this.result.textContent = run.error;
-      return;
+    } else {
+      const isFirst = this.run === null;
+      this.run = run;
+      this.tell(run, milliseconds);
+      this.page.show([run], !isFirst);
+      if (isFirst) this.page.player.toggle();
     }
+    if (this.stale) this.plan();
+  }
+
+  tell(run, milliseconds) {
     const fact = (name) => (run.facts.find(([label]) => label === name) || ["", "-"])[1];
     this.result.textContent = `${fact("status")}: planned in ${fact("computed in")}` +
       (run.motion ? `, ${fact("duration")} long` : `; ${fact("why")}`) + ` (${milliseconds.toFixed(1)} ms with its data)`;
-    this.page.player.time = keepsCamera ? this.page.player.time : 0;
-    this.page.show([run], keepsCamera);
   }
 }
 
-/** The demo in a page, once its planner is there. */
 function startDemo(page, text) {
-  const begin = () => { window.demo = new Demo(page, text, Module.cwrap("tern_demo_plan", "string", ["string"])); };
-  if (Module.calledRun) begin(); else Module.onRuntimeInitialized = begin;
+  window.demo = new Demo(page, text);
 }

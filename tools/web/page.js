@@ -4,14 +4,16 @@
 
 const element = (id) => document.getElementById(id);
 
-/** The page: one player, one stage, and readouts and plots that follow them. */
+/** The page: one player, one stage, and a key, readouts and plots that follow them. */
 class Page {
   constructor() {
-    this.stage = new Stage(element("scene"), element("names"));
+    this.stage = new Stage(element("scene"));
+    this.labels = new Labels(element("labels"));
+    this.legend = new Legend(element("layers"), (name) => this.shownOrHidden(name));
     this.player = new Player(() => this.changed());
     this.plots = new Plots(element("plots"), (t) => this.player.set(t));
-    this.hidden = new Set(LAYERS.filter(([, , , shown]) => shown === false).map(([name]) => name));
     this.dirty = true;
+    this.turned = false;  // by the reader
     this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.listen();
     requestAnimationFrame((now) => this.tick(now));
@@ -21,26 +23,32 @@ class Page {
     element("play").addEventListener("click", () => this.player.toggle());
     element("time").addEventListener("input", (event) => this.player.set(Number(event.target.value)));
     element("speed").addEventListener("change", (event) => { this.player.speed = Number(event.target.value); });
-    element("follow").addEventListener("change", (event) => {
-      this.stage.follow(event.target.checked);
-      this.dirty = true;
+    element("follow").addEventListener("change", (event) => this.arrange(() => this.stage.follow(event.target.checked)));
+    element("key").addEventListener("click", (event) => {
+      const isOpen = document.body.classList.toggle("key");
+      event.currentTarget.setAttribute("aria-expanded", isOpen);
     });
     element("theme").addEventListener("click", () => this.setTheme(this.theme === "dark" ? "light" : "dark"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) =>
       this.setTheme(event.matches ? "dark" : "light"));
+    this.stage.controls.addEventListener("start", () => { this.turned = true; });
     this.stage.controls.addEventListener("change", () => { this.dirty = true; });
-    window.addEventListener("resize", () => {
-      this.resized();
-      if (this.views && !this.stage.follows) this.stage.frame();
-    });
+    new ResizeObserver(() => this.resized()).observe(element("stage"));
     window.addEventListener("keydown", (event) => this.key(event));
+    // What was clicked gives the keyboard back: the space bar plays again.
+    for (const kind of ["click", "change"]) {
+      window.addEventListener(kind, (event) => {
+        if (event.detail > 0 || event.target.tagName === "SELECT") event.target.blur();
+      });
+    }
   }
 
   key(event) {
-    if (["INPUT", "SELECT", "BUTTON"].includes(event.target.tagName)) return;
+    const {tagName, type, id} = event.target;
+    if (["SELECT", "BUTTON"].includes(tagName) || ["checkbox", "text"].includes(type)) return;
     const steps = {ArrowLeft: -0.1, ArrowRight: 0.1};
     if (event.key === " ") this.player.toggle();
-    else if (event.key in steps) this.player.set(this.player.time + steps[event.key]);
+    else if (event.key in steps && (type !== "range" || id === "time")) this.player.set(this.player.time + steps[event.key]);
     else return;
     event.preventDefault();
   }
@@ -54,13 +62,10 @@ class Page {
     this.player.end = Math.max(1e-3, ...this.views.map((view) => view.end));
     document.title = `Tern: ${runs.map((run) => run.name).join(", ")}`;
     element("time").max = this.player.end;
-    this.writeNames();
-    this.writeLayers();
     this.writeFacts();
-    this.buildReadouts();
-    this.plots.show(runs, this.player.end, this.palette);
-    this.stage.show(this.views, keepsCamera);
-    this.resized();
+    this.write();
+    this.stage.resize();
+    this.arrange(() => this.stage.show(this.views, keepsCamera));
     this.player.set(Math.min(this.player.time, this.player.end));
   }
 
@@ -70,66 +75,41 @@ class Page {
     document.documentElement.dataset.theme = theme;
     if (!this.runs) return;
     for (const view of this.views) view.build(this.palette);
-    this.writeNames();
-    this.writeLayers();
+    this.write();
+    this.arrange(() => {});
+    this.changed();
+  }
+
+  /** All that has the palette's colours, but for the scene. */
+  write() {
+    this.labels.build(this.runs, this.palette);
+    this.legend.build(this.views, this.palette, this.fastest);
     this.plots.show(this.runs, this.player.end, this.palette);
     this.buildReadouts();
-    this.resized();
-    this.changed();
+  }
+
+  /** Something happens to the stage, and the texts on it follow. */
+  arrange(action) {
+    action();
+    this.labels.layOut(this.stage);
+    this.dirty = true;
   }
 
   resized() {
     this.stage.resize();
+    if (!this.views) return;
+    this.arrange(() => this.frame());
     this.plots.draw();
-    this.dirty = true;
   }
 
-  writeNames() {
-    element("names").textContent = "";
-    if (this.runs.length < 2) return;
-    this.runs.forEach((run, i) => {
-      const label = document.createElement("span");
-      label.textContent = run.name;
-      label.style.borderColor = runColour(i, this.palette);
-      element("names").append(label);
-    });
+  /** Shows all of the worlds, from where the reader has turned them to. */
+  frame() {
+    if (this.turned) this.stage.layOut(); else this.stage.frame();
   }
 
-  writeLayers() {
-    const parent = element("layers");
-    parent.textContent = "";
-    const there = (name) => this.views.some((view) => view.layers[name]);
-    for (const [name, text, colour, shown] of LAYERS) {
-      if (!there(shown === null ? "plans" : name)) continue;
-      const label = document.createElement("label");
-      const swatch = document.createElement("i");
-      swatch.style.background = `#${new THREE.Color(this.palette[colour]).getHexString()}`;
-      if (shown !== null) {
-        const box = document.createElement("input");
-        box.type = "checkbox";
-        box.checked = !this.hidden.has(name);
-        box.dataset.layer = name;
-        box.addEventListener("change", () => {
-          if (box.checked) this.hidden.delete(name); else this.hidden.add(name);
-          this.dirty = true;
-        });
-        label.append(box);
-      }
-      label.append(swatch, text);
-      parent.append(label);
-    }
-    if (this.fastest > 0) this.writeScale(parent);
-  }
-
-  /** The key of the colours of speed. */
-  writeScale(parent) {
-    const scale = document.createElement("span");
-    const swatch = document.createElement("i");
-    const colours = this.palette.speeds.map((colour) => `#${new THREE.Color(colour).getHexString()}`);
-    swatch.className = "scale";
-    swatch.style.background = `linear-gradient(to right, ${colours.join(", ")})`;
-    scale.append("0 ", swatch, `${this.fastest.toFixed(1)} m/s`);
-    parent.append(scale);
+  shownOrHidden(name) {
+    this.stage.hasCloseups = this.legend.shows("closeup");
+    this.arrange(() => { if (name === "closeup") this.frame(); });
   }
 
   writeFacts() {
@@ -150,13 +130,13 @@ class Page {
     }
   }
 
-  /** The columns of the readouts: a title, and its text for a view. */
+  /** The columns of the readouts: a title, its unit, and its text for a view. */
   readoutColumns() {
     const length = (kind) => (view) => view.motion.vector(kind, view.time).length().toFixed(2);
     const columns = [
-      ["speed", length("v")], ["accel.", length("a")], ["jerk", length("j")],
-      ["height", (view) => view.motion.number("pz", view.time).toFixed(2)],
-      ["clear", (view) => {
+      ["speed", "m/s", length("v")], ["accel.", "m/s²", length("a")], ["jerk", "m/s³", length("j")],
+      ["height", "m", (view) => view.motion.number("pz", view.time).toFixed(2)],
+      ["clear", "m", (view) => {
         const clear = view.motion.columns.clearance[0] === null ? null : view.motion.number("clearance", view.time);
         return clear === null ? "-" : clear.toFixed(2);
       }],
@@ -164,8 +144,8 @@ class Page {
     if (this.runs.some((run) => run.film)) {
       const row = (view) => view.motion.at(view.time)[0];
       columns.push(
-        ["work", (view) => (view.film ? String(view.motion.columns.work[row(view)]) : "")],
-        ["state", (view) => (view.film ? Object.keys(STATE_COLOURS)[view.motion.columns.state[row(view)]] : "")]);
+        ["work", "units", (view) => (view.film ? String(view.motion.columns.work[row(view)]) : "")],
+        ["state", "", (view) => (view.film ? STATES[view.motion.columns.state[row(view)]][0] : "")]);
     }
     return columns;
   }
@@ -175,16 +155,20 @@ class Page {
     table.textContent = "";
     this.columns = this.readoutColumns();
     const head = table.insertRow();
-    for (const title of ["", ...this.columns.map(([name]) => name)]) {
+    for (const [title, unit] of [["", ""], ...this.columns]) {
       const cell = document.createElement("th");
-      cell.textContent = title;
+      const small = document.createElement("small");
+      small.textContent = unit;
+      cell.append(title, small);
       head.append(cell);
     }
+    head.firstChild.hidden = this.runs.length === 1;
     this.cells = this.runs.map((run, i) => {
       const row = table.insertRow();
       const name = row.insertCell();
-      name.textContent = run.name;
-      if (this.runs.length > 1) name.style.color = runColour(i, this.palette);
+      name.hidden = this.runs.length === 1;
+      if (this.runs.length > 1) name.append(runKey(i, this.palette));
+      name.append(run.name);
       return this.columns.map(([title]) => {
         const cell = row.insertCell();
         cell.dataset.readout = title;
@@ -197,12 +181,12 @@ class Page {
   changed() {
     const {time, playing} = this.player;
     element("time").value = time;
-    element("clock").textContent = `${time.toFixed(2)} s`;
+    element("clock").textContent = `${time.toFixed(2)} / ${this.player.end.toFixed(2)} s`;
     element("play").textContent = playing ? "❚❚" : "▶";
     (this.views || []).forEach((view, i) => {
       view.setTime(time);
       if (!view.motion) return;
-      this.columns.forEach(([, text], k) => { this.cells[i][k].textContent = text(view); });
+      this.columns.forEach(([, , text], k) => { this.cells[i][k].textContent = text(view); });
     });
     this.plots.setTime(time);
     this.dirty = true;
@@ -210,9 +194,10 @@ class Page {
 
   draw() {
     for (const view of this.views) {
-      for (const [name, object] of Object.entries(view.layers)) object.visible = !this.hidden.has(name);
+      for (const [name, object] of Object.entries(view.layers)) object.visible = this.legend.shows(name);
     }
     this.stage.render();
+    this.labels.move(this.stage);
   }
 
   tick(now) {

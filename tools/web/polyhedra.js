@@ -34,22 +34,27 @@ function clipped(polygon, [x, y, z, offset]) {
   return inside;
 }
 
-/** Translucent faces and their edges. */
-function polyhedronMesh(halfspaces, colour, opacity) {
-  const corners = [];
-  const edges = [];
-  for (const face of facesOf(halfspaces)) {
+/** Of translucent faces, and of their edges; cut off at `planes`. */
+function volumeMaterials(colour, opacity, edgeOpacity, planes = []) {
+  const faces = new THREE.MeshBasicMaterial({color: colour, transparent: true, opacity, side: THREE.DoubleSide,
+    depthWrite: false});
+  const edges = lineMaterial(colour, edgeOpacity);
+  faces.clippingPlanes = edges.clippingPlanes = planes;
+  return {faces, edges};
+}
+
+/** Polyhedra, each a list of half-spaces. */
+function polyhedraMesh(polyhedra, {faces, edges}) {
+  const [corners, ends] = [[], []];
+  for (const face of polyhedra.map(facesOf).flat()) {
     face.forEach((p, i) => {
-      edges.push(p, face[(i + 1) % face.length]);
+      ends.push(p, face[(i + 1) % face.length]);
       if (i > 1) corners.push(face[0], face[i - 1], p);
     });
   }
   const group = new THREE.Group();
-  group.add(new THREE.Mesh(new THREE.BufferGeometry().setFromPoints(corners), new THREE.MeshBasicMaterial({
-    color: colour, transparent: true, opacity, side: THREE.DoubleSide, depthWrite: false,
-  })));
-  group.add(new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(edges), new THREE.LineBasicMaterial({
-    color: colour, transparent: true, opacity: Math.min(1, 4 * opacity),
-  })));
+  group.add(new THREE.Mesh(new THREE.BufferGeometry().setFromPoints(corners), faces),
+    new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(ends), edges));
+  for (const part of group.children) part.frustumCulled = false;
   return group;
 }
