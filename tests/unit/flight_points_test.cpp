@@ -109,6 +109,25 @@ TEST(FlightPoints, PlanFitsWhileItsPointsAreAhead) {
   EXPECT_FALSE(state.still_fits());
 }
 
+/// A plan that does not lead to the next point passes it neither earlier nor later.
+TEST(FlightPoints, OnlyAPlanThatPassesTheNextPointKeepsOneThatPassesItLater) {
+  Way way;
+  FlightState& state = way.state();
+  state.takeover = 2000000000;  // 2 s into the plan that is flown
+  state.now.passages = state.draft.passages = 0;
+  EXPECT_FALSE(state.passes_later());
+  state.draft.passages = 1;
+  state.draft.passage[0] = {state.itinerary.leg, 5.0};
+  EXPECT_FALSE(state.passes_later());
+  state.now.passages = 1;
+  state.now.passage[0] = {state.itinerary.leg, 4.0};  // 2 s ahead
+  EXPECT_TRUE(state.passes_later());
+  state.draft.passage[0].time = 2.2;
+  EXPECT_FALSE(state.passes_later());
+  state.draft.passages = 0;
+  EXPECT_TRUE(state.passes_later());
+}
+
 /// After a failure on the way to a point, the next plan ends at the one before; after any other one at the next point.
 TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
   const auto target_after = [](const Report& report) {

@@ -283,8 +283,9 @@ void FlightState::list_passages(const Report& found) noexcept {
 bool FlightState::passes_later() const noexcept {
   const std::int32_t leg = leg_at(takeover);
   if (leg == itinerary.last()) return false;
+  const double kept = time_of(now, leg);
   const double flown = seconds_between(now.begin, takeover);
-  return time_of(now, leg) - flown + kLaterAtPoint < time_of(draft, leg);
+  return kept < kNever && kept - flown + kLaterAtPoint < time_of(draft, leg);
 }
 
 }  // namespace tern
