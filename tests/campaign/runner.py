@@ -24,9 +24,13 @@ case $world in
   P25:4) status=stuck ;;
   C@8:2) status=collision ;;
   S20:2) error=0.15 ;;
+  P12:1) status=collision contact='"contact": {{"speed": 3.0, "broken_assumption": "pose_margin"}},' ;;
+  P12:2) status=threat contact='"contact": {{"speed": 2.0, "broken_assumption": "still_world", "shown": true,
+    "commanded_speed": 1.75, "brake_speed": 1.5}},' ;;
+  P12:3) status=collision contact='"contact": {{"speed": 1.0, "broken_assumption": ""}},' ;;
 esac
 cat >"$2" <<EOF
-{{"status": "$status", "reason": "as told", "time_s": 12.0, "length_m": 60.0, "mean_speed": 5.0, "min_clearance": 0.4,
+{{$contact "status": "$status", "reason": "as told", "time_s": 12.0, "length_m": 60.0, "mean_speed": 5.0, "min_clearance": 0.4,
  "tracking_error": {{"max": $error}}, "full_knowledge_s": 10.0, "states": {{"threat": 0.0}},
  "plans": {{"asked": 10, "committed": 9, "dropped": 0, "failed": 1}}, "work": {{"max": 4000, "total": 50000}},
  "watched": {{"points": 7, "voxels": 7}}, "commands_hash": "0"}}
@@ -91,7 +95,28 @@ def main():
     done = run("C@8", "P99")
     expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 18 and
            "P99: tern: P99 is no family" in done.stderr)
+    faults(campaign, folder, program)
     return 1 if failures else 0
+
+
+def faults(campaign, folder, program):
+    def run(*arguments):
+        own = ["--tern", str(program), "--folder", str(folder), "--name", "f", "--keep", "0", "--fresh"]
+        return subprocess.run([sys.executable, campaign, "faults", *own, *arguments], capture_output=True, text=True)
+
+    done = run("P12/jumps-beyond", "P12/appears-2", "--runs", "2", "--set", "v_max=4")
+    row = "| P12 | {} | 2 | 0 | 0 | 0 | 1 | 1 | 0 | 0 | 0.400 | 3.00 | 0.25 | 0.00 |"
+    expect("a contact that a broken assumption explains is no defect", done.returncode == 0 and
+           all(row.format(fault) in done.stdout for fault in ("jumps-beyond", "appears-2")))
+    done = run("P12/jumps-beyond", "--runs", "3", "--set", "v_max=4")
+    expect("any other one is, and its command has the fault", done.returncode == 1 and
+           f"{program} fly P12:3 --set time_limit=60" in done.stdout and
+           "--set v_max=4 --set pose_jump=0.2,1" in done.stdout)
+    done = run("P25", "--runs", "1")
+    expect("a family is flown with every fault", "| P25 | none | 1 | 1 |" in done.stdout and
+           "| P25 | dropped-50 | 1 | 1 |" in done.stdout and len(done.stdout.splitlines()) > 25)
+    done = run("P25/rain")
+    expect("a fault that there is not: status 2", done.returncode == 2 and "P25/rain: there is no such fault" in done.stderr)
 
 
 if __name__ == "__main__":

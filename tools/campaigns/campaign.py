@@ -5,6 +5,7 @@
 
   plan     plans through a family's worlds with full knowledge, each checked again by sampling
   fly      flights through worlds that are discovered on the way
+  faults   such flights with each of the faults of faults.py, or with one: P25@5, P25@5/dropped-50
   attack   cases of a family of the attack, in blocks of 500
 
 A row of the table is a family, such as P25, or P25@8 at 8 m/s (`tern fly --help`), or noise, boxes, ... for attack
@@ -80,7 +81,7 @@ class Progress:
         left = spent / self.done * (self.total - self.done)
         if self.shown or self.done % 100 == 0:
             print(f"\r{self.done} of {self.total} {self.kind.verb}, {spent:.0f} s, about {left:.0f} s left, "
-                  f"{self.failures} not {self.kind.good}  ", end="" if self.shown else "\n", file=sys.stderr,
+                  f"{self.failures} failed  ", end="" if self.shown else "\n", file=sys.stderr,
                   flush=True)
 
     def say(self, text):
@@ -90,7 +91,7 @@ class Progress:
 def describe(kind, entry):
     """What went wrong and the command that repeats it. Empty where nothing did."""
     wrong = [kind.excess(entry)]
-    if entry["status"] != kind.good:
+    if kind.failed(entry):
         wrong.insert(0, f"{entry['status']}: {entry.get('reason') or entry.get('stage', '')}")
     if not any(wrong):
         return ""
@@ -127,7 +128,7 @@ def run_all(arguments, kind, state, executor, width):
             state.add(entry)
             if describe(kind, entry):
                 progress.say(describe(kind, entry))
-            progress.show(entry["status"] != kind.good)
+            progress.show(kind.failed(entry))
     if progress.shown:
         print(file=sys.stderr)
 
@@ -137,14 +138,14 @@ def keep_failures(arguments, kind, state, stem, executor, width):
     folder = pathlib.Path(f"{stem}-failures")
     jobs = []
     for row in arguments.rows:
-        failed = [entry for entry in wanted(arguments, kind, state, row) if entry["status"] != kind.good]
+        failed = [entry for entry in wanted(arguments, kind, state, row) if kind.failed(entry)]
         jobs += [(kind, entry, str(folder), arguments.trials) for entry in failed[:arguments.keep]
-                 if not (folder / f"{row}-{entry['seed']}.txt").exists()]
+                 if not (folder / minimise.file_name(row, entry["seed"])).exists()]
     for row, seed, text, words in pool.as_they_finish(executor, width, minimise.keep, jobs):
         print(f"{row}:{seed}: {words}", flush=True)
         if text is not None:
             folder.mkdir(parents=True, exist_ok=True)
-            (folder / f"{row}-{seed}.txt").write_text(text)
+            (folder / minimise.file_name(row, seed)).write_text(text)
 
 
 def verdict(arguments, kind, state):
@@ -154,7 +155,7 @@ def verdict(arguments, kind, state):
         runs = wanted(arguments, kind, state, row)
         good = sum(entry["status"] == kind.good for entry in runs)
         failed = failed or good < arguments.least * len(runs) or \
-            any(entry["status"] in kind.broken | {"violation", "check_failed"} or kind.excess(entry) for entry in runs)
+            any(kind.is_defect(entry) or kind.excess(entry) for entry in runs)
     return 1 if failed else 0
 
 
@@ -197,7 +198,7 @@ def make(arguments, kind, executor, width):
     run_all(arguments, kind, state, executor, width)
     keep_failures(arguments, kind, state, stem, executor, width)
     rows = {row: wanted(arguments, kind, state, row) for row in arguments.rows}
-    table.write_tables([table.ROWS[kind.name](row, runs) for row, runs in rows.items()], stem)
+    table.write_tables(kind.name, [table.ROWS[kind.name](row, runs) for row, runs in rows.items()], stem)
     return verdict(arguments, kind, state)
 
 
@@ -208,6 +209,7 @@ def main():
         print(f"tools/campaign: there is no program {program}; `tools/campaign build` makes it", file=sys.stderr)
         return 2
     kind = kinds.KINDS[arguments.kind](program, arguments.settings, arguments.seed)
+    arguments.rows = kind.rows(arguments.rows)
     status = 0
     with pool.workers(arguments.jobs) as (executor, width):
         if executor is not None:

@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 import time
 
+import faults
+
 BLOCK = 500  # cases of one job of an attack: the attack keeps its state by such blocks
 FIRST_TALLIES = ["cases", "plans", "replans", "compared", "hover", "stop_and_go", "optimised", "needed", "followed",
                  "work"]
@@ -29,7 +31,7 @@ def ended(done):
 
 class Kind:
     settings_default = []  # of all runs, before those given
-    broken = {"collision", "invariant", "crash", "too_long"}
+    broken = {"collision", "invariant", "crash", "too_long", "violation", "check_failed"}
 
     def __init__(self, program, settings, seed):
         self.program, self.settings, self.seed = program, settings, seed
@@ -41,6 +43,21 @@ class Kind:
     def excess(self, entry):
         """What voids a run's promise although nothing broke. Empty where nothing does."""
         return ""
+
+    def failed(self, entry):
+        """True for runs to report, and to keep the worlds of."""
+        return entry["status"] != self.good
+
+    def is_defect(self, entry):
+        """True for what must never happen."""
+        return entry["status"] in self.broken
+
+    def rows(self, given):
+        """The table's rows for those of the command line."""
+        return given
+
+    def settings_of(self, row):
+        return self.settings
 
     def refusal(self, row):
         """What the program says where it knows no such family or setting; a short run tells. None where it does."""
@@ -62,7 +79,8 @@ class Fly(Kind):
     settings_default = ["tracking=bounded", "tracking_margin=0.1", "depth_noise=0.01", "outliers=0.01"]
     fields = ["row", "seed", "status", "reason", "time_s", "length_m", "mean_speed", "min_clearance", "tracking_max",
               "full_knowledge_s", "asked", "committed", "dropped", "failed", "work_max", "work_total", "threat_s",
-              "watched_points", "watched_voxels", "commands_hash", "seconds"]
+              "watched_points", "watched_voxels", "commands_hash", "broken_assumption", "contact_speed",
+              "commanded_speed", "brake_speed", "seconds"]
 
     def jobs(self, row, first, count):
         return [(row, seed, 1) for seed in range(first, first + count)]
@@ -72,6 +90,10 @@ class Fly(Kind):
 
     def probe(self, row, folder):
         return ["fly", f"{row}:{self.seed}", *settings_words(self.settings), "--set", "time_limit=0.1"]
+
+    def is_defect(self, entry):
+        """A contact is one unless the log names an assumption of the flight's promise that did not hold."""
+        return super().is_defect(entry) and not (entry["status"] == "collision" and entry.get("broken_assumption"))
 
     def run(self, job):
         """One flight in a process of its own: a crash costs that flight alone."""
@@ -94,12 +116,15 @@ class Fly(Kind):
     @staticmethod
     def read_log(path):
         log = json.loads(path.read_text())
+        contact = log.get("contact", {})
         return {"status": log["status"], "reason": log["reason"], "time_s": log["time_s"], "length_m": log["length_m"],
                 "mean_speed": log["mean_speed"], "min_clearance": log["min_clearance"],
                 "tracking_max": log["tracking_error"]["max"], "full_knowledge_s": log.get("full_knowledge_s", 0.0),
                 **log["plans"], "work_max": log["work"]["max"], "work_total": log["work"]["total"],
                 "threat_s": log["states"]["threat"], "watched_points": log["watched"]["points"],
-                "watched_voxels": log["watched"]["voxels"], "commands_hash": log["commands_hash"]}
+                "watched_voxels": log["watched"]["voxels"], "commands_hash": log["commands_hash"],
+                "broken_assumption": contact.get("broken_assumption"), "contact_speed": contact.get("speed"),
+                **({key: contact[key] for key in ("commanded_speed", "brake_speed")} if contact.get("shown") else {})}
 
     def excess(self, entry):
         margin = dict(text.split("=", 1) for text in self.settings)["tracking_margin"]
@@ -115,6 +140,36 @@ class Fly(Kind):
 
     def file_command(self, path, entry):
         return [self.program, "fly", str(path)]
+
+
+class Faults(Fly):
+    """Flight k of a row FAMILY/FAULT is the world FAMILY:k with the settings of the fault."""
+    name = "faults"
+
+    def rows(self, given):
+        return [row for one in given for row in faults.rows_of(one)]
+
+    def settings_of(self, row):
+        chosen = dict(text.split("=", 1) for text in [*faults.SETTINGS, *self.settings, *(faults.split(row)[1] or [])])
+        return [f"{key}={value}" for key, value in chosen.items()]
+
+    def command(self, row, seed):
+        return [self.program, "fly", f"{faults.split(row)[0]}:{seed}", *settings_words(self.settings_of(row))]
+
+    def probe(self, row, folder):
+        return [*self.command(row, self.seed)[1:], "--set", "time_limit=0.1"]
+
+    def refusal(self, row):
+        if faults.split(row)[1] is None:
+            return f"there is no such fault; these are {', '.join(faults.FAULTS)}"
+        return super().refusal(row)
+
+    def failed(self, entry):
+        """Flights that are stopped by what went wrong did what they could."""
+        return self.is_defect(entry)
+
+    def world_file(self, entry):
+        return super().world_file({**entry, "row": faults.split(entry["row"])[0]})
 
 
 class Plan(Kind):
@@ -241,7 +296,7 @@ class Attack(Kind):
         return [self.program, "--seed", str(self.seed), "--case", self.case(entry)[0], "--only-obstacles", str(path)]
 
 
-KINDS = {kind.name: kind for kind in (Plan, Fly, Attack)}
+KINDS = {kind.name: kind for kind in (Plan, Fly, Faults, Attack)}
 
 
 def run_job(kind, job):

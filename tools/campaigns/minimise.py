@@ -4,7 +4,7 @@
 import pathlib
 import tempfile
 
-OBSTACLES = ("block", "cylinder", "run")  # records that may go
+OBSTACLES = ("block", "cylinder", "appear", "run")  # records that may go
 
 
 def ddmin(items, fails, trials):
@@ -38,6 +38,10 @@ def with_settings(lines, settings):
     return kept + [f"{key} {value.replace(',', ' ')}" for key, value in given.items()]
 
 
+def file_name(row, seed):
+    return f"{row.replace('/', '-')}-{seed}.txt"
+
+
 def is_obstacle(line):
     return line.split()[0] in OBSTACLES
 
@@ -49,7 +53,8 @@ def text_of(lines, kept):
 def keep(kind, entry, folder_name, trials):
     """Row and seed, the text of a file that fails as the run did (None where none does), and a word on it."""
     row, seed = entry["row"], int(entry["seed"])
-    lines = with_settings([line for line in kind.world_file(entry).splitlines() if line.strip()], kind.settings)
+    lines = with_settings([line for line in kind.world_file(entry).splitlines() if line.strip()],
+                          kind.settings_of(row))
     wanted = kind.failure(entry)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "trial.txt")
@@ -62,7 +67,7 @@ def keep(kind, entry, folder_name, trials):
         if not fails(obstacles):
             return row, seed, None, "the file of its world does not fail the same way"
         fewest, asked = ddmin(obstacles, fails, trials)
-    command = " ".join(map(str, kind.file_command(f"{folder_name}/{row}-{seed}.txt", entry)))
+    command = " ".join(map(str, kind.file_command(f"{folder_name}/{file_name(row, seed)}", entry)))
     head = [f"# {kind.name} {row}, seed {seed}: {wanted}: {' '.join(str(entry.get('reason', '')).split())}",
             f"# {len(fewest)} of {len(obstacles)} obstacles are left after {asked} trials. Repeat it with",
             f"# {command}"]

@@ -11,6 +11,11 @@ COLUMNS = ["family", "runs", "success", "contacts", "invariants broken", "mean s
            "most units a tick", "plans dropped", "s of threat"]
 
 
+FAULT_COLUMNS = ["family", "fault", "runs", "reached", "at rest, says why", "still flying", "threats",
+                 "contacts, assumption broken", "contacts", "invariants broken", "least clearance, m",
+                 "fastest contact, m/s", "above an immediate brake, m/s", "s of threat"]
+
+
 def numbers(key, entries):
     return [float(entry[key]) for entry in entries if entry.get(key)]
 
@@ -50,6 +55,21 @@ def fly_row(row, flights):
             total("dropped", flights), f"{math.fsum(numbers('threat_s', flights)):.2f}"]
 
 
+def faults_row(row, flights):
+    """A threat met what appeared, as slowly as could be; `contacts` had no excuse."""
+    family, _, fault = row.partition("/")
+    touched = [entry for entry in flights if entry["status"] == "collision"]
+    excused = sum(bool(entry.get("broken_assumption")) for entry in touched)
+    above = [float(entry["commanded_speed"]) - float(entry["brake_speed"])
+             for entry in flights if entry.get("brake_speed")]
+    return [family, fault, len(flights), count(flights, "reached"), count(flights, "stuck"), count(flights, "timeout"),
+            count(flights, "threat"), excused, len(touched) - excused,
+            count(flights, "invariant", "crash", "too_long"),
+            f"{min(numbers('min_clearance', flights), default=0.0):.3f}",
+            f"{max(numbers('contact_speed', flights)):.2f}" if numbers("contact_speed", flights) else "",
+            f"{max(above):.2f}" if above else "", f"{math.fsum(numbers('threat_s', flights)):.2f}"]
+
+
 def plan_row(row, plans):
     """The clearance column is what is left beyond the radius asked for, as sampled."""
     made = [entry for entry in plans if entry["status"] == "ok"]
@@ -69,13 +89,14 @@ def attack_row(row, blocks):
             "", "", "", "", plans, share(total("work", blocks), plans), "", "", ""]
 
 
-ROWS = {"fly": fly_row, "plan": plan_row, "attack": attack_row}
+ROWS = {"fly": fly_row, "faults": faults_row, "plan": plan_row, "attack": attack_row}
 
 
-def write_tables(rows, stem):
+def write_tables(kind, rows, stem):
+    columns = FAULT_COLUMNS if kind == "faults" else COLUMNS
     with open(f"{stem}-table.csv", "w", newline="") as file:
-        csv.writer(file).writerows([COLUMNS, *rows])
-    lines = [COLUMNS, ["---"] * len(COLUMNS), *rows]
+        csv.writer(file).writerows([columns, *rows])
+    lines = [columns, ["---"] * len(columns), *rows]
     text = "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
     pathlib.Path(f"{stem}-table.md").write_text(text)
     print(text, end="", flush=True)

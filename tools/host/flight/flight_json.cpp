@@ -80,6 +80,7 @@ Json contact_json(const FlightContact& c) {
   Json json = {{"time_s", c.time}, {"speed", c.speed}, {"broken_assumption", c.broken_assumption}};
   if (c.with_appeared) {
     json["shown"] = c.threat.shown;
+    json["commanded_speed"] = c.threat.speed;
     json["announced_speed"] = c.threat.announced_speed;
     json["brake_speed"] = c.threat.brake_speed;
   }
