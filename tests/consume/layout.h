@@ -73,12 +73,13 @@
   FIELD(tern_flight_spec, tick)                                                                                      \
   FIELD(tern_flight_spec, work_per_tick) FIELD(tern_flight_spec, plan_work) FIELD(tern_flight_spec, horizon)         \
   FIELD(tern_flight_spec, near) FIELD(tern_flight_spec, yaw_rate)                                                      \
-  FIELD(tern_flight_spec, fences) FIELD(tern_flight_spec, fence_count)                                                 \
+  FIELD(tern_flight_spec, fences) FIELD(tern_flight_spec, fence_count) FIELD(tern_flight_spec, stale_after)            \
   FIELD(tern_flight_report, mode) FIELD(tern_flight_report, reason) FIELD(tern_flight_report, plan)                  \
   FIELD(tern_flight_report, asked) FIELD(tern_flight_report, committed) FIELD(tern_flight_report, dropped)           \
   FIELD(tern_flight_report, failed) FIELD(tern_flight_report, work) FIELD(tern_flight_report, contact_time)          \
   FIELD(tern_flight_report, contact_speed) FIELD(tern_flight_report, leg) FIELD(tern_flight_report, passed)          \
   FIELD(tern_flight_report, skipped) FIELD(tern_flight_report, waits_for_view)                                       \
+  FIELD(tern_flight_report, map_stale) FIELD(tern_flight_report, frame_age)                                          \
   FIELD(tern_flight_yaw, mode) FIELD(tern_flight_yaw, acceleration_max) FIELD(tern_flight_yaw, view)                 \
   FIELD(tern_flight_yaw, start) FIELD(tern_flight_yaw, heading) FIELD(tern_flight_yaw, point)                        \
   FIELD(tern_flight_yaw, headings) FIELD(tern_flight_yaw, heading_count)                                             \

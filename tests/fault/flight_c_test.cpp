@@ -49,6 +49,19 @@ struct FlightInC : MapInC {
   tern_flight flight{};
 };
 
+TEST(FlightC, SaysThatNoFramesCome) {
+  FlightInC c;
+  EXPECT_EQ(c.flight_spec.stale_after, 1000000000);
+  ASSERT_EQ(c.begin(), kOk);
+  tern_flight_report report{};
+  EXPECT_EQ(tern_flight_tick(&c.flight, 1000000000, &report), kOk);
+  EXPECT_FALSE(report.map_stale);
+  EXPECT_EQ(tern_flight_tick(&c.flight, 1000000001, &report), kOk);
+  EXPECT_TRUE(report.map_stale);
+  EXPECT_EQ(report.frame_age, 1000000001);
+  EXPECT_STRNE(tern_flight_reason_text(TERN_FLIGHT_MAP_STALE), "unknown");
+}
+
 /// The window is 51.2 m long.
 TEST(FlightC, HorizonsOfHalfTheWindowAreRefused) {
   FlightInC c;

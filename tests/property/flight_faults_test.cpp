@@ -59,23 +59,36 @@ TEST(FlightFaults, LostAndLateFramesCostOnlyTime) {
 }
 
 TEST(FlightFaults, ReasonsHaveWords) {
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k < 12; ++k) {
     const std::string mode = flight_mode_name(static_cast<FlightMode>(k));
     const std::string reason = flight_reason_text(static_cast<FlightReason>(k));
     EXPECT_EQ(mode == "unknown", k > static_cast<int>(FlightMode::kThreat)) << k;
-    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kViaUnreachable)) << k;
+    EXPECT_EQ(reason == "unknown", k > static_cast<int>(FlightReason::kMapStale)) << k;
   }
 }
 
 /// The map ends at some instant; the vehicle ends at rest, and says so.
 TEST(FlightFaults, WithoutFramesItComesToRest) {
-  for (int k = 0; k < tern_test::scaled(2); ++k) {
+  int stale = 0;
+  for (int k = 0; k < tern_test::scaled(4); ++k) {
     const auto flown = begin(static_cast<std::uint64_t>(1020 + k), fast());
     flown->fly(0.3 + 0.8 * k);
+    EXPECT_FALSE(flown->report.map_stale) << k;
     flown->frames = false;
+    flown->fly(0.5);
+    EXPECT_FALSE(flown->report.map_stale) << k;
     const FlightReason reason = flown->fly(60.0);
-    EXPECT_TRUE(reason == FlightReason::kNoProgress || reason == FlightReason::kArrived) << k << ": " << story(*flown);
+    EXPECT_TRUE(reason == FlightReason::kMapStale || reason == FlightReason::kArrived) << k << ": " << story(*flown);
+    EXPECT_TRUE(flown->report.map_stale) << k;
+    EXPECT_GT(flown->report.frame_age, 1000000000) << k;
+    if (reason != FlightReason::kMapStale) continue;
+    ++stale;
+    flown->frames = true;  // and it goes on by itself
+    for (int t = 0; t < 10; ++t) flown->tick();
+    EXPECT_FALSE(flown->report.map_stale) << k;
+    EXPECT_EQ(flown->fly(60.0), FlightReason::kArrived) << k << ": " << story(*flown);
   }
+  EXPECT_GT(stale, 0);
 }
 
 /// The pose jumps by 0.2 m again and again, within its margin.

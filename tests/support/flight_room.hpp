@@ -32,6 +32,7 @@ class FlightRoom {
     tern::FlightSpec spec = tern::flight_spec(limits);
     spec.work_per_tick = work_per_tick;
     spec.plan_work = 4 * work_per_tick;
+    spec.stale_after = 0;  // nothing is seen here
     return spec;
   }
 

@@ -46,10 +46,13 @@ struct FlightSpec {
   /// and must outlive the flight.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
+  /// Nanoseconds without a new frame after which FlightReport::map_stale is true, >= 0; 0: never, for flights over a
+  /// map that nobody fills.
+  int64_t stale_after = 1000000000;
 };
 
 /// A spec with common values: time weight 1000, 100 ticks a second, 4000 units a tick and 16000 a plan, horizon 8 m,
-/// near 2.5 m, yaw rate 2.5 rad/s.
+/// near 2.5 m, yaw rate 2.5 rad/s, a map that is stale after a second without frames.
 FlightSpec flight_spec(const Limits& limits) noexcept;
 
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.
@@ -74,6 +77,7 @@ enum class FlightReason : uint8_t {
   kHemmedIn,        ///< likewise, and something is nearer to the vehicle than the radius
   kViaBlocked,      ///< the mission ended: its next point is in an obstacle or breaks a fence
   kViaUnreachable,  ///< the mission ended: after a look around there is still no way to its next point
+  kMapStale,        ///< there is no way through what is known, and no frames come. It goes on with the next frame
 };
 
 /// Points of a mission, at most: the vias and the goal.
@@ -142,6 +146,11 @@ struct FlightReport {
   /// True where the next thing to see is outside the sensor's field of view (FlightYaw::view): the limits on the yaw
   /// slow the flight.
   bool waits_for_view;
+  /// True where no frame was entered into the map for longer than FlightSpec::stale_after. What is flown is as safe as
+  /// ever, but ends where the known space ends.
+  bool map_stale;
+  /// Nanoseconds since a tick last found that a frame or scan was begun; since start(), if there was none.
+  int64_t frame_age;
 };
 
 /// What to fly at one time.

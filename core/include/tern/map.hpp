@@ -190,6 +190,8 @@ class RollingMap {
   /// Grows by one whenever voxels of one word of seen_rows() are seen for the first time, or again after they were
   /// forgotten. Where it stands still, the map learns nothing new.
   uint64_t learned() const noexcept;
+  /// Frames and scans that were begun since bind(). Where it stands still, the sensor shows nothing.
+  uint64_t frames() const noexcept;
   /// Grows with every change of either grid.
   uint64_t revision() const noexcept;
   /// `world` becomes a box around all voxels of safe() that became solid since the last call that answered true; after

@@ -31,6 +31,7 @@ typedef struct {
   tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
   double horizon, near, yaw_rate;
   const tern_fence* fences; int32_t fence_count;
+  int64_t stale_after; /* nanoseconds */
 } tern_flight_spec;
 /* What one tick did: tern::FlightReport. */
 typedef struct {
@@ -38,7 +39,7 @@ typedef struct {
   uint32_t asked, committed, dropped, failed, work;
   int64_t contact_time; double contact_speed;
   int32_t leg, passed, skipped;
-  bool waits_for_view;
+  bool waits_for_view, map_stale; int64_t frame_age;
 } tern_flight_report;
 /* How to turn the nose: tern::FlightYaw. rad, rad/s^2, m. */
 typedef struct {
@@ -76,14 +77,15 @@ enum {
 };
 /* Why it rests. */
 enum {
-  TERN_FLIGHT_GOES_ON = 0,        /* it flies, or is about to */
-  TERN_FLIGHT_NO_GOAL = 1,        /* there is no goal */
-  TERN_FLIGHT_ARRIVED = 2,        /* at the goal */
-  TERN_FLIGHT_NEAREST = 3,        /* as near as it gets to a goal that is occupied or cut off */
-  TERN_FLIGHT_NO_PROGRESS = 4,    /* there is no way that can be proven */
-  TERN_FLIGHT_HEMMED_IN = 5,      /* likewise, and something is nearer than the radius */
-  TERN_FLIGHT_VIA_BLOCKED = 6,    /* the mission's next point is occupied or fenced */
-  TERN_FLIGHT_VIA_UNREACHABLE = 7 /* there is no way to the mission's next point */
+  TERN_FLIGHT_GOES_ON = 0,         /* it flies, or is about to */
+  TERN_FLIGHT_NO_GOAL = 1,         /* there is no goal */
+  TERN_FLIGHT_ARRIVED = 2,         /* at the goal */
+  TERN_FLIGHT_NEAREST = 3,         /* as near as it gets to a goal that is occupied or cut off */
+  TERN_FLIGHT_NO_PROGRESS = 4,     /* there is no way that can be proven */
+  TERN_FLIGHT_HEMMED_IN = 5,       /* likewise, and something is nearer than the radius */
+  TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
+  TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
+  TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through what is known */
 };
 /* What happens where a point of a mission cannot be reached. */
 enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* it goes on to the next point */ };

@@ -156,8 +156,8 @@ void FlightState::look_at_obstacle() noexcept {
 }
 
 /// A cycle ended without a commit. At rest the vehicle then looks around, once. Where the goal is still cut off, it is
-/// as near as it gets; otherwise it goes back a little, to see what is too near to be seen from here. If that does not
-/// help, it gives up.
+/// as near as it gets; otherwise it goes back a little, to see what is too near to be seen from here, unless no frames
+/// come. If that does not help, it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
@@ -168,7 +168,7 @@ void FlightState::note_idle() noexcept {
   } else if (sector_at(time) > kDirections + kStares) {
     if (cut_off && !leaves) {
       park(FlightReason::kNearest);
-    } else if (!leaves && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
+    } else if (!leaves && !is_stale() && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
       ++retreat;
     } else {
       park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
@@ -176,9 +176,12 @@ void FlightState::note_idle() noexcept {
   }
 }
 
-/// There is no point in going on, unless to the point after the next one.
+/// There is no point in going on, unless to the point after the next one. Without new frames nothing is known of the
+/// points.
 void FlightState::park(FlightReason why) noexcept {
-  if (itinerary.leg != itinerary.last() && why != FlightReason::kHemmedIn) {
+  if (why == FlightReason::kNoProgress && is_stale()) why = FlightReason::kMapStale;
+  const bool is_general = why == FlightReason::kHemmedIn || why == FlightReason::kMapStale;
+  if (itinerary.leg != itinerary.last() && !is_general) {
     const bool is_blocked = why == FlightReason::kNearest && !cut_off;
     leave_out(itinerary.leg, is_blocked ? FlightReason::kViaBlocked : FlightReason::kViaUnreachable);
     return;

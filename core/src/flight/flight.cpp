@@ -28,8 +28,8 @@ bool positive(double x) {
 
 bool spec_fits(const FlightSpec& spec) {
   return spec.tick > 0 && spec.tick <= kLongestTick && spec.work_per_tick >= kLeastWork && spec.plan_work > 0 &&
-         positive(spec.horizon) && finite(spec.near) && spec.near >= 0.0 && positive(spec.yaw_rate) &&
-         spec.yaw_rate >= 1e-3;
+         positive(spec.horizon) && spec.stale_after >= 0 && finite(spec.near) && spec.near >= 0.0 &&
+         positive(spec.yaw_rate) && spec.yaw_rate >= 1e-3;
 }
 
 /// Along x, where it moves by a word of voxels at a time, the window is longer than the horizon to either side.
@@ -56,7 +56,16 @@ void hover(const Vec3& position, std::int64_t t, Commitment& commitment) {
 }  // namespace
 
 FlightSpec flight_spec(const Limits& limits) noexcept {
-  return {limits, 1000.0, 10000000, 4000, 16000, 8.0, 2.5, 2.5};
+  FlightSpec spec{};
+  spec.limits = limits;
+  spec.time_weight = 1000.0;
+  spec.tick = 10000000;
+  spec.work_per_tick = 4000;
+  spec.plan_work = 16000;
+  spec.horizon = 8.0;
+  spec.near = 2.5;
+  spec.yaw_rate = 2.5;
+  return spec;
 }
 
 size_t flight_words(const Voxel& dims) noexcept {
@@ -79,7 +88,8 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   state->limits = MotionLimits(spec.limits);
   state->map = map;
   state->planner = &planner;
-  state->time = t;
+  state->time = state->frame_time = t;
+  state->frames = map.frames();
   state->reason = FlightReason::kNoGoal;
   state->look_at = position;
   hover(position, t, state->now);
@@ -158,11 +168,21 @@ bool FlightState::reads_map() const noexcept {
   }
 }
 
+/// A flight that gave up for want of frames goes on.
+void FlightState::note_frame() noexcept {
+  if (map.frames() == frames) return;
+  frames = map.frames();
+  frame_time = time;
+  if (parked && reason == FlightReason::kMapStale) try_anew();
+}
+
 void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode();
   report.reason = reason;
   report.work = spent;
   report.waits_for_view = waits_for_view();
+  report.map_stale = is_stale();
+  report.frame_age = time - frame_time;
   report.leg = itinerary.leg;
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
@@ -179,6 +199,7 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
   state.alarmed = false;
   state.pass_points();
   state.take_over();
+  state.note_frame();
   Work work = state.begin_work();
   state.step_map(work);
   state.run_watch(work);

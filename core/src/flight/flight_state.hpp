@@ -117,6 +117,9 @@ class FlightState {
 
   Nose nose;
 
+  std::uint64_t frames;     ///< RollingMap::frames() at the last tick
+  std::int64_t frame_time;  ///< when it grew
+
   // At rest.
   int idle_cycles;
   int late;               ///< plans that were dropped, one after the other
@@ -145,6 +148,8 @@ class FlightState {
   void take_over() noexcept;
   FlightMode mode() const noexcept;
   bool reads_map() const noexcept;
+  void note_frame() noexcept;
+  bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
   void finish_report(std::uint32_t spent) noexcept;
 
   // charge.cpp: what a tick spends

@@ -40,6 +40,8 @@ const char* flight_reason_text(FlightReason reason) noexcept {
       return "the next point of the mission is occupied or fenced";
     case FlightReason::kViaUnreachable:
       return "there is no way to the next point of the mission that can be proven free";
+    case FlightReason::kMapStale:
+      return "no new frames come, and there is no way through what the map knows";
   }
   return "unknown";
 }

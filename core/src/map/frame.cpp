@@ -102,6 +102,7 @@ void MapState::age_to(std::int64_t t) noexcept {
   const std::int64_t since = timed ? t - time : 0;
   time = t;
   timed = true;
+  ++frames;
   frame.forgotten[0] = frame.forgotten[1] = {0, 0};
   if (spec.age == 0) return;
   const std::int32_t count = layers();

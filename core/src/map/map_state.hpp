@@ -83,6 +83,7 @@ class MapState {
   std::uint64_t learned;  ///< words in which voxels were seen for the first time
   std::int64_t time;      ///< of the last frame
   bool timed;             ///< false before the first frame
+  std::uint64_t frames;   ///< that were begun, scans included
   std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of blocks
   std::int32_t forget;    ///< the next layer to forget
   std::int32_t face;      ///< pixels along an edge of a scan's face

@@ -216,6 +216,10 @@ uint64_t RollingMap::learned() const noexcept {
   return state_ == nullptr ? 0 : state_->learned;
 }
 
+uint64_t RollingMap::frames() const noexcept {
+  return state_ == nullptr ? 0 : state_->frames;
+}
+
 uint64_t RollingMap::revision() const noexcept {
   return state_ == nullptr ? 0 : state_->route.revision() + state_->safe.revision();
 }

@@ -108,6 +108,7 @@ void list_flight_spec(Words& words, Spec& spec) {
   words(spec.horizon);
   words(spec.near);
   words(spec.yaw_rate);
+  words(spec.stale_after);
 }
 
 template <typename Words, typename AnyHeading>
@@ -162,6 +163,8 @@ void list_flight_report(Words& words, Report& report) {
   words(report.passed);
   words(report.skipped);
   words(report.waits_for_view);
+  words(report.map_stale);
+  words(report.frame_age);
 }
 
 /// What a tick leaves: FNV-1a, word by word, over all that it commanded and reported.

@@ -99,7 +99,8 @@ class Command:
 
 @dataclass(frozen=True)
 class Tick:
-    """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, and counts of plans."""
+    """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, and for how many
+    nanoseconds no frame was entered into the map."""
     mode: str
     reason: str
     arrived: bool
@@ -108,6 +109,8 @@ class Tick:
     dropped: int
     failed: int
     work: int
+    map_stale: bool
+    frame_age: int
 
 
 class Flight:
@@ -147,7 +150,8 @@ class Flight:
         require(lib.tern_flight_tick(self.struct, t, report))
         reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
         return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
-                    report.committed, report.dropped, report.failed, report.work)
+                    report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
+                    report.frame_age)
 
     def command(self, t: int) -> Command:
         """What to fly at a time."""
