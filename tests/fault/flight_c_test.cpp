@@ -97,7 +97,12 @@ TEST(FlightC, EqualsTheFlightInCpp) {
     tern_flight_command(&flight, k * spec.tick, &command);
     const tern::Command other = flown.flight.command(k * spec.tick);
     EXPECT_EQ(std::memcmp(&command, &other, sizeof command), 0);
+    tern_vec3 rest{};
+    tern_flight_rest_position(&flight, &rest);
+    const tern::Vec3 other_rest = flown.flight.rest_position();
+    EXPECT_EQ(std::memcmp(&rest, &other_rest, sizeof rest), 0);
   }
+  tern_flight_rest_position(&flight, nullptr);
   EXPECT_GT(flown.report.committed, 0u);
   EXPECT_EQ(tern_flight_stop(&flight), kOk);
 }

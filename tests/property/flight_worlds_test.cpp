@@ -80,7 +80,7 @@ TEST(FlightWorlds, WithoutFramesFromSomeInstantItComesToRest) {
   flown.fly(2.5);
   EXPECT_EQ(flown.report.mode, FlightMode::kFly);
   flown.frames = false;
-  EXPECT_EQ(flown.fly(60.0), FlightReason::kNoProgress) << story(flown);
+  EXPECT_EQ(flown.fly(60.0), FlightReason::kMapStale) << story(flown);
 }
 
 /// A tree behind a wall's end, where it is seen late.

@@ -111,7 +111,7 @@ TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
     state.draft = state.now;
     state.draft.begin = extends ? state.now.begin : state.takeover;
     state.extends = extends;
-    state.commit();
+    state.enter_draft();
     EXPECT_EQ(state.has_next, !extends);
     for (int k = 0; k < kEvadeTicks; ++k) {
       room.tick();
@@ -121,6 +121,26 @@ TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
     room.tick();
     EXPECT_EQ(room.report.mode == FlightMode::kThreat, extends);
   }
+}
+
+/// A box that is marked between two ticks, while a draft is being proven, is in no part of that proof: what was proven
+/// before must not end the threat.
+TEST(FlightThreats, BoxMarkedDuringAProofIsBrakedFor) {
+  int marked = 0;
+  for (int wait = 0; wait < 120; ++wait) {
+    tern_test::FlightRoom room(tern_test::FlightRoom::flight_spec(256));
+    ASSERT_EQ(room.flight.set_goal({room.start.x + 10.0, room.start.y, room.start.z}), Status::kOk);
+    for (int k = 0; k < 600 && room.speed() < 0.3; ++k) room.tick();
+    for (int k = 0; k < wait; ++k) room.tick();
+    const Job job = room.state().job;
+    if (job != Job::kReach && job != Job::kBranch && job != Job::kConfirm) continue;
+    ++marked;
+    const double wall = room.position().x + 3.0;
+    room.mark({{wall, room.start.y - 8.0, -2.0}, {wall + 0.3, room.start.y + 8.0, 4.0}});
+    for (int k = 0; k < 1000 && room.speed() > 0.0; ++k) room.tick();
+    EXPECT_LT(room.position().x, wall - tern_test::FlightRoom::kRadius) << wait;
+  }
+  EXPECT_GT(marked, 2);
 }
 
 /// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.

@@ -135,6 +135,10 @@ uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* rep
 /* What to fly at time `t`: any time has an answer. Null does nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
 
+/* Where the vehicle comes to rest on what is committed, metres; zero for a flight that was not started. Null does
+ * nothing. */
+void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position);
+
 /* Plans yaws beside what is flown. ok, non_finite_input, limits_invalid or invalid_argument. */
 uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw);
 /* Where the nose points at time `t`. Null does nothing. */

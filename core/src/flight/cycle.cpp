@@ -77,6 +77,7 @@ void FlightState::advance(Work& work) noexcept {
   const bool watches = watching && watched_part != Watched::kAlarm;
   if (job != Job::kEvade && !watches && map.safe().bound() && (stopping || threatened)) begin_evade();
   if (job == Job::kIdle) begin_cycle();
+  note_changed_map();
   // A cycle has at most as many steps as jobs and candidates.
   constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;
   Progress progress = Progress::kDone;

@@ -58,9 +58,13 @@ void FlightState::begin_evade() noexcept {
   deadline = takeover - spec.tick;
   job = Job::kEvade;
   defer_debt();
+  extends = false;
+  try_brakes();
+}
+
+void FlightState::try_brakes() noexcept {
   best.number = branch = -1;
   straight = along = 0;
-  extends = false;
   next_evasion();
 }
 
@@ -110,6 +114,7 @@ void FlightState::next_evasion() noexcept {
 /// Limits alone are proven from the contact on, with no obstacle in the way; the brake must end within the window.
 bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
   proves = what;
+  proven_on = map.safe().revision();
   ProofGrounds grounds = grounds_of(draft);
   if (what == BrakeProof::kAlarm) grounds.alarm = &alarm;
   if (what == BrakeProof::kLimits) grounds.added = &kNowhereBox;
@@ -176,7 +181,7 @@ void FlightState::end_evade() noexcept {
   if (!threat || !helps(best) || !make_evasion()) return give_up();
   const Alarm raised = alarm;
   const bool is_raised = has_alarm;
-  commit();
+  if (!commit()) return;
   alarm = raised;
   has_alarm = is_raised;
   threat = true;

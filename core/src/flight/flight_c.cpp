@@ -105,6 +105,10 @@ void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command
   if (command != nullptr) *command = object(flight).command(t);
 }
 
+void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position) {
+  if (position != nullptr) *position = object(flight).rest_position();
+}
+
 std::uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw) {
   return yaw == nullptr ? kInvalid : code(object(flight).set_yaw(*yaw));
 }

@@ -66,6 +66,7 @@ class FlightState {
   std::int64_t takeover;  ///< when its result begins
   std::int64_t deadline;  ///< the last tick that may commit it
   Proof proof;
+  std::uint64_t proven_on;       ///< the safe grid's revision when that began
   std::uint32_t planner_effort;  ///< what of the plan in work is paid for, as Planner counts it
   Commitment draft;              ///< the plan at hand
   Trajectory plan;               ///< of the planner
@@ -246,7 +247,10 @@ class FlightState {
   Progress run_branch(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
   bool changes_what_is_flown() const noexcept { return !extends || draft.branch > now.branch; }
-  void commit() noexcept;
+  void note_changed_map() noexcept;
+  bool joins_what_is_flown() noexcept;
+  void enter_draft() noexcept;
+  bool commit() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
 
@@ -259,6 +263,7 @@ class FlightState {
   bool go_on_proving(bool proven) noexcept;
   bool helps(const Evasion& brake) const noexcept;
   int number_of_next() noexcept;
+  void try_brakes() noexcept;
   void next_evasion() noexcept;
   Progress run_evade(Work& work) noexcept;
   void end_evade() noexcept;

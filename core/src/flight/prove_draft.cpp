@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
+#include "proof/proven_joints.hpp"
 
 namespace tern {
 
@@ -23,8 +24,17 @@ ProofGrounds FlightState::grounds_of(const Commitment& commitment) const noexcep
   return {nullptr, commitment.leaves ? &commitment.left : nullptr, nullptr, spec.fences, spec.fence_count};
 }
 
+/// Boxes were marked between two ticks, while something was being proven: the proof begins anew on the map as it is.
+void FlightState::note_changed_map() noexcept {
+  const bool proves_draft = job == Job::kReach || job == Job::kBranch || job == Job::kConfirm;
+  if (proven_on == map.safe().revision()) return;
+  if (job == Job::kEvade) try_brakes();
+  if (proves_draft) job = Job::kWait;
+}
+
 /// On the safe grid, with limits.
 Status FlightState::begin_proof(const Trajectory& trajectory, double from) noexcept {
+  proven_on = map.safe().revision();
   return proof.begin(map.safe(), trajectory, from, &spec.limits, Beyond::kSolid, grounds_of(draft));
 }
 
@@ -116,9 +126,19 @@ Progress FlightState::run_confirm(Work& work) noexcept {
   return Progress::kDone;
 }
 
+/// The proofs of obstacles and limits take each segment alone. This one says that the draft goes on from what is flown,
+/// without a jump at any joint, and ends at rest.
+bool FlightState::joins_what_is_flown() noexcept {
+  const Commitment& flown = commitment_at(takeover);
+  owed += std::uint64_t{kJointEffort} * static_cast<std::uint64_t>(draft.flown.count + 2);
+  return follows(evaluate(flown.flown, seconds_between(flown.begin, takeover)),
+                 evaluate(draft.flown, start_of_proof())) &&
+         joints_hold(draft.flown);
+}
+
 /// An extension is the same curve up to the branch that is flown, and so replaces it in place. A new plan takes over at
 /// its beginning. A contact before it begins stays one.
-void FlightState::commit() noexcept {
+void FlightState::enter_draft() noexcept {
   if (!extends && job != Job::kEvade) note_progress();
   job = Job::kIdle;
   if (changes_what_is_flown()) ++report.committed;
@@ -137,6 +157,16 @@ void FlightState::commit() noexcept {
     has_next = true;
     meets_before = meets;
   }
+}
+
+/// False, and nothing is committed, where the draft does not join what is flown.
+bool FlightState::commit() noexcept {
+  if (!joins_what_is_flown()) {
+    fail();
+    return false;
+  }
+  enter_draft();
+  return true;
 }
 
 void FlightState::fail() noexcept {

@@ -200,7 +200,7 @@ struct Inflation {
     }
     if (equal == 0 || price > count + kFewPatches) return false;
     for_each_patch(window, z, reached, [this](const Patch& patch) {
-      effort += maker.copy_effort(patch);
+      effort += PatchMaker::copy_effort(patch);
       maker.copy_below(patch);
     });
     for_each_patch(window, z, differing, [&](const Patch& patch) { make_differing(patch, steps); });

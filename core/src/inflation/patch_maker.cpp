@@ -57,7 +57,7 @@ std::uint32_t PatchMaker::narrow_effort(const Patch& patch) const noexcept {
   return kPatchEffort + tile_effort_ + effort_of(30 + word_effort_, patch.rows.end - patch.rows.begin);
 }
 
-std::uint32_t PatchMaker::copy_effort(const Patch& patch) const noexcept {
+std::uint32_t PatchMaker::copy_effort(const Patch& patch) noexcept {
   return kPatchEffort + effort_of(16 + 5 * (patch.words.end - patch.words.begin), patch.rows.end - patch.rows.begin);
 }
 

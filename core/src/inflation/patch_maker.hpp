@@ -31,7 +31,7 @@ class PatchMaker {
   /// What a patch takes, in instructions (see Work): making it, making it where it is narrow, and copying it.
   std::uint32_t make_effort(const Patch& patch) const noexcept;
   std::uint32_t narrow_effort(const Patch& patch) const noexcept;
-  std::uint32_t copy_effort(const Patch& patch) const noexcept;
+  static std::uint32_t copy_effort(const Patch& patch) noexcept;
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch) const noexcept;
   /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. All must lie within the patch's
