@@ -55,18 +55,53 @@ tern::Pose pose_of(ByteSource& source) {
   return pose;
 }
 
-/// The safe grid is free only where the map has seen, and never freer than the route grid.
+/// Rows of the map's layers, a word of them at a time.
+struct Words {
+  std::uint64_t safe, route;                  ///< obstacles
+  std::uint64_t safe_blocked, route_blocked;  ///< not free
+  std::uint64_t seen;
+  std::uint64_t inside;  ///< voxels of the grid
+};
+
+/// What is wrong, null where nothing is: the safe grid is free only where the map has seen, and never freer than the
+/// route grid.
+const char* wrong_with(const Words& w) {
+  if ((w.inside & ~w.safe & ~w.seen) != 0) return "unseen space counts as free";
+  if ((w.route & ~w.safe) != 0) return "an obstacle is free in the safe grid";
+  if ((w.inside & ~w.safe_blocked & w.route_blocked) != 0) return "the safe grid is freer than the route grid";
+  return nullptr;
+}
+
+bool bit(std::uint64_t word, int x) {
+  return (word >> (x % 64) & 1u) != 0;
+}
+
+/// What is said of a single voxel is what its rows say.
+const char* wrong_with(const tern::RollingMap& map, const tern::Voxel& v, const Words& w) {
+  const bool same = map.safe().obstacle(v) == bit(w.safe, v.x) && map.route().obstacle(v) == bit(w.route, v.x) &&
+                    map.safe().free(v) != bit(w.safe_blocked, v.x) &&
+                    map.route().free(v) != bit(w.route_blocked, v.x) && map.seen(v) == bit(w.seen, v.x);
+  return same ? nullptr : "a voxel differs from its row";
+}
+
 std::string wrong_with(const tern::RollingMap& map) {
   const tern::Grid& safe = map.safe();
   const tern::Grid& route = map.route();
   const tern::Voxel dims = safe.spec().dims;
+  const std::uint64_t* seen = map.seen_rows();
   for (int z = 0; z < dims.z; ++z) {
     for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) {
-        const tern::Voxel v{x, y, z};
-        if (!safe.obstacle(v) && !map.seen(v)) return "unseen space counts as free";
-        if (route.obstacle(v) && !safe.obstacle(v)) return "an obstacle is free in the safe grid";
-        if (safe.free(v) && !route.free(v)) return "the safe grid is freer than the route grid";
+      for (int k = 0; k < safe.row_words(); ++k) {
+        const int left = dims.x - 64 * k;
+        const Words words{safe.obstacle_row(y, z)[k],
+                          route.obstacle_row(y, z)[k],
+                          safe.blocked_row(y, z)[k],
+                          route.blocked_row(y, z)[k],
+                          *seen++,
+                          left < 64 ? (std::uint64_t{1} << left) - 1 : ~std::uint64_t{0}};
+        if (const char* wrong = wrong_with(words)) return wrong;
+        const int x = 64 * k + (7 * y + 13 * z) % (left < 64 ? left : 64);
+        if (const char* wrong = wrong_with(map, {x, y, z}, words)) return wrong;
       }
     }
   }

@@ -1,20 +1,26 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the libFuzzer entries, one after the other, and notes how long and how often each ran."""
+"""Runs the libFuzzer entries side by side, and notes how long and how often each ran. What an entry found stays in
+build/fuzz/found, so that a run goes on where the one before ended, with another seed."""
 import argparse
+import concurrent.futures
 import csv
 import datetime
+import hashlib
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 
+import core_id
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ENTRIES = ["scenario", "solve", "depth", "record", "request"]
 TABLE = ROOT / "docs/measurements/fuzz.csv"
-COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong"]
+COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong", "core"]
 LONGEST = 4096  # bytes of an input
 KEPT = 40       # files of a corpus at most
 
@@ -23,8 +29,10 @@ def parse_arguments():
     parser = argparse.ArgumentParser(prog="tools/fuzz", description=__doc__)
     parser.add_argument("seconds", type=int, nargs="?", default=60, help="of each entry (default 60)")
     parser.add_argument("entries", nargs="*", default=[], metavar="ENTRY", help=" ".join(ENTRIES))
-    parser.add_argument("--seed", type=int, default=1, metavar="S", help="of the mutations (default 1)")
-    parser.add_argument("--merge", action="store_true", help="add to the corpora what was found; fuzz nothing")
+    parser.add_argument("--seed", type=int, default=0, metavar="S",
+                        help="of the mutations (default: the number of the entry's run)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="entries at a time (default: one a core)")
+    parser.add_argument("--merge", action="store_true", help="choose the corpora anew from what was found; fuzz nothing")
     parser.add_argument("--build", default=str(ROOT / "build/fuzz"), help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     unknown = set(arguments.entries) - set(ENTRIES)
@@ -42,44 +50,100 @@ def fuzzer_of(arguments, entry):
     return pathlib.Path(arguments.build, "tests/fuzz", f"{entry}_fuzzer")
 
 
+def rows_before():
+    return list(csv.DictReader(TABLE.read_text().splitlines())) if TABLE.exists() else []
+
+
 def last(pattern, text):
     found = re.findall(pattern, text)
     return int(found[-1]) if found else 0
 
 
-def fuzz(arguments, entry):
+def fuzz(arguments, entry, core):
+    """One run. Returns its row, and what the fuzzer said where it found something wrong."""
     found = pathlib.Path(arguments.build, "found", entry)
     found.mkdir(parents=True, exist_ok=True)
+    seed = arguments.seed or 1 + sum(row["entry"] == entry for row in rows_before())
     words = [fuzzer_of(arguments, entry), found, corpus_of(entry), f"-max_total_time={arguments.seconds}",
-             f"-seed={arguments.seed}", f"-max_len={LONGEST}", "-print_final_stats=1", "-timeout=60",
-             "-rss_limit_mb=4096",
+             f"-seed={seed}", f"-max_len={LONGEST}", "-print_final_stats=1", "-timeout=60", "-rss_limit_mb=4096",
              f"-artifact_prefix={arguments.build}/{entry}-"]
+    began = datetime.datetime.now()
     done = subprocess.run(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     text = done.stderr.decode(errors="replace")
-    row = [entry, datetime.date.today().isoformat(), arguments.seed, arguments.seconds,
+    seconds = round((datetime.datetime.now() - began).total_seconds())
+    row = [entry, began.date().isoformat(), seed, seconds,
            last(r"stat::number_of_executed_units: (\d+)", text) or last(r"#(\d+)", text), last(r"cov: (\d+)", text),
-           len(list(found.iterdir())), int(done.returncode != 0)]
-    print(", ".join(f"{name} {value}" for name, value in zip(COLUMNS, row)), flush=True)
-    if done.returncode != 0:
-        print(text[-3000:], flush=True)
-    return row
+           len(list(found.iterdir())), int(done.returncode != 0), core]
+    return row, text[-3000:] if done.returncode != 0 else ""
+
+
+def note(row):
+    """A run is noted when it ends, so that a killed command loses those under way alone."""
+    before = rows_before()
+    with TABLE.open("w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows([*before, dict(zip(COLUMNS, row))])
+
+
+def fuzz_all(arguments):
+    """The exit status: 1 where an entry found something wrong."""
+    core, wrong = core_id.present(), 0
+    with concurrent.futures.ThreadPoolExecutor(max(1, arguments.jobs)) as pool:
+        runs = [pool.submit(fuzz, arguments, entry, core) for entry in arguments.entries]
+        for run in concurrent.futures.as_completed(runs):
+            row, text = run.result()
+            note(row)
+            wrong |= bool(text)
+            print(", ".join(f"{name} {value}" for name, value in zip(COLUMNS, row)), text, sep="\n" if text else "",
+                  flush=True)
+    return int(wrong)
+
+
+def reached(control):
+    """Of each input of a merge, by name: the features that it reaches (edges, and how often it takes each), as
+    libFuzzer's control file has them."""
+    lines = control.read_text().splitlines()
+    names = lines[2:2 + int(lines[0])]
+    features = {}
+    for line in lines:
+        words = line.split()
+        if words[:1] == ["FT"]:
+            features[names[int(words[1])]] = set(words[2:])
+    return features
+
+
+def choose(features):
+    """Inputs that together reach the most features, one after the other; of equal ones, the shortest. KEPT at most."""
+    chosen, known = [], set()
+    left = dict(sorted(features.items(), key=lambda item: (pathlib.Path(item[0]).stat().st_size, item[0])))
+    while left and len(chosen) < KEPT:
+        best = max(left, key=lambda name: len(left[name] - known))
+        known |= left.pop(best)
+        chosen.append(best)
+    return chosen, len(known)
 
 
 def merge(arguments, entry):
-    """Inputs that reach more than the corpus does, the shortest of them first, up to the size of a kept corpus."""
+    """The corpus anew: of all inputs that there are, those that reach the most features."""
     found, corpus = pathlib.Path(arguments.build, "found", entry), corpus_of(entry)
     fresh = pathlib.Path(arguments.build, "merged", entry)
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
-    subprocess.run([fuzzer_of(arguments, entry), "-merge=1", f"-max_len={LONGEST}", fresh, corpus, found],
-                   cwd=ROOT, check=True, stderr=subprocess.DEVNULL)
-    room = KEPT - len(list(corpus.iterdir()))
-    chosen = sorted((path for path in fresh.iterdir() if not (corpus / path.name).exists()),
-                    key=lambda path: (path.stat().st_size, path.name))
-    step = max(1, len(chosen) // max(1, room))
-    for path in chosen[::step][:max(0, room)]:
-        shutil.copy(path, corpus / path.name[:16])
-    print(f"{entry}: {len(list(corpus.iterdir()))} files in the corpus", flush=True)
+    control = fresh.with_suffix(".control")
+    control.unlink(missing_ok=True)
+    subprocess.run([fuzzer_of(arguments, entry), "-set_cover_merge=1", f"-merge_control_file={control}", f"-max_len={LONGEST}",
+                    fresh, corpus, found], cwd=ROOT, check=True, stderr=subprocess.DEVNULL)
+    features = reached(control)
+    chosen, count = choose(features)
+    kept = {hashlib.sha1(pathlib.Path(name).read_bytes()).hexdigest()[:16]: pathlib.Path(name).read_bytes()
+            for name in chosen}
+    for path in corpus.iterdir():
+        path.unlink()
+    for name, data in kept.items():
+        (corpus / name).write_bytes(data)
+    print(f"{entry}: {len(kept)} files in the corpus reach {count} of {len(set().union(*features.values()))} features",
+          flush=True)
 
 
 def main():
@@ -88,11 +152,7 @@ def main():
         for entry in arguments.entries:
             merge(arguments, entry)
         return 0
-    rows = [fuzz(arguments, entry) for entry in arguments.entries]
-    is_new = not TABLE.exists()
-    with TABLE.open("a", newline="") as file:
-        csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows] if is_new else rows)
-    return 1 if any(row[-1] for row in rows) else 0
+    return fuzz_all(arguments)
 
 
 if __name__ == "__main__":
