@@ -13,9 +13,9 @@ import sys
 import time
 
 CAMPAIGN, TERN, ATTACK, FOLDER, MPIRUN, PYTHON = sys.argv[1:7]
-ROWS = {"plan": ["P25", "P49", "--runs", "40", "--set", "v_max=3"],
+ROWS = {"plan": ["P25", "P49", "--runs", "12", "--set", "v_max=3"],
         "fly": ["P49@3", "--runs", "3", "--set", "time_limit=1.5", "--set", "sensor_size=40,30"],
-        "attack": ["far", "--runs", "500"]}
+        "attack": ["far", "--runs", "120"]}
 # As root and with more ranks than cores, as in containers.
 MPI = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl="self,vader",
            OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
@@ -63,7 +63,7 @@ def kill_midway(kind, name, ranks=0):
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     whole = {kind: run(kind, f"{kind}-whole") for kind in ROWS}
-    counts = {"plan": 80, "fly": 3}
+    counts = {"plan": 24, "fly": 3}
     for kind in ("plan", "fly"):
         begun = kill_midway(kind, f"{kind}-killed")
         expect(f"{kind}: killed after {begun} runs of {counts[kind]}", 0 < begun < counts[kind])

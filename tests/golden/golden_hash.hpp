@@ -12,7 +12,7 @@ namespace tern_golden {
 constexpr std::uint64_t kGoldenHash = 0x71edb71ee747224au;
 
 /// The same for the commands of the flight of flight_run.hpp.
-constexpr std::uint64_t kGoldenFlightHash = 0x16756cf1fd074782u;
+constexpr std::uint64_t kGoldenFlightHash = 0xbdb835fd3539afe1u;
 
 }  // namespace tern_golden
 

@@ -25,10 +25,17 @@ bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& pol
   return clear;
 }
 
+/// Half-spaces that the segment is held against; 0 where it names no polyhedron.
+int planes_of(const Corridor& corridor, const Segment& segment) {
+  if (segment.polyhedron < 0 || segment.polyhedron >= corridor.count) return 0;
+  const int planes = all_planes(corridor.polyhedra[segment.polyhedron]);
+  return planes < 0 ? 0 : (planes < kMaxPlanes ? planes : kMaxPlanes);
+}
+
 bool check_segment(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                    const CheckQuery& query, Work& work) {
   const int index = stage.next - corridor.count;
-  work.effort += kSegmentEffort + effort_of(kPlaneEffort, kMaxPlanes);
+  work.effort += kSegmentEffort + effort_of(kPlaneEffort, planes_of(corridor, trajectory.segments[index]));
   const double tolerance = fence_tolerance(grid) + place_rounding(grid, trajectory);
   const bool holds = segment_holds(grid, corridor, trajectory, index, query, stage) &&
                      (query.fences == nullptr ||

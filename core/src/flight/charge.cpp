@@ -30,10 +30,9 @@ Work FlightState::begin_work() noexcept {
 
 void FlightState::owe(std::uint32_t effort, Work& work) noexcept {
   owed += effort;
-  const std::uint64_t units = owed / kUnitEffort;
-  const std::uint32_t paid = units < work.left ? static_cast<std::uint32_t>(units) : work.left;
+  const std::uint32_t paid = least(owed / kUnitEffort, work.left);
   work.left -= paid;
-  owed -= std::uint64_t{paid} * kUnitEffort;
+  owed -= paid * kUnitEffort;
 }
 
 void FlightState::defer_debt() noexcept {

@@ -46,8 +46,8 @@ class FlightState {
   Planner* planner;
   RouteCopy route;
   std::int64_t time;       ///< of the last tick
-  std::uint64_t owed;      ///< instructions that were done and not paid for yet
-  std::uint64_t deferred;  ///< and those that wait until no brake is in work
+  std::uint32_t owed;      ///< instructions that were done and not paid for yet: some pieces at most
+  std::uint32_t deferred;  ///< and those that wait until no brake is in work
   Commitment now;
   Commitment next;
   bool has_next;

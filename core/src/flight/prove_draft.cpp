@@ -130,7 +130,7 @@ Progress FlightState::run_confirm(Work& work) noexcept {
 /// without a jump at any joint, and ends at rest.
 bool FlightState::joins_what_is_flown() noexcept {
   const Commitment& flown = commitment_at(takeover);
-  owed += std::uint64_t{kJointEffort} * static_cast<std::uint64_t>(draft.flown.count + 2);
+  owed += effort_of(kJointEffort, draft.flown.count + 2);
   return follows(evaluate(flown.flown, seconds_between(flown.begin, takeover)),
                  evaluate(draft.flown, start_of_proof())) &&
          joints_hold(draft.flown);
