@@ -58,7 +58,8 @@ std::uint32_t PatchMaker::narrow_effort(const Patch& patch) const noexcept {
 }
 
 std::uint32_t PatchMaker::copy_effort(const Patch& patch) noexcept {
-  return kPatchEffort + effort_of(16 + 5 * (patch.words.end - patch.words.begin), patch.rows.end - patch.rows.begin);
+  const std::uint32_t row = 16 + effort_of(5, patch.words.end - patch.words.begin);
+  return kPatchEffort + effort_of(row, patch.rows.end - patch.rows.begin);
 }
 
 /// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.
