@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tests/page"))
 import browser  # noqa: E402
 
 PAGE_WORLD = "P12:3"
-STILL_WORLD = "M:2"
+STILL_WORLD = "S10:2"
 SCREENS = {"desktop": {"width": 1280, "height": 800}, "phone": {"width": 390, "height": 844, "phone": True}}
 STILL = {"width": 1400, "height": 560}
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
