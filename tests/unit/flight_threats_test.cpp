@@ -127,7 +127,7 @@ TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
 /// before must not end the threat.
 TEST(FlightThreats, BoxMarkedDuringAProofIsBrakedFor) {
   int marked = 0;
-  for (int wait = 0; wait < 120; ++wait) {
+  for (int wait = 0; wait < 400 && marked < 6; ++wait) {
     tern_test::FlightRoom room(tern_test::FlightRoom::flight_spec(256));
     ASSERT_EQ(room.flight.set_goal({room.start.x + 10.0, room.start.y, room.start.z}), Status::kOk);
     for (int k = 0; k < 600 && room.speed() < 0.3; ++k) room.tick();
