@@ -35,6 +35,22 @@ void expect_near(const Vec3& a, const Vec3& b, double most) {
   EXPECT_NEAR(a.z, b.z, most);
 }
 
+/// A plan is not cut less than a millisecond after a joint.
+TEST(FlightBranch, CutsLeaveNoSlivers) {
+  Trajectory plan{};
+  plan.count = 2;
+  plan.segments[0].duration = 0.5;
+  plan.segments[1].duration = 0.25;
+  EXPECT_EQ(off_joints(plan, 0.5), 0.5);
+  EXPECT_EQ(off_joints(plan, 0.50001), 0.5);
+  EXPECT_EQ(off_joints(plan, 0.5009), 0.5);
+  EXPECT_EQ(off_joints(plan, 0.502), 0.502);
+  EXPECT_EQ(off_joints(plan, 0.49999), 0.49999);
+  EXPECT_EQ(off_joints(plan, 0.0005), 0.0);
+  EXPECT_EQ(off_joints(plan, 0.75), 0.75);
+  EXPECT_EQ(off_joints(plan, 2.0), 2.0);
+}
+
 void expect_near(const Sample& a, const Sample& b) {
   expect_near(a.position, b.position, 1e-12);
   expect_near(a.velocity, b.velocity, 1e-11);

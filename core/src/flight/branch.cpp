@@ -48,6 +48,16 @@ bool append_between(const JointState& from, const JointState& to, double time, T
   return true;
 }
 
+double off_joints(const Trajectory& plan, double t) noexcept {
+  double begin = 0.0;
+  for (int i = 0; i < plan.count && begin < t; ++i) {
+    const double end = begin + plan.segments[i].duration;
+    if (t < end) return t - begin < kSliver ? begin : t;
+    begin = end;
+  }
+  return t;
+}
+
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept {
   out.origin = plan.origin;
   out.count = 0;

@@ -33,6 +33,11 @@ void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) 
 /// Appends the segment between two states. False where there is no room: kMaxSegments.
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept;
 
+/// Seconds: in a shorter segment, the rounding of control points is tens of m/s^3 of jerk.
+constexpr double kSliver = 1e-3;
+/// The joint before `t` where that is nearer than kSliver, else `t`: a plan that is cut there ends in no sliver.
+double off_joints(const Trajectory& plan, double t) noexcept;
+
 /// `out` becomes the part of the plan before `t`, bit for bit but for its last segment. `t` > 0.
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept;
 

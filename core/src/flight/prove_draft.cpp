@@ -80,7 +80,7 @@ bool FlightState::leads_on() const noexcept {
 bool FlightState::make_branch() noexcept {
   const double earliest = earliest_branch();
   const int from_last = branch / kBranchShapes;
-  const double at = reached - (reached - earliest) * from_last / kBranches;
+  const double at = off_joints(draft.wished, reached - (reached - earliest) * from_last / kBranches);
   if (!(at > earliest)) return false;
   draft.branch = at;
   take_first_part(draft.wished, at, draft.flown);
