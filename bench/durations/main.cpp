@@ -58,6 +58,12 @@ struct Tally {
   std::vector<double> seconds, snap, iterations, programmes;
 };
 
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
 class Bench {
  public:
   explicit Bench(std::ofstream& csv) : csv_(csv) {}
@@ -69,8 +75,9 @@ class Bench {
   }
 
   /// Seconds of the plan; 0 where there is none.
-  double fly(const tern_host::Scenario& scenario, Tally* tally = nullptr) {
-    const tern_host::PlanResult result = session_.plan(scenario);
+  double fly(const tern_host::Scenario& scenario, Tally* tally = nullptr, const tern::Trajectory* previous = nullptr,
+             double previous_time = 0.0) {
+    const tern_host::PlanResult result = session_.plan(scenario, previous, previous_time);
     if (!result.ok()) return 0.0;
     const double seconds = tern::duration(result.trajectory);
     const double snap = tern::snap_cost(result.trajectory);
@@ -89,12 +96,6 @@ class Bench {
   std::ofstream& csv_;
   tern_host::Session session_;
 };
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 void print(const std::string& group, double weight, const Tally& tally, const Ladder& ladder) {
   std::printf("%-10s %6g %4zu plans, %6.2f s median, %6.2f mean, snap %7.1f, iterations %4.0f (p99 %4.0f), ",
@@ -211,13 +212,14 @@ void over_limits(Bench& bench, const std::vector<std::string>& files, double wei
   accelerations.print("  raising a_max");
 }
 
-/// Replans along plans, with nothing handed over but the state. One a goal, in the same limits and weight.
+/// Replans along plans. One a goal, in the same limits and weight.
 struct Replans {
   int asked = 0;
   int refused = 0;
   int half_second = 0;  ///< that arrive so much later than the plan they replace
   int two_seconds = 0;
   std::vector<double> ratio;  ///< seconds over what was left of that plan
+  Tally tally;
 
   void add(double seconds, double left) {
     ++asked;
@@ -229,18 +231,18 @@ struct Replans {
     two_seconds += seconds > left + 2.0 ? 1 : 0;
     ratio.push_back(seconds / left);
   }
-  void print(const std::string& group, double weight, const char* state) const {
+  void print(const std::string& group, double weight, const char* handed_over) const {
     std::printf(
-        "%-10s %6g replans %-12s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f median, "
-        "%.4f p95, %.4f worst\n",
-        group.c_str(), weight, state, asked, refused, half_second, two_seconds, quantile(ratio, 0.5),
-        quantile(ratio, 0.95), quantile(ratio, 1.0));
+        "%-10s %6g replans %-16s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f mean, %.4f median, "
+        "%.4f p95, %.4f worst; %.0f iterations on average\n",
+        group.c_str(), weight, handed_over, asked, refused, half_second, two_seconds, mean(ratio), quantile(ratio, 0.5),
+        quantile(ratio, 0.95), quantile(ratio, 1.0), mean(tally.iterations));
   }
 };
 
 void over_replans(Bench& bench, const std::string& group, const std::vector<std::string>& files, double weight) {
   constexpr double kEvery = 0.3;
-  Replans with_jerk, without;
+  Replans with_jerk, without, with_plan;
   for (const std::string& file : files) {
     tern_host::Scenario scenario = tern_host::read_scenario(file);
     scenario.time_weight = weight;
@@ -249,13 +251,15 @@ void over_replans(Bench& bench, const std::string& group, const std::vector<std:
     for (double t = kEvery; t < end - kEvery; t += kEvery) {
       const tern::Sample now = tern::evaluate(plan, t);
       scenario.start = {now.position, now.velocity, now.acceleration, now.jerk};
-      with_jerk.add(bench.fly(scenario), end - t);
+      with_jerk.add(bench.fly(scenario, &with_jerk.tally), end - t);
+      with_plan.add(bench.fly(scenario, &with_plan.tally, &plan, t), end - t);
       scenario.start.jerk = {0.0, 0.0, 0.0};
-      without.add(bench.fly(scenario), end - t);
+      without.add(bench.fly(scenario, &without.tally), end - t);
     }
   }
   with_jerk.print(group, weight, "with jerk");
   without.print(group, weight, "without jerk");
+  with_plan.print(group, weight, "previous plan");
 }
 
 }  // namespace

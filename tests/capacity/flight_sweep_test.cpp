@@ -33,7 +33,8 @@ void sweep(Surprise surprise, Failing how) {
     Hop hop(surprise);
     const std::uint64_t number = 2 + k * (all - 1) / runs;  // the first one is the goal's
     begin(number, how);
-    const std::string wrong = hop.fly();
+    // If no proof has room any more, no brake is proven or even judged: the flight reports a threat and flies on.
+    const std::string wrong = hop.fly(how == Failing::kForGood);
     end();
     ASSERT_GE(asked(), number);
     EXPECT_EQ(wrong, "") << failed_site().file << ":" << failed_site().line << ", question " << number;

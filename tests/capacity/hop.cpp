@@ -58,7 +58,7 @@ Hop::Hop(Surprise surprise)
   status_ = flight_.start(spec_, map_.map, planner_, words_.data(), words_.size(), kStart, 0);
 }
 
-std::string Hop::fly() {
+std::string Hop::fly(bool may_touch) {
   if (status_ != Status::kOk || flight_.set_goal(kGoal) != Status::kOk) return "it does not begin";
   tern::FlightReport report{};
   tern::Sample last = flight_.command(0).sample;
@@ -69,7 +69,8 @@ std::string Hop::fly() {
     if (flight_.tick(t, report) != Status::kOk) return "a tick is refused";
     if (report.work > spec_.work_per_tick) return "a tick works too much";
     const tern::Sample now = flight_.command(t + spec_.tick).sample;
-    const std::string wrong = wrong_with(last, now);
+    const bool is_excused = may_touch && report.mode == tern::FlightMode::kThreat;
+    const std::string wrong = is_excused ? wrong_with(last, now) : wrong_place(now) + wrong_with(last, now);
     if (!wrong.empty()) return wrong + " at tick " + std::to_string(k);
     hash_ = hash_after(hash_, now);
     last = now;
@@ -106,9 +107,12 @@ double Hop::clearance(const Vec3& p) const {
   return least;
 }
 
+std::string Hop::wrong_place(const tern::Sample& now) const {
+  return clearance(now.position) < kRadius - 1e-6 ? "too near to an obstacle" : "";
+}
+
 std::string Hop::wrong_with(const tern::Sample& last, const tern::Sample& now) const {
   const double step = 1e-9 * static_cast<double>(spec_.tick);
-  if (clearance(now.position) < kRadius - 1e-6) return "too near to an obstacle";
   for (int a = 0; a < 3; ++a) {
     if (std::fabs(tern::axis(now.velocity, a)) > kSpeed * (1.0 + 1e-6)) return "too fast";
     const double way = tern::axis(now.position, a) - tern::axis(last.position, a);

@@ -26,8 +26,9 @@ enum class Surprise {
 class Hop {
  public:
   explicit Hop(Surprise surprise);
-  /// What is wrong with the flight; empty where nothing is.
-  std::string fly();
+  /// What is wrong with the flight; empty where nothing is. With `may_touch`, it may come near to an obstacle if it
+  /// reports a threat.
+  std::string fly(bool may_touch = false);
   tern::FlightReason reason() const { return reason_; }
   /// Of the flight so far.
   std::uint64_t commands_hash() const { return hash_; }
@@ -39,6 +40,7 @@ class Hop {
   void be_surprised();
   double clearance(const tern::Vec3& p) const;
   std::string wrong_with(const tern::Sample& last, const tern::Sample& now) const;
+  std::string wrong_place(const tern::Sample& now) const;
 
   Surprise surprise_;
   tern_test::OwnedMap map_;

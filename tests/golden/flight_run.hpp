@@ -236,7 +236,7 @@ FlightTotals fly(const FlightSetting& s, Memory& memory, Camera& camera, PillarW
     const std::int64_t t = k * s.tick;
     const tern::Sample now = flight.command(t).sample;
     if (k == kIntrusion) {
-      const tern::Vec3 p{now.position.x + 1.1 * now.velocity.x, now.position.y + 1.1 * now.velocity.y, 0.0};
+      const tern::Vec3 p{now.position.x + 0.8 * now.velocity.x, now.position.y + 0.8 * now.velocity.y, 0.0};
       world.boxes[kIntruder] = {{p.x - 0.2, p.y - 0.2, 0.0}, {p.x + 0.2, p.y + 0.2, 5.0}};
     }
     const tern::Vec3 below{0.0, 0.0, -40.0};

@@ -42,7 +42,7 @@ TEST(FlightGoals, TheMiddleOfAThickBlockIsApproached) {
       FlightSettings settings;
       Flown flown(scene, settings);
       EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
-      EXPECT_EQ(flown.fly(60.0), FlightReason::kNearest) << half << ": " << story(flown);
+      EXPECT_EQ(flown.fly(90.0), FlightReason::kNearest) << half << ": " << story(flown);
       EXPECT_LT(from_goal(flown, goal), half + settings.radius + 3.0 * settings.cell) << half << ": " << story(flown);
     }
   }

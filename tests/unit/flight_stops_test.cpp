@@ -56,7 +56,7 @@ template <typename End>
 int try_ends(int ticks_before, End end) {
   int tried = 0;
   for (const double side : {-0.49, -0.45, -0.4, -0.3, -0.2}) {
-    for (double ahead = -0.2; ahead < 1.6; ahead += 0.1) {
+    for (double ahead = 0.4; ahead < 2.2; ahead += 0.1) {
       Turning room(ahead, side);
       const FlightState& s = room.state();
       if (!room.is_ready) continue;
@@ -91,7 +91,7 @@ TEST(FlightStops, PlanThatWaitsIsKeptWhereAMissionEnds) {
 
 /// No brake is proven in time: the plan takes over, and is braked from there.
 TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
-  Turning room(1.2, -0.45);
+  Turning room(1.6, -0.45);
   FlightState& state = room.state();
   ASSERT_TRUE(room.is_ready);
   const std::int64_t begin = state.next.begin;

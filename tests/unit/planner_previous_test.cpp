@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/math.hpp"
@@ -86,11 +87,46 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
-  const tern::Trajectory with = world_.trajectory;
+  EXPECT_LT(duration(world_.trajectory), 0.6 * duration(first_) - 1e-6);
+}
+
+TEST_F(PreviousPlan, SetsThePaceOfANewOne) {
+  // With higher limits there is an earlier plan. The old durations lead to it in fewer iterations.
+  ask_from(0.3 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
+  world_.request.time_weight = 1000.0;
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  ASSERT_EQ(world_.report.quality, Quality::kOptimised);
+  const std::int32_t iterations = world_.report.qp_iterations;
+  const double seconds = duration(world_.trajectory);
   world_.request.previous = nullptr;
   ASSERT_EQ(world_.replan(), Status::kOk);
-  ASSERT_EQ(world_.trajectory.count, with.count);
-  for (int i = 0; i < with.count; ++i) EXPECT_EQ(world_.trajectory.segments[i].duration, with.segments[i].duration);
+  EXPECT_LT(iterations, world_.report.qp_iterations);
+  EXPECT_LT(seconds, 1.03 * duration(world_.trajectory));
+}
+
+TEST_F(PreviousPlan, SetsTheSamePaceInSlices) {
+  ask_from(0.3 * duration(first_));
+  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
+  ASSERT_EQ(world_.replan(), Status::kOk);
+  ASSERT_EQ(world_.report.quality, Quality::kOptimised);
+  const tern::Trajectory whole = world_.trajectory;
+  ASSERT_EQ(world_.planner.begin(world_.grid, world_.request), Status::kRunning);
+  world_.request.previous = nullptr;  // read by begin() alone
+  const std::uint32_t most = 1u << 20;
+  Status status = Status::kRunning;
+  for (std::uint32_t i = 0; i < most && status == Status::kRunning; ++i) status = world_.planner.step(1);
+  ASSERT_EQ(world_.planner.finish(world_.trajectory, world_.report), Status::kOk);
+  ASSERT_EQ(world_.trajectory.count, whole.count);
+  for (int i = 0; i < whole.count; ++i) {
+    EXPECT_EQ(
+        std::memcmp(&world_.trajectory.segments[i].points, &whole.segments[i].points, sizeof whole.segments[i].points),
+        0)
+        << i;
+    EXPECT_EQ(world_.trajectory.segments[i].duration, whole.segments[i].duration) << i;
+  }
 }
 
 TEST_F(PreviousPlan, IsNotReturnedToWithoutTheHalfSpacesForIt) {

@@ -188,5 +188,73 @@ TEST_F(Times, MorePiecesThanFitBecomeFewer) {
   EXPECT_EQ(chain_->count, tern::kMaxSegments);
 }
 
+/// 30 m in three legs of 10 m, each of two segments, and an earlier plan that flies along them at constant speed.
+class TimesWithPace : public Times {
+ protected:
+  TimesWithPace() {
+    for (int i = 0; i < 3; ++i) leg({10.0 * i, 0.0, 0.0}, {10.0 * (i + 1), 0.0, 0.0});
+  }
+  /// The durations, after an earlier plan along `length` metres of the way, `aside` metres beside it.
+  void begin_after(double length, double speed, double aside, double from = 0.0) {
+    earlier_ = std::make_unique<tern::Trajectory>();
+    earlier_->count = 1;
+    earlier_->segments[0].duration = length / speed;
+    for (int k = 0; k < tern::kControlPoints; ++k) {
+      earlier_->segments[0].points[k] = {length * k / tern::kDegree - speed * from, 0.0, 0.0};
+    }
+    tern::TimesQuery query{first(), last(), kTwo};
+    query.pace = {earlier_.get(), from, {0.0, aside, 0.0}};
+    tern::times_begin(stage_, *corridor_, query, *chain_);
+    ASSERT_EQ(advance(100), tern::Progress::kDone);
+    ASSERT_EQ(chain_->count, 6);
+  }
+
+  std::unique_ptr<tern::Trajectory> earlier_;
+};
+
+TEST_F(TimesWithPace, SegmentsTakeTheTimeOfTheEarlierPlan) {
+  for (const double from : {0.0, 0.7}) {
+    begin_after(30.0 + 1.6 * from, 1.6, 1.4, from);
+    EXPECT_TRUE(stage_.paced);
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(chain_->duration[i], 1.05 * 5.0 / 1.6, 1e-12) << i;
+  }
+}
+
+TEST_F(TimesWithPace, AnEarlierPlanElsewhereDoesNotCount) {
+  begin_after(30.0, 1.6, 1.6);
+  EXPECT_FALSE(stage_.paced);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(chain_->duration[i], kSlack * (i == 0 || i == 5 ? 3.0 : 2.5), 1e-12) << i;
+}
+
+TEST_F(TimesWithPace, BeyondTheEarlierPlanSegmentsTakeTheirOwnTime) {
+  begin_after(16.0, 1.6, 0.0);  // ends 1 m beyond the third joint
+  EXPECT_TRUE(stage_.paced);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(chain_->duration[i], 1.05 * 5.0 / 1.6, 1e-12) << i;
+  EXPECT_NEAR(chain_->duration[3], kSlack * 2.5, 1e-12);
+  EXPECT_NEAR(chain_->duration[5], kSlack * 3.0, 1e-12);
+}
+
+TEST_F(TimesWithPace, BoundsHoldWhateverTheEarlierPlanTook) {
+  begin_after(30.0, 0.1, 0.0);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(chain_->duration[i], kSlack * (i == 0 || i == 5 ? 3.0 : 2.5), 1e-12) << i;
+  for (const double speed : {50.0, 1e300}) {
+    begin_after(30.0, speed, 0.0);
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_NEAR(chain_->duration[i], 0.4 * kSlack * (i == 0 || i == 5 ? 3.0 : 2.5), 1e-12) << i;
+    }
+  }
+}
+
+TEST_F(TimesWithPace, SlicesChangeNoBit) {
+  begin_after(30.0, 1.6, 1.0);
+  const Chain whole = *chain_;
+  tern::TimesQuery query{first(), last(), kTwo};
+  query.pace = {earlier_.get(), 0.0, {0.0, 1.0, 0.0}};
+  tern::times_begin(stage_, *corridor_, query, *chain_);
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(advance(1), tern::Progress::kMore);
+  ASSERT_EQ(advance(1), tern::Progress::kDone);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(chain_->duration[i], whole.duration[i]) << i;
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -85,7 +85,7 @@ tern::Status Session::build_grid(PlanResult& result) {
   return status;
 }
 
-PlanResult Session::plan(const Scenario& scenario) {
+PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previous, double previous_time) {
   PlanResult result;
   result.scenario = scenario;
   result.grid = lay_out_grid(scenario);
@@ -96,7 +96,10 @@ PlanResult Session::plan(const Scenario& scenario) {
   }
   if (build_grid(result) != tern::Status::kOk) return result;
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
-  planner_.plan(grid_, request_of(scenario, fences), result.trajectory, result.report);
+  tern::Request request = request_of(scenario, fences);
+  request.previous = previous;
+  request.previous_time = previous_time;
+  planner_.plan(grid_, request, result.trajectory, result.report);
   for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
   if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
   if (planner_.corridor() != nullptr) result.corridor = std::make_unique<tern::Corridor>(*planner_.corridor());

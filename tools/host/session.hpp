@@ -54,8 +54,9 @@ class Session {
  public:
   explicit Session(const Clock& clock = platform_clock());
 
-  /// Lays out, fills and inflates the grid, and plans. Throws ScenarioError where the grid does not fit.
-  PlanResult plan(const Scenario& scenario);
+  /// Lays out, fills and inflates the grid, and plans, from the instant `previous_time` of `previous` if that is given.
+  /// Throws ScenarioError where the grid does not fit.
+  PlanResult plan(const Scenario& scenario, const tern::Trajectory* previous = nullptr, double previous_time = 0.0);
 
   /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
   std::string record(const PlanResult& result) const;

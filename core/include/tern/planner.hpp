@@ -88,9 +88,10 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  friend class FlightState;  // charges what units took
+  friend class FlightState;  // charges what units took, and has the plan that is flown set the pace
 
   uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
+  void set_pace(const Trajectory& plan, double from) noexcept;
   const Plan& plan_at_hand() const noexcept;
   Plan& plan_at_hand() noexcept;
 

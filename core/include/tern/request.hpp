@@ -63,8 +63,8 @@ constexpr double kMaxJerk = 1e6;
 /// room to reach if that is less. The first term is the paper's (Section 3.4.3). The scale a^6 / v^4 makes one weight
 /// mean one style of flight, for slow and for fast vehicles, short and long ways. A larger weight gives a faster plan:
 /// 10 is gentle, 40 is the default, 200 is brisk, 1000 is nearly as fast as the limits allow. From the default up, a
-/// larger weight never gives a slower plan of the same corridor, and takes more work. docs/trajectory.md has
-/// measurements.
+/// larger weight never gives a slower plan of the same corridor, and takes more work. A request with a previous plan is
+/// an exception: its search begins at the durations of that plan. docs/trajectory.md has measurements.
 constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
@@ -139,6 +139,8 @@ struct Request {
   /// still free on the grid. So no new plan to the same goal arrives later than the rest. If the goal is a different
   /// one and there is no plan, it goes on from there to the goal. Report::detours is 3 for such a plan. Only if that
   /// fails too does it try to stop first.
+  ///
+  /// It also saves work: where a new plan leads nearly the same way, the optimiser begins at the durations of this one.
   ///
   /// `start` must be what evaluate(*previous, previous_time) returns, bit for bit. Otherwise the answer is
   /// kInvalidArgument, field kPrevious.

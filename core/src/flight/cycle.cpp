@@ -215,6 +215,8 @@ void FlightState::ask_planner() noexcept {
   request.vias = asked;
   request.via_count = asked_count;
   begin_planner(request);
+  const double from = seconds_between(now.begin, takeover);
+  if (from >= 0.0 && from < now.branch) planner->set_pace(now.wished, from);
   job = Job::kPlan;
 }
 

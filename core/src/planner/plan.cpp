@@ -149,6 +149,8 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   const Status vias = accept_vias(request);
   if (vias != Status::kRunning) return vias;
   asked_ = request;
+  has_pace_ = request.previous != nullptr;
+  pace_from_ = request.previous_time;
   given_at_rest_ = rests();
   begin_attempt();
   const Status fences = accept_fences(request);
@@ -162,6 +164,12 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
     begin_with_rest();
   }
   return status_;
+}
+
+void Plan::set_pace(const Trajectory& plan, double from) noexcept {
+  memory_->previous.plan = plan;
+  has_pace_ = true;
+  pace_from_ = from;
 }
 
 Status Plan::step(std::uint32_t work) noexcept {

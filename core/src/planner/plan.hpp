@@ -17,6 +17,7 @@
 #include "tern/report.hpp"
 #include "tern/request.hpp"
 #include "tern/trajectory.hpp"
+#include "times/pace.hpp"
 
 namespace tern {
 
@@ -39,6 +40,9 @@ class Plan {
 
   void set_clock(ClockFn clock, void* context) noexcept;
   Status begin(const Grid& grid, const Request& request) noexcept;
+  /// After begin() of a request without a previous plan: `plan` is being flown and is at the requested start `from`
+  /// seconds after its beginning. It is copied. The new plan takes its first durations from it and nothing else.
+  void set_pace(const Trajectory& plan, double from) noexcept;
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
   Stage stage() const noexcept { return stage_; }
@@ -87,6 +91,7 @@ class Plan {
   void begin_corridor() noexcept;
   Progress run_corridor(Work& work) noexcept;
   void fail_corridor(Status status) noexcept;
+  Pace pace() const noexcept;
   void begin_times() noexcept;
   Progress run_times(Work& work) noexcept;
   void begin_trajectory() noexcept;
@@ -166,6 +171,8 @@ class Plan {
   std::int32_t rest_try_ = 0;      // the one that holds, of kPreviousTries; 0: none
   double rest_time_ = 0.0;         // how long it takes, s
   std::uint32_t rest_planes_ = 0;  // that enclosing it takes
+  bool has_pace_ = false;          // previous.plan is flown,
+  double pace_from_ = 0.0;         // and is at the start so many seconds after its beginning
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;

@@ -72,6 +72,10 @@ Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
   return report.status;
 }
 
+void Planner::set_pace(const Trajectory& plan, double from) noexcept {
+  if (workspace_ != nullptr) plan_at_hand().set_pace(plan, from);
+}
+
 std::uint32_t Planner::effort() const noexcept {
   return workspace_ == nullptr ? 0 : plan_at_hand().effort();
 }

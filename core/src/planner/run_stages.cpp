@@ -174,6 +174,13 @@ void Plan::fail_corridor(Status status) noexcept {
   fail(Stage::kCorridor, status);
 }
 
+/// The plan that is being flown, if the chain begins on it.
+Pace Plan::pace() const noexcept {
+  const Layout& memory = *memory_;
+  if (!has_pace_ || stop_and_go_ || memory.escapes[0].count > 0) return {};
+  return {&memory.previous.plan, pace_from_, memory.previous.plan.origin - asked_.start.position};
+}
+
 /// Moves the corridor into the plan's frame and cuts it into the chain.
 void Plan::begin_times() noexcept {
   Layout& memory = *memory_;
@@ -183,7 +190,7 @@ void Plan::begin_times() noexcept {
   const Holds holds{memory.mission.holds, via_count()};
   relative_corridor(memory.corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, holds,
                     stages.corridor);
-  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, limits_, holds}, stages.chain);
+  times_begin(stages.times, stages.corridor, {ends.start, ends.goal, limits_, holds, pace()}, stages.chain);
 }
 
 Progress Plan::run_times(Work& work) noexcept {
@@ -199,7 +206,7 @@ void Plan::begin_trajectory() noexcept {
   const FlightEnds& ends = memory_->ends;
   TrajectoryMemory& stages = memory_->stage.trajectory;
   const std::uint32_t iterations = stop_and_go_ ? 0 : asked_.budget.iterations - before(Stage::kTrajectory);
-  const TrajectoryQuery query{ends.start, ends.goal, limits_, asked_.time_weight, iterations};
+  const TrajectoryQuery query{ends.start, ends.goal, limits_, asked_.time_weight, iterations, stages.times.paced};
   trajectory_begin(stages.stage, stages.corridor, query, stages.chain);
 }
 

@@ -9,8 +9,9 @@
 namespace tern {
 namespace {
 
-/// Instructions of a segment.
+/// Instructions of a segment, and of a piece of the earlier plan that is looked at for it.
 constexpr std::uint32_t kSegmentEffort = 1500;
+constexpr std::uint32_t kPieceEffort = 700;
 
 /// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
 /// below what is feasible costs more than to begin above.
@@ -31,6 +32,14 @@ constexpr double kLongestRun = 2.5;
 constexpr int kRunSplit = 3;
 /// Cosine of the angle between two pieces of one leg, at least.
 constexpr double kStraight = 1.0 - 1e-9;
+
+/// Metres within which an earlier plan passes a joint, for its times to count.
+constexpr double kBeside = 1.5;
+/// Its times are a little short for a chain that differs, and a programme without a solution is the dearest. So they
+/// count with a slack, and lie between this part of the segment's own first duration and the whole of it: an earlier
+/// plan that slows down to its end would be too slow for a chain that goes on.
+constexpr double kPaceSlack = 1.05;
+constexpr double kLeastPaced = 0.4;
 
 constexpr JointState kAtRest{};
 
@@ -179,6 +188,38 @@ double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corr
   return larger(kMinDuration, kFirstSlack * time);
 }
 
+void begin_pace(TimesStage& stage, const Pace& pace) {
+  stage.pace = pace;
+  stage.along = 0.0;
+  stage.beside = pace.plan != nullptr;
+  stage.paced = false;
+  if (stage.beside) pace_begin(pace, stage.walk);
+}
+
+/// Where the way of the segment ends.
+Vec3 next_joint(TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
+  const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
+  const bool is_last = i + 1 == chain.count || chain.polyhedron[i + 1] != chain.polyhedron[i];
+  stage.along = is_last ? 0.0 : stage.along + chain.length[i];
+  if (is_last) return polyhedron.to;
+  // A polyhedron of several segments has a way.
+  return polyhedron.from + (stage.along / way(polyhedron)) * (polyhedron.to - polyhedron.from);
+}
+
+/// The time that the earlier plan takes for the segment if it passes both ends nearby; else the segment's own.
+double paced_time(TimesStage& stage, const Chain& chain, const Corridor& corridor, int i, Work& work) {
+  const double own = time_of(stage, chain, corridor, i);
+  if (stage.pace.plan == nullptr) return own;
+  const double begin = stage.walk.time;
+  const bool begins_beside = stage.beside;
+  int pieces = 0;
+  stage.beside = pace_to(stage.pace, next_joint(stage, chain, corridor, i), stage.walk, pieces) < kBeside;
+  work.effort += effort_of(kPieceEffort, pieces);
+  if (!begins_beside || !stage.beside) return own;
+  stage.paced = true;
+  return larger(kMinDuration, clamp(kPaceSlack * (stage.walk.time - begin), kLeastPaced * own, own));
+}
+
 }  // namespace
 
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept {
@@ -199,13 +240,14 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
   }
   place_holds(chain);
   stage.timed = 0;
+  begin_pace(stage, query.pace);
 }
 
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
     if (!work.take()) return Progress::kMore;
     work.effort += kSegmentEffort;
-    chain.duration[stage.timed] = time_of(stage, chain, corridor, stage.timed);
+    chain.duration[stage.timed] = paced_time(stage, chain, corridor, stage.timed, work);
   }
   return Progress::kDone;
 }

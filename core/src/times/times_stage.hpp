@@ -12,6 +12,7 @@
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 #include "times/chain.hpp"
+#include "times/pace.hpp"
 
 namespace tern {
 
@@ -27,6 +28,7 @@ struct TimesQuery {
   State goal;
   MotionLimits limits;
   Holds holds{};  ///< at the vias
+  Pace pace{};    ///< of an earlier plan, which is at `start` at pace.from
 };
 
 /// Plain data; needs no initialisation before times_begin.
@@ -36,6 +38,11 @@ struct TimesStage {
   double slowing[kMaxSegments];   ///< part of the speed that is lost where the polyhedron begins
   double speed;                   ///< m/s that the flight has room to reach
   std::int32_t timed;             ///< segments that have a duration: the work done
+  Pace pace;
+  PaceWalk walk;  ///< up to the end of the last segment that has a duration
+  double along;   ///< metres of its polyhedron's way up to there, 0 if the next one begins
+  bool beside;    ///< the earlier plan passes near that place
+  bool paced;     ///< at least one segment has its duration from the earlier plan
 };
 
 /// Cuts the corridor into a chain, which times_advance gives its durations: each segment the time of a trapezoidal
@@ -46,7 +53,8 @@ struct TimesStage {
 /// kMaxSplit, as far as kMaxSegments allows.
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
 
-/// One unit is one segment. kDone with all durations set; this stage cannot fail.
+/// If there is an earlier plan, segments between joints that it passes nearby take the time from one to the other,
+/// within bounds (docs/times.md). One unit is one segment. kDone with all durations set; this stage cannot fail.
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept;
 
 }  // namespace tern

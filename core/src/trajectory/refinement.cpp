@@ -238,9 +238,9 @@ void descend(Refinement& refinement, const Round& round, Chain& chain) {
 void refinement_begin(Refinement& refinement, const Chain& chain, const Question& question) noexcept {
   enter(refinement, RefinementPhase::kFeasibility);
   refinement.elastic = question.elastic;
-  refinement.first_rung = -rungs_below(question.agility);
-  refinement.rung = refinement.first_rung;
   refinement.last_rung = rung_of(question.weight);
+  refinement.first_rung = question.paced ? refinement.last_rung : -rungs_below(question.agility);
+  refinement.rung = refinement.first_rung;
   refinement.unit = question.unit;
   refinement.weight = question.weight;
   refinement.rate = question.unit * weight_of(refinement, refinement.rung);

@@ -15,6 +15,9 @@
 //
 // Where the acceleration limit is far above what the way asks for, the unit of the weight is so large that snap hardly
 // counts, and a search at the default weight stops at the first wall. There the ladder begins further down.
+//
+// Where the first durations come from an earlier plan (times/pace.hpp), they are near the best ones for the weight
+// already. There the ladder has only its last rung, and a larger weight may give a longer plan.
 #ifndef TERN_TRAJECTORY_REFINEMENT_HPP
 #define TERN_TRAJECTORY_REFINEMENT_HPP
 
@@ -43,6 +46,7 @@ struct Question {
   double weight;   ///< > 0
   double agility;  ///< times/time_unit.hpp
   bool elastic;    ///< plans may be stretched: start and goal are at rest
+  bool paced;      ///< the first durations are those of an earlier plan for that weight
 };
 
 struct Refinement {
@@ -51,7 +55,7 @@ struct Refinement {
   int round;                    ///< of this phase, or of this rung of the descent
   int failures;                 ///< of the rung's steps
   int spent;                    ///< iterations since the last better plan
-  int first_rung;               ///< of the ladder of weights: 0, or less where it begins further down
+  int first_rung;               ///< of the ladder of weights: 0, less where it begins further down, or the last one
   int rung;                     ///< 0 is the default weight, or the one asked for if less
   int last_rung;                ///< the highest one not above the weight asked for
   double unit;                  ///< m^2/s^8: what a second costs at weight 1

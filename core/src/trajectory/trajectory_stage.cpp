@@ -160,7 +160,7 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
 Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
   const TrajectoryQuery& query = stage.query;
   return Question{time_unit(stage.chain, corridor, query.limits), query.time_weight,
-                  agility(stage.chain, corridor, query.limits), is_elastic(stage)};
+                  agility(stage.chain, corridor, query.limits), is_elastic(stage), query.paced && !stage.has_fallback};
 }
 
 /// Where no programme had a solution: starts again from stop-and-go, along whose segments there is one.

@@ -33,6 +33,7 @@ struct TrajectoryQuery {
   MotionLimits limits;
   double time_weight;            ///< > 0; see Request::time_weight
   std::uint32_t max_iterations;  ///< of all quadratic programmes together; 0: stop-and-go at once
+  bool paced = false;            ///< the chain has its durations from an earlier plan (times/pace.hpp)
 };
 
 /// Iterations that a plan may take, whatever its input.
