@@ -159,8 +159,8 @@ TEST(FlightFaults, TicksSkippedAfterAStopOnlyDelayTheBrake) {
   for (int k = 0; k < tern_test::scaled(30) && !HasFatalFailure(); ++k) {
     FlightSettings settings = fast();
     settings.work_per_tick = 270;
-    const auto flown = begin(static_cast<std::uint64_t>(1256 + k), settings, 1.0 / 15.0);
-    flown->fly(1.6 + 0.1 * k);
+    const auto flown = begin(static_cast<std::uint64_t>(1264 + k), settings, 1.0 / 15.0);
+    flown->fly(2.4 + 0.1 * k);
     EXPECT_EQ(flown->flight.stop(), Status::kOk);
     flown->tick();
     const std::uint32_t dropped = flown->report.dropped;
