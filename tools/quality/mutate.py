@@ -30,7 +30,7 @@ import suite
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIELDS = ["id", "path", "line", "kind", "before", "after", "result", "by", "seconds", "seed", "date"]
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "bench", "core", "docs", "port", "tests", "toolchains", "tools"]
-LIBRARIES = ["tern", "tern_tiny", "tern_attack_core"]
+LIBRARIES = ["tern", "tern_tiny", "tern_mcu"]
 # Tests of hashes and of the golden corpus, and tests that see none of the core's results. The records of the golden
 # flight are compared with what the same core flies, so they run.
 LEFT_OUT = ("tern_golden", "golden_flight_replay_test", "golden_replans_test", "golden_flown_test",
