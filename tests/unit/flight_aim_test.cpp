@@ -390,4 +390,75 @@ TEST(FlightAim, WanderingEnds) {
   EXPECT_EQ(state.reason, FlightReason::kNoProgress);
 }
 
+/// The same with points on the way, a goal whose nearest free point was the aim, and no place that can be reached.
+TEST(FlightAim, OnlyPlansToTheAimAloneMoveToAReachablePoint) {
+  struct Case {
+    bool has_reachable, past_points, beside_goal, cut_off;
+  };
+  for (const Case& c : {Case{false, false, false, false}, Case{true, true, false, false},
+                        Case{true, false, false, false}, Case{true, false, true, true}}) {
+    FlightRoom room;
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = state.takeover = 2000000000;
+    state.start = joint_at(state.now.flown, 0.0, kZero);
+    state.goal = state.aim = {8.125, 0.125, 1.125};
+    state.all_free = true;
+    state.aims_at_goal = false;
+    state.beside_goal = c.beside_goal;
+    state.asked_count = c.past_points ? 1 : 0;
+    Report found{};
+    found.status = Status::kNoPath;
+    found.has_reachable = c.has_reachable;
+    found.reachable = room.start;  // the vehicle rests there
+    EXPECT_FALSE(state.move_to_reachable(found));
+    EXPECT_EQ(state.cut_off, c.cut_off);
+    expect_same(state.aim, {8.125, 0.125, 1.125});
+  }
+}
+
+/// A point of a mission that cannot be reached is left out, and the reason says whether it is in an obstacle.
+TEST(FlightAim, PointsThatAreCutOffAreUnreachableAndNotBlocked) {
+  for (const bool cut_off : {false, true}) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    const Via points[2] = {{{4.125, 0.125, 1.125}}, {{8.125, 0.125, 1.125}}};
+    ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
+    state.cut_off = cut_off;
+    state.park(FlightReason::kNearest);
+    EXPECT_EQ(state.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
+    EXPECT_TRUE(state.parked);
+  }
+}
+
+/// A room with closed walls, and a goal beyond the horizon outside: the vehicle goes as near to it as it gets.
+TEST(FlightAim, ClosedRoomEndsAtTheWallNearestToTheGoal) {
+  const std::vector<Box> walls = {{{3.0, -3.0, -2.0}, {3.25, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {-2.75, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {3.25, -2.75, 4.0}},
+                                  {{-3.0, 3.0, -2.0}, {3.25, 3.25, 4.0}}};
+  FlightRoom room(FlightRoom::flight_spec(), walls);
+  ASSERT_EQ(room.flight.set_goal({14.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(6000), FlightReason::kNearest);
+  EXPECT_GT(room.position().x, 3.0 - FlightRoom::kRadius - 2.0 * FlightRoom::kCell);
+  EXPECT_EQ(room.report.reason, FlightReason::kNearest);
+}
+
+/// The rest of the plan that is flown leads to the old goal: with a new one it is no candidate, however free it is.
+TEST(FlightAim, NewGoalDuringTheProofOfTheRestDropsIt) {
+  for (const bool moves : {false, true}) {
+    tern_test::Flying room;
+    FlightState& state = room.state();
+    for (int k = 0; k < 100000 && state.job != Job::kKeep; ++k) room.advance(1);
+    ASSERT_EQ(state.job, Job::kKeep);
+    if (moves) {
+      ASSERT_EQ(room.flight.set_goal({8.125, 4.125, 1.125}), Status::kOk);
+    }
+    state.owed = 0;
+    Work work{100000};
+    ASSERT_EQ(state.run_keep(work), Progress::kDone);
+    EXPECT_EQ(state.keeps, !moves);
+  }
+}
+
 }  // namespace

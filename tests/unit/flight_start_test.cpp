@@ -82,4 +82,23 @@ TEST(FlightStart, RouteCopyNeedsItsWords) {
   EXPECT_TRUE(copy.grid().bound());
 }
 
+/// A planner without memory refuses every plan, and the vehicle stays where it is.
+TEST(FlightStart, PlannerWithoutAWorkspaceLeavesTheVehicleAtRest) {
+  tern_test::FlightRoom room;
+  Planner nothing(nullptr, 0);
+  Flight flight;
+  std::vector<std::uint64_t> words(flight_words(tern_test::FlightRoom::map_spec().dims));
+  ASSERT_EQ(flight.start(room.spec, room.map(), nothing, words.data(), words.size(), room.start, 0), Status::kOk);
+  ASSERT_EQ(flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  FlightReport report{};
+  for (int k = 0; k < 400; ++k) {
+    ASSERT_EQ(flight.tick(k * room.spec.tick, report), Status::kOk);
+    ASSERT_LE(report.work, room.spec.work_per_tick);
+  }
+  EXPECT_EQ(report.plan, Status::kInvalidArgument);
+  EXPECT_EQ(report.committed, 0u);
+  EXPECT_GT(report.asked, 0u);
+  EXPECT_EQ(flight.command(400 * room.spec.tick).sample.position.x, room.start.x);
+}
+
 }  // namespace

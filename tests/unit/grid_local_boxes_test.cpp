@@ -161,5 +161,20 @@ TEST(CorridorBoxes, PartitionTheObstaclesOfRandomRanges) {
   }
 }
 
+/// More voxels apart from each other than there is room for boxes.
+TEST(CorridorBoxes, MoreThanFitAreNone) {
+  World world({64, 64, 32}, 0.5, 0.0);
+  for (int z = 0; z < 32; z += 2) {
+    for (int y = 0; y < 64; y += 2) {
+      for (int x = 0; x < 64; x += 2) world.fill({x, y, z}, {x + 1, y + 1, z + 1});
+    }
+  }
+  Extraction extraction;
+  extraction.run(world, {{0, 0, 0}, {64, 64, 15}});
+  EXPECT_EQ(extraction.count, tern::kMaxLocalBoxes);  // 32 * 32 * 8
+  extraction.run(world, whole(world));
+  EXPECT_EQ(extraction.count, -1);
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -46,6 +46,7 @@ void expect_refused(Field expected, Status status, Change change) {
   EXPECT_EQ(map.bind(spec, words.data(), words.size(), &field), status);
   EXPECT_EQ(field, expected);
   EXPECT_FALSE(map.bound());
+  EXPECT_EQ(map.frames(), 0u);
   EXPECT_EQ(words, before);
 }
 

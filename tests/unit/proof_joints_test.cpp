@@ -71,8 +71,10 @@ TEST(ProofJoints, NoticeAnEndThatIsNoRest) {
 
 TEST(ProofJoints, NoticeWhatIsNoTrajectory) {
   Trajectory t = two_halves();
-  t.count = 0;
-  EXPECT_FALSE(tern::joints_hold(t));
+  for (const int count : {0, -1, tern::kMaxSegments + 1}) {
+    t.count = count;
+    EXPECT_FALSE(tern::joints_hold(t)) << count;
+  }
   t = two_halves();
   t.segments[0].points[7].x = std::nan("");
   EXPECT_FALSE(tern::joints_hold(t));
