@@ -148,6 +148,29 @@ TEST(FlightFaults, WrongPixelsCostOnlyTime) {
   }
 }
 
+/// From one second on, no pixel shows anything, or all of them show something right before the lens. Nothing more is
+/// seen to be free, so the vehicle comes to rest and says why.
+TEST(FlightFaults, BlindImagesEndAtRest) {
+  for (const tern_test::Images images : {tern_test::Images::kNothing, tern_test::Images::kNear}) {
+    for (int k = 0; k < tern_test::scaled(3); ++k) {
+      const auto flown = begin(static_cast<std::uint64_t>(1500 + k), fast(), 1.0 / 25.0);
+      flown->fly(1.0);
+      flown->images = images;
+      const FlightReason reason = flown->fly(60.0);
+      EXPECT_TRUE(reason != FlightReason::kNone && reason != FlightReason::kArrived) << story(*flown);
+      EXPECT_EQ(flown->report.mode, FlightMode::kRest) << story(*flown);
+    }
+  }
+}
+
+/// All pixels show free space up to the range: true of an empty world, through which the vehicle flies.
+TEST(FlightFaults, ImagesOfNothingButFreeSpaceAreFlownThrough) {
+  Flown flown(Scene{}, fast());
+  flown.images = tern_test::Images::kFar;
+  ASSERT_EQ(flown.flight.set_goal({24.0, 0.0, 1.5}), Status::kOk);
+  EXPECT_EQ(flown.fly(30.0), FlightReason::kArrived) << story(flown);
+}
+
 double size(const Vec3& v) {
   return std::hypot(v.x, std::hypot(v.y, v.z));
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -36,6 +37,14 @@ struct FlightSettings {
   double pose_margin = 0.0;
   std::vector<tern::Fence> fences{};
   bool centers = false;  ///< a pixel has the depth of its centre, not its least one
+};
+
+/// What the camera shows instead of the world.
+enum class Images {
+  kTrue,
+  kNothing,  ///< no pixel has a depth
+  kNear,     ///< all of them the shortest one
+  kFar,      ///< all of them one beyond the range that is used
 };
 
 class Flown {
@@ -131,7 +140,8 @@ class Flown {
   int late = 0;                  ///< ticks that a frame takes to arrive, besides one
   tern::Vec3 pose_error{};       ///< of the position that the vehicle believes to be at
   std::vector<Cylinder> ghosts;  ///< that the camera shows, and that are not there
-  bool may_touch = false;        ///< an obstacle appeared: contacts are the test's affair
+  Images images = Images::kTrue;
+  bool may_touch = false;  ///< an obstacle appeared: contacts are the test's affair
   double yaw = 0.0;
   double least_clearance = 1e9;
   std::uint64_t hash = 0xCBF29CE484222325u;
@@ -193,6 +203,7 @@ class Flown {
       shown.pose.position = {shown.pose.position.x + pose_error.x, shown.pose.position.y + pose_error.y,
                              shown.pose.position.z + pose_error.z};
       disturb(shown.image);
+      replace(shown.image);
       waiting = true;
       arrives = ticks + late;
     }
@@ -205,6 +216,14 @@ class Flown {
       z *= static_cast<float>(1.0 + random.real(-settings.noise, settings.noise));
       if (random.chance(settings.outliers)) z = static_cast<float>(random.real(0.3, 10.0));
     }
+  }
+
+  void replace(Image& image) {
+    if (images == Images::kTrue) return;
+    haunted = true;
+    const double depth =
+        images == Images::kNothing ? 0.0 : (images == Images::kNear ? image.view.min : 0.99 * image.view.max);
+    std::fill(image.z.begin(), image.z.end(), static_cast<float>(depth));
   }
 
   void turn() {
