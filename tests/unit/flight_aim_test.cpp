@@ -129,6 +129,21 @@ TEST(FlightAim, RetreatsAreTriedBeforeItGivesUp) {
   EXPECT_EQ(cycles_until_parked(true, 0), 1);
 }
 
+/// No way leads on to a point of a mission: the next one is the goal now.
+TEST(FlightAim, PointsThatNoWayLeadsToAreLeftOut) {
+  FlightRoom room;
+  const Via points[2] = {{{4.125, 0.125, 1.125}}, {{8.125, 0.125, 1.125}}};
+  ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
+  FlightState& state = room.state();
+  state.park(FlightReason::kNoProgress);
+  EXPECT_FALSE(state.parked);
+  EXPECT_EQ(room.flight.point_state(0), PointState::kSkipped);
+  EXPECT_EQ(state.itinerary.leg, 1);
+  state.park(FlightReason::kNoProgress);
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+}
+
 /// After a look around, a goal that no way leads to is as near as it gets, unless something is within the radius.
 TEST(FlightAim, AGoalThatIsCutOffIsNotRetreatedFrom) {
   for (const bool leaves : {false, true}) {
