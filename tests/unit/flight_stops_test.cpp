@@ -117,21 +117,26 @@ TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
   EXPECT_LT(seconds_between(0, room.time), end - 0.5);
 }
 
-/// A brake is about to take over: there is nothing left to stop.
+/// A brake is about to take over: there is nothing left to stop, even where the map has changed and it was proven anew.
 TEST(FlightStops, BrakeThatWaitsIsEnough) {
-  Flying room;
-  FlightState& state = room.state();
-  room.flight.stop();
-  ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 10));
-  const std::int64_t begin = state.next.begin;
-  const std::uint32_t committed = state.report.committed;
-  room.flight.stop();
-  room.tick();
-  ASSERT_TRUE(state.has_next);
-  EXPECT_EQ(state.next.begin, begin);
-  EXPECT_EQ(state.report.committed, committed);
-  EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
-  EXPECT_EQ(state.report.committed, committed);
+  for (const bool changes : {false, true}) {
+    Flying room;
+    FlightState& state = room.state();
+    room.flight.stop();
+    ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 10));
+    const std::int64_t begin = state.next.begin;
+    const std::uint32_t committed = state.report.committed;
+    if (changes) room.mark({{-8.0, -8.0, 0.0}, {-7.75, -7.75, 2.0}});
+    if (changes) room.watch(4000);
+    EXPECT_NE(state.evaded, changes);
+    room.flight.stop();
+    room.tick();
+    ASSERT_TRUE(state.has_next);
+    EXPECT_EQ(state.next.begin, begin);
+    EXPECT_EQ(state.report.committed, committed);
+    EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
+    EXPECT_EQ(state.report.committed, committed);
+  }
 }
 
 }  // namespace
