@@ -81,12 +81,18 @@ class Verdicts {
     ASSERT_TRUE(tern::same(world.grid.voxel_of(runner_.path().raw[runner_.path().raw_count - 1]), goal));
     ASSERT_LE(runner_.units, tern::kGuidedBound);
     excess += optimum > 0.0 ? walked / optimum - 1.0 : 0.0;
+    taken += runner_.search().taken;
+    expanded += runner_.search().expanded;
   }
 
   int runs = 0;
   int none = 0;
   int undecided = 0;
   double excess = 0.0;  ///< relative, sum over all paths
+  /// Entries taken off the open list, and voxels expanded: a voxel is entered again only where it costs less than
+  /// before.
+  std::uint64_t taken = 0;
+  std::uint64_t expanded = 0;
 
  private:
   GuidedRunner runner_;
@@ -99,6 +105,7 @@ TEST(GuidedSearch, SmallWorlds) {
   EXPECT_GT(verdicts.none, verdicts.runs / 100);
   EXPECT_LT(verdicts.undecided, verdicts.runs / 10);
   EXPECT_LT(verdicts.excess, 0.1 * verdicts.runs);
+  EXPECT_LT(2 * verdicts.taken, 3 * verdicts.expanded);
 }
 
 TEST(GuidedSearch, ThinWalls) {
@@ -109,6 +116,7 @@ TEST(GuidedSearch, ThinWalls) {
   // Walls of one voxel lead most guides astray soon; what is decided has to be right all the same.
   EXPECT_GT(verdicts.runs - verdicts.undecided, verdicts.runs / 4);
   EXPECT_LT(verdicts.excess, 0.1 * verdicts.runs);
+  EXPECT_LT(verdicts.taken, 2 * verdicts.expanded);
 }
 
 TEST(GuidedSearch, NeitherSlicesNorMemoryChangeThePath) {

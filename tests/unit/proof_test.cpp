@@ -100,17 +100,24 @@ TEST(Proof, CurveThatTouchesItsLimitAtOneInstantIsProven) {
   EXPECT_DOUBLE_EQ(clear_until(room.grid, plan, 0.0), kDuration);
 }
 
+/// From the room's centre through each of its six faces, which are walls or not.
 TEST(Proof, BoundaryIsAFaceOrAWall) {
   Room room;
-  const Trajectory plan = line(room.at(5.0, 5.0, 2.0), {1.0, 0.0, 0.0});
-  ProofReport report;
-  const double empty = clear_until(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &report);
-  EXPECT_LE(empty, 5.0 + 1e-8);
-  EXPECT_GE(empty, 5.0 - kLate);
-  EXPECT_EQ(report.end, ProofEnd::kOutside);
-  const double solid = clear_until(room.grid, plan, 0.0, nullptr, Beyond::kSolid);
-  EXPECT_LE(solid, 4.7 + 1e-8);
-  EXPECT_GE(solid, 4.7 - kLate);
+  for (int a = 0; a < 3; ++a) {
+    for (const double speed : {-1.0, 1.0}) {
+      const Vec3 velocity{a == 0 ? speed : 0.0, a == 1 ? speed : 0.0, a == 2 ? speed : 0.0};
+      const Trajectory plan = line(room.at(5.0, 5.0, 2.0), velocity);
+      const double way = a == 2 ? 2.0 : 5.0;
+      ProofReport report;
+      const double empty = clear_until(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &report);
+      EXPECT_LE(empty, way + 1e-8) << a << ", " << speed;
+      EXPECT_GE(empty, way - kLate) << a << ", " << speed;
+      EXPECT_EQ(report.end, ProofEnd::kOutside);
+      const double solid = clear_until(room.grid, plan, 0.0, nullptr, Beyond::kSolid);
+      EXPECT_LE(solid, way - 0.3 + 1e-8) << a << ", " << speed;
+      EXPECT_GE(solid, way - 0.3 - kLate) << a << ", " << speed;
+    }
+  }
 }
 
 TEST(Proof, LimitsEndItWhereTheyAreReached) {

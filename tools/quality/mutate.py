@@ -33,8 +33,8 @@ COPIED = ["CMakeLists.txt", "CMakePresets.json", "bench", "core", "docs", "port"
 LIBRARIES = ["tern", "tern_tiny", "tern_mcu"]
 # Tests of hashes and of the golden corpus, and tests that see none of the core's results. The records of the golden
 # flight are compared with what the same core flies, so they run.
-LEFT_OUT = ("tern_golden", "golden_flight_replay_test", "golden_replans_test", "golden_flown_test",
-            "attack_runner_test", "baselines_")
+LEFT_OUT = ("tern_golden", "golden_flight_replay_test", "golden_mcu_flight_replay_test", "golden_replans_test",
+            "golden_flown_test", "attack_runner_test", "baselines_")
 CASES = ["table", "P25:1", "P12:2", "S20:3", "O:4", "M:5", "L:6", "G:7", "B:8", "I:9", "D:10",
          *(f"bench/maps/map{k}.txt" for k in range(1, 7)), "docs/missions.txt", "docs/yaw.txt", "--repeat", "1"]
 FLIGHTS = ["P49@3:1", "O:2"]
