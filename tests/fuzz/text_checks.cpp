@@ -29,10 +29,10 @@ std::string wrong_with(const tern_host::CorridorAnswer& answer, const tern_host:
       std::isfinite(answer.objective) && std::isfinite(answer.violation) && std::isfinite(answer.residual);
   if (!finite) return "a number of the answer is not finite";
   if (answer.status != tern::Status::kOk) return "";
-  double largest = std::max(c.v_max, c.a_max);
+  // A row's rounding goes with its numbers, and those of all rows with the joints. Normals need not have length 1.
+  double largest = std::max({c.v_max, c.a_max, size_of(c)});
   for (const auto& planes : c.planes) {
     for (const tern::Halfspace& h : planes) {
-      // Normals need not have length 1: a row's rounding goes with its numbers.
       const double reach = std::abs(h.normal.x) + std::abs(h.normal.y) + std::abs(h.normal.z);
       largest = std::max({largest, std::abs(h.offset), reach * (1.0 + size_of(c))});
     }

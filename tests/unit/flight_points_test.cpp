@@ -233,4 +233,27 @@ TEST(FlightPoints, GoalHasNoTolerance) {
   EXPECT_EQ(room.speed(), 0.0);
 }
 
+/// The next plan to the same aim passes the points that the plan being flown still has ahead of it.
+TEST(FlightPoints, KeptPlansPassWhatIsAhead) {
+  FlightRoom room;
+  const Via points[3] = {{{1.625, 1.125, 1.125}}, {{3.125, -0.875, 1.125}}, {{4.625, 0.125, 1.125}}};
+  ASSERT_EQ(room.flight.set_mission(points, 3, ViaPolicy::kEnd), Status::kOk);
+  FlightState& state = room.state();
+  ASSERT_TRUE(room.tick_until([&] { return state.now.to_goal && state.now.passages == 3; }, 400));
+  ASSERT_EQ(state.now.target, 2);
+  const auto kept = [&](std::int64_t at) {
+    state.takeover = at;
+    state.keep_points();
+    std::vector<std::int32_t> numbers(state.asked_point, state.asked_point + state.asked_count);
+    EXPECT_EQ(state.target, 2);
+    return numbers;
+  };
+  const auto passed = [&](int k) {
+    return state.now.begin + static_cast<std::int64_t>(1e9 * state.now.passage[k].time);
+  };
+  EXPECT_EQ(kept(state.now.begin), (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(kept(passed(0) + 1000), std::vector<std::int32_t>{1});
+  EXPECT_EQ(kept(passed(1) + 1000), std::vector<std::int32_t>{});
+}
+
 }  // namespace
