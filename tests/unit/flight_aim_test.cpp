@@ -25,6 +25,32 @@ Box voxel_at(const FlightRoom& room, int voxels) {
           {x + 0.0625, room.start.y + 0.0625, room.start.z + 0.0625}};
 }
 
+/// The aim is on the straight line to a goal that is far away: at most so far, and 1 m inside the window's faces.
+TEST(FlightAim, AimsAreWithinReachAndTheWindow) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  const double lower[] = {-15.0, -15.0, -1.0};
+  const double upper[] = {15.0, 15.0, 3.0};
+  for (int a = 0; a < 3; ++a) {
+    for (const double sign : {-1.0, 1.0}) {
+      state.goal = room.start;
+      axis(state.goal, a) += sign * 100.0;
+      Vec3 expected = room.start;
+      axis(expected, a) = sign < 0.0 ? lower[a] : upper[a];
+      state.choose_aim(room.start, 1000.0);
+      expect_same(state.aim, expected);
+      EXPECT_FALSE(state.aims_at_goal);
+      state.choose_aim(room.start, 0.5);
+      axis(expected, a) = axis(room.start, a) + sign * 0.5;
+      expect_same(state.aim, expected);
+    }
+  }
+  state.goal = {3.0, 4.0, 1.125};
+  state.choose_aim(room.start, 1000.0);
+  expect_same(state.aim, state.goal);
+  EXPECT_TRUE(state.aims_at_goal);
+}
+
 /// Half a metre away from a thing; between two that are alike, there is no way out.
 TEST(FlightAim, WayOutLeadsStraightAway) {
   FlightRoom room;
