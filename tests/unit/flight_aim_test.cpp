@@ -51,6 +51,28 @@ TEST(FlightAim, AimsAreWithinReachAndTheWindow) {
   EXPECT_TRUE(state.aims_at_goal);
 }
 
+/// The window follows a vehicle that has left its middle, unless that would cut off the end of what is flown:
+/// of the 16 m on each side, 9.25 may be lost to whole words, and 0.75 are the radius and a voxel.
+TEST(FlightAim, TheWindowHoldsWhatIsFlown) {
+  const auto follows = [](double at, double way) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    Trajectory& plan = state.now.flown;
+    plan = Trajectory{};
+    plan.count = 1;
+    plan.origin = {at, 0.125, 1.125};
+    plan.segments[0].duration = 10.0;
+    for (int i = 0; i < kControlPoints; ++i) plan.segments[0].points[i].x = way * i / kDegree;
+    state.follow_window();
+    return room.map().busy();
+  };
+  EXPECT_FALSE(follows(1.0, 1.0));
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_TRUE(follows(12.0, 5.9 * sign));
+    EXPECT_FALSE(follows(12.0, 6.1 * sign));
+  }
+}
+
 /// Half a metre away from a thing; between two that are alike, there is no way out.
 TEST(FlightAim, WayOutLeadsStraightAway) {
   FlightRoom room;
