@@ -25,6 +25,7 @@ const HardWorld kHardWorlds[] = {
     {"C@6:8", "gave up before voxels that were too near to be seen: above the camera's view"},
     {"C@8:97", "likewise"},
     {"C@8:991", "came back to its start, where the operator had called a wall's outermost 4 cm free"},
+    {"C@8:339", "left a place within the radius of an outlier while that was a threat: the watch knew no such place"},
     {"P25@5:7008",
      "rested at the goal, and a plan that led 7e-24 m away took over: the watch missed it",
      {"sensor=lidar", "speckle_filter=0", "hits=4"}},

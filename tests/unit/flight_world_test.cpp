@@ -340,22 +340,4 @@ TEST(SensorFov, OfAFileMayComeBeforeItsSensor) {
   EXPECT_EQ(refusal(path, {"sensor=lidar"}), "");
 }
 
-/// Both were hemmed in by lone returns before they had left the start.
-TEST(Lidar, FliesAmongOutliers) {
-  for (const char* const name : {"P25@5:7003", "P25@5:7006"}) {
-    const FlightWorld world = read_flight_world(
-        name, {"sensor=lidar", "sensor_fov=360,74", "depth_noise=0.01", "outliers=0.01", "time_limit=60"});
-    const tern_host::FlightResult result = tern_host::simulate_flight(world);
-    EXPECT_EQ(result.status, "reached") << name << ": " << result.reason;
-  }
-}
-
-TEST(Lidar, FliesThroughAForest) {
-  FlightWorld world = read_flight_world("P36@3:3", {"sensor=lidar", "sensor_hz=10", "time_limit=60"});
-  const tern_host::FlightResult result = tern_host::simulate_flight(world);
-  EXPECT_EQ(result.status, "reached") << result.reason;
-  EXPECT_GT(result.watched.voxels, 20u);
-  EXPECT_GT(result.watched.hits, 100u);
-}
-
 }  // namespace
