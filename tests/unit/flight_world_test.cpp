@@ -16,7 +16,6 @@
 #include "host/flight/depth_camera.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/lidar.hpp"
-#include "host/flight/simulated_flight.hpp"
 #include "host/flight/speckle_filter.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/text_records.hpp"
