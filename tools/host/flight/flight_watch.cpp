@@ -144,7 +144,7 @@ void FlightWatch::take_commit(std::int64_t t, bool proven) {
   check_before_takeover(t);
   check_joints(t, std::min(last, t + longest_lead()));
   check_curve(fresh, t);
-  if (proven || ahead_.back().t <= t) note_place();
+  note_place(t, proven);
   // Whatever alarms it raised: the true world stands still.
   if (rooms_.readable()) check_clear(t, proven ? unchanged_until(fresh) : last + 1, last);
   ahead_.assign(fresh.begin(), fresh.end());
@@ -181,9 +181,10 @@ void FlightWatch::check_curve(const std::vector<TimedSample>& fresh, std::int64_
 }
 
 /// A vehicle that rests, or will at the takeover, with something within the radius may leave that place, as long as it
-/// comes no nearer to it. Under a threat, what rests at the takeover may be a brake from which nothing leaves yet.
-void FlightWatch::note_place() {
-  if (ahead_.back().t > ahead_.front().t + longest_lead() + 2 * spec_.tick || !rooms_.readable()) return;
+/// comes no nearer to it. Under a threat it must rest already: a brake may end soon, and nothing leaves from there yet.
+void FlightWatch::note_place(std::int64_t t, bool proven) {
+  const std::int64_t latest = proven ? ahead_.front().t + longest_lead() + 2 * spec_.tick : t;
+  if (ahead_.back().t > latest || !rooms_.readable()) return;
   rooms_.rest_at(ahead_.back().sample.position);
 }
 

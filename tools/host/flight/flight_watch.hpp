@@ -61,7 +61,7 @@ class FlightWatch {
   std::int64_t unchanged_until(const std::vector<TimedSample>& fresh) const;
   void check_clear(std::int64_t from, std::int64_t fresh, std::int64_t to);
   void check_window(std::int64_t t);
-  void note_place();
+  void note_place(std::int64_t t, bool proven);
   std::int64_t longest_lead() const;
   std::int64_t time_for(double way, const tern::Sample& sample) const;
 
