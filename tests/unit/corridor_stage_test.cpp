@@ -10,6 +10,7 @@
 
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
+#include "support/same.hpp"
 
 namespace tern_test {
 namespace {
@@ -21,12 +22,6 @@ using tern::Polyhedron;
 using tern::Status;
 using tern::Vec3;
 using tern::Work;
-
-void expect_same(const Vec3& a, const Vec3& b) {
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_EQ(a.z, b.z);
-}
 
 class CorridorStageTest : public ::testing::Test {
  protected:

@@ -213,4 +213,21 @@ TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
   EXPECT_TRUE(state.waits_for_view());
 }
 
+/// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.
+TEST(FlightNose, PlannedOnesHoldEachDirectionForLonger) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  const auto sector_after = [&](double seconds) { return state.sector_at(state.look_since + nanoseconds(seconds)); };
+  EXPECT_EQ(sector_after(0.614), 0);
+  EXPECT_EQ(sector_after(0.615), 1);
+  EXPECT_EQ(sector_after(8 * 0.61416), 8);
+  EXPECT_EQ(sector_after(1e3), kDirections + kStares + 1);
+  FlightYaw yaw{};
+  yaw.acceleration_max = 5.0;
+  yaw.start = {1.0, 0.0};
+  ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
+  EXPECT_EQ(sector_after(1.194), 0);
+  EXPECT_EQ(sector_after(1.195), 1);
+}
+
 }  // namespace

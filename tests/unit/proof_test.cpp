@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "base/math.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {
@@ -105,7 +106,8 @@ TEST(Proof, BoundaryIsAFaceOrAWall) {
   Room room;
   for (int a = 0; a < 3; ++a) {
     for (const double speed : {-1.0, 1.0}) {
-      const Vec3 velocity{a == 0 ? speed : 0.0, a == 1 ? speed : 0.0, a == 2 ? speed : 0.0};
+      Vec3 velocity{};
+      axis(velocity, a) = speed;
       const Trajectory plan = line(room.at(5.0, 5.0, 2.0), velocity);
       const double way = a == 2 ? 2.0 : 5.0;
       ProofReport report;

@@ -7,20 +7,16 @@
 #include "base/math.hpp"
 #include "support/box_corridor.hpp"
 #include "support/random.hpp"
+#include "support/same.hpp"
 #include "trajectory/relative_corridor.hpp"
 
 namespace {
 
 using namespace tern;
 using tern_test::box_around;
+using tern_test::expect_same;
 using tern_test::Random;
 using tern_test::scaled;
-
-void expect_same(const Vec3& a, const Vec3& b) {
-  EXPECT_EQ(a.x, b.x);
-  EXPECT_EQ(a.y, b.y);
-  EXPECT_EQ(a.z, b.z);
-}
 
 class RelativeCorridor : public testing::Test {
  protected:

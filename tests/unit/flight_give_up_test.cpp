@@ -1,0 +1,228 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// When a flight leaves out a point, and when it gives up.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "base/math.hpp"
+#include "support/flight_room.hpp"
+#include "support/same.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::expect_same;
+using tern_test::FlightRoom;
+
+/// No plan leads anywhere: the vehicle looks around, then tries each of five places twice, and gives up. Where
+/// something is within its radius, or after three retreats that led no nearer, it gives up at once.
+TEST(FlightGivesUp, RetreatsAreTriedBeforeItGivesUp) {
+  const auto cycles_until_parked = [](bool leaves, int retreats) {
+    FlightRoom room;
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = 2000000000;
+    EXPECT_TRUE(state.rests());
+    state.leaves = leaves;
+    state.retreats = retreats;
+    for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
+    EXPECT_TRUE(state.is_looking);
+    state.note_idle();
+    EXPECT_EQ(state.retreat, 0);
+    state.time += 9000000000;  // 13 directions of 0.614 s
+    int cycles = 0;
+    for (; cycles < 100 && !state.parked; ++cycles) state.note_idle();
+    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
+    return cycles;
+  };
+  EXPECT_EQ(cycles_until_parked(false, 0), 11);
+  EXPECT_EQ(cycles_until_parked(false, 2), 11);
+  EXPECT_EQ(cycles_until_parked(false, 3), 1);
+  EXPECT_EQ(cycles_until_parked(true, 0), 1);
+}
+
+/// No way leads on to a point of a mission: the next one is the goal now.
+TEST(FlightGivesUp, PointsThatNoWayLeadsToAreLeftOut) {
+  FlightRoom room;
+  const Via points[2] = {{{4.125, 0.125, 1.125}}, {{8.125, 0.125, 1.125}}};
+  ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
+  FlightState& state = room.state();
+  state.park(FlightReason::kNoProgress);
+  EXPECT_FALSE(state.parked);
+  EXPECT_EQ(room.flight.point_state(0), PointState::kSkipped);
+  EXPECT_EQ(state.itinerary.leg, 1);
+  state.park(FlightReason::kNoProgress);
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+}
+
+/// After a look around, a goal that no way leads to is as near as it gets, unless something is within the radius.
+TEST(FlightGivesUp, AGoalThatIsCutOffIsNotRetreatedFrom) {
+  for (const bool leaves : {false, true}) {
+    FlightRoom room;
+    room.flight.set_goal({8.125, 0.125, 1.125});
+    FlightState& state = room.state();
+    state.time = 2000000000;
+    state.leaves = leaves;
+    state.cut_off = true;
+    for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
+    EXPECT_TRUE(state.is_looking);
+    EXPECT_FALSE(state.parked);
+    state.time += 9000000000;  // 13 directions of 0.614 s
+    state.note_idle();
+    EXPECT_TRUE(state.parked);
+    EXPECT_EQ(state.retreat, 0);
+    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
+  }
+}
+
+/// The plan of a retreat leads to its place alone, past no point of the mission. It counts until the vehicle comes
+/// nearer.
+TEST(FlightGivesUp, RetreatsAreFlownAndCounted) {
+  FlightRoom room;
+  Via points[2];
+  points[0].position = {5.0, 0.0, 1.125};
+  points[1].position = {8.0, 0.0, 1.125};
+  ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
+  FlightState& state = room.state();
+  state.nearest = 1.0;
+  state.retreat = 4;
+  state.retreats = 1;
+  state.look_at = {room.start.x + 1.0, room.start.y, room.start.z};
+  ASSERT_TRUE(room.tick_until([&] { return room.report.committed == 1; }));
+  expect_same(room.flight.rest_position(), {room.start.x, room.start.y - 2.0, room.start.z});
+  EXPECT_EQ(state.retreat, 0);
+  EXPECT_EQ(state.retreats, 2);
+  state.nearest = 20.0;
+  state.note_progress();
+  EXPECT_EQ(state.retreats, 0);
+}
+
+/// A point of a mission likewise, that the plan would end at: the mission ends, or goes on without it.
+TEST(FlightGivesUp, PointInAnObstacleBesideTheVehicleIsLeftOut) {
+  for (const ViaPolicy policy : {ViaPolicy::kEnd, ViaPolicy::kSkip}) {
+    FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+    Via points[2];
+    points[0].position = {1.2, 0.125, 1.125};
+    points[1].position = {-2.0, 0.125, 1.125};
+    ASSERT_EQ(room.flight.set_mission(points, 2, policy), Status::kOk);
+    const bool skips = policy == ViaPolicy::kSkip;
+    EXPECT_EQ(room.fly(1000), skips ? FlightReason::kArrived : FlightReason::kViaBlocked);
+    EXPECT_EQ(room.report.skipped, skips ? 1 : 0);
+    EXPECT_EQ(room.report.passed, skips ? 1 : 0);
+  }
+}
+
+/// Walls on all sides, nearer than the radius.
+std::vector<Box> cage(const Vec3& p) {
+  constexpr double kNear = 0.4;
+  constexpr double kFar = 2.0;
+  std::vector<Box> walls;
+  for (int a = 0; a < 3; ++a) {
+    for (const double sign : {-1.0, 1.0}) {
+      Box wall{{p.x - kFar, p.y - kFar, p.z - kFar}, {p.x + kFar, p.y + kFar, p.z + kFar}};
+      axis(sign < 0.0 ? wall.upper : wall.lower, a) = axis(p, a) + sign * kNear;
+      walls.push_back(wall);
+    }
+  }
+  return walls;
+}
+
+/// There is no way out: the vehicle looks around and says so. No point of a mission is left out for that.
+TEST(FlightGivesUp, HemmedInItSaysSo) {
+  FlightSpec slow = FlightRoom::flight_spec();
+  slow.tick = 100000000;
+  for (const int count : {1, 2}) {
+    FlightRoom room(slow);
+    for (const Box& wall : cage(room.start)) room.mark(wall);
+    Via points[2];
+    points[0].position = {5.0, 0.0, 1.125};
+    points[1].position = {8.0, 0.0, 1.125};
+    ASSERT_EQ(room.flight.set_mission(points, count, ViaPolicy::kSkip), Status::kOk);
+    EXPECT_EQ(room.fly(1000), FlightReason::kHemmedIn);
+    expect_same(room.position(), room.start);
+    EXPECT_EQ(room.report.skipped, 0);
+    EXPECT_GE(room.time, 8000000000);  // 13 directions of 0.614 s
+  }
+}
+
+/// As near to the goal as it gets: where the goal was seen in an obstacle, that is the end.
+TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
+  FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
+  FlightState& state = room.state();
+  state.has_goal = true;
+  state.itinerary.count = 1;
+  const auto is_nearest = [&](const Vec3& goal, const Vec3& aim, bool aims_at_goal) {
+    state.start.d[0] = room.start;
+    state.takeover = 1000000000;
+    state.goal = goal;
+    state.aim = aim;
+    state.aims_at_goal = aims_at_goal;
+    state.parked = false;
+    return state.is_nearest();
+  };
+  const Vec3 occupied{1.2, 0.125, 1.125};
+  const Vec3 free{-3.0, 0.125, 1.125};
+  EXPECT_FALSE(is_nearest(occupied, {0.875, 0.125, 1.125}, true));  // 0.75 m nearer
+  EXPECT_FALSE(state.parked);
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));  // a voxel nearer
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNearest);
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, false));  // the aim was on the way to it
+  EXPECT_FALSE(state.parked);
+  EXPECT_TRUE(is_nearest(free, {0.0, 0.125, 1.125}, true));  // something unseen was in it
+  EXPECT_FALSE(state.parked);
+  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // the map is sliding: nothing is known
+  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));
+  EXPECT_FALSE(state.parked);
+}
+
+/// Learning something alone keeps no vehicle on the way for ever.
+TEST(FlightGivesUp, WanderingEnds) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  room.flight.set_goal({8.0, 0.0, 1.125});
+  state.start.d[0] = room.start;
+  state.nearest = 1.0;
+  state.wandering = kWandering - 1;
+  state.learned = state.map.learned() - kLearned;
+  state.note_progress();
+  EXPECT_EQ(state.fruitless, 0);
+  EXPECT_FALSE(state.parked);
+  state.learned = state.map.learned() - kLearned;
+  state.note_progress();
+  EXPECT_EQ(state.fruitless, 0);
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+}
+
+/// A point of a mission that cannot be reached is left out, and the reason says whether it is in an obstacle.
+TEST(FlightGivesUp, PointsThatAreCutOffAreUnreachableAndNotBlocked) {
+  for (const bool cut_off : {false, true}) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    const Via points[2] = {{{4.125, 0.125, 1.125}}, {{8.125, 0.125, 1.125}}};
+    ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
+    state.cut_off = cut_off;
+    state.park(FlightReason::kNearest);
+    EXPECT_EQ(state.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
+    EXPECT_TRUE(state.parked);
+  }
+}
+
+/// A room with closed walls, and a goal beyond the horizon outside: the vehicle goes as near to it as it gets.
+TEST(FlightGivesUp, ClosedRoomEndsAtTheWallNearestToTheGoal) {
+  const std::vector<Box> walls = {{{3.0, -3.0, -2.0}, {3.25, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {-2.75, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {3.25, -2.75, 4.0}},
+                                  {{-3.0, 3.0, -2.0}, {3.25, 3.25, 4.0}}};
+  FlightRoom room(FlightRoom::flight_spec(), walls);
+  ASSERT_EQ(room.flight.set_goal({14.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(6000), FlightReason::kNearest);
+  EXPECT_GT(room.position().x, 3.0 - FlightRoom::kRadius - 2.0 * FlightRoom::kCell);
+  EXPECT_EQ(room.report.reason, FlightReason::kNearest);
+}
+
+}  // namespace
