@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Capacities of what the caller gives: grids, requests, maps, yaws and memory.
-#include "capacity/cases.hpp"
-
 #include <memory>
 
 #include "base/math.hpp"
+#include "capacity/cases.hpp"
 #include "support/owned_map.hpp"
 #include "support/world.hpp"
 #include "support/yaw_case.hpp"

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Capacities and budgets of the planner's stages, from the search to the optimiser.
-#include "capacity/cases.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "base/math.hpp"
+#include "capacity/cases.hpp"
 #include "capacity/requests.hpp"
 #include "support/qp_random.hpp"
 #include "support/world.hpp"
