@@ -51,23 +51,39 @@ std::string survey(Noise& random) {
   return text + "yaw unseen\n";
 }
 
-/// Ten gates of two posts, 2.4 m apart, on a bent oval at various heights: through all of them and back to the start.
+struct Gate {
+  Place2 middle;
+  Place2 left;   ///< the left post
+  Place2 right;  ///< the right post
+};
+
+/// Gate k of a lap, anywhere in its tenth of a bent oval.
+Gate gate_of_lap(int k, int gates, Noise& random) {
+  constexpr double kHalfWidth = 1.2;
+  const double angle = kTurn * (k + random.within(0.3, 0.7)) / gates;
+  const double wide = random.within(0.85, 1.1);
+  const Place2 at{14.0 * wide * std::cos(angle), 9.0 * wide * std::sin(angle)};
+  const double ahead = std::atan2(9.0 * std::cos(angle), -14.0 * std::sin(angle)) + random.within(-0.3, 0.3);
+  const Place2 side{-kHalfWidth * std::sin(ahead), kHalfWidth * std::cos(ahead)};
+  return {at, {at.x + side.x, at.y + side.y}, {at.x - side.x, at.y - side.y}};
+}
+
+/// Ten gates of two posts, 2.4 m apart, at various heights: through all of them and back to the start.
 std::string lap(Noise& random) {
   constexpr int kGates = 10;
-  constexpr double kHalfGate = 1.2;
+  constexpr Place2 kStart{14.0, -1.0};
+  constexpr double kClear = 0.8;  // m about the start, for the vehicle and the errors of its camera
+  const auto clear = [&](const Place2& post) { return std::hypot(post.x - kStart.x, post.y - kStart.y) > kClear; };
   std::string text = record_line("boundary", {-20.0, -14.0, 0.0, 20.0, 14.0, 5.0});
   std::string vias;
   for (int k = 0; k < kGates; ++k) {
-    const double angle = kTurn * (k + random.within(0.3, 0.7)) / kGates;
-    const double wide = random.within(0.85, 1.1);
-    const Place2 at{14.0 * wide * std::cos(angle), 9.0 * wide * std::sin(angle)};
-    const double ahead = std::atan2(9.0 * std::cos(angle), -14.0 * std::sin(angle)) + random.within(-0.3, 0.3);
-    const Place2 side{-kHalfGate * std::sin(ahead), kHalfGate * std::cos(ahead)};
-    text += record_line("cylinder", {at.x + side.x, at.y + side.y, 0.0, 4.0, 0.1});
-    text += record_line("cylinder", {at.x - side.x, at.y - side.y, 0.0, 4.0, 0.1});
-    vias += record_line("via", {at.x, at.y, random.within(1.2, 2.8), 0.3});
+    Gate gate = gate_of_lap(k, kGates, random);
+    while (!clear(gate.left) || !clear(gate.right)) gate = gate_of_lap(k, kGates, random);
+    for (const Place2& post : {gate.left, gate.right}) text += record_line("cylinder", {post.x, post.y, 0.0, 4.0, 0.1});
+    vias += record_line("via", {gate.middle.x, gate.middle.y, random.within(1.2, 2.8), 0.3});
   }
-  return text + "start 14 -1 1.5\ngoal 14 -1 1.5\nyaw unseen\n" + vias;
+  return text + record_line("start", {kStart.x, kStart.y, 1.5}) + record_line("goal", {kStart.x, kStart.y, 1.5}) +
+         "yaw unseen\n" + vias;
 }
 
 /// Eight views of a tower from all sides, with the nose towards it, among trees. The camera has a wide view: it must

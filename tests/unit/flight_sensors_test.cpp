@@ -1,0 +1,209 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the simulator's camera and lidar see of a world, and what their drivers make of that.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "host/flight/depth_camera.hpp"
+#include "host/flight/flight_world.hpp"
+#include "host/flight/lidar.hpp"
+#include "host/flight/speckle_filter.hpp"
+
+namespace {
+
+using tern_host::DepthFrame;
+using tern_host::FlightWorld;
+using tern_host::Noise;
+using tern_host::read_flight_world;
+
+/// How far one can go from `from` along a line before something is met, in steps of the clearance there.
+double march(const FlightWorld& world, const tern::Vec3& from, const tern::Vec3& along, double most) {
+  const double norm = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
+  double t = 0.0;
+  for (int k = 0; k < 100000 && t < most; ++k) {
+    const double room = clearance(world, {from.x + t * along.x, from.y + t * along.y, from.z + t * along.z});
+    if (room < 1e-7) break;
+    t += room / norm;
+  }
+  return std::min(t, most);
+}
+
+TEST(DepthCamera, SeesTheNearestOfAPixelsCorners) {
+  Noise random(3);
+  for (const char* const name : {"P12:1", "O:2", "S20:1"}) {
+    FlightWorld world = read_flight_world(name, {});
+    world.settings.outliers = world.settings.depth_noise = 0.0;
+    world.settings.speckle_filter = 0;
+    const double yaw = random.within(-3.0, 3.0);
+    const DepthFrame frame = take_frame(world, world.start, yaw, 0, random);
+    const double most = 1.5 * world.settings.sensor_range;
+    for (int k = 0; k < 200; ++k) {
+      const int u = random.below(frame.view.width);
+      const int v = random.below(frame.view.height);
+      double least = most;
+      for (const double du : {-0.5, 0.5}) {
+        for (const double dv : {-0.5, 0.5}) {
+          const double right = (u + du - frame.view.cx) / frame.view.fx;
+          const double down = (v + dv - frame.view.cy) / frame.view.fy;
+          least = std::min(
+              least,
+              march(world, world.start,
+                    {std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw), -down}, most));
+        }
+      }
+      EXPECT_NEAR(static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]), least, 1e-4)
+          << name << " " << u << " " << v;
+    }
+  }
+}
+
+TEST(SpeckleFilter, TakesOutLonePixelsAndKeepsThinThings) {
+  constexpr int kSide = 9;
+  std::vector<float> depths(kSide * kSide, 8.0f);
+  depths[0 * kSide + 0] = 1.0f;                                                        // a lone pixel in the corner
+  depths[4 * kSide + 2] = 2.0f;                                                        // one amid the wall
+  depths[4 * kSide + 7] = 12.0f;                                                       // one that says too far
+  for (int v = 2; v < 7; ++v) depths[static_cast<std::size_t>(v * kSide + 5)] = 3.0f;  // a thin pole
+  tern_host::filter_speckle(depths, kSide, kSide, 0.0);
+  for (int v = 0; v < kSide; ++v) {
+    for (int u = 0; u < kSide; ++u) {
+      const bool pole = u == 5 && v >= 2 && v <= 6;
+      EXPECT_EQ(depths[static_cast<std::size_t>(v * kSide + u)], pole ? 3.0f : 8.0f) << u << " " << v;
+    }
+  }
+}
+
+/// Three pixels that touch across the first and last columns: one thing in a scan, lone pixels in an image.
+TEST(SpeckleFilter, JoinsTheSidesOfAScan) {
+  constexpr int kSide = 9;
+  const std::size_t thing[3] = {4 * kSide, 4 * kSide + 8, 5 * kSide + 8};
+  std::vector<double> clean(kSide * kSide, 8.0);
+  std::vector<double> scan = clean;
+  for (const std::size_t at : thing) scan[at] = 3.0;
+  const std::vector<double> before = scan;
+  std::vector<double> image = scan;
+  tern_host::filter_speckle(scan, kSide, kSide, 0.0, tern_host::Sides::kJoined);
+  EXPECT_EQ(scan, before);
+  tern_host::filter_speckle(image, kSide, kSide, 0.0, tern_host::Sides::kApart);
+  EXPECT_EQ(image, clean);
+}
+
+/// The least depth of a pixel and its neighbours.
+float least_around(const DepthFrame& frame, int u, int v) {
+  float least = 1e9f;
+  for (int y = std::max(0, v - 1); y <= std::min(frame.view.height - 1, v + 1); ++y) {
+    for (int x = std::max(0, u - 1); x <= std::min(frame.view.width - 1, u + 1); ++x) {
+      least = std::min(least, frame.depths[static_cast<std::size_t>(y * frame.view.width + x)]);
+    }
+  }
+  return least;
+}
+
+/// One pixel in a hundred: hardly any is left that is off by more than what counts as agreement.
+TEST(SpeckleFilter, LeavesFewOutliers) {
+  FlightWorld world = read_flight_world("P25:1", {});
+  world.settings.outliers = 0.0;
+  Noise clean_noise(1);
+  const DepthFrame clean = take_frame(world, world.start, 0.0, 0, clean_noise);
+  world.settings.outliers = 0.01;
+  world.settings.speckle_filter = 1;
+  Noise random(2);
+  int wrong = 0;
+  for (int k = 0; k < 20; ++k) {
+    const DepthFrame frame = take_frame(world, world.start, 0.0, 0, random);
+    for (int v = 0; v < frame.view.height; ++v) {
+      for (int u = 0; u < frame.view.width; ++u) {
+        const float depth = frame.depths[static_cast<std::size_t>(v * frame.view.width + u)];
+        wrong += depth < 0.95f * least_around(clean, u, v) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_LE(wrong, 10);  // of 3840 outliers
+}
+
+/// A room with a trunk at 3 m on x: the beams that meet it end there, the others at the walls, floor and ceiling.
+TEST(Lidar, BeamsEndWhereTheWorldBegins) {
+  FlightWorld world;
+  world.boundary = {{-4.0, -5.0, 0.0}, {6.0, 5.0, 3.0}};
+  world.cylinders.push_back({3.0, 0.0, 0.0, 3.0, 0.5});
+  world.settings.sensor = "lidar";
+  world.settings.sensor_range = 20.0;
+  Noise noise(1);
+  const tern_host::LidarScan scan = take_scan(world, {0.0, 0.0, 1.5}, {0.1, 0.2, 1.6}, 7, noise);
+  EXPECT_EQ(scan.taken, 7);
+  EXPECT_EQ(scan.points.size(), tern_host::beam_count(world.settings));
+  EXPECT_GT(scan.points.size(), 19000u);
+  int on_trunk = 0;
+  for (const tern::Vec3& point : scan.points) {
+    // Where it truly is. A beam shows the nearest thing in its part of the view, which is 0.02 rad wide.
+    const tern::Vec3 p{point.x - 0.1, point.y - 0.2, point.z - 0.1};
+    const double far = std::hypot(p.x, std::hypot(p.y, p.z - 1.5));
+    EXPECT_GE(clearance(world, p), -0.02 * far);
+    EXPECT_LE(clearance(world, p), 0.15 * far);
+    on_trunk += std::abs(std::hypot(p.x - 3.0, p.y) - 0.5) < 0.05 ? 1 : 0;
+  }
+  EXPECT_GT(on_trunk, 200);
+}
+
+double length_of(const tern_host::LidarScan& scan, std::size_t beam) {
+  const tern::Vec3& p = scan.points[beam];
+  return std::hypot(p.x - scan.origin.x, std::hypot(p.y - scan.origin.y, p.z - scan.origin.z));
+}
+
+tern_host::LidarScan scan_at_start(const std::vector<std::string>& overrides, Noise& noise) {
+  const FlightWorld world = read_flight_world("P25:1", overrides);
+  return take_scan(world, world.start, world.start, 0, noise);
+}
+
+/// The least length of a beam and its neighbours. Scans have one column of beams after the other, 0.02 rad apart.
+double least_around(const tern_host::LidarScan& scan, std::size_t beam) {
+  constexpr int kColumns = 315;
+  const int rows = static_cast<int>(scan.points.size()) / kColumns;
+  const int column = static_cast<int>(beam) / rows;
+  const int row = static_cast<int>(beam) % rows;
+  double least = 1e9;
+  for (int c = column + kColumns - 1; c <= column + kColumns + 1; ++c) {
+    for (int r = std::max(0, row - 1); r <= std::min(rows - 1, row + 1); ++r) {
+      least = std::min(least, length_of(scan, static_cast<std::size_t>(c % kColumns * rows + r)));
+    }
+  }
+  return least;
+}
+
+/// How many beams of ten scans with one outlier in a hundred end before what a clean scan shows around them.
+int wrong_beams(const std::string& filter) {
+  Noise noise(2);
+  const tern_host::LidarScan clean = scan_at_start({"sensor=lidar"}, noise);
+  int wrong = 0;
+  for (int k = 0; k < 10; ++k) {
+    const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=0.01", filter}, noise);
+    for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
+      wrong += length_of(scan, beam) < 0.95 * least_around(clean, beam) ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+TEST(Lidar, FiltersLoneReturns) {
+  EXPECT_GT(wrong_beams("speckle_filter=0"), 400);  // of 2050 outliers
+  EXPECT_LE(wrong_beams("speckle_filter=1"), 10);
+}
+
+/// Where no neighbour is right either, a beam says nothing: the map skips points at the origin.
+TEST(Lidar, BeamsWithoutALengthEndAtTheOrigin) {
+  Noise noise(3);
+  const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=1", "speckle_filter=1"}, noise);
+  int at_origin = 0;
+  for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
+    ASSERT_TRUE(std::isfinite(length_of(scan, beam)));
+    at_origin += length_of(scan, beam) <= 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(at_origin, 10);
+}
+
+}  // namespace
