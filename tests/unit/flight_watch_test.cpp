@@ -13,29 +13,19 @@
 #include <string>
 #include <vector>
 
-#include "host/flight/frame_watch.hpp"
 #include "host/flight/full_knowledge.hpp"
-#include "host/flight/yaw_watch.hpp"
+#include "support/watched_room.hpp"
 
 namespace {
 
-using tern_host::DepthFrame;
-using tern_host::FlightWorld;
-using tern_host::FrameWatch;
+using tern_test::says;
 
 constexpr std::int64_t kTick = 10000000;
 
-/// A room with a flight in it that knows all of it, and a watch that may be told something else.
-struct Watched {
+/// A flight in the room, and a watch that may be told something else.
+struct Watched : tern_test::WatchedRoom {
   Watched() : memory(new tern::Workspace), planner(memory.get(), sizeof *memory) {
-    world.boundary = {{-2.0, -5.0, 0.0}, {12.0, 5.0, 4.0}};
-    world.start = {0.0, 0.0, 1.5};
-    world.goal = {8.0, 0.0, 1.5};
     spec = tern::flight_spec(limits_of(world.settings));
-    map_spec = tern::map_spec({-4.0, -7.0, -1.0}, 0.2, {128, 70, 30}, radius_of(world.settings));
-    map_words.resize(tern::map_words(map_spec));
-    EXPECT_EQ(map.bind(map_spec, map_words.data(), map_words.size()), tern::Status::kOk);
-    map.assume_free({4.0, 0.0, 2.0}, 30.0);
     words.resize(tern::flight_words(map_spec.dims));
     EXPECT_EQ(flight.start(spec, map, planner, words.data(), words.size(), world.start, 0), tern::Status::kOk);
     flight.set_goal(world.goal);
@@ -60,13 +50,10 @@ struct Watched {
     return watch.broken();
   }
 
-  FlightWorld world;
   tern::FlightSpec spec{};
-  tern::MapSpec map_spec{};
-  std::vector<std::uint64_t> map_words, words;
+  std::vector<std::uint64_t> words;
   std::unique_ptr<tern::Workspace> memory;
   tern::Planner planner;
-  tern::RollingMap map;
   tern::Flight flight;
   std::int64_t now = 0;
   std::uint64_t commits = 0;  ///< that the watch saw
@@ -75,11 +62,6 @@ struct Watched {
   std::function<void(tern::FlightReport&)> alter_report;
   std::function<void()> after_tick;
 };
-
-testing::AssertionResult says(const std::string& broken, const std::string& wanted) {
-  if (broken.find(wanted) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << broken << "\" does not say \"" << wanted << '"';
-}
 
 TEST(FlightWatch, IsContentWithASoundFlight) {
   Watched w;
@@ -300,139 +282,6 @@ TEST(FlightWatch, NoticesContactsWithoutAThreat) {
   Watched w;
   w.alter_report = [](tern::FlightReport& report) { report.contact_speed = 1.0; };
   EXPECT_TRUE(says(w.watch(), "invariant 7"));
-}
-
-/// A nose that turns by this law from the tick at 0.1 s on, watched for 0.3 s at 60 ticks a second.
-std::string watched_yaw(const tern_host::YawWatch::Yaw& yaw) {
-  const tern_host::FlightSettings settings;
-  constexpr std::int64_t kSixtieth = 16666667;
-  tern_host::YawWatch watch(settings, kSixtieth, yaw);
-  for (std::int64_t t = 0; t < 18 * kSixtieth; t += kSixtieth) watch.look(t);
-  return watch.broken();
-}
-
-/// At the limit of its rate and of its acceleration, and one part in a thousand beyond.
-tern::YawSample turning(std::int64_t t, double rate, double acceleration) {
-  const tern_host::FlightSettings settings;
-  const double s = 1e-9 * static_cast<double>(t);
-  const double limit = settings.yaw_rate;
-  const double ramp = limit / settings.yaw_acceleration;
-  const double u = std::min(s, ramp);
-  const double angle = 0.5 * settings.yaw_acceleration * u * u + limit * (s - u);
-  tern::YawSample sample{};
-  sample.angle = std::remainder(angle, 2.0 * M_PI);
-  sample.yaw.rate = rate * settings.yaw_acceleration * u;
-  sample.acceleration = s < ramp ? acceleration * settings.yaw_acceleration : 0.0;
-  return sample;
-}
-
-TEST(YawWatch, TellsAYawAtItsLimitsFromOneBeyondThem) {
-  EXPECT_EQ(watched_yaw([](std::int64_t t) { return turning(t, 1.0, 1.0); }), "");
-  EXPECT_NE(watched_yaw([](std::int64_t t) { return turning(t, 1.0, 1.001); }).find("beyond its limits"),
-            std::string::npos);
-  EXPECT_NE(watched_yaw([](std::int64_t t) { return turning(t, 1.001, 1.0); }).find("a step"), std::string::npos);
-  EXPECT_NE(watched_yaw([](std::int64_t t) {
-              tern::YawSample sample = turning(t, 1.0, 1.0);
-              if (t > 200000000) sample.angle += 1e-3;
-              return sample;
-            }).find("a step"),
-            std::string::npos);
-}
-
-/// Frames of a room, entered one after the other into a map that knows nothing, or all; the watch is shown `then` in
-/// the place of each.
-struct FrameCase {
-  bool known = false;
-  int frames = 1;
-  DepthFrame shown, then;
-};
-
-std::string after_frames(Watched& w, const FrameCase& c) {
-  std::uint64_t looked_at = 0;
-  std::int64_t t = 0;
-  for (int k = 0; k < 20; ++k) {
-    FrameWatch watch(w.world, w.map_spec, w.map);
-    w.map.bind(w.map_spec, w.map_words.data(), w.map_words.size());
-    if (c.known) w.map.assume_free({4.0, 0.0, 2.0}, 30.0);
-    for (int frame = 0; frame < c.frames; ++frame) {
-      watch.before(c.shown);
-      EXPECT_EQ(w.map.begin_frame(c.shown.view, c.shown.pose, t++), tern::Status::kRunning);
-      while (w.map.step(100000) == tern::Status::kRunning) {
-      }
-      watch.after(c.then);
-    }
-    looked_at += watch.seen() + watch.hits();
-    if (!watch.broken().empty()) return watch.broken();
-  }
-  EXPECT_GT(looked_at, 0u);
-  return "";
-}
-
-DepthFrame frame_of(const FlightWorld& world, double farther = 1.0) {
-  tern_host::Noise noise(1);
-  DepthFrame frame = take_frame(world, world.start, 0.0, 0, noise);
-  for (float& depth : frame.depths) depth *= static_cast<float>(farther);
-  return frame;
-}
-
-TEST(FrameWatch, IsContentWithASoundMap) {
-  Watched w;
-  EXPECT_EQ(after_frames(w, {false, 1, frame_of(w.world), frame_of(w.world)}), "");
-}
-
-TEST(FrameWatch, NoticesVoxelsThatWereNotSeenWhole) {
-  Watched w;
-  EXPECT_TRUE(says(after_frames(w, {false, 1, frame_of(w.world), frame_of(w.world, 0.5)}), "not seen whole"));
-}
-
-TEST(FrameWatch, NoticesHitsThatStayFree) {
-  Watched w;
-  EXPECT_TRUE(says(after_frames(w, {true, 1, frame_of(w.world, 1.6), frame_of(w.world)}), "was hit and is free"));
-}
-
-/// Where several hits make an obstacle, that many frames do, and fewer need not.
-TEST(FrameWatch, CountsHits) {
-  Watched w;
-  w.map_spec.hits = 3;
-  w.map_spec.support = 2;
-  EXPECT_EQ(after_frames(w, {true, 3, frame_of(w.world), frame_of(w.world)}), "");
-  EXPECT_TRUE(says(after_frames(w, {true, 3, frame_of(w.world, 1.6), frame_of(w.world)}), "was hit and is free"));
-}
-
-/// A map that needs more hits than the watch was told.
-TEST(FrameWatch, NoticesAVoxelThatNeedsMoreHits) {
-  Watched w;
-  tern::MapSpec told = w.map_spec;
-  told.hits = 2;
-  w.map_spec.hits = 3;
-  std::swap(told, w.map_spec);
-  FrameWatch watch(w.world, w.map_spec, w.map);
-  w.map.bind(told, w.map_words.data(), w.map_words.size());
-  w.map.assume_free({4.0, 0.0, 2.0}, 30.0);
-  const DepthFrame frame = frame_of(w.world);
-  for (int k = 0; k < 2; ++k) {
-    watch.before(frame);
-    EXPECT_EQ(w.map.begin_frame(frame.view, frame.pose, k), tern::Status::kRunning);
-    while (w.map.step(100000) == tern::Status::kRunning) {
-    }
-    watch.after(frame);
-  }
-  EXPECT_TRUE(says(watch.broken(), "was hit and is free"));
-}
-
-/// A pixel whose neighbours are all elsewhere hits nothing, and so need not.
-TEST(FrameWatch, LeavesLonePixelsOut) {
-  Watched w;
-  w.map_spec.support = 1;
-  DepthFrame lone = frame_of(w.world);
-  for (std::size_t k = 0; k < lone.depths.size(); ++k) {
-    lone.depths[k] = static_cast<float>(2.0 + 0.5 * static_cast<double>((k % 2 + 2 * (k / 160 % 2))));
-  }
-  lone.view.z32 = lone.depths.data();
-  FrameWatch watch(w.world, w.map_spec, w.map);
-  watch.before(lone);
-  watch.after(lone);
-  EXPECT_EQ(watch.hits(), 0u);
 }
 
 }  // namespace
