@@ -63,6 +63,17 @@ def adding(folder):
            {part["core"] for part in parts} == {"bb"})
     expect("or until they are dropped", add(state(folder, "g", range(1, 3), "cc"), True) == 0 and
            {part["core"] for part in parts} == {"cc"})
+    said = summary(parts, "cc")
+    expect("the page sums up what this core flew", "| random flights | 2 |" in said and "| random plans | 7, " in said)
+    expect("and nothing that another did", "| random flights | 0 |" in summary(parts, "aa"))
+
+
+def summary(parts, core):
+    kept, evidence.parts = evidence.parts, lambda: parts
+    try:
+        return evidence.in_all(evidence.Page(core))
+    finally:
+        evidence.parts = kept
 
 
 def adding_attacks(folder):

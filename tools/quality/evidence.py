@@ -65,8 +65,8 @@ class Page:
 
     def text(self):
         self.said = []
-        return HEAD.format(core=self.core) + campaigns(self) + proofs(self) + capacities(self) + coverage(self) + \
-            mutation(self) + fuzzers(self)
+        parts_of_page = (in_all, campaigns, proofs, capacities, coverage, mutation, fuzzers)
+        return HEAD.format(core=self.core) + "".join(part(self) for part in parts_of_page)
 
 
 def read(name):
@@ -117,6 +117,23 @@ def campaigns(page):
                  f"\n{contacts} contacts in {runs} {shown['runs']}: with 95 % confidence less than 1 in "
                  f"{1.0 / bounds.upper(contacts, runs):.0f} of such {shown['runs']}.\n")
     return text
+
+
+def in_all(page):
+    """What was run on this core: sums over all campaigns and fuzzers."""
+    here = [row for row in campaign_rows.totals(parts()) if row["core"] == page.core]
+    number = lambda column, *chosen: sum(int(row[column] or 0) for row in here if row["kind"] in chosen)
+    fuzzed = [row for row in read("fuzz.csv") if row.get("core") == page.core]
+    flown = number("plans", "fly")
+    plans = flown + number("runs", "plan") + number("plans", "attack")
+    rows = [["random plans", f"{plans}, of them {flown} in flights"],
+            ["random flights", number("runs", "fly")],
+            ["cases of the attack", number("runs", "attack")],
+            ["contacts", number("contacts", *SHOWN)],
+            ["other broken promises", number("invariants broken", *SHOWN)],
+            ["fuzzed inputs", f"{sum(int(row['inputs']) for row in fuzzed)} in "
+                              f"{sum(int(row['seconds']) for row in fuzzed) / 3600.0:.1f} hours"]]
+    return "\n## In all\n\nOn this core alone:\n\n" + table(["what", "number"], rows)
 
 
 # ---- exact proofs
