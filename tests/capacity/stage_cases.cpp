@@ -9,7 +9,7 @@
 #include "base/math.hpp"
 #include "capacity/cases.hpp"
 #include "capacity/requests.hpp"
-#include "support/qp_random.hpp"
+#include "support/tiny_cases.hpp"
 #include "support/world.hpp"
 
 namespace tern_capacity {
@@ -18,6 +18,7 @@ namespace {
 using tern::HighWater;
 using tern::Status;
 using tern::Vec3;
+using tern_test::slalom;
 using tern_test::World;
 
 using Mark = std::int32_t HighWater::*;
@@ -70,17 +71,6 @@ bool some_random_plan_has(Mark mark, std::int32_t least) {
 }
 
 // ---- the search and the path
-
-/// Walls across y with doors at alternating ends, one voxel high.
-World slalom(int walls) {
-  World world({4 * walls + 4, 12, 1}, 0.25, 0.0);
-  for (int i = 0; i < walls; ++i) {
-    const double x = 1.0 * (i + 1);
-    world.block({x, i % 2 == 0 ? 0.0 : 0.5, 0.0}, {x + 0.25, i % 2 == 0 ? 2.5 : 3.0, 0.25});
-  }
-  world.from({0.375, 0.375, 0.125}).to({walls + 0.625, 0.375, 0.125});
-  return world;
-}
 
 Status plan_slalom(int walls) {
   World world = slalom(walls);
@@ -160,24 +150,12 @@ Status solve_with_rows(int planes) {
   return bench.solve();
 }
 
-/// Random programmes of many tight rows, from a warm start that helps none: the first one to end so.
+/// The first tight programme to end so.
 Status solve_until(Status status) {
   tern_test::Random random(31);
   tern_test::QpBench bench;
   for (int n = 0; n < 200; ++n) {
-    tern_test::QpRecipe recipe;
-    recipe.unknowns = 4;
-    recipe.groups = 4;
-    recipe.points = 9;
-    recipe.planes = 10;
-    recipe.room = 0.02;
-    random_programme(random, recipe, bench);
-    std::vector<tern::QpRow> rows;
-    for (int j = 0; j < tern::kMaxActive; ++j) {
-      const int point = random.integer(0, bench.problem->point_count - 1);
-      rows.push_back({point, random.integer(0, bench.problem->plane_count - 1)});
-    }
-    if (bench.solve_from(rows) == status) return status;
+    if (solve_tight_programme(random, bench) == status) return status;
   }
   return kNotThis;
 }

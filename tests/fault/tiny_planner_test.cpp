@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hpp"
+#include "support/tiny_cases.hpp"
 #include "support/world.hpp"
 
 namespace {
@@ -13,19 +14,8 @@ namespace {
 using tern::Stage;
 using tern::Status;
 using tern_test::Random;
+using tern_test::slalom;
 using tern_test::World;
-
-/// Walls across y with doors at alternating ends: a path of many turns. One voxel high, so that the turns run out
-/// before the nodes do.
-World slalom(int walls) {
-  World world({4 * walls + 4, 12, 1}, 0.25, 0.0);
-  for (int i = 0; i < walls; ++i) {
-    const double x = 1.0 * (i + 1);
-    world.block({x, i % 2 == 0 ? 0.0 : 0.5, 0.0}, {x + 0.25, i % 2 == 0 ? 2.5 : 3.0, 0.25});
-  }
-  world.from({0.375, 0.375, 0.125}).to({walls + 0.625, 0.375, 0.125});
-  return world;
-}
 
 /// Single voxels strewn at random: many jump points.
 World noise(double density, std::uint64_t seed) {

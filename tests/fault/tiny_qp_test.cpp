@@ -4,7 +4,7 @@
 // The programme's two capacities, with 12 active rows and 40 iterations.
 #include <gtest/gtest.h>
 
-#include "support/qp_random.hpp"
+#include "support/tiny_cases.hpp"
 
 namespace {
 
@@ -53,25 +53,12 @@ TEST(TinyQp, AContradictionIsStillProvenWithAFullWorkingSet) {
   EXPECT_EQ(bench.solution->active_count, 3);
 }
 
-/// Twelve dimensions leave room for every working set; a useless warm start and many tight rows take many turns.
 TEST(TinyQp, IterationsEndAtTheirLimit) {
   QpBench bench;
   Random random(31);
   int limited = 0;
   for (int n = 0; n < 200; ++n) {
-    QpRecipe recipe;
-    recipe.unknowns = 4;
-    recipe.groups = 4;
-    recipe.points = 9;
-    recipe.planes = 10;
-    recipe.room = 0.02;
-    random_programme(random, recipe, bench);
-    std::vector<tern::QpRow> rows;
-    for (int j = 0; j < tern::kMaxActive; ++j) {
-      rows.push_back(
-          {random.integer(0, bench.problem->point_count - 1), random.integer(0, bench.problem->plane_count - 1)});
-    }
-    const Status status = bench.solve_from(rows);
+    const Status status = solve_tight_programme(random, bench);
     EXPECT_LE(bench.solution->iterations, tern::kMaxQpIterations);
     EXPECT_LE(bench.solution->active_count, tern::kMaxActive + 1);
     if (status == Status::kIterationLimit) {
