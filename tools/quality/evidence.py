@@ -111,7 +111,7 @@ def campaigns(page):
                      *(number(column) if column in campaign_rows.SUMMED else "" for column in shown), "", ""])
         runs, contacts = number("runs"), number("contacts")
         text += (f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)). "
-                 f"{page.age(title, (row['core'] for row in chosen))} Rates are those of one core.\n\n" +
+                 f"{page.age(title, (row['core'] for row in chosen))} Rates are those of one process; several may have shared a core.\n\n" +
                  table(["date", "core", "seeds", "settings", *(title or column for column, title in shown.items()),
                         RATED[kind][1], FAILED[kind]], body) +
                  f"\n{contacts} contacts in {runs} {shown['runs']}: with 95 % confidence less than 1 in "
@@ -129,6 +129,7 @@ def in_all(page):
     rows = [["random plans", f"{plans}, of them {flown} in flights"],
             ["random flights", number("runs", "fly")],
             ["cases of the attack", number("runs", "attack")],
+            ["hours of these campaigns' processes", f"{sum(row['core hours'] or 0 for row in here):.1f}"],
             ["contacts", number("contacts", *SHOWN)],
             ["other broken promises", number("invariants broken", *SHOWN)],
             ["fuzzed inputs", f"{sum(int(row['inputs']) for row in fuzzed)} in "
