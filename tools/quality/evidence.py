@@ -111,7 +111,8 @@ def campaigns(page):
                      *(number(column) if column in campaign_rows.SUMMED else "" for column in shown), "", ""])
         runs, contacts = number("runs"), number("contacts")
         text += (f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)). "
-                 f"{page.age(title, (row['core'] for row in chosen))} Rates are those of one process; several may have shared a core.\n\n" +
+                 f"{page.age(title, (row['core'] for row in chosen))} Rates are those of one "
+                 "process; several may have shared a core.\n\n" +
                  table(["date", "core", "seeds", "settings", *(title or column for column, title in shown.items()),
                         RATED[kind][1], FAILED[kind]], body) +
                  f"\n{contacts} contacts in {runs} {shown['runs']}: with 95 % confidence less than 1 in "
