@@ -49,7 +49,7 @@ class Page:
     """The page for one core, and what it says of each table."""
 
     def __init__(self, core):
-        self.core, self.said = core, []
+        self.core, self.said, self.campaigns = core, [], campaign_rows.totals(parts())
 
     def age(self, what, cores):
         """Notes which cores a table is of, and says so: in one sentence."""
@@ -97,10 +97,9 @@ def rate(row, kind):
 
 
 def campaigns(page):
-    rows = campaign_rows.totals(parts())
     text = ""
     for kind, title in (("plan", "Plans"), ("fly", "Flights"), ("attack", "The attack")):
-        chosen = [row for row in rows if row["kind"] == kind]
+        chosen = [row for row in page.campaigns if row["kind"] == kind]
         if not chosen:
             continue
         shown = SHOWN[kind]
@@ -122,7 +121,7 @@ def campaigns(page):
 
 def in_all(page):
     """What was run on this core: sums over all campaigns and fuzzers."""
-    here = [row for row in campaign_rows.totals(parts()) if row["core"] == page.core]
+    here = [row for row in page.campaigns if row["core"] == page.core]
     number = lambda column, *chosen: sum(int(row[column] or 0) for row in here if row["kind"] in chosen)
     fuzzed = [row for row in read("fuzz.csv") if row.get("core") == page.core]
     flown = number("plans", "fly")

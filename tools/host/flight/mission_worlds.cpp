@@ -53,11 +53,10 @@ std::string survey(Noise& random) {
 
 struct Gate {
   Place2 middle;
-  Place2 left;   ///< the left post
-  Place2 right;  ///< the right post
+  Place2 left, right;  ///< its posts
 };
 
-/// Gate k of a lap, anywhere in its tenth of a bent oval.
+/// Gate k of a lap, in its part of a bent oval.
 Gate gate_of_lap(int k, int gates, Noise& random) {
   constexpr double kHalfWidth = 1.2;
   const double angle = kTurn * (k + random.within(0.3, 0.7)) / gates;
