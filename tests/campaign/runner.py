@@ -67,7 +67,7 @@ def main():
     expect("a further run flies what is missing", calls()[2:] and sorted(calls()) == [f"P25:{k}" for k in range(1, 6)])
     expect("a crash costs one flight, and the status is 1", done.returncode == 1 and "crash: " in done.stdout)
     expect("a failure comes with its command", f"{program} fly P25:4 --compare" in done.stdout)
-    expect("the row counts what reached", "| P25 | 5 | 3 | 0 | 0 |" in done.stdout)
+    expect("the row counts what reached and what crashed", "| P25 | 5 | 3 | 0 | 1 |" in done.stdout)
     state = folder / "t.csv"
     state.write_text(state.read_text()[:-20])
     done = run("P25", "--flights", "5")
@@ -95,6 +95,10 @@ def main():
     done = run("C@8", "P99")
     expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 18 and
            "P99: tern: P99 is no family" in done.stderr)
+    words = [sys.executable, campaign, "attack", "boxes", "--attack", str(program), "--folder", str(folder), "--set", "v_max=4"]
+    done = subprocess.run(words, capture_output=True, text=True)
+    expect("the attack has no settings: status 2", done.returncode == 2 and
+           "boxes: the attack has no settings: leave out --set v_max=4" in done.stderr)
     faults(campaign, folder, program)
     return 1 if failures else 0
 

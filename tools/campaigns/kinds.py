@@ -247,6 +247,11 @@ class Attack(Kind):
     def probe(self, row, folder):
         return ["--family", row, "--cases", "1", "--quiet", "--folder", folder]
 
+    def refusal(self, row):
+        if self.settings:
+            return f"the attack has no settings: leave out --set {self.settings[0]}"
+        return super().refusal(row)
+
     def run(self, job):
         row, first, count = job
         began = time.monotonic()

@@ -45,7 +45,8 @@ def fly_row(row, flights):
     ratio = [float(entry["time_s"]) / float(entry["full_knowledge_s"]) for entry in reached
              if float(entry["full_knowledge_s"]) > 0.0]
     asked = total("asked", flights)
-    return [row, len(flights), len(reached), count(flights, "collision"), count(flights, "invariant"),
+    return [row, len(flights), len(reached), count(flights, "collision"),
+            count(flights, "invariant", "crash", "too_long"),
             f"{mean(numbers('mean_speed', reached)):.2f}",
             f"{mean(ratio):.3f}" if ratio else "", f"{quantile(ratio, 0.95):.3f}" if ratio else "",
             f"{max(numbers('tracking_max', flights), default=0.0):.3f}",

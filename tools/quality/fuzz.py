@@ -22,7 +22,8 @@ ENTRIES = ["scenario", "solve", "depth", "record", "request"]
 TABLE = ROOT / "docs/measurements/fuzz.csv"
 COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong", "core"]
 LONGEST = 4096  # bytes of an input
-KEPT = 40       # files of a corpus at most
+KEPT = 40       # files that a merge chooses for a corpus, at most
+CHOSEN = re.compile("[0-9a-f]{16}")  # names that a merge gives; others were given by hand
 
 
 def parse_arguments():
@@ -113,37 +114,44 @@ def reached(control):
     return features
 
 
-def choose(features):
-    """Inputs that together reach the most features, one after the other; of equal ones, the shortest. KEPT at most."""
-    chosen, known = [], set()
-    left = dict(sorted(features.items(), key=lambda item: (pathlib.Path(item[0]).stat().st_size, item[0])))
+def choose(features, named):
+    """Inputs that, with those named, reach the most features, one after the other; of equal ones, the shortest. KEPT
+    at most, and none that reaches nothing more. Also how many features that is."""
+    chosen, known = [], set().union(*(features[name] for name in features if name in named))
+    left = dict(sorted(((name, reach) for name, reach in features.items() if name not in named),
+                       key=lambda item: (pathlib.Path(item[0]).stat().st_size, item[0])))
     while left and len(chosen) < KEPT:
         best = max(left, key=lambda name: len(left[name] - known))
+        if left[best] <= known:
+            break
         known |= left.pop(best)
         chosen.append(best)
     return chosen, len(known)
 
 
 def merge(arguments, entry):
-    """The corpus anew: of all inputs that there are, those that reach the most features."""
+    """The corpus anew: of all inputs that there are, those that reach the most features. A file with a name given by
+    hand stays: it is an input that once led to a mistake."""
     found, corpus = pathlib.Path(arguments.build, "found", entry), corpus_of(entry)
     fresh = pathlib.Path(arguments.build, "merged", entry)
     shutil.rmtree(fresh, ignore_errors=True)
     fresh.mkdir(parents=True)
+    found.mkdir(parents=True, exist_ok=True)
     control = fresh.with_suffix(".control")
     control.unlink(missing_ok=True)
-    subprocess.run([fuzzer_of(arguments, entry), "-set_cover_merge=1", f"-merge_control_file={control}", f"-max_len={LONGEST}",
-                    fresh, corpus, found], cwd=ROOT, check=True, stderr=subprocess.DEVNULL)
+    subprocess.run([fuzzer_of(arguments, entry), "-set_cover_merge=1", f"-merge_control_file={control}",
+                    f"-max_len={LONGEST}", fresh, corpus, found], cwd=ROOT, check=True, stderr=subprocess.DEVNULL)
     features = reached(control)
-    chosen, count = choose(features)
-    kept = {hashlib.sha1(pathlib.Path(name).read_bytes()).hexdigest()[:16]: pathlib.Path(name).read_bytes()
-            for name in chosen}
+    named = {str(path) for path in corpus.iterdir() if not CHOSEN.fullmatch(path.name)}
+    chosen, count = choose(features, named)
+    kept = {hashlib.sha1(data).hexdigest()[:16]: data for data in (pathlib.Path(name).read_bytes() for name in chosen)}
     for path in corpus.iterdir():
-        path.unlink()
+        if str(path) not in named:
+            path.unlink()
     for name, data in kept.items():
         (corpus / name).write_bytes(data)
-    print(f"{entry}: {len(kept)} files in the corpus reach {count} of {len(set().union(*features.values()))} features",
-          flush=True)
+    print(f"{entry}: {len(kept) + len(named)} files in the corpus reach {count} of "
+          f"{len(set().union(*features.values()))} features", flush=True)
 
 
 def main():
