@@ -75,6 +75,15 @@ void print_ask(const World& world, const Ask& ask) {
   }
 }
 
+/// What the check refused, of the plan's last attempt.
+void print_check(const tern::CheckReport& check) {
+  if (check.finding == tern::Finding::kNone) return;
+  std::printf(
+      "  check: %s, segment %d, polyhedron %d, plane %d, derivative %d, axis %d, voxel %d %d %d, excess %.17g\n",
+      tern::finding_name(check.finding), check.segment, check.polyhedron, check.plane, check.derivative, check.axis,
+      check.voxel.x, check.voxel.y, check.voxel.z, check.excess);
+}
+
 Status ask_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,
                 const char* what) {
   tern::Report answer;
@@ -86,6 +95,7 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
                 tern::status_name(status), tern::stage_name(answer.stage), static_cast<int>(answer.quality),
                 tern::status_name(answer.optimiser), answer.detours,
                 planner.corridor() != nullptr ? planner.corridor()->count : 0);
+    print_check(answer.check);
     print_ask(world, ask);
   }
   if (status == Status::kOk) {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <memory>
 
+#include "curve/brake.hpp"
 #include "curve/rest.hpp"
 #include "planner/detour.hpp"
 #include "support/world.hpp"
@@ -86,6 +87,25 @@ TEST_F(Detour, ThereIsNoneWhereTheMotionCannotStop) {
   EXPECT_EQ(path_->count, 3);
   EXPECT_EQ(path_->length, -1.0) << "unchanged";
   EXPECT_EQ(path_->points[0].x, 1.0);
+}
+
+TEST(DetourFarAway, StopsOnTheBoundaryWhereRoundingLeadsBeyondIt) {
+  const World far({18, 8, 8}, 1.0, 0.0, {0.0, 0.0, 6.5e6});  // coordinates round by nanometres
+  Path path{};
+  path.count = 2;
+  path.points[0] = {0.0, 3.0, 3.0};
+  path.points[1] = {9.0, 3.0, 3.0};
+  Request request{};
+  request.start.position = path.points[0];
+  request.start.velocity = {-3e-8, 0.0, 0.0};
+  request.goal.position = path.points[1];
+  request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+  const tern::MotionLimits limits(request.limits);
+  const tern::State& start = request.start;
+  ASSERT_LT(tern::stopping_point(tern::make_brake(start, limits, tern::kBrakeShapes - 1)).x, -1e-9);
+  std::uint32_t lines = 0;
+  ASSERT_TRUE(tern::take_detour(far.grid, nullptr, request, limits, path, lines));
+  EXPECT_EQ(path.points[1].x, 0.0);
 }
 
 TEST_F(Detour, LeadsToTheGoalFromWhereItsMotionCanBegin) {

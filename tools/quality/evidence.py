@@ -120,21 +120,25 @@ def campaigns(page):
 
 
 def in_all(page):
-    """What was run on this core: sums over all campaigns and fuzzers."""
-    here = [row for row in page.campaigns if row["core"] == page.core]
-    number = lambda column, *chosen: sum(int(row[column] or 0) for row in here if row["kind"] in chosen)
-    fuzzed = [row for row in read("fuzz.csv") if row.get("core") == page.core]
-    flown = number("plans", "fly")
-    plans = flown + number("runs", "plan") + number("plans", "attack")
-    rows = [["random plans", f"{plans}, of them {flown} in flights"],
-            ["random flights", number("runs", "fly")],
-            ["cases of the attack", number("runs", "attack")],
-            ["hours of these campaigns' processes", f"{sum(row['core hours'] or 0 for row in here):.1f}"],
-            ["contacts", number("contacts", *SHOWN)],
-            ["other broken promises", number("invariants broken", *SHOWN)],
-            ["fuzzed inputs", f"{sum(int(row['inputs']) for row in fuzzed)} in "
-                              f"{sum(int(row['seconds']) for row in fuzzed) / 3600.0:.1f} hours"]]
-    return "\n## In all\n\nOn this core alone:\n\n" + table(["what", "number"], rows)
+    """What was run: sums over all campaigns and fuzzers, on this core and on all."""
+    fuzzed = read("fuzz.csv")
+
+    def sums(is_meant):
+        here = [row for row in page.campaigns if is_meant(row)]
+        number = lambda column, *chosen: sum(int(row[column] or 0) for row in here if row["kind"] in chosen)
+        inputs = [row for row in fuzzed if is_meant(row)]
+        flown = number("plans", "fly")
+        plans = flown + number("runs", "plan") + number("plans", "attack")
+        return [f"{plans}, of them {flown} in flights", number("runs", "fly"), number("runs", "attack"),
+                f"{sum(row['core hours'] or 0 for row in here):.1f}", number("contacts", *SHOWN),
+                number("invariants broken", *SHOWN),
+                f"{sum(int(row['inputs']) for row in inputs)} in "
+                f"{sum(int(row['seconds']) for row in inputs) / 3600.0:.1f} hours"]
+
+    what = ["random plans", "random flights", "cases of the attack", "hours of these campaigns' processes", "contacts",
+            "other broken promises", "fuzzed inputs"]
+    rows = zip(what, sums(lambda row: row.get("core") == page.core), sums(lambda row: True))
+    return "\n## In all\n\n" + table(["what", "on this core", "with the runs on earlier cores"], rows)
 
 
 # ---- exact proofs
