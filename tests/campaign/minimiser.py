@@ -9,18 +9,13 @@ import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 TOOLS, TERN, ATTACK, FOLDER = sys.argv[1:5]
 sys.path.insert(0, TOOLS)
 import kinds  # noqa: E402
 import minimise  # noqa: E402
-
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
 
 
 def known_predicates():
@@ -111,7 +106,7 @@ def main():
     refused_plan()
     late_flight()
     attacked_case()
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,9 @@ import subprocess
 import sys
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 CAMPAIGN, TERN, ATTACK, FOLDER, MPIRUN, PYTHON = sys.argv[1:7]
 ROWS = {"plan": ["P25", "P49", "--runs", "12", "--set", "v_max=3"],
         "fly": ["P49@3", "--runs", "3", "--set", "time_limit=1.5", "--set", "sensor_size=40,30"],
@@ -19,13 +22,6 @@ ROWS = {"plan": ["P25", "P49", "--runs", "12", "--set", "v_max=3"],
 # As root and with more ranks than cores, as in containers.
 MPI = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_btl="self,vader",
            OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
 
 
 def words(kind, name, ranks=0):
@@ -70,7 +66,7 @@ def main():
         expect(f"{kind}: after a kill and a resume the same table", run(kind, f"{kind}-killed") == whole[kind])
     if not MPIRUN or not PYTHON:
         print("SKIPPED: campaigns on ranks of mpirun; tools/setup mpi installs what they need")
-        return 1 if failures else 77
+        return status() or 77
     for ranks in (1, 2, 4):
         expect(f"plan: {ranks} ranks, the same table", run("plan", f"plan-{ranks}", ranks) == whole["plan"])
     for kind in ("fly", "attack"):
@@ -78,7 +74,7 @@ def main():
     begun = kill_midway("plan", "plan-ranks-killed", 4)
     expect(f"plan: ranks killed after {begun} runs of {counts['plan']}", 0 < begun < counts["plan"])
     expect("plan: ranks resumed by 2, the same table", run("plan", "plan-ranks-killed", 2) == whole["plan"])
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

@@ -8,6 +8,10 @@ import shutil
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 CALLS = "calls"
 PRETENDER = """#!/bin/sh
 # Without a log: a short flight, to learn whether there is such a family.
@@ -37,14 +41,6 @@ cat >"$2" <<EOF
 EOF
 [ $status = reached ] || exit 3
 """
-
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}")
 
 
 def main():
@@ -95,12 +91,12 @@ def main():
     done = run("C@8", "P99")
     expect("a family that there is not: status 2, no run", done.returncode == 2 and len(calls()) == 18 and
            "P99: tern: P99 is no family" in done.stderr)
-    words = [sys.executable, campaign, "attack", "boxes", "--attack", str(program), "--folder", str(folder), "--set", "v_max=4"]
-    done = subprocess.run(words, capture_output=True, text=True)
+    done = subprocess.run([sys.executable, campaign, "attack", "boxes", "--attack", str(program), "--folder", str(folder),
+                           "--set", "v_max=4"], capture_output=True, text=True)
     expect("the attack has no settings: status 2", done.returncode == 2 and
            "boxes: the attack has no settings: leave out --set v_max=4" in done.stderr)
     faults(campaign, folder, program)
-    return 1 if failures else 0
+    return status()
 
 
 def faults(campaign, folder, program):

@@ -4,18 +4,16 @@
 """progress.py TERN: a flight that takes a while shows on a terminal how far it is, and takes that away at its end.
 Where standard error is none, it shows nothing."""
 import os
+import pathlib
 import pty
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 FLIGHT = [sys.argv[1], "fly", "S20:1", "--set", "tick_hz=1000"]
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}")
 
 
 def on_a_terminal():
@@ -43,7 +41,7 @@ def main():
     expect("what it prints is not in between", printed.startswith("reached after") and "\r" not in printed)
     done = subprocess.run(FLIGHT, capture_output=True, text=True)
     expect("a file gets nothing of it", done.stderr == "" and done.stdout == printed)
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

@@ -9,6 +9,9 @@ import pathlib
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 sys.path.insert(0, sys.argv[1])
 import fuzz  # noqa: E402
 
@@ -21,13 +24,6 @@ for number, path in enumerate(files):
     lines += [f"STARTED {number} 1", " ".join(["FT", str(number), *(str(ord(c)) for c in path.read_text())])]
 pathlib.Path(control).write_text("".join(f"{line}\\n" for line in lines))
 """
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
 
 
 def name(text):
@@ -55,7 +51,7 @@ def main():
         expect("what reaches more takes the place of what reaches less", names() == {name("abcd"), "joint_far_away"})
         fuzz.merge(arguments, "solve")
         expect("merging again changes nothing", names() == {name("abcd"), "joint_far_away"})
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

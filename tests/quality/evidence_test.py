@@ -7,20 +7,15 @@ import pathlib
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 TOOLS = pathlib.Path(sys.argv[1])
 sys.path[:0] = [str(TOOLS / "quality"), str(TOOLS / "campaigns")]
 import bounds  # noqa: E402
 import campaign_rows  # noqa: E402
 import core_id  # noqa: E402
 import evidence  # noqa: E402
-
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
 
 
 def state(folder, name, seeds, core, bad=()):
@@ -119,7 +114,7 @@ def main():
             check(pathlib.Path(folder))
     bounding()
     ages()
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

@@ -6,17 +6,13 @@ same ones in the same order."""
 import pathlib
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 sys.path.insert(0, sys.argv[1])
 import mutants  # noqa: E402
 
 SOURCE = pathlib.Path(sys.argv[2])
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}", flush=True)
 
 
 def texts(line):
@@ -49,7 +45,7 @@ def main():
         differing = [k for k, (a, b) in enumerate(zip(text.split("\n"), changed), 1) if a != b]
         fits = fits and differing == [mutant.line]
     expect("each changes its line alone", fits)
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":

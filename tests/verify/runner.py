@@ -9,6 +9,9 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from expectations import expect, status  # noqa: E402
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/quality"))
 import proof_rows  # noqa: E402
 
@@ -41,14 +44,6 @@ EOF
   [ $verdict = proven ]
 fi
 """
-
-failures = 0
-
-
-def expect(what, held):
-    global failures
-    failures += not held
-    print(f"{'ok' if held else 'FAILED'}: {what}")
 
 
 def main():
@@ -95,7 +90,7 @@ def main():
     text = proof_rows.section(lambda columns, body: f"{columns}{body[-1]}", folder / "proofs.csv")
     expect("which the evidence sums up", "'34', '34', '2380'" in text and "'-1e-09', '3'" in text)
     expect("and leaves out without results", proof_rows.section(None, folder / "none.csv") == "")
-    return 1 if failures else 0
+    return status()
 
 
 if __name__ == "__main__":
