@@ -39,8 +39,8 @@ struct FlightInC : MapInC {
     tern_flight_spec_init(&flight_spec, &limits);
   }
   std::uint8_t begin() {
-    return tern_flight_start(&flight, &flight_spec, &map, &planner, flight_words.data(), flight_words.size(), &start,
-                             0);
+    return tern_flight_start(&flight, &flight_spec, &map, &planner, flight_words.data(), flight_words.size(), &start, 0,
+                             nullptr);
   }
   std::unique_ptr<tern::Workspace> memory;
   std::vector<std::uint64_t> flight_words;
@@ -83,7 +83,7 @@ TEST(FlightC, EqualsTheFlightInCpp) {
   std::vector<std::uint64_t> words(tern_flight_words(c.spec.dims));
   EXPECT_EQ(words.size(), flown.words.size());
   tern_flight flight{};
-  ASSERT_EQ(tern_flight_start(&flight, &spec, &c.map, &planner, words.data(), words.size(), &c.start, 0), kOk);
+  ASSERT_EQ(tern_flight_start(&flight, &spec, &c.map, &planner, words.data(), words.size(), &c.start, 0, nullptr), kOk);
   const tern_vec3 goal{3.0, 0.5, 1.5};
   ASSERT_EQ(tern_flight_set_goal(&flight, &goal), kOk);
   ASSERT_EQ(flown.flight.set_goal(goal), tern::Status::kOk);
@@ -229,54 +229,41 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   tern_flight_spec_init(nullptr, nullptr);
   EXPECT_EQ(tern_flight_words({0, 1, 1}), 0u);
   FlightInC c;
-  EXPECT_EQ(tern_flight_start(nullptr, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, nullptr, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, nullptr, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, nullptr, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, nullptr, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(nullptr, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, nullptr, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, nullptr, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, nullptr, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, nullptr, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
   const tern_map none{};
   EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &none, &c.planner, c.flight_words.data(), c.flight_words.size(),
-                              &goal, 0),
+                              &goal, 0, nullptr),
             kInvalid);
   tern_flight_spec kept = c.flight_spec;
   tern_flight_spec_init(&kept, nullptr);
   EXPECT_EQ(kept.tick, c.flight_spec.tick);
 }
 
-/// What start() refuses, and that it refuses it.
-TEST(FlightC, BadStartsAreRefused) {
-  const auto start = [](auto change) {
-    Flown flown(Scene{}, FlightSettings{});
-    tern::FlightSpec spec = flown.spec;
-    tern::Vec3 position = flown.settings.start;
-    std::size_t count = flown.words.size();
-    change(spec, position, count);
-    return flown.flight.start(spec, flown.owned.map, flown.planner, flown.words.data(), count, position, 0);
+/// flight_refusals_test.cpp has what is refused; here, that the reason reaches C.
+TEST(FlightC, ARefusalSaysWhatIsWrong) {
+  FlightInC c;
+  tern_flight_refusal refusal{tern::Field::kBox, 7};
+  const auto start = [&] {
+    return tern_flight_start(&c.flight, &c.flight_spec, &c.map, &c.planner, c.flight_words.data(),
+                             c.flight_words.size(), &c.start, 0, &refusal);
   };
-  using tern::FlightSpec;
-  using tern::Status;
-  using tern::Vec3;
-  EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t&) {}), Status::kOk);
-  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = NAN; }), Status::kNonFiniteInput);
-  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1.5; }), Status::kStartOccupied);
-  EXPECT_EQ(start([](FlightSpec&, Vec3& p, std::size_t&) { p.x = 1e6; }), Status::kStartOccupied);
-  EXPECT_EQ(start([](FlightSpec&, Vec3&, std::size_t& n) { --n; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = 0; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.tick = std::int64_t{1} << 50; }),
-            Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.near = NAN; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.yaw_rate = 5e-4; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.work_per_tick = 255; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.plan_work = 0; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.horizon = NAN; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.near = -1.0; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.yaw_rate = 0.0; }), Status::kInvalidArgument);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.v_max.x = 0.0; }), Status::kLimitsInvalid);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_min.z = 1.0; }), Status::kLimitsInvalid);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.a_horizontal = NAN; }), Status::kNonFiniteInput);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.limits.j_max.x = -1.0; }), Status::kLimitsInvalid);
-  EXPECT_EQ(start([](FlightSpec& s, Vec3&, std::size_t&) { s.time_weight = 0.0; }), Status::kLimitsInvalid);
+  const tern_halfspace planes[] = {{{1.0, 0.0, 0.0}, 9.0}, {{NAN, 0.0, 0.0}, 9.0}};
+  const tern_fence fences[] = {{planes, 1, tern::FenceKind::kKeepIn}, {planes + 1, 1, tern::FenceKind::kKeepIn}};
+  c.flight_spec.fences = fences;
+  c.flight_spec.fence_count = 2;
+  EXPECT_EQ(start(), static_cast<std::uint8_t>(tern::Status::kNonFiniteInput));
+  EXPECT_EQ(refusal.field, tern::Field::kFences);
+  EXPECT_EQ(refusal.fence, 1);
+  EXPECT_EQ(tern_flight_stop(&c.flight), kInvalid);
+  c.flight_spec.fence_count = 1;
+  EXPECT_EQ(start(), kOk);
+  EXPECT_EQ(refusal.field, tern::Field::kNone);
+  EXPECT_EQ(refusal.fence, tern::kNoFence);
 }
 
 TEST(FlightC, TimeMustNotFall) {

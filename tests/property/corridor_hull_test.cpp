@@ -223,7 +223,7 @@ class FencedHull : public HullPolyhedron {
     world_.grid.inflate();
     tern::box_planes({{2, 2, 2}, {3, 3, 3}}, planes_);
     const tern::Fence list[] = {{&inside_, 1, tern::FenceKind::kKeepIn}, {planes_, 6, tern::FenceKind::kKeepOut}};
-    EXPECT_EQ(load_fences(world_.grid, list, 2, *fences_), Status::kOk);
+    EXPECT_EQ(load_fences(world_.grid, list, 2, *fences_).status, Status::kOk);
     scratch_->fences = fences_.get();
   }
   Status leg(const Vec3& from, const Vec3& to) {
@@ -260,7 +260,7 @@ TEST_F(HullPolyhedron, TouchesAnObliqueFaceOfAKeepOutButForRounding) {
       {n, 4 * 11.0 / 7.0}, {{1, 0, 0}, 5}, {{-1, 0, 0}, -3}, {{0, 1, 0}, 5}, {{0, -1, 0}, -3}};
   const tern::Fence fence{planes, 5, tern::FenceKind::kKeepOut};
   const auto fences = std::make_unique<tern::Fences>();
-  ASSERT_EQ(load_fences(world.grid, &fence, 1, *fences), Status::kOk);
+  ASSERT_EQ(load_fences(world.grid, &fence, 1, *fences).status, Status::kOk);
   scratch_->fences = fences.get();
   for (const double depth : {0.0, 5e-10, 1e-6}) {
     const Vec3 touch{4 - depth * n.x, 4 - depth * n.y, 4 - depth * n.z};

@@ -105,7 +105,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
     Case c(random);
     const tern::Grid& grid = c.world.grid;
     const double radius = c.world.spec.radius;
-    ASSERT_EQ(load_fences(grid, &c.fence, 1, *fences), Status::kOk);
+    ASSERT_EQ(load_fences(grid, &c.fence, 1, *fences).status, Status::kOk);
     ASSERT_TRUE(copy_fences(&c.fence, 1, *asked));
     if (fences->keep_out_count == 0) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;

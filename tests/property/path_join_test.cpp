@@ -72,7 +72,7 @@ struct Place {
     const tern::Halfspace plane{{random.real(-1.0, 1.0), random.real(-1.0, 1.0), 1.1}, random.real(0.3, 1.5) * size};
     const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
     fences = std::make_unique<tern::Fences>();
-    EXPECT_EQ(load_fences(grid, &fence, 1, *fences), tern::Status::kOk);
+    EXPECT_EQ(load_fences(grid, &fence, 1, *fences).status, tern::Status::kOk);
   }
 };
 

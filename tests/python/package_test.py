@@ -100,6 +100,16 @@ class Plans(unittest.TestCase):
         self.assertLess(np.linalg.norm(path - via.position, axis=1).min(), 0.06)
         self.assertFalse(self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[high]))  # shuts the gap
 
+    def test_a_fence_that_is_wrong_is_named(self):
+        good = tern.Fence.box((-1, -1, -1), (11, 9, 4))
+        nan = tern.Fence([(np.nan, 0, 0)], [1.0])
+        report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good, nan]).report
+        self.assertEqual((report.status, report.field, report.fence), ("non_finite_input", "fences", 1))
+        self.assertIsNone(self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good]).report.fence)
+        with self.assertRaisesRegex(ValueError, "fence 1 has 1 normals and 2 offsets"):
+            uneven = tern.Fence([(1, 0, 0)], [1.0, 2.0])
+            self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good, uneven])
+
     def test_a_box_on_the_path_is_proven_to_be_there(self):
         grid = grid_with_wall()
         self.assertEqual(tern.clear_until(grid, self.plan, limits=LIMITS), self.plan.duration)
@@ -183,6 +193,8 @@ class Flights(unittest.TestCase):
             tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0)
         self.assertEqual(raised.exception.status, "start_occupied")
         rolling_map.assume_free((0, 0, 1.5), 6.0)
+        with self.assertRaisesRegex(tern.TernError, r"\(flight: fences, fence 0\)"):
+            tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0, fences=[tern.Fence([(0, 0, 0)], [1])])
         flight = tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0)
         flight.set_goal((3.0, 1.0, 1.5))
         now, modes = 0, set()

@@ -31,7 +31,7 @@ class CorridorFences : public ::testing::Test {
     tern::reset_counters(*scratch_);
   }
   void load(const std::vector<Fence>& fences) {
-    ASSERT_EQ(tern::load_fences(world_.grid, fences.data(), static_cast<std::int32_t>(fences.size()), *fences_),
+    ASSERT_EQ(tern::load_fences(world_.grid, fences.data(), static_cast<std::int32_t>(fences.size()), *fences_).status,
               Status::kOk);
     scratch_->fences = fences_.get();
   }

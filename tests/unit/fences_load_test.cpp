@@ -58,7 +58,7 @@ class FencesTest : public ::testing::Test {
     for (int z = 0; z < view.spec().dims.z; ++z) block_keep_out(layer, view, z);
   }
   Status load(const std::vector<Fence>& list) {
-    return load_fences(world_.grid, list.data(), static_cast<std::int32_t>(list.size()), *fences_);
+    return load_fences(world_.grid, list.data(), static_cast<std::int32_t>(list.size()), *fences_).status;
   }
   Status load_one(FenceKind kind, const std::vector<Halfspace>& planes) {
     return load({{planes.data(), static_cast<std::int32_t>(planes.size()), kind}});
@@ -129,9 +129,9 @@ TEST_F(FencesTest, RefusesWhatIsNoFence) {
   EXPECT_EQ(load({{nullptr, 1, FenceKind::kKeepIn}}), Status::kInvalidArgument);
   EXPECT_EQ(load({{&good, 0, FenceKind::kKeepIn}}), Status::kInvalidArgument);
   EXPECT_EQ(load({{&good, 1, static_cast<FenceKind>(7)}}), Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, 1, *fences_), Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, -1, *fences_), Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, 0, *fences_), Status::kOk);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, 1, *fences_).status, Status::kInvalidArgument);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, -1, *fences_).status, Status::kInvalidArgument);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, 0, *fences_).status, Status::kOk);
   EXPECT_EQ(load(std::vector<Fence>(tern::kMaxFences + 1, {&good, 1, FenceKind::kKeepIn})), Status::kFencesFull);
   EXPECT_EQ(load_one(FenceKind::kKeepOut, std::vector<Halfspace>(tern::kMaxFencePlanes + 1, good)),
             Status::kFencePlanesFull);
@@ -285,7 +285,7 @@ TEST_F(FencesTest, AnEdgeIsRounderThanItsFaces) {
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   const Fence box{planes, 6, FenceKind::kKeepOut};
-  ASSERT_EQ(load_fences(world.grid, &box, 1, *fences_), Status::kOk);
+  ASSERT_EQ(load_fences(world.grid, &box, 1, *fences_).status, Status::kOk);
   const auto layer = std::make_unique<tern::FenceLayer>();
   world.grid.inflate();
   tern::Grid view;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Maps that no flight begins on, and what a flight answers before it began.
+// A flight's first moments, and what it answers before it began.
 #include <gtest/gtest.h>
 
 #include "support/flight_room.hpp"
@@ -10,42 +10,6 @@ namespace {
 
 using namespace tern;
 using tern_test::FlightRoom;
-using tern_test::OwnedMap;
-
-TEST(FlightStart, MapsThatAreNotReadyAreRefused) {
-  FlightRoom room;
-  const auto start = [&](const RollingMap& map, std::uint64_t* words) {
-    return room.flight.start(room.spec, map, room.planner, words, room.words.size(), room.start, 0);
-  };
-  EXPECT_EQ(start(room.map(), room.words.data()), Status::kOk);
-  EXPECT_EQ(start(room.map(), nullptr), Status::kInvalidArgument);
-  EXPECT_EQ(start(RollingMap{}, room.words.data()), Status::kInvalidArgument);
-  MapSpec point = FlightRoom::map_spec();
-  point.radius = 0.0;
-  OwnedMap bare(point);
-  ASSERT_EQ(bare.map.assume_free(room.start, 40.0), Status::kOk);
-  EXPECT_EQ(start(bare.map, room.words.data()), Status::kInvalidArgument);
-  ASSERT_EQ(room.map().follow({0.0, 8.0, 1.0}), Status::kRunning);
-  EXPECT_EQ(start(room.map(), room.words.data()), Status::kInvalidArgument);
-  while (room.map().step(100000) == Status::kRunning) {
-  }
-  EXPECT_EQ(start(room.map(), room.words.data()), Status::kOk);
-}
-
-/// The window is 32 m long. Plans that lead half of that ahead, or further, would leave it before it can follow.
-TEST(FlightStart, HorizonsOfHalfTheWindowAreRefused) {
-  FlightRoom room;
-  FlightSpec spec = room.spec;
-  const auto start = [&] {
-    return room.flight.start(spec, room.map(), room.planner, room.words.data(), room.words.size(), room.start, 0);
-  };
-  spec.horizon = 15.9;
-  EXPECT_EQ(start(), Status::kOk);
-  for (const double horizon : {16.0, 17.0, 1e9}) {
-    spec.horizon = horizon;
-    EXPECT_EQ(start(), Status::kInvalidArgument) << horizon;
-  }
-}
 
 TEST(FlightStart, BeforeItThereIsNowhereToRest) {
   const Vec3 nowhere = Flight{}.rest_position();

@@ -134,7 +134,7 @@ class FencedDetour : public Detour {
     tern::Halfspace planes[tern::kBoxPlanes];
     tern::box_planes(box, planes);
     const tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut};
-    EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *fences_), Status::kOk);
+    EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *fences_).status, Status::kOk);
     return tern::take_detour(world_.grid, fences_.get(), request_, request_.limits, *path_, lines_);
   }
   std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();

@@ -42,8 +42,8 @@ struct FlightSpec {
   double near;
   /// How fast the vehicle turns its sensor, rad/s, > 0. It says how long to look into one direction.
   double yaw_rate;
-  /// Geofences, `fence_count` of them, or null: all that is flown respects them. They and their half-spaces are yours
-  /// and must outlive the flight.
+  /// Geofences, `fence_count` of them, valid as for a Request, or null: all that is flown respects them. They and their
+  /// half-spaces are yours and must outlive the flight, unchanged.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
   /// Nanoseconds without a new frame after which FlightReport::map_stale is true, >= 0; 0: never, for flights over a
@@ -57,6 +57,15 @@ FlightSpec flight_spec(const Limits& limits) noexcept;
 
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.
 size_t flight_words(const Voxel& dims) noexcept;
+
+/// Why Flight::start() refused.
+struct FlightRefusal {
+  /// The field of FlightSpec, of the map or of the call. kNone where nothing was refused.
+  Field field = Field::kNone;
+  /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence where their pointer or
+  /// count is wrong. Otherwise kNoFence.
+  int32_t fence = kNoFence;
+};
 
 /// What the vehicle is doing.
 enum class FlightMode : uint8_t {
@@ -172,12 +181,13 @@ class FlightState;
 class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
-  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound or with radius 0, a window too short for
-  /// the horizon, too few words);
-  /// kLimitsInvalid; kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free), or if the
-  /// position breaks a fence. Whatever is refused leaves the flight without a binding.
+  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too
+  /// short for the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull or kFencePlanesFull;
+  /// kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced if the
+  /// position breaks a fence. Whatever is refused leaves the flight without a binding. `refusal` receives what is
+  /// wrong; it may be null.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
-               const Vec3& position, int64_t t) noexcept;
+               const Vec3& position, int64_t t, FlightRefusal* refusal = nullptr) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
   /// the goal as it was; kInvalidArgument before start().
   Status set_goal(const Vec3& goal) noexcept;

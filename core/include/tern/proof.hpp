@@ -46,6 +46,8 @@ struct ProofReport {
   Voxel voxel;
   /// Pieces that were looked at.
   uint32_t work;
+  /// For kFence, and where begin() refuses a fence: its index in ProofGrounds::fences. Otherwise kNoFence.
+  int32_t fence;
 };
 
 /// Voxels that became solid although they had been seen free. In a world that stands still, such voxels are errors of
@@ -101,7 +103,8 @@ class Proof {
   /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
   /// be null: then only clearance is proven.
   ///
-  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty.
+  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty. Fences that a
+  /// Request may not have get the answers that they get there.
   Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                const ProofGrounds& grounds = {}) noexcept;
   /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
@@ -113,7 +116,7 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
-  friend class FlightState;  // charges what pieces took
+  friend class FlightState;  // charges what pieces took, and begins with fences that it has looked at once
 
   /// One piece of a curve of degree 7 or less.
   struct Piece {
@@ -123,6 +126,9 @@ class Proof {
   };
   enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
 
+  void refuse(double from) noexcept;
+  Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                        Beyond beyond, const ProofGrounds& grounds) noexcept;
   void pardon(const Alarm& alarm) noexcept;
   bool sound(const Segment& segment) const noexcept;
   int part_after(int part) const noexcept;

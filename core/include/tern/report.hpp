@@ -161,9 +161,9 @@ struct Report {
   /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
   StageReport stages[kStageCount];
   HighWater high_water;
-  /// Only where `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a
-  /// fence that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Else
-  /// kNoFence.
+  /// Where `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a
+  /// fence that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Where
+  /// `field` is kFences: the index of the fence that is wrong. Else kNoFence.
   int32_t fence = kNoFence;
   /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
   /// plan could not be led to. kNoVia where the start or the way from the last via to the goal is at fault, or no

@@ -158,7 +158,7 @@ enum class Finding : uint8_t {
   kVia,       ///< a via is missed, out of order, or not passed as it was asked for
 };
 
-/// The field of a request, a grid or a call that a status is about.
+/// The field of a request, a grid, a flight or a call that a status is about.
 enum class Field : uint8_t {
   kNone = 0,           ///< no single field
   kStartPosition,      ///< Request::start.position
@@ -204,6 +204,13 @@ enum class Field : uint8_t {
   kGoalMode,           ///< Request::goal_mode
   kVias,               ///< Request::vias or via_count, or a via in it
   kTrackingMargin,     ///< GridSpec::tracking_margin
+  kMap,                ///< the RollingMap: not bound, or a job is in work
+  kTick,               ///< FlightSpec::tick
+  kWork,               ///< FlightSpec::work_per_tick or plan_work
+  kHorizon,            ///< FlightSpec::horizon: not above 0, or half the map's window along x or more
+  kNear,               ///< FlightSpec::near
+  kYawRate,            ///< FlightSpec::yaw_rate
+  kStaleAfter,         ///< FlightSpec::stale_after
 };
 
 /// The status' name as plan files carry it, for example "no_path". "unknown" for a number that is no status. This and

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 9
+#define TERN_ABI 10
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -147,7 +147,7 @@ typedef struct {
   /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
   tern_stage_report stages[12];
   tern_high_water high_water;
-  int32_t fence; /* index of the fence that start or goal breaks; -1: none */
+  int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   tern_via_passage vias[TERN_MAX_VIAS];
   tern_check_report check; /* only where status or optimiser is check_failed */

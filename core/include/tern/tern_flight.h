@@ -18,6 +18,7 @@
 #include "tern/proof.hpp"
 typedef tern::ProofReport tern_proof_report;
 typedef tern::FlightSpec tern_flight_spec;
+typedef tern::FlightRefusal tern_flight_refusal;
 typedef tern::FlightReport tern_flight_report;
 typedef tern::FlightYaw tern_flight_yaw;
 typedef tern::Command tern_command;
@@ -25,7 +26,7 @@ extern "C" {
 #else
 /* clang-format off */
 /* How far a proof came: tern::ProofReport. */
-typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; } tern_proof_report;
+typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; int32_t fence; } tern_proof_report;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {
   tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
@@ -33,6 +34,8 @@ typedef struct {
   const tern_fence* fences; int32_t fence_count;
   int64_t stale_after; /* nanoseconds */
 } tern_flight_spec;
+/* Why a flight was refused: tern::FlightRefusal. */
+typedef struct { uint8_t field; int32_t fence; } tern_flight_refusal;
 /* What one tick did: tern::FlightReport. */
 typedef struct {
   uint8_t mode, reason, plan;
@@ -119,9 +122,11 @@ void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
 /* Words of 64 bits that a flight over a map of these dimensions needs; 0 where they are out of range. */
 size_t tern_flight_words(tern_voxel dims);
 /* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
- * limits_invalid or start_occupied. */
+ * limits_invalid, fences_full, fence_planes_full, start_occupied or start_fenced. `refusal` receives what is wrong; it
+ * may be null. */
 uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
-                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
+                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t,
+                          tern_flight_refusal* refusal);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
 /* Sets a mission: vias, and the goal as the last point. ok, non_finite_input, vias_full or invalid_argument. */

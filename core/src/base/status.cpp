@@ -191,6 +191,13 @@ const char* field_name(Field field) noexcept {
     case Field::kGoalMode: return "goal mode";
     case Field::kVias: return "vias";
     case Field::kTrackingMargin: return "tracking margin";
+    case Field::kMap: return "map";
+    case Field::kTick: return "tick";
+    case Field::kWork: return "work per tick or plan";
+    case Field::kHorizon: return "horizon";
+    case Field::kNear: return "near";
+    case Field::kYawRate: return "yaw rate";
+    case Field::kStaleAfter: return "stale_after";
   }
   return "unknown";
 }

@@ -55,14 +55,11 @@ Surroundings surroundings_of(const Grid& grid) {
 
 /// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin, both
 /// the offset and the shift are large, and between two nearly parallel planes a small error grows.
-Status to_local_plane(const Grid& grid, const Halfspace& world, Halfspace& local) {
-  if (!finite(world.normal) || !finite(world.offset)) return Status::kNonFiniteInput;
+Halfspace to_local_plane(const Grid& grid, const Halfspace& world) {
   const double norm = length(world.normal);
-  if (!(norm >= kMinFenceNormal) || norm > kMaxFenceNormal) return Status::kInvalidArgument;
   const bool far = absolute(world.offset) > kBeyondAnyMap;  // products would overflow, and the shift is negligible
   const double shifted = far ? world.offset : depth_of(world.offset, world.normal, grid.spec().origin).high;
-  local = {(1.0 / norm) * world.normal, shifted / norm};
-  return finite(local.offset) ? Status::kOk : Status::kNonFiniteInput;
+  return {(1.0 / norm) * world.normal, shifted / norm};
 }
 
 bool known_corner(const Fences& fences, const KeepOut& fence, const Vec3& corner, double same) {
@@ -130,33 +127,24 @@ Status find_corners_that_fit(const Surroundings& around, Fences& fences, KeepOut
   return status;
 }
 
-Status load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Fences& fences) {
+void load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Fences& fences) {
   for (std::int32_t p = 0; p < from.count; ++p) {
     fences.keep_in_index[fences.keep_in_count] = index;
-    const Status status = to_local_plane(grid, from.planes[p], fences.keep_in[fences.keep_in_count++]);
-    if (status != Status::kOk) return status;
+    fences.keep_in[fences.keep_in_count++] = to_local_plane(grid, from.planes[p]);
   }
-  return Status::kOk;
 }
 
 Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& from, std::int32_t index,
                      Fences& fences) {
   KeepOut fence{fences.plane_count, 0, fences.corner_count, 0, index};
   for (; fence.planes < from.count; ++fence.planes) {
-    const Status status =
-        to_local_plane(grid, from.planes[fence.planes], fences.planes[fence.first_plane + fence.planes]);
-    if (status != Status::kOk) return status;
+    fences.planes[fence.first_plane + fence.planes] = to_local_plane(grid, from.planes[fence.planes]);
   }
   const Status status = find_corners_that_fit(around, fences, fence);
   if (status != Status::kOk || fence.corners == 0) return status;
   fences.plane_count += fence.planes;
   fences.keep_out[fences.keep_out_count++] = fence;
   return Status::kOk;
-}
-
-bool well_formed(const Fence& fence) {
-  const bool known = fence.kind == FenceKind::kKeepIn || fence.kind == FenceKind::kKeepOut;
-  return known && fence.planes != nullptr && fence.count >= 1;
 }
 
 }  // namespace
@@ -170,26 +158,25 @@ void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
   }
 }
 
-Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
+FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
+  const FenceFault fault = find_fence_fault(list, count);
+  if (fault.status != Status::kOk) return fault;
   fences.keep_in_count = 0;
   fences.keep_out_count = 0;
   fences.plane_count = 0;
   fences.corner_count = 0;
-  if (count < 0 || (count > 0 && list == nullptr)) return Status::kInvalidArgument;
-  if (is_full(count > kMaxFences)) return Status::kFencesFull;
   const Surroundings around = surroundings_of(grid);
   fences.touching = contact_tolerance(grid.spec()) + kHair * around.scale;
-  std::int32_t planes = 0;
   for (std::int32_t i = 0; i < count; ++i) {
-    if (!well_formed(list[i])) return Status::kInvalidArgument;
-    if (is_full(list[i].count > kMaxFencePlanes - planes)) return Status::kFencePlanesFull;
-    planes += list[i].count;
-    const bool keep_in = list[i].kind == FenceKind::kKeepIn;
-    const Status status =
-        keep_in ? load_keep_in(grid, list[i], i, fences) : load_keep_out(grid, around, list[i], i, fences);
-    if (status != Status::kOk) return status;
+    Status status = Status::kOk;
+    if (list[i].kind == FenceKind::kKeepIn) {
+      load_keep_in(grid, list[i], i, fences);
+    } else {
+      status = load_keep_out(grid, around, list[i], i, fences);
+    }
+    if (status != Status::kOk) return {status, i};
   }
-  return Status::kOk;
+  return fault;
 }
 
 std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/fence_fault.hpp"
 #include "grid/hull_gap.hpp"
 #include "tern/config.hpp"
 #include "tern/fence.hpp"
@@ -46,10 +47,9 @@ inline Hull hull_of(const Fences& fences, const KeepOut& fence) noexcept {
 }
 
 /// Reads `count` fences (world frame) for planning on `grid`. A keep-out that cannot come within the radius of the
-/// boundary is left out. kOk; kInvalidArgument for a null pointer, a negative `count`, a fence without half-spaces, an
-/// unknown kind, or a normal that is too short or too long; kNonFiniteInput; kFencesFull; kFencePlanesFull. `fences` is
-/// undefined unless kOk.
-Status load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
+/// boundary is left out. kOk; what find_fence_fault() says; kFencePlanesFull where the corners of a keep-out do not
+/// fit. `fences` is undefined unless kOk.
+FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
 
 /// True if the segment (local frame; equal ends make a point) lies inside every keep-in and keeps `radius` from every
 /// keep-out, both to within `touching`.

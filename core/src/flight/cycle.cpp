@@ -115,8 +115,9 @@ Progress FlightState::run_copy(Work& work) noexcept {
   const double from = seconds_between(now.begin, takeover);
   job = Job::kKeep;
   const bool candidate = now.goal == goal_number && still_fits() && from < now.branch;
-  if (!candidate || proof.begin(route.grid(), now.wished, from, nullptr, Beyond::kEmpty,
-                                {nullptr, nullptr, nullptr, spec.fences, spec.fence_count}) != Status::kRunning) {
+  if (!candidate ||
+      proof.begin_accepted(route.grid(), now.wished, from, nullptr, Beyond::kEmpty,
+                           {nullptr, nullptr, nullptr, spec.fences, spec.fence_count}) != Status::kRunning) {
     begin_plan();
   }
   return Progress::kDone;

@@ -120,7 +120,7 @@ bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
   if (what == BrakeProof::kLimits) grounds.added = &kNowhereBox;
   const double from = what == BrakeProof::kLimits ? tried.until : 0.0;
   const Beyond beyond = what == BrakeProof::kLimits ? Beyond::kEmpty : Beyond::kSolid;
-  return proof.begin(map.safe(), draft.flown, from, &spec.limits, beyond, grounds) == Status::kRunning;
+  return proof.begin_accepted(map.safe(), draft.flown, from, &spec.limits, beyond, grounds) == Status::kRunning;
 }
 
 Progress FlightState::run_evade(Work& work) noexcept {

@@ -1,41 +1,14 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The calls, and one tick.
+// The calls after the beginning, and one tick.
 #include "tern/flight.hpp"
 
-#include <new>
-
 #include "base/math.hpp"
-#include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
-#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
-
-/// What the spec's numbers may be.
-constexpr std::uint32_t kLeastWork = 256;
-constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
-
-std::size_t state_words() {
-  return (sizeof(FlightState) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
-}
-
-bool positive(double x) {
-  return finite(x) && x > 0.0;
-}
-
-bool spec_fits(const FlightSpec& spec) {
-  return spec.tick > 0 && spec.tick <= kLongestTick && spec.work_per_tick >= kLeastWork && spec.plan_work > 0 &&
-         positive(spec.horizon) && spec.stale_after >= 0 && finite(spec.near) && spec.near >= 0.0 &&
-         positive(spec.yaw_rate) && spec.yaw_rate >= 1e-3;
-}
-
-/// Along x, where it moves by a word of voxels at a time, the window is longer than the horizon to either side.
-bool window_fits(const FlightSpec& spec, const GridSpec& window) {
-  return window.clearance() > 0.0 && spec.horizon < 0.5 * (window.boundary.upper.x - window.boundary.lower.x);
-}
 
 std::int32_t count_points(const Itinerary& itinerary, PointState state) {
   std::int32_t count = 0;
@@ -43,65 +16,7 @@ std::int32_t count_points(const Itinerary& itinerary, PointState state) {
   return count;
 }
 
-/// One segment that stays at a point.
-void hover(const Vec3& position, std::int64_t t, Commitment& commitment) {
-  commitment.begin = t;
-  commitment.flown.origin = commitment.aim = position;
-  const JointState rest{};
-  append_between(rest, rest, kMinDuration, commitment.flown);
-  commitment.wished = commitment.flown;
-  commitment.branch = kMinDuration;
-}
-
 }  // namespace
-
-FlightSpec flight_spec(const Limits& limits) noexcept {
-  FlightSpec spec{};
-  spec.limits = limits;
-  spec.time_weight = 1000.0;
-  spec.tick = 10000000;
-  spec.work_per_tick = 4000;
-  spec.plan_work = 16000;
-  spec.horizon = 8.0;
-  spec.near = 2.5;
-  spec.yaw_rate = 2.5;
-  return spec;
-}
-
-size_t flight_words(const Voxel& dims) noexcept {
-  const std::size_t grid = grid_words(dims);
-  return grid == 0 ? 0 : state_words() + grid;
-}
-
-Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,
-                     size_t word_count, const Vec3& position, int64_t t) noexcept {
-  state_ = nullptr;
-  if (!finite(position)) return Status::kNonFiniteInput;
-  if (!spec_fits(spec) || !map.bound() || map.busy() || words == nullptr) return Status::kInvalidArgument;
-  const Verdict limits = validate_limits(spec.limits);
-  if (limits.status != Status::kOk) return limits.status;
-  if (!valid_time_weight(spec.time_weight)) return Status::kLimitsInvalid;
-  const GridSpec& window = map.safe().spec();
-  if (!window_fits(spec, window) || word_count < flight_words(window.dims)) return Status::kInvalidArgument;
-  FlightState* const state = new (words) FlightState{};
-  state->spec = spec;
-  state->limits = MotionLimits(spec.limits);
-  state->map = map;
-  state->planner = &planner;
-  state->time = state->frame_time = t;
-  state->frames = map.frames();
-  state->reason = FlightReason::kNoGoal;
-  state->look_at = position;
-  hover(position, t, state->now);
-  const bool begun = state->proof.begin(map.safe(), state->now.flown, 0.0, nullptr, Beyond::kSolid,
-                                        state->grounds_of(state->now)) == Status::kRunning;
-  if (!begun || state->proof.step(2 * kProofPieces) != Status::kOk) return Status::kStartOccupied;
-  if (state->proof.report().end != ProofEnd::kProven) return Status::kStartOccupied;
-  const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());
-  if (bound != Status::kOk) return bound;
-  state_ = state;
-  return Status::kOk;
-}
 
 Status Flight::set_goal(const Vec3& goal) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;

@@ -64,13 +64,14 @@ std::size_t tern_flight_words(tern_voxel dims) {
 
 std::uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
                                tern_planner* planner, std::uint64_t* words, std::size_t word_count,
-                               const tern_vec3* position, std::int64_t t) {
+                               const tern_vec3* position, std::int64_t t, tern_flight_refusal* refusal) {
+  if (refusal != nullptr) *refusal = tern::FlightRefusal{};
   if (flight == nullptr || spec == nullptr || map == nullptr || planner == nullptr || position == nullptr) {
     return kInvalid;
   }
   tern::Planner& plans = *std::launder(reinterpret_cast<tern::Planner*>(planner->opaque));
   Flight begun;
-  const Status status = begun.start(*spec, object(*map), plans, words, word_count, *position, t);
+  const Status status = begun.start(*spec, object(*map), plans, words, word_count, *position, t, refusal);
   if (status != Status::kOk) return code(status);
   new (flight->opaque + 1) Flight(begun);
   flight->opaque[0] = kFlightTag;

@@ -234,6 +234,9 @@ class FlightState {
   void compose() noexcept;
   Progress prove(Work& work) noexcept;
 
+  // start.cpp
+  Status prove_start(FlightRefusal& refusal) noexcept;
+
   // prove_draft.cpp: what of it is flown
   ProofGrounds grounds_of(const Commitment& commitment) const noexcept;
   Status begin_proof(const Trajectory& trajectory, double from) noexcept;

@@ -35,7 +35,7 @@ void FlightState::note_changed_map() noexcept {
 /// On the safe grid, with limits.
 Status FlightState::begin_proof(const Trajectory& trajectory, double from) noexcept {
   proven_on = map.safe().revision();
-  return proof.begin(map.safe(), trajectory, from, &spec.limits, Beyond::kSolid, grounds_of(draft));
+  return proof.begin_accepted(map.safe(), trajectory, from, &spec.limits, Beyond::kSolid, grounds_of(draft));
 }
 
 double FlightState::start_of_proof() const noexcept {

@@ -47,7 +47,8 @@ void FlightState::watch_part(Watched which) noexcept {
   ProofGrounds grounds = grounds_of(commitment);
   if (has_added && watched_part != Watched::kAlarm) grounds.added = &added;
   if (watched_part == Watched::kAlarm) grounds.alarm = &alarm;
-  watching = watch.begin(map.safe(), commitment.flown, from, nullptr, Beyond::kSolid, grounds) == Status::kRunning;
+  watching =
+      watch.begin_accepted(map.safe(), commitment.flown, from, nullptr, Beyond::kSolid, grounds) == Status::kRunning;
 }
 
 void FlightState::run_watch(Work& work) noexcept {

@@ -90,8 +90,9 @@ Status Plan::accept_fences(const Request& request) noexcept {
   fences_blocked_ = fence_plane_ = 0;
   if (!has_fences_) return Status::kRunning;
   Layout& memory = *memory_;
-  const Status loaded = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
-  if (loaded != Status::kOk) return refuse(loaded, Field::kFences);
+  const FenceFault fault = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
+  report_.fence = fault.fence;
+  if (fault.status != Status::kOk) return refuse(fault.status, Field::kFences);
   if (!copy_fences(request.fences, request.fence_count, memory.asked_fences)) {
     return refuse(Status::kFencePlanesFull, Field::kFences);
   }

@@ -3,6 +3,7 @@
 #include "tern/proof.hpp"
 
 #include "base/capacity.hpp"
+#include "base/fence_fault.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 #include "proof/fence_clear.hpp"
@@ -101,8 +102,23 @@ constexpr Voxel kNoVoxel{-1, -1, -1};
 
 Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                     const ProofGrounds& grounds) noexcept {
+  const FenceFault fault = find_fence_fault(grounds.fences, grounds.fence_count);
+  if (fault.status == Status::kOk) return begin_accepted(grid, trajectory, from, limits, beyond, grounds);
+  refuse(from);
+  report_.fence = fault.fence;
+  return fault.status;
+}
+
+/// Nothing is proven, and there is nothing to do.
+void Proof::refuse(double from) noexcept {
   running_ = false;
-  report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0};
+  report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0, kNoFence};
+}
+
+/// With fences that find_fence_fault() has accepted.
+Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                             Beyond beyond, const ProofGrounds& grounds) noexcept {
+  refuse(from);
   if (!grid.bound() || !(grid.spec().clearance() > 0.0)) return Status::kInvalidArgument;
   if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
   grid_ = &grid;
@@ -209,7 +225,9 @@ bool Proof::keeps_fences(const Piece& piece, double tolerance) noexcept {
   const FenceRule rule{spec.origin, spec.clearance() - tolerance, tolerance};
   for (int32_t k = 0; k < fence_count_; ++k) {
     effort_ += fence_effort(fences_[k]);
-    if (!fence_clear(fences_[k], rule, piece.c, kControlPoints)) return false;
+    if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
+    report_.fence = k;
+    return false;
   }
   return true;
 }
@@ -236,6 +254,7 @@ void Proof::lose(double u, ProofEnd end) noexcept {
   lost_ = u;
   report_.end = end;
   if (part_ != kPosition) report_.voxel = kNoVoxel;
+  if (end != ProofEnd::kFence) report_.fence = kNoFence;
 }
 
 /// The piece on top of the stack is proven, halved, or lost.
@@ -274,7 +293,10 @@ void Proof::end_part() noexcept {
   const int next = part_after(part_);
   if (next != kPosition && report_.end != ProofEnd::kMalformed) return enter_part(next);
   const double end = begin_ + segment.duration;
-  if (report_.end == ProofEnd::kProven) report_.voxel = kNoVoxel;
+  if (report_.end == ProofEnd::kProven) {
+    report_.voxel = kNoVoxel;
+    report_.fence = kNoFence;
+  }
   if (report_.end != ProofEnd::kProven || segment_ + 1 == trajectory_->count) {
     running_ = false;
     const double until = lost_ < 1.0 ? begin_ + lost_ * segment.duration : end;

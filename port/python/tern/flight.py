@@ -86,6 +86,12 @@ def _is_running(status):
     return ffi.string(lib.tern_status_name(status)) == b"running"
 
 
+def _reason(refusal):
+    """What a refused start is about, for people."""
+    field = ffi.string(lib.tern_field_name(refusal.field)).decode()
+    return f"flight: {field}" + (f", fence {refusal.fence}" if refusal.fence >= 0 else "")
+
+
 @dataclass(frozen=True)
 class Command:
     """What to fly at one time: position to snap, shape (3,) each, and where to point the sensor. World frame."""
@@ -133,8 +139,10 @@ class Flight:
         count = lib.tern_flight_words(voxel(rolling_map.dims))
         self._memory, pointer = words(count)
         start = ffi.new("tern_vec3*", vector(position))
-        require(lib.tern_flight_start(self.struct, spec, rolling_map.struct, planner.struct, pointer, count, start, t),
-                "flight")
+        refusal = ffi.new("tern_flight_refusal*")
+        status = lib.tern_flight_start(self.struct, spec, rolling_map.struct, planner.struct, pointer, count, start, t,
+                                       refusal)
+        require(status, _reason(refusal))
 
     def set_goal(self, goal: Sequence[float]) -> None:
         """Sets the goal, wherever it is."""

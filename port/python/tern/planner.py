@@ -49,6 +49,11 @@ class Report:
         return ffi.string(lib.tern_field_name(self.struct.field)).decode()
 
     @property
+    def fence(self) -> int | None:
+        """The index of the fence that is wrong, or that start, via or goal breaks; or None."""
+        return self.struct.fence if self.struct.fence >= 0 else None
+
+    @property
     def quality(self) -> str:
         """"none", "hover", "stop-and-go", "optimised" or "previous plan"."""
         return _QUALITIES[self.struct.quality]

@@ -119,6 +119,8 @@ def c_fences(fences: Sequence[Fence], kept: list):
     """The fences as an array of tern_fence, or null; what they point to goes into `kept`."""
     out = ffi.new("tern_fence[]", len(fences)) if fences else ffi.NULL
     for i, fence in enumerate(fences):
+        if len(fence.normals) != len(fence.offsets):
+            raise ValueError(f"fence {i} has {len(fence.normals)} normals and {len(fence.offsets)} offsets")
         planes = ffi.new("tern_halfspace[]", [{"normal": vector(n), "offset": float(o)}
                                               for n, o in zip(fence.normals, fence.offsets)])
         kept.append(planes)

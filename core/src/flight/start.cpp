@@ -1,0 +1,159 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The beginning of a flight, and what is refused there.
+#include <new>
+
+#include "base/fence_fault.hpp"
+#include "base/math.hpp"
+#include "base/verdict.hpp"
+#include "flight/branch.hpp"
+#include "flight/flight_state.hpp"
+#include "planner/validate.hpp"
+#include "tern/flight.hpp"
+
+namespace tern {
+namespace {
+
+/// What the spec's numbers may be.
+constexpr std::uint32_t kLeastWork = 256;
+constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
+constexpr double kLeastYawRate = 1e-3;
+
+std::size_t state_words() {
+  return (sizeof(FlightState) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+}
+
+Verdict invalid(Field field) {
+  return {Status::kInvalidArgument, field};
+}
+
+Verdict check_finite(const FlightSpec& spec) {
+  const struct {
+    double value;
+    Field field;
+  } fields[] = {{spec.horizon, Field::kHorizon}, {spec.near, Field::kNear}, {spec.yaw_rate, Field::kYawRate}};
+  for (const auto& entry : fields) {
+    if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
+  }
+  return kAccepted;
+}
+
+Verdict check_ranges(const FlightSpec& spec) {
+  if (spec.tick <= 0 || spec.tick > kLongestTick) return invalid(Field::kTick);
+  if (spec.work_per_tick < kLeastWork || spec.plan_work == 0) return invalid(Field::kWork);
+  if (!(spec.horizon > 0.0)) return invalid(Field::kHorizon);
+  if (spec.near < 0.0) return invalid(Field::kNear);
+  if (spec.yaw_rate < kLeastYawRate) return invalid(Field::kYawRate);
+  return spec.stale_after >= 0 ? kAccepted : invalid(Field::kStaleAfter);
+}
+
+Verdict check_spec(const FlightSpec& spec) {
+  const Verdict numbers = check_finite(spec);
+  if (numbers.status != Status::kOk) return numbers;
+  const Verdict ranges = check_ranges(spec);
+  if (ranges.status != Status::kOk) return ranges;
+  const Verdict limits = validate_limits(spec.limits);
+  if (limits.status != Status::kOk) return limits;
+  if (!finite(spec.time_weight)) return {Status::kNonFiniteInput, Field::kTimeWeight};
+  return valid_time_weight(spec.time_weight) ? kAccepted : Verdict{Status::kLimitsInvalid, Field::kTimeWeight};
+}
+
+/// Along x, where it moves by a word of voxels at a time, the window must be longer than the horizon to either side.
+Verdict check_map(const FlightSpec& spec, const RollingMap& map, const std::uint64_t* words, std::size_t word_count) {
+  if (!map.bound() || map.busy()) return invalid(Field::kMap);
+  const GridSpec& window = map.safe().spec();
+  if (!(window.clearance() > 0.0)) return invalid(Field::kRadius);
+  const bool leads_too_far = !(spec.horizon < 0.5 * (window.boundary.upper.x - window.boundary.lower.x));
+  if (leads_too_far) return invalid(Field::kHorizon);
+  const bool has_words = words != nullptr && word_count >= flight_words(window.dims);
+  return has_words ? kAccepted : invalid(Field::kStorage);
+}
+
+FlightRefusal refusal_of(const Verdict& verdict) {
+  FlightRefusal refusal;
+  refusal.field = verdict.field;
+  return refusal;
+}
+
+/// One segment that stays at a point.
+void hover(const Vec3& position, std::int64_t t, Commitment& commitment) {
+  commitment.begin = t;
+  commitment.flown.origin = commitment.aim = position;
+  const JointState rest{};
+  append_between(rest, rest, kMinDuration, commitment.flown);
+  commitment.wished = commitment.flown;
+  commitment.branch = kMinDuration;
+}
+
+/// The call's arguments, before anything is written.
+Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t* words, std::size_t word_count,
+              const Vec3& position, FlightRefusal& refusal) {
+  Verdict verdict{Status::kNonFiniteInput, Field::kStartPosition};
+  if (finite(position)) verdict = check_spec(spec);
+  if (verdict.status == Status::kOk) verdict = check_map(spec, map, words, word_count);
+  refusal = refusal_of(verdict);
+  if (verdict.status != Status::kOk) return verdict.status;
+  const FenceFault fault = find_fence_fault(spec.fences, spec.fence_count);
+  if (fault.status == Status::kOk) return Status::kOk;
+  refusal.field = Field::kFences;
+  refusal.fence = fault.fence;
+  return fault.status;
+}
+
+}  // namespace
+
+FlightSpec flight_spec(const Limits& limits) noexcept {
+  FlightSpec spec{};
+  spec.limits = limits;
+  spec.time_weight = 1000.0;
+  spec.tick = 10000000;
+  spec.work_per_tick = 4000;
+  spec.plan_work = 16000;
+  spec.horizon = 8.0;
+  spec.near = 2.5;
+  spec.yaw_rate = 2.5;
+  return spec;
+}
+
+size_t flight_words(const Voxel& dims) noexcept {
+  const std::size_t grid = grid_words(dims);
+  return grid == 0 ? 0 : state_words() + grid;
+}
+
+/// The vehicle may stay where it is: kOk, or why not.
+Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
+  const Status begun = proof.begin_accepted(map.safe(), now.flown, 0.0, nullptr, Beyond::kSolid, grounds_of(now));
+  const bool ended = begun == Status::kRunning && proof.step(2 * kProofPieces) == Status::kOk;
+  const ProofReport& found = proof.report();
+  if (ended && found.end == ProofEnd::kProven) return Status::kOk;
+  refusal.field = Field::kStartPosition;
+  refusal.fence = found.fence;
+  return found.end == ProofEnd::kFence ? Status::kStartFenced : Status::kStartOccupied;
+}
+
+Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,
+                     size_t word_count, const Vec3& position, int64_t t, FlightRefusal* refusal) noexcept {
+  state_ = nullptr;
+  FlightRefusal unread;
+  FlightRefusal& why = refusal != nullptr ? *refusal : unread;
+  const Status accepted = accept(spec, map, words, word_count, position, why);
+  if (accepted != Status::kOk) return accepted;
+  FlightState* const state = new (words) FlightState{};
+  state->spec = spec;
+  state->limits = MotionLimits(spec.limits);
+  state->map = map;
+  state->planner = &planner;
+  state->time = state->frame_time = t;
+  state->frames = map.frames();
+  state->reason = FlightReason::kNoGoal;
+  state->look_at = position;
+  hover(position, t, state->now);
+  const Status rests = state->prove_start(why);
+  if (rests != Status::kOk) return rests;
+  const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());
+  if (bound == Status::kOk) state_ = state;
+  return bound;
+}
+
+}  // namespace tern
