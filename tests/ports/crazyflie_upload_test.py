@@ -15,19 +15,40 @@ specification.loader.exec_module(upload)
 slept = []
 upload.time.sleep = slept.append
 sys.argv[1:] = ["radio://0/80/2M"]
-upload.main()
+
+
+def run(x=0.1, strays=0.0):
+    """The names of what is sent from the ground at `x`, and why it ended early, if it did."""
+    cflib.calls.clear()
+    slept.clear()
+    cflib.estimate.update({"stateEstimate.x": x, "stateEstimate.y": 0.0, "stateEstimate.z": 0.0})
+    cflib.strays[0] = strays
+    try:
+        upload.main()
+        return [call[0] for call in cflib.calls], None
+    except SystemExit as ended:
+        return [call[0] for call in cflib.calls], str(ended)
+
+
+ready = ["init_drivers", "write", "define", "param", "reset_estimator"]
+assert run(x=0.6) == (ready, "no take-off: 0.60 m from the plan's start, seen from above; at most 0.5 m")
+assert run(x=np.nan)[0] == ready
+names, why = run(strays=0.08)
+assert names == ready + ["arm", "takeoff", "go_to", "land", "stop"], names
+assert why == "the plan was not flown: 0.08 m from its start, at most 0.05 m", why
 
 plan, yaw = upload.make_plan()
-names = [call[0] for call in cflib.calls]
-assert names == ["init_drivers", "write", "define", "takeoff", "go_to", "start", "land", "stop"], names
+names, why = run()
+assert why is None and names == ready + ["arm", "takeoff", "go_to", "start", "land", "stop"], (names, why)
 calls = dict((call[0], call[1:]) for call in cflib.calls)
 offset, data = calls["write"]
 assert (offset, data) == (0, tern.poly4d(plan, yaw).tobytes())
 assert len(data) <= 4096
 assert calls["define"] == (1, 0, len(plan), 0)
+assert calls["param"] == ("stabilizer.controller", "2") and calls["arm"] == (True,)
 assert calls["start"] == (1, 1.0, False, False, False)
 assert calls["go_to"][0] == upload.START and calls["go_to"][3] is False
-assert slept[2] > plan.duration
+assert slept[3] > plan.duration
 
 # The bytes, evaluated as the firmware does, keep away from the obstacle and end at the goal.
 begin, nearest = 0.0, np.inf

@@ -16,8 +16,8 @@ int crtpCommanderHighLevelTakeoff(const float absoluteHeight_m, const float dura
 int crtpCommanderHighLevelLand(const float absoluteHeight_m, const float duration_s);
 int crtpCommanderHighLevelGoTo(const float x, const float y, const float z, const float yaw, const float duration_s,
                                const bool relative);
-int crtpCommanderHighLevelStartTrajectory(const uint8_t trajectoryId, const float timeScale, const bool relative,
-                                          const bool reversed);
+int crtpCommanderHighLevelStartTrajectory(const uint8_t trajectoryId, const float timeScale,
+                                          const bool relativePosition, const bool relativeYaw, const bool reversed);
 int crtpCommanderHighLevelDefineTrajectory(const uint8_t trajectoryId, const crtpCommanderTrajectoryType_t type,
                                            const uint32_t offset, const uint8_t nPieces);
 bool crtpCommanderHighLevelWriteTrajectory(const uint32_t offset, const uint32_t length, const uint8_t* data);

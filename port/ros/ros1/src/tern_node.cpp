@@ -22,6 +22,9 @@ tern_ros::Settings settings_of(const ros::NodeHandle& own) {
   s.acceleration = own.param("acceleration", s.acceleration);
   s.yaw_rate = own.param("yaw_rate", s.yaw_rate);
   s.rate = own.param("rate", s.rate);
+  s.pose_timeout = own.param("pose_timeout", s.pose_timeout);
+  s.world.lower.z = own.param("ground", s.world.lower.z);
+  s.world.upper.z = own.param("ceiling", s.world.upper.z);
   return s;
 }
 
@@ -38,14 +41,19 @@ class Node {
 
  private:
   void on_cloud(const sensor_msgs::PointCloud2& cloud) {
-    if (!planning_.add_cloud(cloud)) ROS_WARN("cloud refused, frame %s", cloud.header.frame_id.c_str());
+    std::string why;
+    if (!planning_.add_cloud(cloud, &why)) ROS_WARN("cloud refused: %s", why.c_str());
   }
-  void on_pose(const geometry_msgs::PoseStamped& pose) { planning_.set_pose(pose); }
+  void on_pose(const geometry_msgs::PoseStamped& pose) {
+    const std::string answer = planning_.set_pose(pose, ros::Time::now().toSec());
+    if (answer != last_pose_ && answer != "ok") ROS_WARN("pose refused: %s", answer.c_str());
+    last_pose_ = answer;
+  }
   void on_goal(const geometry_msgs::PoseStamped& goal) {
     trajectory_msgs::MultiDOFJointTrajectory trajectory;
     visualization_msgs::MarkerArray markers;
     markers.markers.resize(1);
-    const std::string answer = planning_.plan_to(goal, trajectory, markers.markers[0]);
+    const std::string answer = planning_.plan_to(goal, trajectory, markers.markers[0], ros::Time::now().toSec());
     if (answer != "ok") {
       ROS_WARN("no plan: %s", answer.c_str());
       return;
@@ -59,6 +67,7 @@ class Node {
 
   ros::NodeHandle node_;
   tern_ros::Planning planning_;
+  std::string last_pose_ = "ok";  // the last answer, so that a fault is said once
   ros::Publisher trajectories_, markers_;
   ros::Subscriber clouds_, poses_, goals_;
 };

@@ -32,13 +32,17 @@ class Node : public rclcpp::Node {
     s.acceleration = declare_parameter("acceleration", s.acceleration);
     s.yaw_rate = declare_parameter("yaw_rate", s.yaw_rate);
     s.rate = declare_parameter("rate", s.rate);
+    s.pose_timeout = declare_parameter("pose_timeout", s.pose_timeout);
+    s.world.lower.z = declare_parameter("ground", s.world.lower.z);
+    s.world.upper.z = declare_parameter("ceiling", s.world.upper.z);
     planning_ = std::make_unique<tern_ros::Planning>(s);
     trajectories_ = create_publisher<MultiDOFJointTrajectory>("trajectory", rclcpp::QoS(1).transient_local());
     markers_ = create_publisher<MarkerArray>("markers", rclcpp::QoS(1).transient_local());
     clouds_ = create_subscription<PointCloud2>("cloud", rclcpp::SensorDataQoS(),
                                                [this](const PointCloud2& cloud) { on_cloud(cloud); });
-    poses_ = create_subscription<PoseStamped>("pose", rclcpp::QoS(1),
-                                              [this](const PoseStamped& pose) { planning_->set_pose(pose); });
+    // Estimators publish poses as sensor data, best effort: a reliable subscription would never be connected.
+    poses_ = create_subscription<PoseStamped>("pose", rclcpp::SensorDataQoS(),
+                                              [this](const PoseStamped& pose) { on_pose(pose); });
     goals_ =
         create_subscription<PoseStamped>("goal", rclcpp::QoS(1), [this](const PoseStamped& goal) { on_goal(goal); });
   }
@@ -46,15 +50,19 @@ class Node : public rclcpp::Node {
 
  private:
   void on_cloud(const PointCloud2& cloud) {
-    if (!planning_->add_cloud(cloud)) {
-      RCLCPP_WARN(get_logger(), "cloud refused, frame %s", cloud.header.frame_id.c_str());
-    }
+    std::string why;
+    if (!planning_->add_cloud(cloud, &why)) RCLCPP_WARN(get_logger(), "cloud refused: %s", why.c_str());
+  }
+  void on_pose(const PoseStamped& pose) {
+    const std::string answer = planning_->set_pose(pose, now().seconds());
+    if (answer != last_pose_ && answer != "ok") RCLCPP_WARN(get_logger(), "pose refused: %s", answer.c_str());
+    last_pose_ = answer;
   }
   void on_goal(const PoseStamped& goal) {
     MultiDOFJointTrajectory trajectory;
     MarkerArray markers;
     markers.markers.resize(1);
-    const std::string answer = planning_->plan_to(goal, trajectory, markers.markers[0]);
+    const std::string answer = planning_->plan_to(goal, trajectory, markers.markers[0], now().seconds());
     if (answer != "ok") {
       RCLCPP_WARN(get_logger(), "no plan: %s", answer.c_str());
       return;
@@ -67,6 +75,7 @@ class Node : public rclcpp::Node {
   }
 
   std::unique_ptr<tern_ros::Planning> planning_;
+  std::string last_pose_ = "ok";  // the last answer, so that a fault is said once
   rclcpp::Publisher<MultiDOFJointTrajectory>::SharedPtr trajectories_;
   rclcpp::Publisher<MarkerArray>::SharedPtr markers_;
   rclcpp::Subscription<PointCloud2>::SharedPtr clouds_;

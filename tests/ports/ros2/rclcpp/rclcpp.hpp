@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A stand-in for rclcpp, written from its documentation: one process, topics by name. What the test enters is delivered
-// in spin().
+// in spin(); a number on the topic `clock` sets the clock.
 #pragma once
 
 #include <any>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -22,6 +23,8 @@ struct Bus {
   std::map<std::string, std::function<void(const std::any&)>> subscribers;
   std::vector<std::pair<std::string, std::any>> entered, published;
   std::map<std::string, std::any> parameters;
+  std::map<std::string, bool> reliable;  // what each subscription asks for
+  double seconds = 42.0;                 // the clock
 };
 inline Bus& bus() {
   static Bus the_bus;
@@ -37,13 +40,28 @@ class QoS {
   explicit QoS(int depth) : depth_(depth) {}
   QoS& transient_local() { return *this; }
   int depth() const { return depth_; }
+  bool is_reliable() const { return reliable_; }
 
- private:
+ protected:
   int depth_;
+  bool reliable_ = true;
 };
 class SensorDataQoS : public QoS {
  public:
-  SensorDataQoS() : QoS(5) {}
+  SensorDataQoS() : QoS(5) { reliable_ = false; }
+};
+
+class Time {
+ public:
+  explicit Time(double seconds) : seconds_(seconds) {}
+  double seconds() const { return seconds_; }
+  operator builtin_interfaces::msg::Time() const {
+    const double whole = std::floor(seconds_);
+    return {static_cast<std::int32_t>(whole), static_cast<std::uint32_t>(1e9 * (seconds_ - whole))};
+  }
+
+ private:
+  double seconds_;
 };
 
 template <typename Message>
@@ -77,15 +95,16 @@ class Node {
     return std::make_shared<Publisher<Message>>(topic);
   }
   template <typename Message, typename Callback>
-  typename Subscription<Message>::SharedPtr create_subscription(const std::string& topic, const QoS&,
+  typename Subscription<Message>::SharedPtr create_subscription(const std::string& topic, const QoS& qos,
                                                                 Callback callback) {
+    bus().reliable[topic] = qos.is_reliable();
     bus().subscribers[topic] = [callback](const std::any& message) {
       callback(std::any_cast<const Message&>(message));
     };
     return std::make_shared<Subscription<Message>>();
   }
   Logger get_logger() const { return {}; }
-  builtin_interfaces::msg::Time now() const { return {42, 0}; }
+  Time now() const { return Time(bus().seconds); }
 
  private:
   std::string name_;
@@ -95,7 +114,13 @@ inline void init(int, char**) {}
 inline void shutdown() {}
 template <typename SomeNode>
 void spin(const std::shared_ptr<SomeNode>&) {
-  for (const auto& [topic, message] : bus().entered) bus().subscribers.at(topic)(message);
+  for (const auto& [topic, message] : bus().entered) {
+    if (topic == "clock") {
+      bus().seconds = std::any_cast<double>(message);
+    } else {
+      bus().subscribers.at(topic)(message);
+    }
+  }
 }
 
 }  // namespace rclcpp
