@@ -40,12 +40,13 @@ def make_plan():
 
 def upload(cf, plan, yaw):
     """Writes the pieces and tells the firmware of them."""
+    pieces, _ = tern.crazyflie_raw(plan, yaw)
     memory = cf.mem.get_mems(MemoryElement.TYPE_TRAJ)[0]
     memory.trajectory = [Poly4D(float(row[32]), *(Poly4D.Poly([float(c) for c in row[8 * k:8 * k + 8]])
-                                                  for k in range(4))) for row in tern.poly4d(plan, yaw)]
+                                                  for k in range(4))) for row in pieces]
     if not memory.write_data_sync():
         raise SystemExit("the upload failed")
-    cf.high_level_commander.define_trajectory(TRAJECTORY, 0, len(plan))
+    cf.high_level_commander.define_trajectory(TRAJECTORY, 0, len(pieces))
 
 
 def position(cf):
@@ -90,7 +91,7 @@ def fly(cf, plan, yaw):
 
 def main():
     plan, yaw = make_plan()
-    print(f"{plan.duration:.2f} s in {len(plan)} pieces, {132 * len(plan)} bytes")
+    print(f"{plan.duration:.2f} s")
     cflib.crtp.init_drivers()
     with SyncCrazyflie(sys.argv[1], cf=Crazyflie(rw_cache="./cache")) as link:
         upload(link.cf, plan, yaw)

@@ -14,7 +14,8 @@ import cffi
 
 HEADERS = ["corridor", "export", "flight", "record"]  # these include the others
 EMPTY = ["stddef.h", "stdint.h", "stdbool.h"]  # cffi knows their types
-CONSTANTS = ["TERN_ABI", "TERN_MAX_SEGMENTS", "TERN_MAX_PLANES", "TERN_MAVLINK_SETPOINT_BYTES"]
+CONSTANTS = ["TERN_ABI", "TERN_MAX_SEGMENTS", "TERN_MAX_PLANES", "TERN_MAVLINK_SETPOINT_BYTES",
+             "TERN_CRAZYFLIE_PIECES"]
 INLINE = re.compile(r"^static inline .*?^\}", re.MULTILINE | re.DOTALL)
 CAPACITIES = re.compile(r"const uint64_t values\[\] = \{(.*?)\};", re.DOTALL)
 

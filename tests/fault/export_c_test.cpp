@@ -26,7 +26,7 @@ TEST(ExportC, NullPointersHaveAnswers) {
   setpoint.yaw = 7.0f;
   tern_setpoint_ned(nullptr, nullptr, nullptr, &setpoint);
   EXPECT_EQ(setpoint.position[0], 0.0f);
-  EXPECT_NEAR(setpoint.yaw, 1.5707964f, 1e-6f);
+  EXPECT_TRUE(std::isnan(setpoint.yaw) && std::isnan(setpoint.yaw_rate));
   tern_setpoint_ned(nullptr, nullptr, nullptr, nullptr);
   tern_attitude_ned(nullptr, nullptr);
   std::uint8_t frame[TERN_MAVLINK_SETPOINT_BYTES];
@@ -36,18 +36,28 @@ TEST(ExportC, NullPointersHaveAnswers) {
   EXPECT_EQ(tern_mavlink_setpoint(&setpoint, &header, nullptr), 0);
   EXPECT_GT(tern_mavlink_setpoint(&setpoint, &header, frame), 12);
   const tern_trajectory plan = hover();
-  tern_crazyflie_piece piece;
-  EXPECT_EQ(tern_poly4d(nullptr, nullptr, 0, &piece), kInvalid);
-  EXPECT_EQ(tern_poly4d(&plan, nullptr, 0, nullptr), kInvalid);
-  EXPECT_EQ(tern_poly4d(&plan, nullptr, 0, &piece), 0);
+  tern_crazyflie_piece pieces[TERN_CRAZYFLIE_PIECES];
+  constexpr std::int32_t room = TERN_CRAZYFLIE_PIECES;
+  std::int32_t count = 0;
+  tern_export_error error{};
+  EXPECT_EQ(tern_setpoint_error(nullptr, nullptr, nullptr, &error), kInvalid);
+  EXPECT_EQ(tern_setpoint_error(&plan, nullptr, nullptr, nullptr), kInvalid);
+  EXPECT_EQ(tern_setpoint_error(&plan, nullptr, nullptr, &error), 0);
+  EXPECT_EQ(tern_crazyflie_raw(nullptr, nullptr, nullptr, pieces, room, &count, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_raw(&plan, nullptr, nullptr, nullptr, room, &count, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_raw(&plan, nullptr, nullptr, pieces, room, nullptr, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_raw(&plan, nullptr, nullptr, pieces, room, &count, nullptr), kInvalid);
+  EXPECT_EQ(tern_crazyflie_raw(&plan, nullptr, nullptr, pieces, room, &count, &error), 0);
+  EXPECT_EQ(count, 1);
   std::uint8_t bytes[TERN_CRAZYFLIE_COMPRESSED_BYTES(1)];
   std::int32_t used = 0;
-  EXPECT_EQ(tern_crazyflie_compressed(nullptr, nullptr, bytes, sizeof bytes, &used), kInvalid);
-  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, sizeof bytes, &used), kInvalid);
-  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, bytes, sizeof bytes, nullptr), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(nullptr, nullptr, nullptr, bytes, sizeof bytes, &used, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, nullptr, sizeof bytes, &used, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, bytes, sizeof bytes, nullptr, &error), kInvalid);
+  EXPECT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, bytes, sizeof bytes, &used, nullptr), kInvalid);
   tern_trajectory read;
-  EXPECT_EQ(tern_crazyflie_decompressed(nullptr, 100, &plan, &read), kInvalid);
-  EXPECT_EQ(tern_crazyflie_decompressed(bytes, 100, nullptr, &read), kInvalid);
+  EXPECT_EQ(tern_crazyflie_decompressed(nullptr, 100, nullptr, &read), kInvalid);
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, 100, nullptr, nullptr), kInvalid);
   tern_px4_defaults(nullptr);
   tern_ardupilot_defaults(nullptr);
   tern_limits_from_px4(nullptr, nullptr);
@@ -65,6 +75,18 @@ TEST(ExportC, ArgumentsAreUsed) {
   EXPECT_NEAR(setpoint.position[1], 0.0f, 1e-6f);
   EXPECT_NEAR(setpoint.position[2], -2.0f, 1e-6f);
   EXPECT_NEAR(setpoint.yaw, 0.0f, 1e-6f);
+  tern_trajectory plan = hover();
+  plan.origin = {4e6, 0.0, 0.0};
+  tern_export_error far{};
+  tern_export_error near{};
+  ASSERT_EQ(tern_setpoint_error(&plan, nullptr, nullptr, &far), 0);
+  ASSERT_EQ(tern_setpoint_error(&plan, nullptr, &plan.origin, &near), 0);
+  EXPECT_GT(far.position, 0.1);
+  EXPECT_LT(near.position, 1e-8);
+  tern_crazyflie_piece piece;
+  std::int32_t count = 0;
+  ASSERT_EQ(tern_crazyflie_raw(&plan, nullptr, &plan.origin, &piece, 1, &count, &near), 0);
+  EXPECT_EQ(piece.p[0][0], 0.0f);
   const double level[4] = {1.0, 0.0, 0.0, 0.0};
   double ned[4] = {7.0, 7.0, 7.0, 7.0};
   tern_attitude_ned(level, nullptr);
@@ -93,22 +115,22 @@ TEST(ExportC, CompressedBytesEndWithAnEmptyPiece) {
   const tern_trajectory plan = hover();
   std::uint8_t bytes[TERN_CRAZYFLIE_COMPRESSED_BYTES(1)];
   std::int32_t used = 0;
-  ASSERT_EQ(tern_crazyflie_compressed(&plan, nullptr, bytes, sizeof bytes, &used), 0);
+  tern_export_error error{};
+  ASSERT_EQ(tern_crazyflie_compressed(&plan, nullptr, nullptr, bytes, sizeof bytes, &used, &error), 0);
   tern_trajectory read{};
-  ASSERT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, &read), 0);
+  ASSERT_EQ(tern_crazyflie_decompressed(bytes, used, nullptr, &read), 0);
   EXPECT_EQ(read.count, 1);
-  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, nullptr), kInvalid);
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, nullptr, nullptr), kInvalid);
   for (const int wrong : {1, 2}) {
     bytes[used - wrong] ^= 1;
-    EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, &plan, &read), kInvalid) << wrong;
+    EXPECT_EQ(tern_crazyflie_decompressed(bytes, used, nullptr, &read), kInvalid) << wrong;
     bytes[used - wrong] ^= 1;
   }
-  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used - 1, &plan, &read), kInvalid);
+  EXPECT_EQ(tern_crazyflie_decompressed(bytes, used - 1, nullptr, &read), kInvalid);
 }
 
 TEST(ExportC, HostileBytesAreReadWithinTheirLengthAndRefusedOrAPlan) {
   tern_test::Random random(11);
-  const tern_trajectory original = hover();
   for (int i = 0; i < tern_test::scaled(20000); ++i) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(random.integer(0, 400)));
     for (std::uint8_t& byte : bytes) {
@@ -116,7 +138,7 @@ TEST(ExportC, HostileBytesAreReadWithinTheirLengthAndRefusedOrAPlan) {
     }
     tern_trajectory read;
     const auto count = static_cast<std::int32_t>(bytes.size());
-    if (tern_crazyflie_decompressed(bytes.data(), count, &original, &read) != 0) continue;
+    if (tern_crazyflie_decompressed(bytes.data(), count, nullptr, &read) != 0) continue;
     ASSERT_GT(read.count, 0);
     ASSERT_LE(read.count, tern::kMaxSegments);
   }

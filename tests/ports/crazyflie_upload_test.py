@@ -42,9 +42,9 @@ names, why = run()
 assert why is None and names == ready + ["arm", "takeoff", "go_to", "start", "land", "stop"], (names, why)
 calls = dict((call[0], call[1:]) for call in cflib.calls)
 offset, data = calls["write"]
-assert (offset, data) == (0, tern.poly4d(plan, yaw).tobytes())
+assert (offset, data) == (0, tern.crazyflie_raw(plan, yaw)[0].tobytes())
 assert len(data) <= 4096
-assert calls["define"] == (1, 0, len(plan), 0)
+assert calls["define"] == (1, 0, len(data) // 132, 0)
 assert calls["param"] == ("stabilizer.controller", "2") and calls["arm"] == (True,)
 assert calls["start"] == (1, 1.0, False, False, False)
 assert calls["go_to"][0] == upload.START and calls["go_to"][3] is False

@@ -153,7 +153,8 @@ class Exports(unittest.TestCase):
         x, y, z = sample.position
         np.testing.assert_allclose(setpoint.position, [y - 2, x - 1, 3 - z], atol=1e-6)
         np.testing.assert_allclose(setpoint.velocity, sample.velocity[[1, 0, 2]] * [1, 1, -1], atol=1e-6)
-        self.assertAlmostEqual(setpoint.yaw, np.pi / 2, places=6)  # east
+        self.assertTrue(np.isnan(setpoint.yaw) and np.isnan(setpoint.yaw_rate), "no yaw plan")
+        self.assertLess(tern.setpoint_error(self.plan, self.yaw).position, 1e-5)
 
     def test_mavlink_frame_carries_the_setpoint(self):
         frame = tern.mavlink_setpoint(self.plan, 2.0, sequence=257, time_boot_ms=2000, yaw=self.yaw)
@@ -161,21 +162,28 @@ class Exports(unittest.TestCase):
         payload = frame[10:10 + frame[1]].ljust(53, b"\0")
         time, *numbers = struct.unpack("<I11f", payload[:48])
         setpoint = tern.setpoint_ned(self.plan, 2.0, self.yaw)
-        self.assertEqual(time, 2000)
+        self.assertEqual((time, frame[58:60]), (2000, b"\0\0"))
+        without = tern.mavlink_setpoint(self.plan, 2.0, sequence=0, time_boot_ms=2000)
+        self.assertEqual(without[58:60], (3072).to_bytes(2, "little"), "yaw and yaw rate are to be ignored")
         np.testing.assert_array_equal(np.float32(numbers[:9]), np.concatenate(
             [setpoint.position, setpoint.velocity, setpoint.acceleration]))
 
     def test_crazyflie_pieces_fly_the_plan(self):
-        pieces = tern.poly4d(self.plan, self.yaw)
-        self.assertEqual(pieces.shape, (len(self.plan), 33))
-        self.assertEqual(len(pieces.tobytes()), 132 * len(self.plan))
+        pieces, error = tern.crazyflie_raw(self.plan, self.yaw)
+        self.assertGreaterEqual(len(pieces), len(self.plan))
+        self.assertEqual(len(pieces.tobytes()), 132 * len(pieces))
+        self.assertLess(error.position, 1e-5)
+        self.assertTrue(0.0 < error.yaw <= 0.05, error)
         begin = 0.0
         for piece in pieces.astype(float):
             t = 0.4 * piece[32]
             position = [np.polynomial.polynomial.polyval(t, piece[8 * k:8 * k + 8]) for k in range(3)]
             np.testing.assert_allclose(position, self.plan.evaluate(begin + t).position, atol=1e-4)
             begin += piece[32]
-        data, flown = tern.crazyflie_compressed(self.plan)
+        far, error = tern.crazyflie_raw(self.plan, origin=(1e7, 0, 0))
+        self.assertGreater(error.position, 0.1)
+        data, flown, error = tern.crazyflie_compressed(self.plan)
+        self.assertLess(error.position, 1e-3)
         self.assertEqual(data[-1:], b"\0")
         self.assertEqual(tern.clear_until(grid_with_wall(), flown), flown.duration)
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -91,6 +92,56 @@ TEST(ExportFrames, SetpointsCountYawClockwiseFromNorth) {
   EXPECT_EQ(east.yaw_rate, -0.5f);
   EXPECT_NEAR(setpoint_ned(sample, yaw_at(kQuarter), {}).yaw, 0.0f, 1e-7f);
   EXPECT_NEAR(setpoint_ned(sample, yaw_at(2.0 * kQuarter), {}).yaw, static_cast<float>(-kQuarter), 1e-6f);
+  const SetpointNed any = setpoint_ned(sample, {1.0, 2.0, 3.0});
+  EXPECT_TRUE(std::isnan(any.yaw) && std::isnan(any.yaw_rate));
+  EXPECT_EQ(any.position[2], -27.0f);
+}
+
+/// A plan in motion with its origin anywhere.
+Trajectory tangle_at(Random& random, const Vec3& origin) {
+  Trajectory trajectory = tangle(random);
+  trajectory.origin = origin;
+  return trajectory;
+}
+
+double apart(const SetpointNed& setpoint, const Vec3& position, const Vec3& origin) {
+  const Vec3 ned = ned_from_enu({position.x - origin.x, position.y - origin.y, position.z - origin.z});
+  return std::sqrt((setpoint.position[0] - ned.x) * (setpoint.position[0] - ned.x) +
+                   (setpoint.position[1] - ned.y) * (setpoint.position[1] - ned.y) +
+                   (setpoint.position[2] - ned.z) * (setpoint.position[2] - ned.z));
+}
+
+TEST(ExportFrames, TheErrorOfSetpointsIsABoundAndSmallNearTheOrigin) {
+  const auto planner = std::make_unique<YawPlanner>();
+  for (int seed = 0; seed < scaled(50); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed) + 9);
+    const Vec3 utm{500000.0 + random.real(0.0, 10.0), 4000000.0 + random.real(0.0, 10.0), 101.0};
+    const Trajectory trajectory = tangle_at(random, utm);
+    YawPlan yaw{};
+    ASSERT_EQ(planner->plan(trajectory, yaw_request({1.0, 0.0}, 1.0, 2.0), yaw), Status::kOk);
+    for (const Vec3& origin : {Vec3{0.0, 0.0, 0.0}, utm}) {
+      const ExportError error = setpoint_error(trajectory, &yaw, origin);
+      double most = 0.0;
+      for (int k = 0; k <= 500; ++k) {
+        const double t = duration(trajectory) * k / 500;
+        const Sample sample = evaluate(trajectory, t);
+        const SetpointNed setpoint = setpoint_ned(sample, evaluate(yaw, t), origin);
+        most = std::max(most, apart(setpoint, sample.position, origin));
+        ASSERT_LE(std::abs(setpoint.velocity[0] - sample.velocity.y), error.velocity);
+        ASSERT_LE(std::abs(setpoint.acceleration[1] - sample.acceleration.x), error.acceleration);
+        ASSERT_LE(std::abs(setpoint.jerk[2] + sample.jerk.z), error.jerk);
+        ASSERT_LE(std::abs(setpoint.yaw_rate + evaluate(yaw, t).yaw.rate), error.yaw_rate);
+      }
+      EXPECT_LE(most, error.position);
+      EXPECT_LT(error.yaw, 2e-7);
+      if (origin.x > 0.0) {
+        EXPECT_LT(error.position, 1e-5);
+      } else {
+        EXPECT_GT(most, 0.005);
+        EXPECT_LT(error.position, 0.3);
+      }
+    }
+  }
 }
 
 /// A CRC by the book, bit by bit: reflected polynomial 0x8408.
@@ -130,143 +181,36 @@ TEST(ExportMavlink, FramesAreTheProtocols) {
   EXPECT_EQ(crc, 0xdbb8) << "the frame that node-mavlink 2.3 decodes to these numbers";
 }
 
-double power_series(const float (&p)[8], double t) {
-  double sum = 0.0;
-  for (int k = 7; k >= 0; --k) sum = sum * t + p[k];
-  return sum;
+int mask_of(const SetpointNed& setpoint) {
+  std::uint8_t frame[kMavlinkSetpointBytes];
+  EXPECT_EQ(mavlink_setpoint(setpoint, {255, 190, 1, 1, 0, 0}, frame), 65);
+  return frame[58] | frame[59] << 8;
 }
 
-TEST(ExportCrazyflie, PiecesFlyThePlan) {
-  const auto planner = std::make_unique<YawPlanner>();
-  for (int seed = 0; seed < scaled(200); ++seed) {
-    Random random(static_cast<std::uint64_t>(seed) + 1);
-    const Trajectory trajectory = tangle(random);
-    YawPlan yaw{};
-    ASSERT_EQ(planner->plan(trajectory, yaw_request({1.0, 0.0}, 1.0, 2.0), yaw), Status::kOk);
-    double begin = 0.0;
-    for (int i = 0; i < trajectory.count; ++i) {
-      Poly4d piece;
-      ASSERT_EQ(poly4d(trajectory, &yaw, i, piece), Status::kOk);
-      const double duration = trajectory.segments[i].duration;
-      ASSERT_EQ(piece.duration, static_cast<float>(duration));
-      for (int k = 0; k <= 20; ++k) {
-        const double t = duration * k / 20 * (1.0 - 1e-9);
-        const Vec3 at = evaluate(trajectory, begin + t).position;
-        const double scale = 2e-5;  // floats, with terms that cancel
-        ASSERT_NEAR(power_series(piece.p[0], t), at.x, scale * 20.0) << seed << ' ' << i;
-        ASSERT_NEAR(power_series(piece.p[1], t), at.y, scale * 20.0);
-        ASSERT_NEAR(power_series(piece.p[2], t), at.z, scale * 20.0);
-      }
-      for (const double part : {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0}) {
-        ASSERT_NEAR(power_series(piece.p[3], part * duration), evaluate(yaw, begin + part * duration).angle, 1e-3);
-      }
-      begin += duration;
-    }
-    Poly4d piece;
-    EXPECT_EQ(poly4d(trajectory, nullptr, trajectory.count, piece), Status::kInvalidArgument);
-    EXPECT_EQ(poly4d(trajectory, nullptr, -1, piece), Status::kInvalidArgument);
-    ASSERT_EQ(poly4d(trajectory, nullptr, 0, piece), Status::kOk);
-    for (const float coefficient : piece.p[3]) EXPECT_EQ(coefficient, 0.0f);
+TEST(ExportMavlink, WhatIsNotANumberIsMaskedAndWhatIsInfiniteRefused) {
+  const Sample sample{{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}, {}};
+  EXPECT_EQ(mask_of(setpoint_ned(sample, yaw_at(0.0), {})), 0);
+  EXPECT_EQ(mask_of(setpoint_ned(sample, {})), 3072) << "yaw and yaw rate";
+  const SetpointNed whole = setpoint_ned(sample, yaw_at(0.0), {});
+  const float nan = std::nanf("");
+  for (int a = 0; a < 3; ++a) {
+    SetpointNed part = whole;
+    part.position[a] = nan;
+    EXPECT_EQ(mask_of(part), 1 << a);
+    part = whole;
+    part.velocity[a] = nan;
+    EXPECT_EQ(mask_of(part), 8 << a);
+    part = whole;
+    part.acceleration[a] = nan;
+    part.jerk[a] = nan;
+    EXPECT_EQ(mask_of(part), 64 << a);
   }
-}
-
-/// x(t) = 1 + 2 t - t^3 over 2 s.
-TEST(ExportCrazyflie, AKnownPolynomialHasItsCoefficients) {
-  Trajectory trajectory{};
-  trajectory.count = 1;
-  trajectory.origin = {1.0, 0.0, 0.0};
-  trajectory.segments[0].duration = 2.0;
-  // p(u) = 4 u - 8 u^3 relative to the origin: b_i = 4 i / 7 - 8 C(i, 3) / C(7, 3).
-  const double cubes[8] = {0.0, 0.0, 0.0, 1.0, 4.0, 10.0, 20.0, 35.0};
-  for (int i = 0; i < 8; ++i) trajectory.segments[0].points[i] = {4.0 * i / 7.0 - 8.0 * cubes[i] / 35.0, 0.0, 0.0};
-  Poly4d piece;
-  ASSERT_EQ(poly4d(trajectory, nullptr, 0, piece), Status::kOk);
-  const float wanted[8] = {1.0f, 2.0f, 0.0f, -1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-  for (int k = 0; k < 8; ++k) EXPECT_NEAR(piece.p[0][k], wanted[k], 1e-6f) << k;
-}
-
-TEST(ExportCrazyflie, CompressedPointsAreRoundedToMillimetres) {
-  std::uint8_t bytes[crazyflie_compressed_bytes(kMaxSegments)];
-  for (int seed = 0; seed < scaled(200); ++seed) {
-    Random random(static_cast<std::uint64_t>(seed) + 5);
-    const Trajectory trajectory = tangle(random);
-    std::int32_t used = 0;
-    ASSERT_EQ(crazyflie_compressed(trajectory, nullptr, bytes, sizeof bytes, used), Status::kOk);
-    ASSERT_EQ(used, 8 + 45 * trajectory.count + 3);
-    Trajectory read{};
-    ASSERT_EQ(crazyflie_decompressed(bytes, used, trajectory, read), Status::kOk);
-    ASSERT_EQ(read.count, trajectory.count);
-    for (int i = 0; i < read.count; ++i) {
-      ASSERT_NEAR(read.segments[i].duration, trajectory.segments[i].duration, 0.0005 + 1e-12);
-      for (int k = 0; k < kControlPoints; ++k) {
-        const Vec3& point = trajectory.segments[i].points[k];
-        ASSERT_NEAR(read.segments[i].points[k].x, point.x + trajectory.origin.x, 0.0005 + 1e-12);
-        ASSERT_NEAR(read.segments[i].points[k].z, point.z + trajectory.origin.z, 0.0005 + 1e-12);
-      }
-    }
-    ASSERT_EQ(crazyflie_decompressed(bytes, used - 1, trajectory, read), Status::kInvalidArgument);
-  }
-}
-
-TEST(ExportCrazyflie, CompressedYawIsInTenthsOfADegree) {
-  const auto planner = std::make_unique<YawPlanner>();
-  YawPlan yaw{};
-  const Trajectory trajectory = tern_test::hover(2.0);
-  YawRequest request = yaw_request({0.0, 1.0}, 1.0, 2.0);
-  request.mode = YawMode::kFixed;
-  request.heading = {0.0, 1.0};
-  ASSERT_EQ(planner->plan(trajectory, request, yaw), Status::kOk);
-  std::uint8_t bytes[crazyflie_compressed_bytes(1)];
-  std::int32_t used = 0;
-  ASSERT_EQ(crazyflie_compressed(trajectory, &yaw, bytes, sizeof bytes, used), Status::kOk);
-  ASSERT_EQ(used, crazyflie_compressed_bytes(1));
-  EXPECT_EQ(bytes[6] | bytes[7] << 8, 900);
-  EXPECT_EQ(bytes[8], 0xFF);
-  EXPECT_EQ(bytes[9] | bytes[10] << 8, 2000);
-}
-
-TEST(ExportCrazyflie, WhatDoesNotFitIsRefused) {
-  std::uint8_t bytes[crazyflie_compressed_bytes(1)];
-  std::int32_t used = -1;
-  Trajectory far = tern_test::hover(1.0);
-  far.origin = {32.768, 0.0, 0.0};
-  EXPECT_EQ(crazyflie_compressed(far, nullptr, bytes, sizeof bytes, used), Status::kInvalidArgument);
-  far.origin.x = std::nan("");
-  EXPECT_EQ(crazyflie_compressed(far, nullptr, bytes, sizeof bytes, used), Status::kInvalidArgument);
-  EXPECT_EQ(crazyflie_compressed(tern_test::hover(0.0009), nullptr, bytes, sizeof bytes, used),
-            Status::kInvalidArgument);
-  EXPECT_EQ(crazyflie_compressed(tern_test::hover(66.0), nullptr, bytes, sizeof bytes, used), Status::kInvalidArgument);
-  EXPECT_EQ(crazyflie_compressed(tern_test::hover(1.0), nullptr, bytes, sizeof bytes - 1, used),
-            Status::kInvalidArgument);
-  EXPECT_EQ(crazyflie_compressed(Trajectory{}, nullptr, bytes, sizeof bytes, used), Status::kInvalidArgument);
-  far.count = kMaxSegments + 1;
-  EXPECT_EQ(crazyflie_compressed(far, nullptr, bytes, 1 << 20, used), Status::kInvalidArgument);
-  EXPECT_EQ(used, -1);
-  Poly4d piece{};
-  EXPECT_EQ(poly4d(far, nullptr, 0, piece), Status::kInvalidArgument);
-}
-
-/// As many pieces as there may be, each of 45 bytes after 8 of the start, and what ends them.
-TEST(ExportCrazyflie, AllPiecesAreReadAndNoMore) {
-  Trajectory full{};
-  full.count = kMaxSegments;
-  for (Segment& segment : full.segments) segment.duration = 0.5;
-  std::uint8_t bytes[crazyflie_compressed_bytes(kMaxSegments) + 45];
-  std::int32_t used = 0;
-  ASSERT_EQ(crazyflie_compressed(full, nullptr, bytes, sizeof bytes, used), Status::kOk);
-  Trajectory read{};
-  ASSERT_EQ(crazyflie_decompressed(bytes, used, full, read), Status::kOk);
-  EXPECT_EQ(read.count, kMaxSegments);
-  for (const std::int32_t end : {used - 2, used - 1}) {
-    bytes[end] = 1;
-    EXPECT_EQ(crazyflie_decompressed(bytes, used, full, read), Status::kInvalidArgument) << "the end has a duration";
-    bytes[end] = 0;
-  }
-  std::memcpy(bytes + used - 3, bytes + 8, 45);
-  std::memset(bytes + used + 42, 0, 3);
-  EXPECT_EQ(crazyflie_decompressed(bytes, used + 45, full, read), Status::kInvalidArgument) << "one piece too many";
-  const std::uint8_t nothing[11] = {};
-  EXPECT_EQ(crazyflie_decompressed(nothing, 11, full, read), Status::kInvalidArgument) << "no piece";
+  SetpointNed part = whole;
+  part.yaw = nan;
+  EXPECT_EQ(mask_of(part), 1024);
+  std::uint8_t frame[kMavlinkSetpointBytes];
+  part.yaw_rate = -HUGE_VALF;
+  EXPECT_EQ(mavlink_setpoint(part, {255, 190, 1, 1, 0, 0}, frame), 0);
 }
 
 TEST(ExportLimits, AreTheParameters) {

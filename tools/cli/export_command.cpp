@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
 #include "host/atomic_file.hpp"
+#include "host/export/export_proof.hpp"
 #include "host/export/plan_export.hpp"
 #include "host/figures.hpp"
 #include "host/map/map_files.hpp"
@@ -28,59 +30,150 @@ struct ExportOptions {
   std::string mavlink;
   std::string multidof;
   double rate = 50.0;
+  std::vector<double> origin{0.0, 0.0, 0.0};
+  double reserve = 0.0;
+  double yaw_error = tern::kCrazyflieYaw;
   std::vector<std::string> overrides;
 };
 
-std::string error_text(const tern_host::ExportError& error) {
-  char text[120];
+/// One form: its name, its size, how far it is from the plan, and how it is proven.
+struct Form {
+  std::string name;
+  std::string size;
+  const tern::ExportError& error;
+  const tern::Trajectory* curve = nullptr;
+};
+
+std::string error_text(const tern::ExportError& error, bool has_yaw) {
+  char text[200];
   std::snprintf(text, sizeof text, "off the plan by at most %.2g m, %.2g m/s, %.2g m/s^2", error.position,
                 error.velocity, error.acceleration);
-  return text;
+  std::string all = text;
+  if (has_yaw) {
+    std::snprintf(text, sizeof text, ", %.2g rad, %.2g rad/s", error.yaw, error.yaw_rate);
+    all += text;
+  }
+  return all;
 }
 
-/// Two lines on the curve that the rounded numbers fly. Throws where it is not proven clear of the map.
-std::string compressed_text(const PlanResult& result, const std::string& bytes) {
-  const tern_host::CompressedCurve curve = tern_host::compressed_curve(result, bytes);
-  if (!curve.clear) {
-    throw std::runtime_error("the compressed form, rounded to millimetres, is proven clear only until " +
-                             brief(curve.clear_until) + " s. Plan with a radius larger by 0.01 m, or use the raw form");
+/// Plans with limits lowered by the reserve, writes the plan's forms, and proves them with the scenario's own limits.
+class Export {
+ public:
+  Export(const ExportOptions& options, const tern_host::Scenario& scenario, const PlanResult& result)
+      : options_(options), scenario_(scenario), result_(result) {
+    text_ = scenario.name + ": " + std::to_string(result.trajectory.count) + " segments, " +
+            tern_host::fixed(tern::duration(result.trajectory), 3) + " s, " +
+            (result.yaw != nullptr ? "yaw as planned" : "no yaw planned") + "\n";
   }
-  const tern_host::Figures figures = tern_host::measure(curve.trajectory, result.scenario);
-  char use[120];
-  std::snprintf(use, sizeof use, "%.1f %% of the velocity limits, %.1f %% of the acceleration limits",
-                100.0 * figures.v_use, 100.0 * figures.a_use);
-  return "  compressed  " + std::to_string(bytes.size()) + " bytes, " + error_text(curve.error) +
-         "\n              proven clear; uses " + use + "\n";
-}
+
+  void add_raw() {
+    if (options_.raw.empty() && options_.csv.empty()) return;
+    const tern_host::RawForm form = tern_host::crazyflie_raw(result_, origin());
+    if (!options_.raw.empty()) outputs_.push_back({options_.raw, form.bytes()});
+    if (!options_.csv.empty()) outputs_.push_back({options_.csv, form.csv()});
+    add({"raw",
+         std::to_string(form.pieces.size()) + " pieces, " + std::to_string(132 * form.pieces.size()) + " bytes of 4096",
+         form.error});
+  }
+
+  void add_compressed() {
+    if (options_.compressed.empty()) return;
+    const tern_host::CompressedForm form = tern_host::crazyflie_compressed(result_, origin());
+    outputs_.push_back({options_.compressed, form.bytes});
+    add({"compressed", std::to_string(form.curve.count) + " pieces, " + std::to_string(form.bytes.size()) + " bytes",
+         form.error, &form.curve});
+    const tern_host::Figures figures = tern_host::measure(form.curve, scenario_);
+    char use[120];
+    std::snprintf(use, sizeof use, "%.1f %% of the velocity limits, %.1f %% of the acceleration limits",
+                  100.0 * figures.v_use, 100.0 * figures.a_use);
+    text_ += std::string("              uses ") + use + "\n";
+  }
+
+  void add_streams() {
+    if (!options_.mavlink.empty()) {
+      const tern_host::SetpointStream stream = tern_host::mavlink_stream(result_, options_.rate, origin());
+      outputs_.push_back({options_.mavlink, stream.content});
+      add({"mavlink", std::to_string(stream.count) + " frames", stream.error});
+    }
+    if (!options_.multidof.empty()) {
+      const tern_host::SetpointStream stream = tern_host::multidof_yaml(result_, options_.rate, origin());
+      outputs_.push_back({options_.multidof, stream.content});
+      add({"multidof", std::to_string(stream.count) + " points", stream.error});
+    }
+  }
+
+  void write() const {
+    tern_host::write_files(outputs_);
+    std::fputs(text_.c_str(), stdout);
+  }
+
+ private:
+  tern::Vec3 origin() const { return {options_.origin[0], options_.origin[1], options_.origin[2]}; }
+
+  void add(const Form& form) {
+    std::string name = form.name;
+    name.resize(12, ' ');
+    const std::string proof = proof_of(form);
+    text_ += "  " + name + form.size + ", " + error_text(form.error, result_.yaw != nullptr) + "\n              " +
+             proof + "\n";
+  }
+
+  std::string proof_of(const Form& form) const {
+    try {
+      if (!(form.error.yaw <= options_.yaw_error)) {
+        throw std::runtime_error(
+            "turns up to " + brief(form.error.yaw) +
+            " rad away from the yaw plan. Plan a slower yaw (yaw_rate, yaw_acceleration), or allow "
+            "it with --yaw-error");
+      }
+      return tern_host::prove_export(scenario_, {result_.trajectory, form.error, form.curve, origin()});
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(scenario_.name + ": the " + form.name + " form " + error.what() +
+                               ". Nothing was written");
+    }
+  }
+
+  const ExportOptions& options_;
+  const tern_host::Scenario& scenario_;
+  const PlanResult& result_;
+  std::vector<tern_host::Output> outputs_;
+  std::string text_;
+};
 
 int export_plan(const ExportOptions& options) {
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
   check_output_paths(tern_host::input_paths(scenario),
                      {options.raw, options.csv, options.compressed, options.mavlink, options.multidof});
-  const PlanResult result = tern_host::Session().plan(scenario);
+  tern_host::Scenario planned = scenario;
+  planned.limits = tern_host::scaled(scenario.limits, 1.0 - options.reserve / 100.0);
+  const PlanResult result = tern_host::Session().plan(planned);
   if (!result.ok() || result.yaw_status != tern::Status::kOk) {
     std::fputs((result.ok() ? yaw_failure(result) : failure_summary(result)).c_str(), stderr);
     return kExitNoPlan;
   }
-  std::vector<tern_host::Output> outputs;
-  std::string text = scenario.name + ": " + std::to_string(result.trajectory.count) + " segments, " +
-                     tern_host::fixed(tern::duration(result.trajectory), 3) + " s, yaw " +
-                     (result.yaw != nullptr ? "as planned" : "0") + "\n";
-  if (!options.raw.empty()) outputs.push_back({options.raw, tern_host::crazyflie_raw(result)});
-  if (!options.csv.empty()) outputs.push_back({options.csv, tern_host::crazyflie_csv(result)});
-  if (!options.raw.empty() || !options.csv.empty()) {
-    text += "  raw         " + std::to_string(132 * result.trajectory.count) + " bytes of 4096, " +
-            error_text(tern_host::raw_error(result)) + "\n";
-  }
-  if (!options.compressed.empty()) {
-    outputs.push_back({options.compressed, tern_host::crazyflie_compressed(result)});
-    text += compressed_text(result, outputs.back().content);
-  }
-  if (!options.mavlink.empty()) outputs.push_back({options.mavlink, tern_host::mavlink_stream(result, options.rate)});
-  if (!options.multidof.empty()) outputs.push_back({options.multidof, tern_host::multidof_yaml(result, options.rate)});
-  tern_host::write_files(outputs);
-  std::fputs(text.c_str(), stdout);
+  Export forms(options, scenario, result);
+  forms.add_raw();
+  forms.add_compressed();
+  forms.add_streams();
+  forms.write();
   return kExitOk;
+}
+
+void add_judgement_options(CLI::App& command, ExportOptions& options) {
+  command
+      .add_option("--origin", options.origin,
+                  "The point of the world that becomes 0, in the world's axes: for MAVLink, "
+                  "the autopilot's local origin. Numbers are finer near to it")
+      ->expected(3)
+      ->check(CLI::Number)
+      ->type_name("X Y Z");
+  command.add_option("--reserve", options.reserve, "Plan with limits lower by this; prove with the scenario's")
+      ->check(CLI::Range(0.0, 90.0))
+      ->type_name("PERCENT");
+  command.add_option("--yaw-error", options.yaw_error, "How far a Crazyflie's yaw may be off the yaw plan")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->type_name("RAD");
 }
 
 }  // namespace
@@ -105,11 +198,12 @@ void add_export_command(CLI::App& app, int& exit_status) {
       ->capture_default_str()
       ->check(CLI::PositiveNumber)
       ->type_name("HERTZ");
+  add_judgement_options(*command, *options);
   command->add_option("--set", options->overrides, "Replace a setting of the scenario, e.g. --set yaw=motion")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->footer("Files are written all and whole, or not at all.");
+  command->footer("Files are written all and whole, or not at all: if one form is not proven, none is.");
   command->callback([options, &exit_status] { exit_status = export_plan(*options); });
 }
 

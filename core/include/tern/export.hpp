@@ -30,12 +30,30 @@ struct SetpointNed {
   float velocity[3];      ///< m/s
   float acceleration[3];  ///< m/s^2
   float jerk[3];          ///< m/s^3; MAVLink does not carry it
-  float yaw;              ///< rad, clockwise from north, in (-pi, pi]
-  float yaw_rate;         ///< rad/s, clockwise
+  float yaw;              ///< rad, clockwise from north, in (-pi, pi]; NaN: the stack may choose
+  float yaw_rate;         ///< rad/s, clockwise; NaN: the stack may choose
 };
 
-/// The setpoint of a sample and a yaw, both of the same time. Take `origin`, world frame, as the stack's local origin.
+/// The setpoint of a sample and a yaw, both of the same time. `origin`, world frame, is the stack's local origin: the
+/// point of the world that becomes 0. It is subtracted in double precision. Floats are coarse far from 0 (0.25 m at
+/// 4,000 km), so let it be near the plan.
 SetpointNed setpoint_ned(const Sample& sample, const YawSample& yaw, const Vec3& origin) noexcept;
+
+/// The same without a yaw plan: yaw and yaw rate are NaN.
+SetpointNed setpoint_ned(const Sample& sample, const Vec3& origin) noexcept;
+
+/// How far what an export says is from the plan, at equal times since the beginning: bounds for all times, not samples.
+struct ExportError {
+  double position;      ///< m
+  double velocity;      ///< m/s
+  double acceleration;  ///< m/s^2
+  double jerk;          ///< m/s^3
+  double yaw;           ///< rad; 0 without a yaw plan
+  double yaw_rate;      ///< rad/s; 0 without a yaw plan
+};
+
+/// What setpoint_ned() loses of a plan by rounding to float. `yaw` may be null.
+ExportError setpoint_error(const Trajectory& trajectory, const YawPlan* yaw, const Vec3& origin) noexcept;
 
 /// Bytes of one SET_POSITION_TARGET_LOCAL_NED frame of MAVLink 2, at most.
 constexpr int32_t kMavlinkSetpointBytes = 65;
@@ -48,8 +66,9 @@ struct MavlinkHeader {
   uint32_t time_boot_ms;
 };
 
-/// Writes the frame: position, velocity, acceleration, yaw and yaw rate in LOCAL_NED, none of them masked. `frame` has
-/// room for kMavlinkSetpointBytes. Returns the bytes in use: MAVLink leaves out zeros at the payload's end.
+/// Writes the frame: position, velocity, acceleration, yaw and yaw rate in LOCAL_NED. The type mask tells the autopilot
+/// to ignore fields that are NaN. `frame` has room for kMavlinkSetpointBytes. Returns the bytes in use, or 0 if a
+/// number is infinite: then there is nothing to send.
 int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& header, uint8_t* frame) noexcept;
 
 /// One piece of a Crazyflie's trajectory in raw form, 132 bytes as the firmware stores it: polynomials of x, y, z (m,
@@ -62,27 +81,35 @@ struct Poly4d {
 /// Pieces that fit into the firmware's trajectory memory of 4096 bytes.
 constexpr int32_t kCrazyfliePieces = 31;
 
-/// Segment number `segment` as a piece. x, y and z are the segment's, rounded to float. Yaw is the polynomial of degree
-/// 7 that agrees with `yaw` in angle, rate and acceleration at both ends of the segment and in angle at a third and two
-/// thirds of it; a null `yaw` is yaw 0. kOk, or kInvalidArgument if there is no such segment.
-Status poly4d(const Trajectory& trajectory, const YawPlan* yaw, int32_t segment, Poly4d& piece) noexcept;
+/// The yaw of a Crazyflie's pieces keeps this near to the yaw plan, rad, if there is room to halve pieces that would be
+/// further off. ExportError::yaw says how near it is.
+constexpr double kCrazyflieYaw = 0.05;
 
-/// Bytes that crazyflie_compressed() needs for so many segments, at most.
-constexpr int32_t crazyflie_compressed_bytes(int32_t segments) {
-  return 8 + 59 * segments + 3;
+/// The plan as pieces, relative to `origin`, a point of the world: one piece for each segment, or for parts of it if
+/// the yaw needs them. Numbers are rounded to float, `error` says what that changes. Times are those of the rounded
+/// durations, added up. The yaw polynomial of a piece agrees with `yaw` in angle, rate and acceleration at both ends
+/// and in angle at a third and two thirds; a null `yaw` is yaw 0. kOk; kInvalidArgument, with nothing but pieces
+/// written, for an empty plan, a segment too short for float, or more segments than `room` or kCrazyfliePieces.
+Status crazyflie_raw(const Trajectory& trajectory, const YawPlan* yaw, const Vec3& origin, Poly4d* pieces, int32_t room,
+                     int32_t& count, ExportError& error) noexcept;
+
+/// Bytes that crazyflie_compressed() needs for so many pieces, at most. It makes kMaxSegments pieces at most.
+constexpr int32_t crazyflie_compressed_bytes(int32_t pieces) {
+  return 8 + 59 * pieces + 3;
 }
 
-/// Writes the Crazyflie's compressed form: Bezier control points in millimetres, yaw in tenths of a degree, durations
-/// in milliseconds. It begins at the plan's start and ends with a piece of duration 0. Rounding changes the curve:
-/// prove what crazyflie_decompressed() reads back. `used`: bytes written. kOk; kInvalidArgument for an empty plan, too
-/// little room, a segment shorter than 1 ms or longer than 65.535 s, or coordinates beyond 32.767 m.
-Status crazyflie_compressed(const Trajectory& trajectory, const YawPlan* yaw, uint8_t* bytes, int32_t room,
-                            int32_t& used) noexcept;
+/// Writes the Crazyflie's compressed form: Bezier control points in millimetres relative to `origin`, yaw in tenths of
+/// a degree, times since the beginning rounded to milliseconds. It begins at the plan's start and ends with a piece of
+/// duration 0. Pieces are halved for the yaw as in raw form, if the halves last a second and there is room. Rounding
+/// changes the curve, `error` says by how much: prove what crazyflie_decompressed() reads back. `used`: bytes written.
+/// kOk; kInvalidArgument for an empty plan, too little room, a piece that lasts 0 ms once rounded or more than
+/// 65.535 s, or coordinates beyond 32.767 m.
+Status crazyflie_compressed(const Trajectory& trajectory, const YawPlan* yaw, const Vec3& origin, uint8_t* bytes,
+                            int32_t room, int32_t& used, ExportError& error) noexcept;
 
-/// The trajectory that a compressed form flies; each segment has the polyhedron number of `original`'s. kOk, or
-/// kInvalidArgument if the bytes are not of crazyflie_compressed().
-Status crazyflie_decompressed(const uint8_t* bytes, int32_t count, const Trajectory& original,
-                              Trajectory& trajectory) noexcept;
+/// The trajectory that a compressed form flies, relative to the `origin` that it was written with. It belongs to no
+/// corridor: its polyhedron numbers are 0. kOk, or kInvalidArgument if the bytes are not of crazyflie_compressed().
+Status crazyflie_decompressed(const uint8_t* bytes, int32_t count, const Vec3& origin, Trajectory& trajectory) noexcept;
 
 /// PX4's parameters of the same names, m/s, m/s^2 and m/s^3. px4_limits() has the firmware's defaults.
 struct Px4Limits {

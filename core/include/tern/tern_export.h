@@ -11,14 +11,17 @@
 #include "tern/export.hpp"
 typedef tern::SetpointNed tern_setpoint;
 typedef tern::MavlinkHeader tern_mavlink_header;
+typedef tern::ExportError tern_export_error;
 typedef tern::Poly4d tern_crazyflie_piece;
 typedef tern::Px4Limits tern_px4_parameters;
 typedef tern::ArdupilotLimits tern_ardupilot_parameters;
 extern "C" {
 #else
 /* clang-format off */
-/* North, east, down; yaw clockwise from north: tern::SetpointNed. */
+/* North, east, down; yaw clockwise from north, or NaN: tern::SetpointNed. */
 typedef struct { float position[3], velocity[3], acceleration[3], jerk[3], yaw, yaw_rate; } tern_setpoint;
+/* How far an export is from the plan, at most: m, m/s, m/s^2, m/s^3, rad, rad/s. tern::ExportError. */
+typedef struct { double position, velocity, acceleration, jerk, yaw, yaw_rate; } tern_export_error;
 /* Sender, receiver and time of a MAVLink frame: tern::MavlinkHeader. */
 typedef struct {
   uint8_t system, component, target_system, target_component, sequence; uint32_t time_boot_ms;
@@ -36,24 +39,33 @@ typedef struct {
 /* clang-format on */
 #endif
 
-/* Room for one MAVLink frame, and for a compressed plan of so many segments. */
+/* Room for one MAVLink frame, and for a compressed plan of so many pieces. */
 #define TERN_MAVLINK_SETPOINT_BYTES 65
-#define TERN_CRAZYFLIE_COMPRESSED_BYTES(segments) (8 + 59 * (segments) + 3)
+#define TERN_CRAZYFLIE_COMPRESSED_BYTES(pieces) (8 + 59 * (pieces) + 3)
 
-/* The setpoint of a sample and a yaw, relative to `origin`. A null pointer counts as zeros, a null yaw as yaw 0. */
+/* Pieces that fit into a Crazyflie's memory. */
+#define TERN_CRAZYFLIE_PIECES 31
+
+/* In all of these, `origin` is the point of the world that becomes 0; null: the world's. `yaw` may be null.
+ *
+ * The setpoint of a sample and a yaw. A null sample counts as zeros; without a yaw, yaw and yaw rate are NaN. */
 void tern_setpoint_ned(const tern_sample* sample, const tern_yaw_sample* yaw, const tern_vec3* origin,
                        tern_setpoint* setpoint);
+/* What that loses of a plan by rounding to float. ok or invalid_argument. */
+uint8_t tern_setpoint_error(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
+                            tern_export_error* error);
 /* The attitude of a tern_flat_state for an autopilot: (w, x, y, z), forward-right-down to north-east-down. */
 void tern_attitude_ned(const double enu[4], double ned[4]);
-/* Writes SET_POSITION_TARGET_LOCAL_NED; returns its bytes, 0 for a null pointer. */
+/* Writes SET_POSITION_TARGET_LOCAL_NED, whose type mask excepts what is NaN; returns its bytes, 0 for a null pointer
+ * or a number that is infinite. */
 int32_t tern_mavlink_setpoint(const tern_setpoint* setpoint, const tern_mavlink_header* header, uint8_t* frame);
-/* Segment number `segment`, from 0 on, as a piece. ok or invalid_argument. `yaw` may be null: yaw 0. */
-uint8_t tern_poly4d(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, int32_t segment,
-                    tern_crazyflie_piece* piece);
+/* The plan as pieces in raw form; `room` for TERN_CRAZYFLIE_PIECES is enough. ok or invalid_argument. */
+uint8_t tern_crazyflie_raw(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
+                           tern_crazyflie_piece* pieces, int32_t room, int32_t* count, tern_export_error* error);
 /* The Crazyflie's compressed form, and back. ok or invalid_argument. */
-uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, uint8_t* bytes,
-                                  int32_t room, int32_t* used);
-uint8_t tern_crazyflie_decompressed(const uint8_t* bytes, int32_t count, const tern_trajectory* original,
+uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
+                                  uint8_t* bytes, int32_t room, int32_t* used, tern_export_error* error);
+uint8_t tern_crazyflie_decompressed(const uint8_t* bytes, int32_t count, const tern_vec3* origin,
                                     tern_trajectory* trajectory);
 /* The firmwares' default parameters, and limits of plans that the autopilot can follow. */
 void tern_px4_defaults(tern_px4_parameters* parameters);

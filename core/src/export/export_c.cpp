@@ -17,6 +17,10 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
+tern::Vec3 zero_for_null(const tern_vec3* origin) {
+  return origin == nullptr ? tern::Vec3{0.0, 0.0, 0.0} : *origin;
+}
+
 }  // namespace
 
 extern "C" {
@@ -24,9 +28,16 @@ extern "C" {
 void tern_setpoint_ned(const tern_sample* sample, const tern_yaw_sample* yaw, const tern_vec3* origin,
                        tern_setpoint* setpoint) {
   if (setpoint == nullptr) return;
-  const tern::YawSample east{{1.0, 0.0, 0.0}, 0.0, 0.0};
-  *setpoint = tern::setpoint_ned(sample == nullptr ? tern::Sample{} : *sample, yaw == nullptr ? east : *yaw,
-                                 origin == nullptr ? tern::Vec3{0.0, 0.0, 0.0} : *origin);
+  const tern::Sample at = sample == nullptr ? tern::Sample{} : *sample;
+  *setpoint = yaw == nullptr ? tern::setpoint_ned(at, zero_for_null(origin))
+                             : tern::setpoint_ned(at, *yaw, zero_for_null(origin));
+}
+
+std::uint8_t tern_setpoint_error(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
+                                 tern_export_error* error) {
+  if (trajectory == nullptr || error == nullptr) return kInvalid;
+  *error = tern::setpoint_error(*trajectory, yaw, zero_for_null(origin));
+  return 0;
 }
 
 void tern_attitude_ned(const double enu[4], double ned[4]) {
@@ -39,22 +50,24 @@ std::int32_t tern_mavlink_setpoint(const tern_setpoint* setpoint, const tern_mav
   return tern::mavlink_setpoint(*setpoint, *header, frame);
 }
 
-std::uint8_t tern_poly4d(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, std::int32_t segment,
-                         tern_crazyflie_piece* piece) {
-  if (trajectory == nullptr || piece == nullptr) return kInvalid;
-  return code(tern::poly4d(*trajectory, yaw, segment, *piece));
+std::uint8_t tern_crazyflie_raw(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
+                                tern_crazyflie_piece* pieces, std::int32_t room, std::int32_t* count,
+                                tern_export_error* error) {
+  if (trajectory == nullptr || count == nullptr || error == nullptr) return kInvalid;
+  return code(tern::crazyflie_raw(*trajectory, yaw, zero_for_null(origin), pieces, room, *count, *error));
 }
 
-std::uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, std::uint8_t* bytes,
-                                       std::int32_t room, std::int32_t* used) {
-  if (trajectory == nullptr || used == nullptr) return kInvalid;
-  return code(tern::crazyflie_compressed(*trajectory, yaw, bytes, room, *used));
+std::uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_yaw_plan* yaw,
+                                       const tern_vec3* origin, std::uint8_t* bytes, std::int32_t room,
+                                       std::int32_t* used, tern_export_error* error) {
+  if (trajectory == nullptr || used == nullptr || error == nullptr) return kInvalid;
+  return code(tern::crazyflie_compressed(*trajectory, yaw, zero_for_null(origin), bytes, room, *used, *error));
 }
 
-std::uint8_t tern_crazyflie_decompressed(const std::uint8_t* bytes, std::int32_t count, const tern_trajectory* original,
+std::uint8_t tern_crazyflie_decompressed(const std::uint8_t* bytes, std::int32_t count, const tern_vec3* origin,
                                          tern_trajectory* trajectory) {
-  if (original == nullptr || trajectory == nullptr) return kInvalid;
-  return code(tern::crazyflie_decompressed(bytes, count, *original, *trajectory));
+  if (trajectory == nullptr) return kInvalid;
+  return code(tern::crazyflie_decompressed(bytes, count, zero_for_null(origin), *trajectory));
 }
 
 void tern_px4_defaults(tern_px4_parameters* parameters) {

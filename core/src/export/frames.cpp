@@ -32,12 +32,18 @@ void attitude_ned(const double enu[4], double ned[4]) noexcept {
   for (int i = 0; i < 4; ++i) ned[i] = sign * q[i];
 }
 
-SetpointNed setpoint_ned(const Sample& sample, const YawSample& yaw, const Vec3& origin) noexcept {
+SetpointNed setpoint_ned(const Sample& sample, const Vec3& origin) noexcept {
   SetpointNed setpoint;
   assign(setpoint.position, sample.position - origin);
   assign(setpoint.velocity, sample.velocity);
   assign(setpoint.acceleration, sample.acceleration);
   assign(setpoint.jerk, sample.jerk);
+  setpoint.yaw = setpoint.yaw_rate = __builtin_nanf("");
+  return setpoint;
+}
+
+SetpointNed setpoint_ned(const Sample& sample, const YawSample& yaw, const Vec3& origin) noexcept {
+  SetpointNed setpoint = setpoint_ned(sample, origin);
   // North is at a quarter turn from east, and angles count the other way.
   setpoint.yaw = static_cast<float>(angle_of({yaw.yaw.sine, yaw.yaw.cosine}));
   setpoint.yaw_rate = static_cast<float>(-yaw.yaw.rate);

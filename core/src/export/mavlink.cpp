@@ -11,20 +11,35 @@ constexpr uint8_t kMagic = 0xFD;
 constexpr int kHeader = 10;
 constexpr int kPayload = 53;
 constexpr uint8_t kLocalNed = 1;
+// The type mask's bits, each of which says that a field is to be ignored. Bit 9 says that accelerations are forces.
+constexpr int kYawBit = 10;
+constexpr int kYawRateBit = 11;
 
 void put(uint8_t*& at, uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) *at++ = static_cast<uint8_t>(value >> (8 * i));
 }
 
-void put(uint8_t*& at, float value) {
-  uint32_t bits;
-  __builtin_memcpy(&bits, &value, sizeof bits);
-  put(at, bits, 4);
-}
+/// The numbers of a frame as they are written.
+struct Numbers {
+  uint8_t* at;
+  uint32_t mask = 0;  // of what is NaN
+  bool infinite = false;
 
-void put(uint8_t*& at, const float (&v)[3]) {
-  for (const float component : v) put(at, component);
-}
+  /// NaN becomes 0 with its bit in the mask: whoever does not read the mask must not compute with NaN.
+  void add(float value, int bit) {
+    const bool number = value <= 0.0f || value >= 0.0f;
+    if (!number) mask |= 1u << bit;
+    const float written = number ? value : 0.0f;
+    infinite = infinite || !(written - written <= 0.0f);
+    uint32_t bits;
+    __builtin_memcpy(&bits, &written, sizeof bits);
+    put(at, bits, 4);
+  }
+
+  void add(const float (&v)[3], int first_bit) {
+    for (int a = 0; a < 3; ++a) add(v[a], first_bit + a);
+  }
+};
 
 /// CRC-16/MCRF4XX, which MAVLink calls X.25.
 uint16_t accumulate(uint16_t crc, uint8_t byte) {
@@ -38,12 +53,15 @@ uint16_t accumulate(uint16_t crc, uint8_t byte) {
 int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& header, uint8_t* frame) noexcept {
   uint8_t* at = frame + kHeader;
   put(at, header.time_boot_ms, 4);
-  put(at, setpoint.position);
-  put(at, setpoint.velocity);
-  put(at, setpoint.acceleration);
-  put(at, setpoint.yaw);
-  put(at, setpoint.yaw_rate);
-  put(at, 0, 2);  // no field is masked
+  Numbers numbers{at};
+  numbers.add(setpoint.position, 0);
+  numbers.add(setpoint.velocity, 3);
+  numbers.add(setpoint.acceleration, 6);
+  numbers.add(setpoint.yaw, kYawBit);
+  numbers.add(setpoint.yaw_rate, kYawRateBit);
+  if (numbers.infinite) return 0;
+  at = numbers.at;
+  put(at, numbers.mask, 2);
   *at++ = header.target_system;
   *at++ = header.target_component;
   *at++ = kLocalNed;  // not 0: so MAVLink 2 has no zeros to leave out at the end

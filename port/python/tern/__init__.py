@@ -6,7 +6,8 @@ same request gives the same bits as in C and C++. docs/python.md has examples.
 World frame: east, north, up. Units: metres, seconds, radians; maps and flights take times in nanoseconds.
 """
 from tern._library import TernError
-from tern.export import (Setpoint, YawPlan, crazyflie_compressed, mavlink_setpoint, plan_yaw, poly4d, setpoint_ned)
+from tern.export import (ExportError, Setpoint, YawPlan, crazyflie_compressed, crazyflie_raw, mavlink_setpoint, plan_yaw,
+                         setpoint_error, setpoint_ned)
 from tern.flight import Command, Flight, RollingMap, Tick
 from tern.grid import Grid
 from tern.planner import Planner, Polyhedron, Report, Result, clear_until
@@ -18,5 +19,5 @@ __version__ = "0.1.0"
 __all__ = [
     "Command", "Fence", "Flight", "Grid", "Limits", "Planner", "Polyhedron", "Report", "Result", "RollingMap",
     "Samples", "Setpoint", "State", "TernError", "Tick", "Trajectory", "Via", "YawPlan", "clear_until",
-    "crazyflie_compressed", "mavlink_setpoint", "plan_yaw", "poly4d", "setpoint_ned",
+    "crazyflie_compressed", "crazyflie_raw", "mavlink_setpoint", "plan_yaw", "setpoint_error", "setpoint_ned",
 ]

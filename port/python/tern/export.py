@@ -61,7 +61,8 @@ def _heading(angle):
 
 @dataclass(frozen=True)
 class Setpoint:
-    """North, east, down; yaw clockwise from north: the fields of PX4's TrajectorySetpoint. Single precision."""
+    """North, east, down; yaw clockwise from north, NaN without a yaw plan: the fields of PX4's TrajectorySetpoint.
+    Single precision."""
     position: np.ndarray
     velocity: np.ndarray
     acceleration: np.ndarray
@@ -78,8 +79,36 @@ def _setpoint(trajectory, t, yaw, origin):
         heading = ffi.new("tern_yaw_sample*")
         lib.tern_yaw_evaluate(yaw.struct, t, heading)
     out = ffi.new("tern_setpoint*")
-    lib.tern_setpoint_ned(sample, heading, ffi.new("tern_vec3*", vector(origin)), out)
+    lib.tern_setpoint_ned(sample, heading, _origin(origin), out)
     return out
+
+
+@dataclass(frozen=True)
+class ExportError:
+    """How far an export is from the plan at equal times, at most: m, m/s, m/s^2, m/s^3, rad, rad/s."""
+    position: float
+    velocity: float
+    acceleration: float
+    jerk: float
+    yaw: float
+    yaw_rate: float
+
+
+def _error(struct):
+    return ExportError(struct.position, struct.velocity, struct.acceleration, struct.jerk, struct.yaw, struct.yaw_rate)
+
+
+def _origin(origin):
+    return ffi.new("tern_vec3*", vector(origin))
+
+
+def setpoint_error(trajectory: Trajectory, yaw: YawPlan | None = None,
+                   origin: Sequence[float] = (0.0, 0.0, 0.0)) -> ExportError:
+    """What setpoint_ned and mavlink_setpoint lose of a plan by rounding to single precision."""
+    out = ffi.new("tern_export_error*")
+    struct = yaw.struct if yaw is not None else ffi.NULL
+    require(lib.tern_setpoint_error(trajectory.struct, struct, _origin(origin), out), "trajectory")
+    return _error(out)
 
 
 def setpoint_ned(trajectory: Trajectory, t: float, yaw: YawPlan | None = None,
@@ -102,22 +131,27 @@ def mavlink_setpoint(trajectory: Trajectory, t: float, sequence: int, time_boot_
     return bytes(ffi.buffer(frame, count))
 
 
-def poly4d(trajectory: Trajectory, yaw: YawPlan | None = None) -> np.ndarray:
-    """A Crazyflie's pieces, shape (segments, 33), single precision: coefficients of x, y, z and yaw by rising powers of
-    time, eight each, then the duration. Its tobytes() is what the firmware's trajectory memory holds."""
-    pieces = ffi.new("tern_crazyflie_piece[]", len(trajectory))
-    struct = yaw.struct if yaw is not None else ffi.NULL
-    for i in range(len(trajectory)):
-        require(lib.tern_poly4d(trajectory.struct, struct, i, pieces + i), "segment")
-    return np.frombuffer(ffi.buffer(pieces), dtype=np.float32).reshape(-1, 33).copy()
+def crazyflie_raw(trajectory: Trajectory, yaw: YawPlan | None = None,
+                  origin: Sequence[float] = (0.0, 0.0, 0.0)) -> tuple[np.ndarray, ExportError]:
+    """A Crazyflie's pieces, shape (pieces, 33), single precision: coefficients of x, y, z and yaw by rising powers of
+    time, eight each, then the duration. Its tobytes() is what the firmware's trajectory memory holds. `origin` is the
+    point of the world that becomes 0. There are more pieces than segments if the yaw needs them."""
+    room = lib.PY_TERN_CRAZYFLIE_PIECES
+    pieces, count = ffi.new("tern_crazyflie_piece[]", room), ffi.new("int32_t*")
+    struct, error = yaw.struct if yaw is not None else ffi.NULL, ffi.new("tern_export_error*")
+    require(lib.tern_crazyflie_raw(trajectory.struct, struct, _origin(origin), pieces, room, count, error), "segments")
+    numbers = np.frombuffer(ffi.buffer(pieces), dtype=np.float32).reshape(-1, 33)
+    return numbers[:count[0]].copy(), _error(error)
 
 
-def crazyflie_compressed(trajectory: Trajectory, yaw: YawPlan | None = None) -> tuple[bytes, Trajectory]:
-    """The Crazyflie's compressed form, and the trajectory that it flies: prove that one with clear_until()."""
+def crazyflie_compressed(trajectory: Trajectory, yaw: YawPlan | None = None,
+                         origin: Sequence[float] = (0.0, 0.0, 0.0)) -> tuple[bytes, Trajectory, ExportError]:
+    """The Crazyflie's compressed form, the trajectory that it flies, and how far that is from the plan. Prove the
+    trajectory with clear_until()."""
     room = lib.PY_CRAZYFLIE_BYTES
-    data, used = ffi.new("uint8_t[]", room), ffi.new("int32_t*")
-    struct = yaw.struct if yaw is not None else ffi.NULL
-    require(lib.tern_crazyflie_compressed(trajectory.struct, struct, data, room, used), "compressed form")
+    data, used, error = ffi.new("uint8_t[]", room), ffi.new("int32_t*"), ffi.new("tern_export_error*")
+    struct, at = yaw.struct if yaw is not None else ffi.NULL, _origin(origin)
+    require(lib.tern_crazyflie_compressed(trajectory.struct, struct, at, data, room, used, error), "compressed form")
     flown = Trajectory()
-    require(lib.tern_crazyflie_decompressed(data, used[0], trajectory.struct, flown.struct), "compressed form")
-    return bytes(ffi.buffer(data, used[0])), flown
+    require(lib.tern_crazyflie_decompressed(data, used[0], at, flown.struct), "compressed form")
+    return bytes(ffi.buffer(data, used[0])), flown, _error(error)

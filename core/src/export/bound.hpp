@@ -1,0 +1,23 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How far an export is from the plan: bounds for all times, from the control points of the difference.
+#ifndef TERN_EXPORT_BOUND_HPP
+#define TERN_EXPORT_BOUND_HPP
+
+#include "tern/export.hpp"
+
+namespace tern {
+
+/// Widens `error` by a curve that is flown from `begin` on, seconds since the plan's beginning; its control points are
+/// relative to `origin`. What it flies after the plan's end does not count.
+void widen_by_curve(const Trajectory& plan, const Segment& flown, const Vec3& origin, double begin,
+                    ExportError& error) noexcept;
+
+/// Likewise by a yaw polynomial with the Bernstein coefficients `points`, rad. A null plan is no yaw plan: no error.
+void widen_by_yaw(const YawPlan* plan, const double (&points)[kControlPoints], double begin, double duration,
+                  ExportError& error) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,39 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What one piece of a Crazyflie's trajectory covers: a segment or a part of one.
+#ifndef TERN_EXPORT_PIECES_HPP
+#define TERN_EXPORT_PIECES_HPP
+
+#include "tern/export.hpp"
+
+namespace tern {
+
+/// A part of a segment. Seconds since the plan's beginning.
+struct Span {
+  int32_t segment;
+  double segment_begin;
+  double begin;
+  double end;
+};
+
+constexpr int32_t kMostPieces = kMaxSegments > kCrazyfliePieces ? kMaxSegments : kCrazyfliePieces;
+
+struct Spans {
+  int32_t count;
+  Span at[kMostPieces];
+};
+
+/// A span for each segment. Then, while a yaw polynomial is off by more than kCrazyflieYaw, the span that is furthest
+/// off is halved, unless the halves would last less than `shortest` or there are `most` spans. False for an empty plan
+/// or one of more than `most` segments.
+bool cut_spans(const Trajectory& trajectory, const YawPlan* yaw, int32_t most, double shortest, Spans& spans) noexcept;
+
+/// The control points of the span's polynomial over [begin, end], relative to `origin`. The times may lie a rounding
+/// beyond the span: there the same polynomial goes on.
+void piece_points(const Trajectory& trajectory, const Span& span, double begin, double end, const Vec3& origin,
+                  Vec3 (&points)[kControlPoints]) noexcept;
+
+}  // namespace tern
+
+#endif
