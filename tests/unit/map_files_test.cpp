@@ -46,9 +46,6 @@ std::string reason(Parse parse, const std::string& bytes) {
 std::string octomap_reason(const std::string& bytes) {
   return reason(tern_host::parse_octomap, bytes);
 }
-std::string cloud_reason(const std::string& bytes) {
-  return reason(tern_host::parse_cloud, bytes);
-}
 
 Scenario parse(const std::string& records) {
   const std::string ends = "boundary 0 0 0 4 3 2\nstart 0.5 0.5 1\ngoal 3.5 0.5 1\nradius 0.2\n";
@@ -121,9 +118,27 @@ TEST(OctomapFile, BrokenFilesAreRefused) {
       }
     }
   }
+}
+
+TEST(OctomapFile, HeadersThatContradictThemselvesAreRefused) {
   const std::string head = "# Octomap OcTree binary file\n";
   EXPECT_TRUE(contains(octomap_reason("pgm"), "not an OctoMap file"));
-  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1\nres 0\ndata\n"), "no resolution"));
+  for (const char* res : {"0", "-1", "1e-5", "1e5"}) {
+    EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1\nres " + res + "\ndata\n"), "'res' is")) << res;
+  }
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1\nres 0,1\ndata\n"), "'0,1' is not a number"));
+  EXPECT_TRUE(contains(octomap_reason(head + "size 1\nres 1\ndata\n"), "has no 'id'"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nres 1\ndata\n"), "has no 'size'"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 0\ndata\n"), "has no 'res'"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1\nsize 2\nres 1\ndata\n"), "'size' is given twice"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1.5\nres 1\ndata\n"), "'1.5' is not a whole number"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 1e300\nres 1\ndata\n"), "not a whole number up to"));
+  EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 0\nres 1\nscale 2\ndata\n"), "unknown word 'scale'"));
+  EXPECT_TRUE(
+      contains(octomap_reason(head + "id OcTree\nsize 0\nres 1\ndata\n" + std::string(2, '\0')), "2 bytes more"));
+  EXPECT_TRUE(contains(octomap_reason(bytes_of("room.bt") + "x"), "1 bytes more"));
+  const std::string full = "# Octomap OcTree file\nid OcTree\nsize 1\nres 1\ndata\n";
+  EXPECT_TRUE(contains(octomap_reason(full + std::string("\0\0\xC0\x7F\0", 5)), "neither free nor occupied"));
   EXPECT_TRUE(contains(octomap_reason(head + "id CountingOcTree\nsize 1\nres 1\ndata\n"), "'CountingOcTree'"));
   EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize x\nres 1\ndata\n"), "'x' is not a number"));
   EXPECT_TRUE(contains(octomap_reason(head + "id OcTree\nsize 2\nres 1\ndata\n" + std::string(2, '\0')), "broken"));
@@ -132,50 +147,6 @@ TEST(OctomapFile, BrokenFilesAreRefused) {
   std::string deep = head + "id OcTree\nsize 99\nres 1\ndata\n";
   for (int k = 0; k < 20; ++k) deep += std::string("\x03\x00", 2);
   EXPECT_TRUE(contains(octomap_reason(deep), "below the smallest"));
-}
-
-TEST(CloudFile, AllFormsHaveTheSamePoints) {
-  for (const char* name :
-       {"points_text.pcd", "points_binary.pcd", "points_text.ply", "points_little.ply", "points_big.ply"}) {
-    const std::vector<Vec3> points = tern_host::parse_cloud(bytes_of(name), {name, 0});
-    ASSERT_EQ(points.size(), 4u) << name;  // the third one of five is not finite
-    EXPECT_EQ(points[1].x, 1.0);
-    EXPECT_EQ(points[1].y, -2.0);
-    EXPECT_EQ(points[1].z, 3.5);
-    EXPECT_EQ(points[2].x, 1000.0);
-    EXPECT_EQ(points[2].z, -0.125);
-  }
-}
-
-TEST(CloudFile, CommentsMayComeFirst) {
-  const std::string rest =
-      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nPOINTS 1\nDATA ascii\n1 2 3\n";
-  for (const char* first : {"", "# .PCD v0.7 - Point Cloud Data file format\n", "# made by a scanner\n\n#second\n"}) {
-    const std::vector<Vec3> points = tern_host::parse_cloud(first + rest, {"comments", 0});
-    ASSERT_EQ(points.size(), 1u) << first;
-    EXPECT_EQ(points[0].z, 3.0);
-  }
-}
-
-TEST(CloudFile, BrokenFilesAreRefused) {
-  for (const char* name : {"points_binary.pcd", "points_text.pcd"}) {
-    const std::string whole = bytes_of(name);
-    for (std::size_t n = 0; n + 8 < whole.size(); ++n) ASSERT_NE(cloud_reason(whole.substr(0, n)), "") << n;
-  }
-  std::string packed = bytes_of("points_binary.pcd");
-  packed.insert(packed.find("DATA binary") + 11, "_compressed");
-  EXPECT_TRUE(contains(cloud_reason(packed), "save it as binary or ascii"));
-  EXPECT_TRUE(contains(cloud_reason("# a comment\nsolid"), "neither a PCD file nor a PLY file"));
-  EXPECT_TRUE(contains(cloud_reason("# only comments\n#"), "neither a PCD file nor a PLY file"));
-  const std::string pcd = "VERSION 0.7\n";
-  EXPECT_TRUE(contains(cloud_reason("solid"), "neither a PCD file nor a PLY file"));
-  EXPECT_TRUE(contains(cloud_reason(pcd + "FIELDS x y\nPOINTS 0\nDATA ascii\n"), "no x, y and z"));
-  EXPECT_TRUE(contains(cloud_reason(pcd + "FIELDS x y z\nSIZE 4 4\n"), "does not fit"));
-  EXPECT_TRUE(contains(cloud_reason(pcd + "FIELDS x y z\nTYPE F F S\nDATA ascii\n"), "has a type"));
-  EXPECT_TRUE(contains(cloud_reason(pcd + "POINTS 1e12\n"), "not a whole number"));
-  EXPECT_TRUE(contains(cloud_reason(pcd + "FIELDS x y z\nPOINTS 1\nDATA ascii\n1 2\n"), "fewer numbers"));
-  EXPECT_TRUE(contains(cloud_reason("ply\nformat ascii 1.0\nelement face 1\n"), "not 'vertex'"));
-  EXPECT_TRUE(contains(cloud_reason("ply\nelement vertex 1\nproperty list uchar int x\n"), "is a list"));
 }
 
 TEST(MapFiles, TheUnknownIsFreeOrSolid) {

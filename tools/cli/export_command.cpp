@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
+#include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/export/export_proof.hpp"
 #include "host/export/plan_export.hpp"
@@ -142,6 +143,7 @@ class Export {
 
 int export_plan(const ExportOptions& options) {
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
+  print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario),
                      {options.raw, options.csv, options.compressed, options.mavlink, options.multidof});
   tern_host::Scenario planned = scenario;

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
+#include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/map/map_files.hpp"
 #include "host/map/scenario_grid.hpp"
@@ -35,6 +36,14 @@ void print_count(const char* name, std::int64_t count, const GridMap& map, const
   std::printf("  %-10s  %" PRId64 " voxels, %s %%%s\n", name, count, tern_host::fixed(100.0 * part, 1).c_str(), what);
 }
 
+void print_file(const tern_host::MapFile& file) {
+  const tern_host::MapContent& content = file.content;
+  const bool cloud = file.kind == tern_host::MapFileKind::kCloud;
+  const std::string dropped = cloud ? ", " + std::to_string(content.dropped) + " not finite" : "";
+  std::printf("  %-10s  %s: %zu %s%s, %zu outside the boundary\n", cloud ? "cloud" : "octomap", file.name.c_str(),
+              content.read, cloud ? "points" : "occupied leaves", dropped.c_str(), content.outside);
+}
+
 void print(const tern_host::Scenario& scenario, const GridMap& map) {
   const tern::GridSpec& spec = map.grid.spec();
   std::printf("%s\n", scenario.name.c_str());
@@ -43,6 +52,7 @@ void print(const tern_host::Scenario& scenario, const GridMap& map) {
   std::printf("  grid        %d x %d x %d voxels of %s m from %s, %s MB\n", spec.dims.x, spec.dims.y, spec.dims.z,
               brief(spec.cell).c_str(), point(spec.origin).c_str(),
               tern_host::fixed(8e-6 * static_cast<double>(tern::grid_words(spec.dims)), 2).c_str());
+  for (const tern_host::MapFile& file : scenario.map_files) print_file(file);
   print_count("occupied", map.occupied_count, map, "");
   const bool solid = scenario.unknown == tern_host::Unknown::kSolid;
   print_count("unknown", map.unknown_count, map, solid ? ", taken for solid" : ", taken for free");
@@ -53,6 +63,7 @@ void print(const tern_host::Scenario& scenario, const GridMap& map) {
 int show_map(const MapOptions& options) {
   const tern_host::Scenario scenario =
       tern_host::read_scenario(options.scenario, options.overrides, tern_host::Ends::kOptional);
+  print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario), {options.svg});
   const GridMap map(scenario);
   if (map.status != tern::Status::kOk) {

@@ -15,6 +15,7 @@
 #include "cli/command.hpp"
 #include "cli/output_paths.hpp"
 #include "cli/summary.hpp"
+#include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/page/page.hpp"
 #include "host/picture/picture.hpp"
@@ -90,6 +91,7 @@ int table(const TableOptions& options) {
   std::fputs(table_header().c_str(), stdout);
   for (const std::string& file : options.scenarios) {
     const tern_host::Scenario scenario = tern_host::read_scenario(file, options.overrides);
+    print_warnings(scenario.warnings);
     const tern_host::PlanResult result = plan_repeatedly(session, scenario, options.repeat);
     if (!result.ok()) exit_status = kExitNoPlan;
     std::fputs(table_row(base_name(file), result).c_str(), stdout);

@@ -48,6 +48,8 @@ bool is_decimal(const std::string& text) {
   return end == text.size();
 }
 
+}  // namespace
+
 bool names_a_non_finite(const std::string& text) {
   std::string word = text.substr(skip_sign(text, 0));
   for (char& c : word) {
@@ -55,8 +57,6 @@ bool names_a_non_finite(const std::string& text) {
   }
   return word == "nan" || word == "inf" || word == "infinity";
 }
-
-}  // namespace
 
 NumberError parse_number(const std::string& text, double& value) {
   if (names_a_non_finite(text)) return NumberError::kNotFinite;

@@ -17,6 +17,9 @@ enum class NumberError {
 /// point, an optional exponent. A value too small for a double becomes a denormal or zero.
 NumberError parse_number(const std::string& text, double& value);
 
+/// True for "nan", "inf" and "infinity", in any case and with any sign.
+bool names_a_non_finite(const std::string& text);
+
 /// `value` with a fixed number of decimals and a point, whatever the locale; "-0.00" is written "0.00".
 std::string fixed(double value, int decimals);
 

@@ -33,11 +33,22 @@ class KnownSpace;
 
 enum class MapFileKind { kOctomap, kCloud };
 
+/// What was in a map file: a cloud's points, or an OctoMap's occupied leaves.
+struct MapContent {
+  std::size_t read = 0;        ///< all of them
+  std::size_t dropped = 0;     ///< points with a coordinate that is not finite
+  std::size_t outside = 0;     ///< too far beyond the boundary to matter
+  tern::Box extent{};          ///< of all that are finite
+  bool free_within = false;    ///< the OctoMap says of something in the boundary that it is free
+  bool has_viewpoint = false;  ///< of a PCD file, which the points are not moved by
+};
+
 /// A file with a part of the map; its name is relative to the scenario's folder.
 struct MapFile {
   MapFileKind kind;
   std::string name;
   Place place;
+  MapContent content{};  ///< once it is read
 };
 
 /// What is made of space that no OctoMap shows: free, or solid.
@@ -51,6 +62,7 @@ struct Scenario {
   std::vector<FenceRecord> fences;
   std::vector<MapFile> map_files;
   Unknown unknown = Unknown::kFree;
+  std::vector<std::string> warnings;  ///< parts of the map that add nothing to it, each with its place
   std::vector<std::shared_ptr<const KnownSpace>> known;  ///< what the OctoMaps say is free, once they are read
   tern::State start{};
   tern::State goal{};

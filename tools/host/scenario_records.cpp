@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario_records.hpp"
 
+#include "host/map/map_warnings.hpp"
 #include "host/number.hpp"
 #include "host/via_record.hpp"
 #include "tern/config.hpp"
@@ -168,6 +169,20 @@ void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Pla
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
   scenario_.blocks.push_back({box, keepout});
+  block_lines_.push_back(place.line);
+}
+
+void ScenarioBuilder::warn_of_records() {
+  const tern::Box reach = reach_of(scenario_);
+  RecordsWithin blocks("block", reach);
+  RecordsWithin keepouts("keepout", reach);
+  for (std::size_t i = 0; i < block_lines_.size(); ++i) {
+    const Block& block = scenario_.blocks[i];
+    (block.keepout ? keepouts : blocks).add(block.box, block_lines_[i]);
+  }
+  blocks.warn(scenario_.name, scenario_.warnings);
+  keepouts.warn(scenario_.name, scenario_.warnings);
+  warn_of_fences(scenario_.fences, reach, scenario_.name, scenario_.warnings);
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {
@@ -217,6 +232,7 @@ Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   check_unknown();
   check_yaw();
   scenario_.resolution_place = find("resolution")->place;
+  warn_of_records();
   return scenario_;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -17,6 +18,9 @@ constexpr std::size_t kQuotedBytes = 40;
 /// How some editors begin a file in UTF-8, and how files in UTF-16 begin.
 const std::string kByteOrderMark = "\xEF\xBB\xBF";
 const std::string kUtf16Marks[] = {"\xFF\xFE", "\xFE\xFF"};
+
+/// What Git leaves in place of a file that Git LFS keeps.
+const std::string kLfsPointer = "version https://git-lfs.github.com/spec/";
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r';
@@ -70,6 +74,9 @@ std::string read_bytes(const std::string& path, std::size_t most) {
     check_size(text, most, place);
   }
   if (std::ferror(file.get()) != 0) throw RecordError(place, std::string("cannot be read: ") + std::strerror(errno));
+  if (text.compare(0, kLfsPointer.size(), kLfsPointer) == 0) {
+    throw RecordError(place, "a Git LFS pointer, not the file itself: run `git lfs pull` where it was cloned");
+  }
   return text;
 }
 
@@ -120,6 +127,14 @@ double number(const std::string& word, const Place& place) {
       throw RecordError(place, quote(word) + " is not a finite number");
   }
   return value;
+}
+
+std::uint64_t whole_number(const std::string& word, double most, const Place& place) {
+  const double value = number(word, place);
+  if (!(value >= 0.0 && value <= most && std::floor(value) == value)) {
+    throw RecordError(place, quote(word) + " is not a whole number up to " + brief(most));
+  }
+  return static_cast<std::uint64_t>(value);
 }
 
 std::vector<double> numbers(const Words& words, const Place& place) {

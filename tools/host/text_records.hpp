@@ -6,6 +6,7 @@
 #define TERN_HOST_TEXT_RECORDS_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -44,7 +45,7 @@ using Words = std::vector<std::string>;
 /// The whole file, at most kMaxTextBytes. Throws RecordError.
 std::string read_text(const std::string& path);
 
-/// The whole file, at most `most` bytes of any kind. Throws RecordError.
+/// The whole file, at most `most` bytes of any kind. Throws RecordError; of a Git LFS pointer, too.
 std::string read_bytes(const std::string& path, std::size_t most);
 
 /// The words of one line, between blanks and, where told, commas.
@@ -60,6 +61,9 @@ std::string quote(const std::string& word);
 
 /// A finite number, or a RecordError.
 double number(const std::string& word, const Place& place);
+
+/// A whole number from 0 to `most`, or a RecordError.
+std::uint64_t whole_number(const std::string& word, double most, const Place& place);
 
 /// All words after the keyword as numbers.
 std::vector<double> numbers(const Words& words, const Place& place);

@@ -30,13 +30,25 @@ void ByteReader::need(std::size_t count) const {
 }
 
 std::string ByteReader::line() {
-  need(1);
+  ++lines_;
+  if (at_end()) throw RecordError(line_place(), "the file is cut off here: copy it again");
   const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-  if (end - at_ > kMaxLineBytes) throw RecordError(place_, "not a map file: a line of its header is too long");
+  if (end - at_ > kMaxLineBytes) {
+    throw RecordError(line_place(), "the line is longer than " + std::to_string(kMaxLineBytes) + " bytes");
+  }
   std::string text = bytes_.substr(at_, end - at_);
   at_ = end < bytes_.size() ? end + 1 : end;
   if (!text.empty() && text.back() == '\r') text.pop_back();
   return text;
+}
+
+bool ByteReader::skip_line() {
+  ++lines_;
+  if (at_end()) throw RecordError(line_place(), "the file is cut off here: copy it again");
+  const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+  const std::size_t begin = at_;
+  at_ = end < bytes_.size() ? end + 1 : end;
+  return bytes_.find_first_not_of(" \t\r", begin) < end;
 }
 
 std::uint8_t ByteReader::byte() {
@@ -49,14 +61,23 @@ void ByteReader::skip(std::size_t count) {
   at_ += count;
 }
 
+const char* ByteReader::peek(std::size_t count) const {
+  need(count);
+  return bytes_.data() + at_;
+}
+
 double ByteReader::number(char type, std::size_t size, ByteOrder order) {
-  need(size);
+  const double value = number_at(peek(size), type, size, order);
+  at_ += size;
+  return value;
+}
+
+double number_at(const char* bytes, char type, std::size_t size, ByteOrder order) {
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t shift = order == ByteOrder::kLittle ? i : size - 1 - i;
-    bits |= std::uint64_t{static_cast<std::uint8_t>(bytes_[at_ + i])} << (8 * shift);
+    bits |= std::uint64_t{static_cast<std::uint8_t>(bytes[i])} << (8 * shift);
   }
-  at_ += size;
   if (type == 'F' && size == 4) return floating_number<float>(static_cast<std::uint32_t>(bits));
   if (type == 'F') return floating_number<double>(bits);
   return type == 'I' ? signed_number(bits, size) : static_cast<double>(bits);

@@ -17,10 +17,17 @@ namespace tern_host {
 /// Points of a file at most.
 constexpr std::size_t kMaxCloudPoints = std::size_t{64} * 1024 * 1024;
 
-/// Reads the whole of a file's content; world frame, metres. Points that are not finite are left out: sensors write
-/// them where they saw nothing. Throws RecordError: neither PCD nor PLY, no x, y and z, a compressed file, cut off, too
-/// many points.
-std::vector<tern::Vec3> parse_cloud(const std::string& bytes, const Place& place);
+/// World frame, metres.
+struct Cloud {
+  std::vector<tern::Vec3> points;
+  std::size_t dropped = 0;     ///< further points, with a coordinate that is not finite
+  bool has_viewpoint = false;  ///< that is not the origin; the points are taken as they are
+};
+
+/// Reads the whole of a file's content. Points that are not finite are left out and counted: sensors write them where
+/// they saw nothing. Throws RecordError: neither PCD nor PLY, a header that is incomplete or contradicts itself, data
+/// that do not fit it, words that are no numbers, too many points.
+Cloud parse_cloud(const std::string& bytes, const Place& place);
 
 }  // namespace tern_host
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/map/octomap_file.hpp"
 
+#include <cmath>
+#include <map>
+
 #include "host/map/byte_reader.hpp"
 #include "host/number.hpp"
 
@@ -13,42 +16,59 @@ constexpr const char* kBinaryMagic = "# Octomap OcTree binary file";
 constexpr const char* kFullMagic = "# Octomap OcTree file";
 constexpr int kMaxHeaderLines = 64;
 
+/// Edges of the smallest cubes, metres, that a map may have.
+constexpr double kMinResolution = 1e-4;
+constexpr double kMaxResolution = 1e4;
+constexpr double kMostNodes = 1e10;
+
 struct Header {
   bool binary = false;
   std::string id;
-  std::size_t nodes = 0;
+  std::uint64_t nodes = 0;
   double resolution = 0.0;
   std::size_t colour_bytes = 0;  ///< after the value of each node
 };
 
-std::size_t node_count(const Words& words, const Place& place) {
-  const double count = words.size() == 2 ? number(words[1], place) : -1.0;
-  if (!(count >= 0.0 && count < 1e10)) throw RecordError(place, "the tree's 'size' is no number of nodes");
-  return static_cast<std::size_t>(count);
+/// One word after each of `id`, `size` and `res`.
+using HeaderWords = std::map<std::string, std::string>;
+
+double resolution_of(const std::string& word, const Place& place) {
+  const double resolution = number(word, place);
+  if (resolution >= kMinResolution && resolution <= kMaxResolution) return resolution;
+  throw RecordError(place, "the tree's resolution 'res' is " + brief(resolution) + " m, not within " +
+                               brief(kMinResolution) + " to " + brief(kMaxResolution));
 }
 
-void set_type(Header& header, const Place& place) {
+Header header_of(HeaderWords& words, bool binary, const Place& place) {
+  for (const char* const key : {"id", "size", "res"}) {
+    if (words.count(key) == 0) throw RecordError(place, std::string("its header has no '") + key + "'");
+  }
+  Header header;
+  header.binary = binary;
+  header.id = words["id"];
+  header.nodes = whole_number(words["size"], kMostNodes, place);
+  header.resolution = resolution_of(words["res"], place);
   header.colour_bytes = header.id == "ColorOcTree" ? 3 : 0;
   const bool known = header.id == "OcTree" || (header.id == "ColorOcTree" && !header.binary);
   if (!known) throw RecordError(place, "a tree of type " + quote(header.id) + ": save it as an OcTree");
-  if (!(header.resolution > 0.0)) throw RecordError(place, "the tree has no resolution 'res' above 0");
+  return header;
 }
 
 /// The lines up to "data".
 Header read_header(ByteReader& reader, const Place& place) {
-  Header header;
   const std::string magic = reader.line();
-  header.binary = magic == kBinaryMagic;
-  if (!header.binary && magic != kFullMagic) throw RecordError(place, "not an OctoMap file (.bt or .ot)");
-  for (int i = 0; i < kMaxHeaderLines; ++i) {
+  const bool binary = magic == kBinaryMagic;
+  if (!binary && magic != kFullMagic) throw RecordError(place, "not an OctoMap file (.bt or .ot)");
+  HeaderWords found;
+  while (!reader.at_end() && reader.line_place().line < kMaxHeaderLines) {
     const Words words = split_words(reader.line(), false);
+    const Place here = reader.line_place();
     if (words.empty() || words[0][0] == '#') continue;
-    if (words[0] == "id" && words.size() == 2) header.id = words[1];
-    if (words[0] == "size") header.nodes = node_count(words, place);
-    if (words[0] == "res" && words.size() == 2) header.resolution = number(words[1], place);
-    if (words[0] != "data") continue;
-    set_type(header, place);
-    return header;
+    if (words.size() == 1 && words[0] == "data") return header_of(found, binary, here);
+    const bool known = words[0] == "id" || words[0] == "size" || words[0] == "res";
+    if (!known) throw RecordError(here, "unknown word " + quote(words[0]) + " in its header");
+    if (words.size() != 2) throw_count(words[0], "1 word", words.size() - 1, here);
+    if (!found.insert({words[0], words[1]}).second) throw RecordError(here, "'" + words[0] + "' is given twice");
   }
   throw RecordError(place, "its header has no 'data'");
 }
@@ -69,6 +89,10 @@ class TreeReader {
     if (count_ != header_.nodes) {
       throw RecordError(
           place_, "broken: it says " + std::to_string(header_.nodes) + " nodes and has " + std::to_string(count_));
+    }
+    if (!reader_.at_end()) {
+      throw RecordError(place_, "broken: after its " + std::to_string(count_) + " nodes, the file has " +
+                                    std::to_string(reader_.left()) + " bytes more");
     }
     return leaves_;
   }
@@ -112,6 +136,10 @@ class TreeReader {
   /// Of an `.ot`: the logarithm of the odds of being occupied, and one bit a child that is there.
   void read_node(const OctomapLeaf& cube) {
     const double log_odds = reader_.number('F', 4, ByteOrder::kLittle);
+    if (std::isnan(log_odds)) {
+      throw RecordError(place_,
+                        "broken: a node before byte " + std::to_string(reader_.at()) + " is neither free nor occupied");
+    }
     reader_.skip(header_.colour_bytes);
     const std::uint32_t children = reader_.byte();
     if (children == 0) return add_leaf(cube, log_odds >= 0.0);
@@ -125,7 +153,7 @@ class TreeReader {
   const Place& place_;
   std::vector<OctomapLeaf> waiting_;
   std::vector<OctomapLeaf> leaves_;
-  std::size_t count_ = 0;
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace
