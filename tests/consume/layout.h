@@ -99,6 +99,8 @@
 #define TERN_LAYOUT_EXPORT(FIELD)                                                                                    \
   FIELD(tern_setpoint, position) FIELD(tern_setpoint, velocity) FIELD(tern_setpoint, acceleration)                   \
   FIELD(tern_setpoint, jerk) FIELD(tern_setpoint, yaw) FIELD(tern_setpoint, yaw_rate)                                \
+  FIELD(tern_export_error, position) FIELD(tern_export_error, velocity) FIELD(tern_export_error, acceleration)       \
+  FIELD(tern_export_error, jerk) FIELD(tern_export_error, yaw) FIELD(tern_export_error, yaw_rate)                    \
   FIELD(tern_mavlink_header, system) FIELD(tern_mavlink_header, component)                                           \
   FIELD(tern_mavlink_header, target_system) FIELD(tern_mavlink_header, target_component)                             \
   FIELD(tern_mavlink_header, sequence) FIELD(tern_mavlink_header, time_boot_ms)                                      \

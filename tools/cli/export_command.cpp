@@ -1,5 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -141,7 +142,16 @@ class Export {
   std::string text_;
 };
 
+void check_numbers(const ExportOptions& options) {
+  for (const double x : options.origin) {
+    if (!std::isfinite(x)) throw std::invalid_argument("--origin must be three finite numbers");
+  }
+  if (!std::isfinite(options.reserve)) throw std::invalid_argument("--reserve must be a finite number");
+  if (!std::isfinite(options.yaw_error)) throw std::invalid_argument("--yaw-error must be a finite number");
+}
+
 int export_plan(const ExportOptions& options) {
+  check_numbers(options);
   const tern_host::Scenario scenario = tern_host::read_scenario(options.scenario, options.overrides);
   print_warnings(scenario.warnings);
   check_output_paths(tern_host::input_paths(scenario),

@@ -16,8 +16,9 @@
 namespace tern_host {
 namespace {
 
-constexpr double kFar = 500.0;        // m; floats are 3e-5 m apart there
-constexpr double kMoreReserve = 5.0;  // %: another plan is rounded otherwise
+constexpr double kFar = 500.0;         // m; floats are 3e-5 m apart there
+constexpr double kLeastRadius = 2e-9;  // m; a proof needs a radius, and grants itself twice this
+constexpr double kMoreReserve = 5.0;   // %: another plan is rounded otherwise
 
 /// The boundary less `slack` on each side, as a fence: a smaller boundary would lay out the voxels anew.
 FenceRecord inner_boundary(const tern::Box& boundary, double slack) {
@@ -46,14 +47,16 @@ Scenario stricter(Scenario scenario, double slack) {
   return scenario;
 }
 
-tern::ProofReport proof_of(const Scenario& scenario, const tern::Trajectory& curve, const tern::Limits* limits) {
+tern::ProofReport proof_of(Scenario scenario, const tern::Trajectory& curve, const tern::Limits* limits) {
+  scenario.radius = std::max(scenario.radius, kLeastRadius);
   const GridMap map(scenario);
   const std::vector<tern::Fence> fences = fences_of(scenario.fences);
   tern::ProofGrounds grounds;
   grounds.fences = fences.data();
   grounds.fence_count = static_cast<std::int32_t>(fences.size());
   tern::Proof proof;
-  tern::ProofReport report{0.0, tern::ProofEnd::kMalformed, {-1, -1, -1}, 0};
+  tern::ProofReport report{};
+  report.end = tern::ProofEnd::kMalformed;
   tern::Status status = proof.begin(map.grid, curve, 0.0, limits, tern::Beyond::kEmpty, grounds);
   while (status == tern::Status::kRunning) status = proof.step(100000);
   if (status == tern::Status::kOk) report = proof.report();
@@ -82,9 +85,9 @@ double length(const tern::Vec3& a, const tern::Vec3& b) {
   const tern::Vec3& place = what.plan.origin;
   std::string text = "is up to " + brief(what.error.position) + " m off the plan, and proven clear only until " +
                      brief(until) + " s. ";
-  if (length(place, what.origin) > kFar) {
-    text += "Numbers are coarse so far from 0. Let a point near the plan be 0: --origin " + brief(std::floor(place.x)) +
-            " " + brief(std::floor(place.y)) + " " + brief(std::floor(place.z));
+  if (!(length(place, what.origin) <= kFar)) {
+    text += "Numbers are coarse so far from 0. Let a point near the plan be 0: --origin " +
+            fixed(std::floor(place.x), 0) + " " + fixed(std::floor(place.y), 0) + " " + fixed(std::floor(place.z), 0);
   } else {
     text += "Plan with a tracking margin of " + brief(std::ceil(what.error.position * 1e3) / 1e2) + " m more";
   }
@@ -130,13 +133,13 @@ tern::Limits scaled(tern::Limits limits, double factor) {
 
 std::string prove_export(const Scenario& scenario, const ExportCase& what) {
   const double off = what.error.position;
+  if (!std::isfinite(off)) refuse_clearance(what, 0.0);
   const double allowed = std::max(kExportOff, kExportMarginShare * scenario.tracking_margin);
   const bool near = off <= allowed;
   const bool limits_kept = excess_of(scenario, what.error) <= kExportExcess;
   if (what.curve != nullptr && !(near && limits_kept)) return prove_curve(scenario, what);
   if (!limits_kept) throw std::runtime_error("is too far off the plan's velocity or acceleration. Use another form");
   if (near) return "as clear as the plan but for that, and within the limits";
-  if (!std::isfinite(off)) refuse_clearance(what, 0.0);
   const tern::ProofReport report = proof_of(stricter(scenario, off), what.plan, nullptr);
   if (report.end != tern::ProofEnd::kProven) refuse_clearance(what, report.until);
   return "proven clear with that, and within the limits";
