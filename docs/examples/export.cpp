@@ -30,8 +30,7 @@ int main() {
   tern::Request request{};
   tern::Px4Limits parameters = tern::px4_limits();  // the firmware's defaults
   parameters.mpc_xy_vel_max = 5.0;                  // what your vehicle has
-  request.limits = tern::limits_from_px4(parameters);
-  if (request.limits.v_horizontal != 5.0) return 1;
+  if (tern::limits_from_px4(parameters, request.limits) != tern::Status::kOk) return 1;
 
   tern::Trajectory hover{};
   hover.count = 1;

@@ -78,8 +78,8 @@ static int make_plan(const tern_vec3* start, const tern_vec3* goal) {
   request.start.position = *start;
   request.goal.position = *goal;
   tern_ardupilot_defaults(&parameters);
-  parameters.wpnav_speed = 3; /* what your vehicle has; above PSC_JERK_XY a plan is not followed */
-  tern_limits_from_ardupilot(&parameters, &request.limits);
+  parameters.wpnav_speed_m_s = 3; /* what your vehicle has */
+  if (tern_limits_from_ardupilot(&parameters, &request.limits, NULL) != 0) return 0;
   if (tern_plan(&planner, &grid, &request, &plan, &report) != 0) {
     fprintf(stderr, "no plan: %s, field %s\n", tern_status_name(report.status), tern_field_name(report.field));
     return 0;

@@ -108,10 +108,10 @@
   FIELD(tern_px4_parameters, mpc_xy_vel_max) FIELD(tern_px4_parameters, mpc_z_vel_max_up)                            \
   FIELD(tern_px4_parameters, mpc_z_vel_max_dn) FIELD(tern_px4_parameters, mpc_acc_hor)                               \
   FIELD(tern_px4_parameters, mpc_acc_up_max) FIELD(tern_px4_parameters, mpc_acc_down_max)                            \
-  FIELD(tern_px4_parameters, mpc_jerk_auto) FIELD(tern_ardupilot_parameters, wpnav_speed)                            \
-  FIELD(tern_ardupilot_parameters, wpnav_speed_up) FIELD(tern_ardupilot_parameters, wpnav_speed_dn)                  \
-  FIELD(tern_ardupilot_parameters, wpnav_accel) FIELD(tern_ardupilot_parameters, wpnav_accel_z)                      \
-  FIELD(tern_ardupilot_parameters, psc_jerk_xy) FIELD(tern_ardupilot_parameters, psc_jerk_z)
+  FIELD(tern_px4_parameters, mpc_jerk_auto) FIELD(tern_ardupilot_parameters, wpnav_speed_m_s)                        \
+  FIELD(tern_ardupilot_parameters, wpnav_speed_up_m_s) FIELD(tern_ardupilot_parameters, wpnav_speed_dn_m_s)          \
+  FIELD(tern_ardupilot_parameters, wpnav_accel_m_s2) FIELD(tern_ardupilot_parameters, wpnav_accel_z_m_s2)            \
+  FIELD(tern_ardupilot_parameters, psc_jerk_xy_m_s3) FIELD(tern_ardupilot_parameters, psc_jerk_z_m_s3)
 
 #define TERN_LAYOUT_MAP(FIELD)                                                                                       \
   FIELD(tern_map_spec, origin) FIELD(tern_map_spec, cell) FIELD(tern_map_spec, dims) FIELD(tern_map_spec, radius)    \

@@ -60,8 +60,8 @@ TEST(ExportC, NullPointersHaveAnswers) {
   EXPECT_EQ(tern_crazyflie_decompressed(bytes, 100, nullptr, nullptr), kInvalid);
   tern_px4_defaults(nullptr);
   tern_ardupilot_defaults(nullptr);
-  tern_limits_from_px4(nullptr, nullptr);
-  tern_limits_from_ardupilot(nullptr, nullptr);
+  EXPECT_EQ(tern_limits_from_px4(nullptr, nullptr, nullptr), kInvalid);
+  EXPECT_EQ(tern_limits_from_ardupilot(nullptr, nullptr, nullptr), kInvalid);
 }
 
 TEST(ExportC, ArgumentsAreUsed) {
@@ -99,16 +99,23 @@ TEST(ExportC, ParametersBecomeLimits) {
   tern_px4_parameters px4{};
   tern_px4_defaults(&px4);
   tern_limits limits{};
-  tern_limits_from_px4(&px4, nullptr);
-  tern_limits_from_px4(&px4, &limits);
-  const tern_limits of_px4 = tern::limits_from_px4(tern::px4_limits());
+  std::uint8_t field = 99;
+  EXPECT_EQ(tern_limits_from_px4(&px4, nullptr, nullptr), kInvalid);
+  ASSERT_EQ(tern_limits_from_px4(&px4, &limits, &field), 0);
+  EXPECT_EQ(field, 0);
+  tern_limits of_px4{};
+  ASSERT_EQ(tern::limits_from_px4(tern::px4_limits(), of_px4), tern::Status::kOk);
   EXPECT_EQ(limits.v_max.z, of_px4.v_max.z);
   EXPECT_GT(limits.v_max.z, 0.0);
   tern_ardupilot_parameters ardupilot{};
   tern_ardupilot_defaults(&ardupilot);
-  tern_limits_from_ardupilot(&ardupilot, nullptr);
-  tern_limits_from_ardupilot(&ardupilot, &limits);
-  EXPECT_EQ(limits.a_max.x, tern::limits_from_ardupilot(tern::ardupilot_limits()).a_max.x);
+  EXPECT_EQ(tern_limits_from_ardupilot(&ardupilot, nullptr, nullptr), kInvalid);
+  ASSERT_EQ(tern_limits_from_ardupilot(&ardupilot, &limits, nullptr), 0);
+  EXPECT_EQ(limits.a_max.x, 2.5);
+  ardupilot.wpnav_speed_m_s = 1000.0;
+  EXPECT_STREQ(tern_status_name(tern_limits_from_ardupilot(&ardupilot, &limits, &field)), "limits_invalid");
+  EXPECT_STREQ(tern_field_name(field), "v_horizontal");
+  EXPECT_EQ(limits.a_max.x, 2.5);
 }
 
 TEST(ExportC, CompressedBytesEndWithAnEmptyPiece) {

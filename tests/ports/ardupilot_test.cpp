@@ -65,7 +65,7 @@ TEST_F(Guided, PlansInSlicesAndArrives) {
 }
 
 TEST_F(Guided, KeepsArduPilotsLimitsAndTheRadius) {
-  tern->parameters.wpnav_speed = 2.0;
+  tern->parameters.wpnav_speed_m_s = 2.0;
   ASSERT_TRUE(tern->fly_to(here, Vector3f(0.0f, 10.0f, -2.0f)));
   run(60.0);
   ASSERT_GT(ardupilot.targets.size(), 200u);

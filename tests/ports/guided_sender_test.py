@@ -39,7 +39,7 @@ def expected_plan():
     grid = tern.Grid((-5, -10, -1), 0.2, (100, 100, 35), 0.3, ((-5, -10, 0.5), (15, 10, 6)), tracking_margin=0.3)
     grid.mark_box((4, -3, 0), (5, 3, 5))
     grid.inflate()
-    plan = tern.Planner().plan(grid, START, GOAL, tern.Limits.from_ardupilot(wpnav_speed=3.0)).trajectory
+    plan = tern.Planner().plan(grid, START, GOAL, tern.Limits.from_ardupilot(wpnav_speed_m_s=3.0)).trajectory
     return plan, tern.plan_yaw(plan, rate_max=1.0, acceleration_max=1.0)
 
 

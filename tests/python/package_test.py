@@ -188,8 +188,11 @@ class Exports(unittest.TestCase):
         self.assertEqual(tern.clear_until(grid_with_wall(), flown), flown.duration)
 
     def test_limits_of_autopilots(self):
-        self.assertEqual(tern.Limits.from_px4(mpc_xy_vel_max=5.0).v_horizontal, 5.0)
-        self.assertEqual(tern.Limits.from_ardupilot().j_horizontal, 5.0)
+        self.assertEqual(tern.Limits.from_px4(mpc_xy_vel_max=5.0).v_horizontal, 0.7 * 5.0)
+        self.assertEqual(tern.Limits.from_ardupilot(wpnav_speed_m_s=5.0).v_horizontal, 5.0)
+        with self.assertRaisesRegex(tern.TernError, "limits_invalid.*v_horizontal"):
+            tern.Limits.from_ardupilot(wpnav_speed_m_s=500.0)
+        self.assertEqual(tern.Limits.from_ardupilot().j_horizontal, 0.9 * 5.0)
         with self.assertRaises(AttributeError):
             tern.Limits.from_px4(mpc_typo=5.0)
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tern/export.hpp"
 #include "tern/vec3.hpp"
 
 namespace {
@@ -92,6 +93,37 @@ TEST(Vehicle, FeedForwardOfTheFlatStateIsWorthAnOrderOfMagnitude) {
   EXPECT_LT(quadrotor, 0.02);
   EXPECT_GT(px4, 5.0 * quadrotor);
   EXPECT_LT(px4, 0.5);
+}
+
+/// PX4 clips the sum of feed-forward and correction at MPC_XY_VEL_MAX. A plan as fast as that leaves nothing for the
+/// correction, and drag holds the body back; the share of docs/integration/px4.md leaves enough.
+TEST(Vehicle, Px4CatchesUpOnlyBelowItsSpeedLimit) {
+  VehicleSettings settings = settings_of("px4");
+  settings.drag = 0.3;
+  const double free = error_on_circle(settings, 2.0);
+  settings.px4_speed = 2.0 / tern::kPx4SpeedShare;
+  EXPECT_NEAR(error_on_circle(settings, 2.0), free, 0.01);
+  settings.px4_speed = 2.0;
+  EXPECT_GT(error_on_circle(settings, 2.0), 2.0 * free);
+}
+
+/// The correction has priority: a body that is far off flies towards its setpoint, not along with it.
+TEST(Vehicle, Px4NeverWantsMoreThanItsSpeedLimit) {
+  VehicleSettings settings = settings_of("px4");
+  settings.px4_speed = 1.5;
+  const Setpoints away = [](double t) {
+    tern::Sample sample{};
+    sample.position = {0.0, t < 1.0 ? 0.0 : 10.0, 0.0};
+    sample.velocity = {t < 1.0 ? 0.0 : 4.0, 0.0, 0.0};
+    return Setpoint{sample, 0.0, 0.0};
+  };
+  const auto vehicle = make_vehicle(settings, away(0.0));
+  for (int k = 1; k <= 500; ++k) {
+    vehicle->fly_to(0.01 * k, away);
+    EXPECT_LT(std::hypot(vehicle->velocity().x, vehicle->velocity().y), 2.0);
+  }
+  EXPECT_NEAR(vehicle->velocity().y, 1.5, 0.2);
+  EXPECT_LT(std::abs(vehicle->velocity().x), 0.2);
 }
 
 /// The body cannot follow a step of its heading, and turns for most of a second. Thrust points where the motion needs

@@ -119,17 +119,28 @@ struct Px4Limits {
 };
 Px4Limits px4_limits() noexcept;
 
-/// ArduPilot's parameters, in metres where ArduPilot has centimetres. ardupilot_limits() has the firmware's defaults.
+/// ArduPilot's parameters of the same names, with their units in Tern. Releases before 4.7 give speeds and
+/// accelerations in centimetres: divide those by 100. From 4.7 on, they are in metres and called WP_SPD, WP_SPD_UP,
+/// WP_SPD_DN, WP_ACC, WP_ACC_Z, PSC_JERK_NE and PSC_JERK_D. ardupilot_limits() has the firmware's defaults.
 struct ArdupilotLimits {
-  double wpnav_speed, wpnav_speed_up, wpnav_speed_dn;
-  double wpnav_accel, wpnav_accel_z;
-  double psc_jerk_xy, psc_jerk_z;
+  double wpnav_speed_m_s, wpnav_speed_up_m_s, wpnav_speed_dn_m_s;
+  double wpnav_accel_m_s2, wpnav_accel_z_m_s2;
+  double psc_jerk_xy_m_s3, psc_jerk_z_m_s3;
 };
 ArdupilotLimits ardupilot_limits() noexcept;
 
-/// Limits of plans that the autopilot can follow: horizontal ones on the norm, climb and descent apart.
-Limits limits_from_px4(const Px4Limits& parameters) noexcept;
-Limits limits_from_ardupilot(const ArdupilotLimits& parameters) noexcept;
+/// The share of PX4's speed limits that plans use. PX4 clips the sum of the plan's velocity and its own correction at
+/// MPC_XY_VEL_MAX: at a share of 1, a vehicle that lags cannot catch up. docs/integration/px4.md has measurements.
+constexpr double kPx4SpeedShare = 0.7;
+/// The share of ArduPilot's jerk limits that plans use, likewise. In guided mode, it does not clip speeds.
+constexpr double kArdupilotJerkShare = 0.9;
+
+/// Limits of plans that the autopilot can follow: horizontal ones on the norm, climb and descent apart. kOk;
+/// kNonFiniteInput; or kLimitsInvalid for a parameter below 0.01 or above what its autopilot's documentation allows,
+/// as centimetres in place of metres are (docs/export.md has the ranges). `limits` is then as it was, and `field` names
+/// the limit that would have come from the parameter. `field` may be null.
+Status limits_from_px4(const Px4Limits& parameters, Limits& limits, Field* field = nullptr) noexcept;
+Status limits_from_ardupilot(const ArdupilotLimits& parameters, Limits& limits, Field* field = nullptr) noexcept;
 
 }  // namespace tern
 

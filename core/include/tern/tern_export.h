@@ -28,13 +28,14 @@ typedef struct {
 } tern_mavlink_header;
 /* A piece of a Crazyflie's trajectory in raw form: tern::Poly4d. */
 typedef struct { float p[4][8]; float duration; } tern_crazyflie_piece;
-/* Parameters of PX4 and of ArduPilot, in metres: tern::Px4Limits, tern::ArdupilotLimits. */
+/* Parameters of PX4 and of ArduPilot: tern::Px4Limits, tern::ArdupilotLimits. */
 typedef struct {
   double mpc_xy_vel_max, mpc_z_vel_max_up, mpc_z_vel_max_dn, mpc_acc_hor, mpc_acc_up_max, mpc_acc_down_max,
          mpc_jerk_auto;
 } tern_px4_parameters;
 typedef struct {
-  double wpnav_speed, wpnav_speed_up, wpnav_speed_dn, wpnav_accel, wpnav_accel_z, psc_jerk_xy, psc_jerk_z;
+  double wpnav_speed_m_s, wpnav_speed_up_m_s, wpnav_speed_dn_m_s, wpnav_accel_m_s2, wpnav_accel_z_m_s2,
+         psc_jerk_xy_m_s3, psc_jerk_z_m_s3;
 } tern_ardupilot_parameters;
 /* clang-format on */
 #endif
@@ -67,11 +68,13 @@ uint8_t tern_crazyflie_compressed(const tern_trajectory* trajectory, const tern_
                                   uint8_t* bytes, int32_t room, int32_t* used, tern_export_error* error);
 uint8_t tern_crazyflie_decompressed(const uint8_t* bytes, int32_t count, const tern_vec3* origin,
                                     tern_trajectory* trajectory);
-/* The firmwares' default parameters, and limits of plans that the autopilot can follow. */
+/* The firmwares' default parameters, and limits of plans that the autopilot can follow. ok; non_finite_input,
+ * limits_invalid or, for a null pointer, invalid_argument: `limits` is then as it was. `field`, which may be null, gets
+ * the number of the limit that a bad parameter would have become: tern_field_name() has its name. */
 void tern_px4_defaults(tern_px4_parameters* parameters);
 void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters);
-void tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits);
-void tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits);
+uint8_t tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits, uint8_t* field);
+uint8_t tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits, uint8_t* field);
 
 #ifdef __cplusplus
 } /* extern "C" */

@@ -33,7 +33,9 @@ bool AP_Tern::fly_to(const Vector3f& here_ned, const Vector3f& goal_ned) {
   tern_request_init(&request_);
   request_.start.position = {here_ned.y, here_ned.x, -here_ned.z};
   request_.goal.position = {goal_ned.y, goal_ned.x, -goal_ned.z};
-  tern_limits_from_ardupilot(&parameters, &request_.limits);
+  if (tern_limits_from_ardupilot(&parameters, &request_.limits, nullptr) != 0) {
+    return false;
+  }
   tern_plan_begin(&planner_, &grid_, &request_);
   state_ = State::PLANNING;
   return true;

@@ -8,7 +8,7 @@ from typing import Sequence, Union
 
 import numpy as np
 
-from tern._library import ffi, lib, triple, vector
+from tern._library import ffi, lib, require, triple, vector
 
 _ZERO = (0.0, 0.0, 0.0)
 
@@ -65,12 +65,13 @@ class Limits:
 
     @classmethod
     def from_px4(cls, **parameters: float) -> "Limits":
-        """Limits of plans that PX4 can follow: its defaults, but for the parameters given (mpc_xy_vel_max=5.0)."""
+        """Limits of plans that PX4 can follow: its defaults, but for the parameters given (mpc_xy_vel_max=5.0). Speeds
+        are below the parameters. Raises TernError for a parameter out of its range (docs/export.md)."""
         return cls._from("px4", parameters)
 
     @classmethod
     def from_ardupilot(cls, **parameters: float) -> "Limits":
-        """Limits of plans that ArduPilot can follow, likewise, in metres (wpnav_speed=5.0)."""
+        """Limits of plans that ArduPilot can follow, likewise, in metres (wpnav_speed_m_s=5.0)."""
         return cls._from("ardupilot", parameters)
 
     @classmethod
@@ -80,7 +81,9 @@ class Limits:
         for name, value in parameters.items():
             setattr(values, name, value)
         limits = ffi.new("tern_limits*")
-        getattr(lib, f"tern_limits_from_{stack}")(values, limits)
+        bad = ffi.new("uint8_t*")
+        status = getattr(lib, f"tern_limits_from_{stack}")(values, limits, bad)
+        require(status, "the parameter for " + ffi.string(lib.tern_field_name(bad[0])).decode())
         return cls._of(limits)
 
 

@@ -44,6 +44,8 @@ Json settings_json(const FlightSettings& s) {
           {"goal_tolerance", s.goal_tolerance},
           {"tracking", s.tracking},
           {"wind", s.wind},
+          {"drag", s.drag},
+          {"px4_speed", s.px4_speed},
           {"seed", s.seed},
           {"frames_until", s.frames_until},
           {"pose_jump", {s.pose_jump.size, s.pose_jump.every}},

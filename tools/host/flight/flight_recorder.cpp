@@ -37,6 +37,8 @@ VehicleSettings vehicle_settings_of(const FlightSettings& s) {
   vehicle.pose_margin = s.pose_margin;
   vehicle.pose_jumps = s.pose_jump;
   vehicle.wind = s.wind;
+  vehicle.drag = s.drag;
+  vehicle.px4_speed = s.px4_speed;
   vehicle.tick = 1.0 / s.tick_hz;
   vehicle.seed = s.seed;
   return vehicle;

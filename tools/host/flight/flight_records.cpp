@@ -98,6 +98,8 @@ Setters all_setters() {
                  {"a_max", real(&S::a_max, 0.01, 100.0)},
                  {"j_max", real(&S::j_max, 0.0, 1e6)},
                  {"wind", real(&S::wind, 0.0, 100.0)},
+                 {"drag", real(&S::drag, 0.0, 10.0)},
+                 {"px4_speed", real(&S::px4_speed, 0.1, 100.0)},
                  {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
                  {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
                  {"yaw", set_yaw},

@@ -80,6 +80,8 @@ struct FlightSettings {
   double goal_tolerance = 0.01;
   std::string tracking = "bounded";  ///< a kind of vehicle (vehicle.hpp)
   double wind = 0.0;                 ///< mean speed, m/s; for rigid bodies
+  double drag = 0.1;                 ///< 1/s; for rigid bodies
+  double px4_speed = 12.0;           ///< MPC_XY_VEL_MAX of "px4", m/s
   std::uint64_t seed = 1;
 
   // Faults.

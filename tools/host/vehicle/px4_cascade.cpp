@@ -11,6 +11,7 @@ namespace tern_host {
 namespace {
 
 using Eigen::Quaterniond;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // PX4's defaults; in brackets the parameters' names.
@@ -18,8 +19,7 @@ const Vector3d kPositionP(0.95, 0.95, 1.0);      // [MPC_XY_P, MPC_Z_P]
 const Vector3d kVelocityP(1.8, 1.8, 4.0);        // [MPC_XY_VEL_P_ACC, MPC_Z_VEL_P_ACC]
 const Vector3d kVelocityI(0.4, 0.4, 2.0);        // [.._VEL_I_ACC]
 const Vector3d kVelocityD(0.2, 0.2, 0.0);        // [.._VEL_D_ACC]
-constexpr double kMostHorizontal = 12.0;         // [MPC_XY_VEL_MAX] m/s
-constexpr double kMostUp = 3.0;                  // [MPC_Z_VEL_MAX_UP]
+constexpr double kMostUp = 3.0;                  // [MPC_Z_VEL_MAX_UP] m/s
 constexpr double kMostDown = 1.5;                // [MPC_Z_VEL_MAX_DN]
 constexpr double kMostTilt = 0.785398163397448;  // [MPC_TILTMAX_AIR] 45 degrees
 constexpr double kVelocityCutoff = 5.0;          // [MPC_VELD_LP] Hz
@@ -52,17 +52,21 @@ Vector3d within(const Vector3d& v, const Vector3d& most) {
   return v.cwiseMax(-most).cwiseMin(most);
 }
 
-/// The position's correction gives way to the commanded velocity where both are more than the limit.
-Vector3d limit_velocity(Vector3d commanded, Vector3d correction) {
-  const double wanted = commanded.head<2>().norm();
-  const double room = std::max(0.0, kMostHorizontal - wanted);
-  if (wanted > kMostHorizontal) commanded.head<2>() *= kMostHorizontal / wanted;
-  const double extra = correction.head<2>().norm();
-  if ((commanded + correction).head<2>().norm() > kMostHorizontal && extra > room) {
-    correction.head<2>() *= room / extra;
-  }
-  Vector3d velocity = commanded + correction;
-  velocity.z() = std::clamp(velocity.z(), -kMostDown, kMostUp);
+/// The horizontal velocity to follow. Where correction and commanded velocity together are more than the limit, PX4
+/// keeps the correction, and as much of the commanded velocity as there is room for.
+Vector2d limit_horizontal(const Vector2d& commanded, const Vector2d& correction, double most) {
+  constexpr double kNothing = 1e-3;
+  if ((commanded + correction).norm() <= most) return commanded + correction;
+  if (correction.norm() >= most || commanded.norm() < kNothing) return most * correction.normalized();
+  const Vector2d along = commanded.normalized();
+  const double ahead = along.dot(correction);
+  return correction + along * (std::sqrt(ahead * ahead + most * most - correction.squaredNorm()) - ahead);
+}
+
+Vector3d limit_velocity(const Vector3d& commanded, const Vector3d& correction, double most_horizontal) {
+  Vector3d velocity;
+  velocity.head<2>() = limit_horizontal(commanded.head<2>(), correction.head<2>(), most_horizontal);
+  velocity.z() = std::clamp(commanded.z() + correction.z(), -kMostDown, kMostUp);
   return velocity;
 }
 
@@ -81,7 +85,7 @@ void Px4Cascade::control_position(const Believed& state, double dt) {
   acceleration_ += new_part(kVelocityCutoff, dt) * (change - acceleration_);
   last_velocity_ = state.velocity;
   const Vector3d correction = kPositionP.cwiseProduct(eigen(setpoint_.sample.position) - state.position);
-  const Vector3d off = limit_velocity(eigen(setpoint_.sample.velocity), correction) - state.velocity;
+  const Vector3d off = limit_velocity(eigen(setpoint_.sample.velocity), correction, speed_max_) - state.velocity;
   const Vector3d wanted = eigen(setpoint_.sample.acceleration) + kVelocityP.cwiseProduct(off) + velocity_integral_ -
                           kVelocityD.cwiseProduct(acceleration_);
   velocity_integral_ += dt * kVelocityI.cwiseProduct(off);

@@ -12,7 +12,8 @@ namespace tern_host {
 /// Setpoints come as a stream and are held in between. World frame with z up, body x ahead and y left.
 class Px4Cascade {
  public:
-  explicit Px4Cascade(double tick) : tick_(tick) {}
+  /// `tick`: seconds from one setpoint to the next. `speed_max`: MPC_XY_VEL_MAX, m/s.
+  Px4Cascade(double tick, double speed_max) : tick_(tick), speed_max_(speed_max) {}
   /// One step of the rate loop, at time t; the slower loops run when their time has come.
   Wrench control(const Believed& state, double t, double step, const Setpoints& setpoints);
 
@@ -22,6 +23,7 @@ class Px4Cascade {
   Eigen::Vector3d control_rates(const Believed& state, double dt);
 
   double tick_;
+  double speed_max_;
   double next_setpoint_ = 0.0;
   double next_attitude_ = 0.0;
   Setpoint setpoint_{};

@@ -36,7 +36,7 @@ constexpr double kMostThrust = Body::kThrustToWeight * Body::kMass * tern::kGrav
 
 }  // namespace
 
-RigidBody::RigidBody(const Vector3d& position, const Vector3d& velocity, double yaw) {
+RigidBody::RigidBody(const Vector3d& position, const Vector3d& velocity, double yaw, double drag) : drag_(drag) {
   const double each = Body::kMass * tern::kGravity / 4.0;
   state_ = {position.x(),
             position.y(),
@@ -79,7 +79,7 @@ void RigidBody::advance(double step, const Vector3d& wind) {
     const Vector3d rates(x[10], x[11], x[12]);
     const Vector4d forces = mix * Vector4d(x[13], x[14], x[15], x[16]);
     const Vector3d acceleration = attitude.normalized() * Vector3d(0.0, 0.0, forces[0] / Body::kMass) -
-                                  Vector3d(0.0, 0.0, tern::kGravity) - Body::kDrag * (velocity - wind);
+                                  Vector3d(0.0, 0.0, tern::kGravity) - drag_ * (velocity - wind);
     const Eigen::Quaterniond turn = attitude * Eigen::Quaterniond(0.0, rates.x(), rates.y(), rates.z());
     const Vector3d inertia = Body::inertia();
     const Vector3d spin = rates.cross(Vector3d(inertia.cwiseProduct(rates)));

@@ -17,7 +17,7 @@ struct Body {
   static constexpr double kArm = 0.12;              ///< of a motor along x and along y
   static constexpr double kTorqueOfThrust = 0.016;  ///< about the thrust, of a propeller
   static constexpr double kMotorLag = 0.015;
-  static constexpr double kDrag = 0.1;  ///< deceleration a speed through the air, 1/s
+  static constexpr double kDrag = 0.1;  ///< deceleration a speed through the air, 1/s; what a controller believes
   static constexpr double kThrustToWeight = 4.0;
   static Eigen::Vector3d inertia() { return {0.004, 0.004, 0.007}; }
 };
@@ -30,8 +30,8 @@ struct Wrench {
 
 class RigidBody {
  public:
-  /// Level, with thrust that carries its weight.
-  RigidBody(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double yaw);
+  /// Level, with thrust that carries its weight. `drag`: its true drag, as Body::kDrag.
+  RigidBody(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity, double yaw, double drag);
 
   /// What the motors are told; what is beyond their range is cut off.
   void command(const Wrench& wrench);
@@ -49,6 +49,7 @@ class RigidBody {
   Eigen::Vector3d vector(std::size_t at) const { return {state_[at], state_[at + 1], state_[at + 2]}; }
 
   State state_{};
+  double drag_;
   Eigen::Vector4d commanded_;
 };
 

@@ -79,9 +79,9 @@ class FlownBody : public Vehicle {
         estimating_(s.pose_margin, s.pose_jumps, s.seed, noise_),
         wind_(s.wind, s.seed),
         is_px4_(s.kind == "px4"),
-        cascade_(s.tick),
+        cascade_(s.tick, s.px4_speed),
         body_(eigen(difference(start.sample.position, estimating_.at(0.0))),
-              eigen(difference({}, estimating_.rate_at(0.0))), start.yaw) {}
+              eigen(difference({}, estimating_.rate_at(0.0))), start.yaw, s.drag) {}
 
   void fly_to(double t, const Setpoints& setpoints) override {
     // The steps' number is fixed by the time, so that rounding does not add one.

@@ -49,6 +49,8 @@ struct VehicleSettings {
   double pose_margin = 0;      ///< largest error of the estimate, metres, but for jumps beyond it
   PoseJumps pose_jumps;        ///< of the estimate
   double wind = 0;             ///< mean speed of a gusty wind, m/s; for the rigid bodies
+  double drag = 0.1;           ///< deceleration a speed through the air, 1/s; for the rigid bodies
+  double px4_speed = 12;       ///< MPC_XY_VEL_MAX of "px4", m/s
   double tick = 0.01;          ///< seconds from one setpoint to the next, where they come as a stream
   std::uint64_t seed = 1;
 };
