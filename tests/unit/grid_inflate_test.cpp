@@ -175,15 +175,28 @@ TEST(GridInflate, ABoundaryOffTheLatticeBlocksTheVoxelsThatItCuts) {
   EXPECT_EQ(count_free(owned.grid), 9 * 8 * 4);
 }
 
-TEST(GridInflate, ABoundaryThinnerThanAVoxelLeavesNothingFree) {
-  for (const double upper : {0.35, 0.41, 0.49}) {
-    GridSpec spec = whole_grid({10, 10, 10}, 0.1, 0.0);
-    spec.boundary.lower.y = 0.35;
-    spec.boundary.upper.y = upper;
-    OwnedGrid owned(spec);
-    ASSERT_EQ(owned.status, Status::kOk);
-    owned.grid.inflate();
-    EXPECT_EQ(count_free(owned.grid), 0) << upper;
+TEST(GridInflate, ABoundaryThinnerThanAVoxelOpensTheLayersThatItMeets) {
+  const struct {
+    double lower;
+    double upper;
+    int first;
+    int layers;
+  } slabs[] = {{0.35, 0.39, 3, 1}, {0.35, 0.41, 3, 2}, {0.35, 0.49, 3, 2}, {0.35, 0.35, 3, 1}, {0.4, 0.4, 3, 2},
+               {0.4, 0.45, 4, 1},  {0.35, 0.4, 3, 1},  {0.0, 0.0, 0, 1},   {1.0, 1.0, 9, 1},   {0.35, 0.5, 4, 1}};
+  for (const auto& slab : slabs) {
+    for (double tern::Vec3::*axis : {&tern::Vec3::x, &tern::Vec3::y, &tern::Vec3::z}) {
+      GridSpec spec = whole_grid({10, 10, 10}, 0.1, 0.0);
+      spec.boundary.lower.*axis = slab.lower;
+      spec.boundary.upper.*axis = slab.upper;
+      OwnedGrid owned(spec);
+      ASSERT_EQ(owned.status, Status::kOk);
+      owned.grid.inflate();
+      EXPECT_EQ(count_free(owned.grid), 100 * slab.layers) << slab.lower << " to " << slab.upper;
+      for (int k = slab.first; k < slab.first + slab.layers; ++k) {
+        EXPECT_TRUE(owned.grid.free(
+            {axis == &tern::Vec3::x ? k : 5, axis == &tern::Vec3::y ? k : 5, axis == &tern::Vec3::z ? k : 5}));
+      }
+    }
   }
 }
 

@@ -4,7 +4,8 @@
 // The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
 // is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only where the robot's
 // centre may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every
-// obstacle cube, and inside the boundary (contract C5). docs/grid.md has the details.
+// obstacle cube, and inside the boundary (contract C5). Where the boundary holds no whole voxel, this holds for the part
+// of the cube inside the boundary. docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
@@ -26,8 +27,9 @@ struct GridSpec {
   /// Voxels along each axis, 1 .. kMaxDimension. Their product is at most kMaxCells.
   Voxel dims;
   /// Where the robot's centre may be, faces included. It must lie inside the grid; its faces need not be voxel faces. A
-  /// voxel that it cuts is blocked. Where obstacles beyond the boundary matter, make the grid wider than the boundary
-  /// by the radius, because a grid knows no obstacles outside itself.
+  /// voxel that it cuts is blocked, but not on an axis where the boundary holds no whole voxel: a boundary with
+  /// lower.z == upper.z makes flights at one height. Where obstacles beyond the boundary matter, make the grid wider
+  /// than the boundary by the radius, because a grid knows no obstacles outside itself.
   Box boundary;
   /// Radius of the robot's body, >= 0.
   double radius;

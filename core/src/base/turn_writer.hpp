@@ -5,6 +5,7 @@
 
 #include "base/capacity.hpp"
 #include "base/direction.hpp"
+#include "base/free_point.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
@@ -30,7 +31,7 @@ struct TurnWriter {
 
   void point(const Voxel& voxel) noexcept {
     full = full || is_full(path.raw_count >= capacity);
-    if (!full) path.raw[path.raw_count++] = grid.center(voxel);
+    if (!full) path.raw[path.raw_count++] = free_point(grid, voxel);
   }
 
   /// Goes on by so many equal moves.
@@ -40,7 +41,7 @@ struct TurnWriter {
     last = {last.x + steps * step.x, last.y + steps * step.y, last.z + steps * step.z};
     count(axes_of(move), steps);
     if (heading == move && !full) {
-      path.raw[path.raw_count - 1] = grid.center(last);
+      path.raw[path.raw_count - 1] = free_point(grid, last);
       return;
     }
     heading = move;

@@ -96,12 +96,32 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
 }
 
 /// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) where none does.
-inline IndexRange inside_boundary(const Grid& grid, int a) {
+inline IndexRange whole_inside(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();
   const Box boundary = grid.local_boundary();
   const std::int32_t count = axis(spec.dims, a);
   return {ceil_index(axis(boundary.lower, a) / spec.cell - kLatticeTolerance, 0, count),
           floor_index(axis(boundary.upper, a) / spec.cell + kLatticeTolerance, 0, count)};
+}
+
+/// True where the boundary holds no whole voxel on this axis. It is then narrower than two.
+inline bool is_thin(const Grid& grid, int a) {
+  const Box boundary = grid.local_boundary();
+  if (axis(boundary.upper, a) - axis(boundary.lower, a) >= 2.0 * grid.spec().cell) return false;
+  const IndexRange whole = whole_inside(grid, a);
+  return whole.begin >= whole.end;
+}
+
+/// Layers of voxels that count as inside the boundary on one axis, never none: those that lie inside it. On a thin
+/// axis, those that it meets, one or two: of a flat boundary on a lattice plane, the layers on both sides.
+inline IndexRange inside_boundary(const Grid& grid, int a) {
+  if (!is_thin(grid, a)) return whole_inside(grid, a);
+  const GridSpec& spec = grid.spec();
+  const Box boundary = grid.local_boundary();
+  const std::int32_t count = axis(spec.dims, a);
+  const IndexRange met{floor_index(axis(boundary.lower, a) / spec.cell + kLatticeTolerance, 0, count),
+                       ceil_index(axis(boundary.upper, a) / spec.cell - kLatticeTolerance, 0, count)};
+  return met.begin < met.end ? met : overlap({0, count}, {met.end - 1, met.end + 1});
 }
 
 }  // namespace tern

@@ -3,6 +3,7 @@
 #include "path/join.hpp"
 
 #include "base/direction.hpp"
+#include "base/free_point.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
@@ -15,7 +16,7 @@ constexpr std::uint32_t kTryEffort = 300;
 constexpr std::uint32_t kLineEffort = 15000;
 
 double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) {
-  const Vec3 d = grid.center(voxel) - point;
+  const Vec3 d = free_point(grid, voxel) - point;
   return dot(d, d);
 }
 
@@ -105,7 +106,7 @@ bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) no
 
 std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
   const Voxel candidate = join.candidates[join.next++];
-  const Vec3 center = grid.center(candidate);
+  const Vec3 center = free_point(grid, candidate);
   const double radius = grid.spec().clearance();
   const bool known = join.searched[cell_of(join, candidate)];
   const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);

@@ -4,6 +4,7 @@
 
 #include "base/capacity.hpp"
 #include "base/direction.hpp"
+#include "base/free_point.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 
@@ -27,7 +28,7 @@ void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, Status 
 Progress advance_nearest(SearchStage& stage, const Grid& grid, Work& work) {
   if (nearest_advance(stage.nearest, grid, work) == Progress::kMore) return Progress::kMore;
   stage.has_nearest_free = stage.nearest.found;
-  if (stage.nearest.found) stage.nearest_free = grid.center(stage.nearest.voxel);
+  if (stage.nearest.found) stage.nearest_free = free_point(grid, stage.nearest.voxel);
   return Progress::kFailed;
 }
 
@@ -99,8 +100,8 @@ void direct_path(SearchStage& stage, Path& out) {
 Status write_raw(SearchStage& stage, const Grid& grid, Path& out, Work& work) {
   const SearchQuery& query = stage.query;
   out.raw_count = 0;
-  if (!same(query.start, grid.center(stage.start.voxel))) out.raw[out.raw_count++] = query.start;
-  const bool at_center = same(query.goal, grid.center(stage.goal.voxel));
+  if (!same(query.start, free_point(grid, stage.start.voxel))) out.raw[out.raw_count++] = query.start;
+  const bool at_center = same(query.goal, free_point(grid, stage.goal.voxel));
   const Status status = voxel_search_extract(stage.search, grid, at_center ? 0 : 1, out);
   if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
   stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;

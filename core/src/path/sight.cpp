@@ -105,9 +105,8 @@ bool probes_blocked(const Grid& grid, const Track& x, const Track& y, const Trac
   return false;
 }
 
-}  // namespace
-
-bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) noexcept {
+/// The same for segments between voxels that lie wholly inside the boundary.
+bool whole_line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) {
   const double scale = 1.0 / grid.spec().cell;
   const Voxel& dims = grid.spec().dims;
   const double reach = margin + kSightRounding;
@@ -124,6 +123,68 @@ bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin
     if (in_layer.begin <= in_layer.end && !layer_free(grid, x, y, layer, in_layer)) return false;
   }
   return true;
+}
+
+/// Layers that a segment may use on each axis; all where the axis is not thin.
+struct Layers {
+  IndexRange open[3];
+  bool thin[3];
+};
+
+/// The segment moved to the middle of one layer on each thin axis, and whether its ends lie in these layers.
+struct Flattened {
+  Vec3 a;
+  Vec3 b;
+  bool holds;
+};
+
+/// `choice`: bit a is set for the second open layer of axis a.
+Flattened flattened(const Grid& grid, const Layers& layers, int choice, const Vec3& a, const Vec3& b) {
+  const double cell = grid.spec().cell;
+  Flattened flat{a, b, true};
+  for (int k = 0; k < 3; ++k) {
+    if (!layers.thin[k]) continue;
+    const double lower = layers.open[k].begin + (choice >> k & 1);
+    Vec3* const ends[] = {&flat.a, &flat.b};
+    for (Vec3* end : ends) {
+      const double at = axis(*end, k) / cell - lower;
+      flat.holds = flat.holds && at >= -kLatticeTolerance && at <= 1.0 + kLatticeTolerance;
+      axis(*end, k) = (lower + 0.5) * cell;
+    }
+  }
+  return flat;
+}
+
+/// Inside a boundary that is thinner than a voxel. The margin has no meaning across it. Free voxels of one layer that
+/// holds the whole segment are enough; otherwise those of all open layers must be free.
+bool thin_line_of_sight(const Grid& grid, const Layers& layers, const Vec3& a, const Vec3& b, double margin) {
+  bool all = true;
+  for (int choice = 0; choice < 8; ++choice) {
+    bool exists = true;
+    for (int k = 0; k < 3; ++k) {
+      const int second = choice >> k & 1;
+      exists = exists && (second == 0 || (layers.thin[k] && layers.open[k].end - layers.open[k].begin == 2));
+    }
+    if (!exists) continue;
+    const Flattened flat = flattened(grid, layers, choice, a, b);
+    const bool seen = whole_line_of_sight(grid, flat.a, flat.b, margin);
+    if (seen && flat.holds) return true;
+    all = all && seen;
+  }
+  return all;
+}
+
+}  // namespace
+
+bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) noexcept {
+  Layers layers{};
+  bool any = false;
+  for (int k = 0; k < 3; ++k) {
+    layers.thin[k] = is_thin(grid, k);
+    if (layers.thin[k]) layers.open[k] = inside_boundary(grid, k);
+    any = any || layers.thin[k];
+  }
+  return any ? thin_line_of_sight(grid, layers, a, b, margin) : whole_line_of_sight(grid, a, b, margin);
 }
 
 }  // namespace tern

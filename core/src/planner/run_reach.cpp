@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Where no plan leads to the goal: the nearest point that one can lead to, for the report, or as the goal instead.
+#include "base/free_point.hpp"
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "curve/rest.hpp"
@@ -67,7 +68,7 @@ Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
   const Grid& grid = world();
   const Vec3 start = to_local(*grid_, asked_).start.position;
   const bool stays = at_rest(asked_.start) && same(grid.voxel_of(start), voxel);
-  return stays ? asked_.start.position : grid.center(voxel) + grid.spec().origin;
+  return stays ? asked_.start.position : free_point(grid, voxel) + grid.spec().origin;
 }
 
 /// The plan begins again, with another goal.

@@ -35,12 +35,13 @@ void for_each_voxel(const Voxel& begin, const Voxel& end, Visit visit) {
 
 constexpr Voxel kFirst{0, 0, 0};
 
-/// The voxel whose lower face, on each axis, is the boundary's upper face or the first one beyond it.
-Voxel beyond(const Grid& grid, const Vec3& upper) {
-  const auto index = [&](double x) {
-    return static_cast<std::int32_t>(std::ceil(x / grid.spec().cell - tern::kLatticeTolerance));
+/// The voxel whose lower face, on each axis, is the boundary's upper face or the first one beyond it. At least a voxel
+/// beyond `begin`, even where the boundary is flat.
+Voxel beyond(const Grid& grid, const Voxel& begin, const Vec3& upper) {
+  const auto index = [&](double x, std::int32_t first) {
+    return std::max(first + 1, static_cast<std::int32_t>(std::ceil(x / grid.spec().cell - tern::kLatticeTolerance)));
   };
-  return {index(upper.x), index(upper.y), index(upper.z)};
+  return {index(upper.x, begin.x), index(upper.y, begin.y), index(upper.z, begin.z)};
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ GridMap::GridMap(const Scenario& scenario) {
   if (status == Status::kOk) status = fill_grid(known, grid);
   if (status != Status::kOk) return;
   begin = grid.voxel_of(grid.local_boundary().lower);
-  end = beyond(grid, grid.local_boundary().upper);
+  end = beyond(grid, begin, grid.local_boundary().upper);
   find_unknown(scenario);
   for_each_voxel(begin, end, [&](const Voxel& v) {
     ++voxels;

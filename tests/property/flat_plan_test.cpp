@@ -1,0 +1,134 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Flights inside a boundary that holds no whole voxel on an axis: at one height, along a wall, in a slab. What a flood
+// over the layers that the boundary meets connects has a plan: between random points, through vias and in flight. By
+// dense sampling, every plan stays inside the boundary and keeps the radius.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "support/slab.hpp"
+#include "tern/tern.hpp"
+
+namespace tern_test {
+namespace {
+
+using tern::Status;
+using tern::Vec3;
+using tern::Voxel;
+
+class FlatPlans : public testing::Test {
+ protected:
+  FlatPlans() : memory_(new unsigned char[tern::kWorkspaceBytes]), planner_(memory_.get(), tern::kWorkspaceBytes) {}
+
+  Status plan(const Slab& slab) {
+    const Status status = planner_.plan(slab.grid(), request_, plan_, report_);
+    if (status == Status::kOk) expect_inside(slab);
+    return status;
+  }
+  void expect_inside(const Slab& slab) const {
+    constexpr double kTolerance = 3e-9;
+    const double end = tern::duration(plan_);
+    for (int k = 0; k <= 200; ++k) {
+      const Vec3 p = tern::evaluate(plan_, end * k / 200).position;
+      for (int a = 0; a < 3; ++a) {
+        ASSERT_GE(tern::axis(p, a), tern::axis(slab.spec().boundary.lower, a) - kTolerance);
+        ASSERT_LE(tern::axis(p, a), tern::axis(slab.spec().boundary.upper, a) + kTolerance);
+      }
+      ASSERT_GE(slab.clearance(p), slab.spec().radius - kTolerance);
+    }
+  }
+  const Voxel& pick(Random& random, const Slab& slab) const { return slab.free()[random.next() % slab.free().size()]; }
+  /// Chooses a request. True if free voxels connect all its points.
+  bool ask(Random& random, const Slab& slab) {
+    const Voxel& from = pick(random, slab);
+    const Voxel& to = pick(random, slab);
+    request_ = {};
+    request_.limits = {{2.0, 2.0, 1.0}, {4.0, 4.0, 2.0}};
+    request_.start.position = slab.point(random, from);
+    request_.goal.position = slab.point(random, to);
+    request_.search = random.chance(0.5) ? tern::SearchMode::kFast : tern::SearchMode::kOptimal;
+    bool connected = slab.part(from) == slab.part(to);
+    vias_.clear();
+    for (int k = random.chance(0.3) ? random.integer(1, 3) : 0; k > 0; --k) {
+      const Voxel& by = pick(random, slab);
+      connected = connected && slab.part(by) == slab.part(from);
+      tern::Via via{};
+      via.position = slab.point(random, by);
+      via.tolerance = random.chance(0.5) ? 0.0 : random.real(0.0, 0.5);
+      via.stop = random.chance(0.3);
+      vias_.push_back(via);
+    }
+    request_.vias = vias_.data();
+    request_.via_count = static_cast<int>(vias_.size());
+    return connected;
+  }
+  /// From somewhere along the plan at hand, with and without it.
+  void expect_replans(Random& random, const Slab& slab) {
+    const tern::Trajectory flown = plan_;
+    const double time = tern::duration(flown) * random.unit();
+    const tern::Sample at = tern::evaluate(flown, time);
+    request_.start = {at.position, at.velocity, at.acceleration, at.jerk};
+    request_.previous = &flown;
+    request_.previous_time = time;
+    EXPECT_EQ(plan(slab), Status::kOk) << tern::status_name(report_.status);
+    request_.previous = nullptr;
+    EXPECT_EQ(plan(slab), Status::kOk) << tern::status_name(report_.status);
+  }
+
+  std::unique_ptr<unsigned char[]> memory_;
+  tern::Planner planner_;
+  tern::Request request_{};
+  std::vector<tern::Via> vias_;
+  tern::Trajectory plan_{};
+  tern::Report report_{};
+};
+
+TEST_F(FlatPlans, WhatTheLayersOfTheBoundaryConnectHasAPlan) {
+  Random random(4021);
+  int planned = 0;
+  int optimised = 0;
+  int apart = 0;
+  for (int i = 0; i < scaled(400); ++i) {
+    const Slab slab(random);
+    if (slab.free().empty()) continue;
+    const bool connected = ask(random, slab);
+    const Status status = plan(slab);
+    if (!connected) {
+      // Without a radius, a point on a face may join a voxel of another part.
+      EXPECT_TRUE(status == Status::kNoPath || (status == Status::kOk && !(slab.spec().radius > 0.0)));
+      ++apart;
+      continue;
+    }
+    ASSERT_EQ(status, Status::kOk) << "case " << i << ": " << tern::status_name(status);
+    ++planned;
+    optimised += report_.quality == tern::Quality::kOptimised ? 1 : 0;
+    if (vias_.empty()) expect_replans(random, slab);
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_EQ(optimised, planned);
+  EXPECT_GT(planned, scaled(200));
+  EXPECT_GT(apart, scaled(20));
+}
+
+/// The nearest point that a path leads to lies inside the boundary, too, and is flown to.
+TEST_F(FlatPlans, AGoalThatIsCutOffIsApproachedInsideTheBoundary) {
+  Random random(4022);
+  int missed = 0;
+  for (int i = 0; i < scaled(150); ++i) {
+    const Slab slab(random);
+    if (slab.free().empty()) continue;
+    ask(random, slab);
+    request_.via_count = 0;
+    request_.goal_mode = tern::GoalMode::kNearest;
+    ASSERT_EQ(plan(slab), Status::kOk) << "case " << i << ": " << tern::status_name(report_.status);
+    missed += report_.goal_missed != Status::kOk ? 1 : 0;
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(missed, scaled(10));
+}
+
+}  // namespace
+}  // namespace tern_test
