@@ -124,6 +124,74 @@ TEST_F(FencesFault, RefusalsNameTheFences) {
   EXPECT_EQ(world_.report.field, Field::kFences);
 }
 
+using Planes = std::vector<Halfspace>;
+
+Planes reversed(Planes planes) {
+  for (Halfspace& h : planes) h = {{-h.normal.x, -h.normal.y, -h.normal.z}, -h.offset};
+  return planes;
+}
+
+Planes box(const tern::Box& of) {
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes(of, planes);
+  return {planes, planes + tern::kBoxPlanes};
+}
+
+Fence fence_of(const Planes& planes, FenceKind kind) {
+  return {planes.data(), static_cast<std::int32_t>(planes.size()), kind};
+}
+
+TEST_F(FencesFault, EmptyFencesAreRefusedByTheirIndex) {
+  const Planes pillar = box({{1.8, 2.5, 0.0}, {2.2, 2.6, 2.0}});
+  const Planes triangle{{{0.0, -1.0, 0.0}, -1.5}, {{1.0, 1.0, 0.0}, 5.0}, {{-1.0, 1.0, 0.0}, 1.0}};
+  // A reversed box, a polygon the wrong way round, and two half-spaces that show away from each other.
+  for (const Planes& bad : {reversed(pillar), reversed(triangle), Planes{left_, right_}}) {
+    for (const FenceKind kind : {FenceKind::kKeepIn, FenceKind::kKeepOut}) {
+      EXPECT_EQ(plan({fence_of(pillar, FenceKind::kKeepOut), fence_of(bad, kind)}), Status::kFenceEmpty);
+      EXPECT_EQ(world_.report.stage, tern::Stage::kRequest);
+      EXPECT_EQ(world_.report.field, Field::kFences);
+      EXPECT_EQ(world_.report.fence, 1);
+      EXPECT_TRUE(world_.trajectory_untouched());
+    }
+  }
+  EXPECT_EQ(plan({fence_of(pillar, FenceKind::kKeepOut)}), Status::kOk);
+  EXPECT_EQ(world_.report.fence, tern::kNoFence);
+}
+
+TEST_F(FencesFault, OfKeepInsTheFirstThatLeavesNoPointIsNamed) {
+  const Halfspace far{{0.0, 0.0, 1.0}, 9.0};
+  const Fence anywhere{&far, 1, FenceKind::kKeepIn};
+  const Fence left{&left_, 1, FenceKind::kKeepIn};
+  const Fence right{&right_, 1, FenceKind::kKeepIn};
+  EXPECT_EQ(plan({left, anywhere, right, anywhere}), Status::kFenceEmpty);
+  EXPECT_EQ(world_.report.fence, 2);
+  const Planes none{left_, right_};
+  EXPECT_EQ(plan({fence_of(none, FenceKind::kKeepOut), left, right}), Status::kFenceEmpty);
+  EXPECT_EQ(world_.report.fence, 2) << "keep-ins are looked at first";
+  EXPECT_EQ(plan({left, {&right_, 1, FenceKind::kKeepOut}}), Status::kGoalFenced) << "keep-outs need not meet keep-ins";
+}
+
+/// One wrong sign may leave a region somewhere else: a fence, if not the one that was meant.
+TEST_F(FencesFault, FarAndUnboundedFencesAreNotEmpty) {
+  Planes elsewhere = box({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}});
+  elsewhere[1] = reversed({elsewhere[1]})[0];  // x <= 1.8 in place of x >= 1.8
+  EXPECT_EQ(plan({fence_of(elsewhere, FenceKind::kKeepOut)}), Status::kStartFenced);
+  elsewhere[1].offset = -1.8;
+  EXPECT_EQ(plan({fence_of(elsewhere, FenceKind::kKeepOut)}), Status::kOk);
+  for (const double far : {9.0, 1e9, 1e19}) {
+    EXPECT_EQ(plan({fence_of({{{-1.0, 0.0, 0.0}, -far}}, FenceKind::kKeepOut)}), Status::kOk) << far;
+    EXPECT_EQ(plan({fence_of(box({{far, far, far}, {2.0 * far, far, 3.0 * far}}), FenceKind::kKeepOut)}), Status::kOk)
+        << far;
+  }
+}
+
+TEST_F(FencesFault, AWallWithoutThicknessIsNotEmpty) {
+  EXPECT_EQ(plan({fence_of(box({{2.0, 0.0, 0.0}, {2.0, 4.0, 2.0}}), FenceKind::kKeepOut)}), Status::kNoPath);
+  EXPECT_EQ(plan({fence_of(box({{2.0, 2.0, 1.0}, {2.0, 2.0, 1.0}}), FenceKind::kKeepOut)}), Status::kOk);
+  EXPECT_GT(world_.trajectory.count, 1) << "around a point";
+  EXPECT_NE(plan({fence_of(box({{0.0, 0.0, 1.0}, {4.0, 4.0, 1.0}}), FenceKind::kKeepIn)}), Status::kFenceEmpty);
+}
+
 TEST_F(FencesFault, TheNextRequestIsFreeOfThem) {
   const Halfspace wall[] = {{{1.0, 0.0, 0.0}, 2.1}, {{-1.0, 0.0, 0.0}, -1.9}};
   EXPECT_EQ(plan({{wall, 2, FenceKind::kKeepOut}}), Status::kNoPath);

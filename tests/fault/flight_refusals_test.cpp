@@ -264,4 +264,20 @@ TEST(FlightRefusals, HalfSpacesThatAreNone) {
   expect_everywhere(fences(Status::kNonFiniteInput, 1), with({{1e-5, 0.0, 0.0}, 1e305}));  // 1e310 m away
 }
 
+TEST(FlightRefusals, FencesWithoutAPoint) {
+  for (const FenceKind kind : {FenceKind::kKeepIn, FenceKind::kKeepOut}) {
+    expect_everywhere(fences(Status::kFenceEmpty, 1), [kind](Malformed& m) {
+      for (std::size_t p = 0; p < kBoxPlanes; ++p) {
+        const Halfspace& h = m.planes[p];
+        m.planes[kBoxPlanes + p] = {{-h.normal.x, -h.normal.y, -h.normal.z}, -h.offset};
+      }
+      m.fences[1] = {m.planes.data() + kBoxPlanes, kBoxPlanes, kind};
+    });
+  }
+  expect_everywhere(fences(Status::kFenceEmpty, 1), [](Malformed& m) {  // x <= 3, but for the other one
+    m.planes[1] = {{-1.0, 0.0, 0.0}, -4.0};
+    m.fences[1].planes = m.planes.data() + 1;
+  });
+}
+
 }  // namespace

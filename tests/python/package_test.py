@@ -106,6 +106,9 @@ class Plans(unittest.TestCase):
         report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good, nan]).report
         self.assertEqual((report.status, report.field, report.fence), ("non_finite_input", "fences", 1))
         self.assertIsNone(self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good]).report.fence)
+        empty = tern.Fence([(1, 0, 0), (-1, 0, 0)], [4.0, -6.0], keep_out=True)
+        report = self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good, good, empty]).report
+        self.assertEqual((report.status, report.fence), ("fence_empty", 2))
         with self.assertRaisesRegex(ValueError, "fence 1 has 1 normals and 2 offsets"):
             uneven = tern.Fence([(1, 0, 0)], [1.0, 2.0])
             self.planner.plan(self.grid, (1, 1, 1), (9, 1, 1), LIMITS, fences=[good, uneven])

@@ -88,9 +88,7 @@ TEST_F(FencesTest, AHalfSpaceIsCutToTheSurroundings) {
   EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.81, 1.0, 1.0}, 0.2));
 }
 
-TEST_F(FencesTest, EmptyAndFarKeepOutsKeepNothingOut) {
-  ASSERT_EQ(load_one(FenceKind::kKeepOut, {{{1.0, 0.0, 0.0}, 1.0}, {{-1.0, 0.0, 0.0}, -2.0}}), Status::kOk);
-  EXPECT_EQ(fences_->keep_out_count, 0);
+TEST_F(FencesTest, FarKeepOutsKeepNothingOut) {
   ASSERT_EQ(load_one(FenceKind::kKeepOut, {{{-1.0, 0.0, 0.0}, -9.0}}), Status::kOk);
   EXPECT_EQ(fences_->keep_out_count, 0);
 }
@@ -117,6 +115,20 @@ TEST_F(FencesTest, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
   }
   // 1e308 / 1e-3 is no number.
   EXPECT_EQ(load_one(FenceKind::kKeepIn, {{{1e-3, 0.0, 0.0}, 1e308}}), Status::kNonFiniteInput);
+}
+
+/// Planes that miss each other count as flat as far as the hull is grown: nothing in between is left out in silence.
+TEST_F(FencesTest, WhatIsNotEmptyHasCorners) {
+  const double diagonal = std::sqrt(4.0 * 4.0 + 4.0 * 4.0 + 2.0 * 2.0);
+  for (const double miss : {0.0, 1e-14, 3e-14, 8e-14, 1e-13, 1.2e-13, 3e-13}) {
+    const double by = miss * diagonal;
+    const Status status =
+        load_one(FenceKind::kKeepOut, {{{1.0, 0.0, 0.0}, 2.0 - 0.5 * by}, {{-1.0, 0.0, 0.0}, -2.0 - 0.5 * by}});
+    EXPECT_EQ(status, miss < 1.1e-13 ? Status::kOk : Status::kFenceEmpty) << miss;
+    if (status == Status::kOk) {
+      EXPECT_EQ(fences_->keep_out_count, 1) << miss;
+    }
+  }
 }
 
 TEST_F(FencesTest, RefusesWhatIsNoFence) {

@@ -21,9 +21,13 @@ enum class FenceKind : uint8_t {
   kKeepOut = 1,
 };
 
-/// A fence: the convex polyhedron in which all its half-spaces intersect. World frame, metres. It may be unbounded. If
-/// a request has several fences, all of them hold. An empty keep-out has no effect. An empty keep-in leaves no room at
-/// all.
+/// A fence: the convex polyhedron in which all its half-spaces intersect. World frame, metres. It may be unbounded,
+/// flat, or far from the map. If a request has several fences, all of them hold.
+///
+/// A keep-out without any point is refused with kFenceEmpty, and so are keep-ins without a point in common: some
+/// half-space is reversed, or the corners of a polygon were gone through the wrong way round. Half-spaces that miss
+/// each other by no more than 1e-13 of the map's diagonal count as flat, not as empty. Those that meet only 100 000
+/// times as far away as they are themselves count as empty: they should be parallel, and rounding turned them.
 struct Fence {
   /// `count` half-spaces. The caller owns them. They are read only while a plan begins. Each normal has a length within
   /// [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale.

@@ -182,10 +182,10 @@ class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
   /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too
-  /// short for the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull or kFencePlanesFull;
-  /// kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced if the
-  /// position breaks a fence. Whatever is refused leaves the flight without a binding. `refusal` receives what is
-  /// wrong; it may be null.
+  /// short for the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull, kFencePlanesFull or
+  /// kFenceEmpty; kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced
+  /// if the position breaks a fence. Whatever is refused leaves the flight without a binding. `refusal` receives what
+  /// is wrong; it may be null.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
                const Vec3& position, int64_t t, FlightRefusal* refusal = nullptr) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves

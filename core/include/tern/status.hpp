@@ -38,6 +38,10 @@ enum class Status : uint8_t {
   /// A via's velocity exceeds a limit, likewise. Report::via says which via.
   kViaExceedsLimits = 16,
 
+  /// A keep-out is empty, or the keep-ins have no point in common: a half-space is reversed, or the order of a polygon
+  /// is. Report::fence says which fence; of the keep-ins, the first one that leaves no point.
+  kFenceEmpty = 17,
+
   /// Only from a RollingMap: the pose's quaternion is not a unit quaternion.
   kPoseInvalid = 18,
   /// Only from a RollingMap: a depth image has no size, or intrinsics that no camera has (tern/map.hpp).

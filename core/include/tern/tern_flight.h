@@ -122,7 +122,7 @@ void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
 /* Words of 64 bits that a flight over a map of these dimensions needs; 0 where they are out of range. */
 size_t tern_flight_words(tern_voxel dims);
 /* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
- * limits_invalid, fences_full, fence_planes_full, start_occupied or start_fenced. */
+ * limits_invalid, fences_full, fence_planes_full, fence_empty, start_occupied or start_fenced. */
 uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
                           uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
 /* The same. `refusal` receives what is wrong; it may be null. */

@@ -3,11 +3,56 @@
 #include "base/fence_fault.hpp"
 
 #include "base/capacity.hpp"
+#include "base/common_point.hpp"
 #include "base/math.hpp"
 #include "tern/config.hpp"
 
 namespace tern {
 namespace {
+
+/// By so much, as a share of the map's diagonal, half-spaces may miss each other and count as flat. The stage that
+/// reads keep-outs (fence/fences.cpp) moves their planes out by twice as much, so it finds what is not empty here.
+constexpr double kFlat = 5e-14;
+
+/// What the map is about, for half-spaces that are to meet.
+struct Around {
+  Vec3 center;
+  double scale;
+};
+
+Around around(const GridSpec& grid) {
+  const Box& box = grid.boundary;
+  return {0.5 * (box.lower + box.upper), distance(box.lower, box.upper) + grid.clearance()};
+}
+
+CommonPoint anywhere(const Around& map) {
+  return CommonPoint(map.center, kFlat * map.scale, map.scale);
+}
+
+/// Adds all of the fence; false where nothing is left, or only what is out of reach.
+bool meets(const Fence& fence, CommonPoint& common) {
+  for (std::int32_t p = 0; p < fence.count; ++p) {
+    if (!common.add(fence.planes[p])) return false;
+  }
+  return common.within_reach();
+}
+
+std::int32_t empty_keep_in(const Fence* list, std::int32_t count, const Around& map) {
+  CommonPoint common = anywhere(map);
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn && !meets(list[i], common)) return i;
+  }
+  return kNoFence;
+}
+
+std::int32_t empty_keep_out(const Fence* list, std::int32_t count, const Around& map) {
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn) continue;
+    CommonPoint common = anywhere(map);
+    if (!meets(list[i], common)) return i;
+  }
+  return kNoFence;
+}
 
 bool well_formed(const Fence& fence) {
   const bool known = fence.kind == FenceKind::kKeepIn || fence.kind == FenceKind::kKeepOut;
@@ -34,7 +79,7 @@ Status check_fence(const Fence& fence, std::int32_t left) {
 
 }  // namespace
 
-FenceFault find_fence_fault(const Fence* list, std::int32_t count) noexcept {
+FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept {
   if (count < 0 || (count > 0 && list == nullptr)) return {Status::kInvalidArgument, kNoFence};
   if (is_full(count > kMaxFences)) return {Status::kFencesFull, kNoFence};
   std::int32_t left = kMaxFencePlanes;
@@ -43,7 +88,10 @@ FenceFault find_fence_fault(const Fence* list, std::int32_t count) noexcept {
     if (status != Status::kOk) return {status, i};
     left -= list[i].count;
   }
-  return {Status::kOk, kNoFence};
+  const Around map = around(grid);
+  std::int32_t empty = empty_keep_in(list, count, map);
+  if (empty == kNoFence) empty = empty_keep_out(list, count, map);
+  return {empty == kNoFence ? Status::kOk : Status::kFenceEmpty, empty};
 }
 
 }  // namespace tern

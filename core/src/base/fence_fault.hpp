@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "tern/fence.hpp"
+#include "tern/grid.hpp"
 #include "tern/status.hpp"
 
 namespace tern {
@@ -18,10 +19,11 @@ struct FenceFault {
   std::int32_t fence;
 };
 
-/// Of `count` fences, world frame. kOk; kInvalidArgument for a null pointer, a negative `count`, a fence without
-/// half-spaces, an unknown kind, or a normal that is too short or too long; kNonFiniteInput; kFencesFull;
-/// kFencePlanesFull.
-FenceFault find_fence_fault(const Fence* list, std::int32_t count) noexcept;
+/// Of `count` fences, world frame, on a grid that is bound. kOk; kInvalidArgument for a null pointer, a negative
+/// `count`, a fence without half-spaces, an unknown kind, or a normal that is too short or too long; kNonFiniteInput;
+/// kFencesFull; kFencePlanesFull; kFenceEmpty for the first keep-in that has no point in common with the keep-ins
+/// before it, or for a keep-out without a point. tern/fence.hpp says when that is so.
+FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept;
 
 }  // namespace tern
 

@@ -17,6 +17,7 @@ const char* status_name(Status status) noexcept {
     case Status::kStartExceedsLimits: return "start_exceeds_limits";
     case Status::kGoalExceedsLimits: return "goal_exceeds_limits";
     case Status::kViaExceedsLimits: return "via_exceeds_limits";
+    case Status::kFenceEmpty: return "fence_empty";
     case Status::kPoseInvalid: return "pose_invalid";
     case Status::kCameraInvalid: return "camera_invalid";
     case Status::kRecordDamaged: return "record_damaged";
@@ -69,6 +70,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kStartExceedsLimits: return "the start's velocity or acceleration is above its limit";
     case Status::kGoalExceedsLimits: return "the goal's velocity or acceleration is above its limit";
     case Status::kViaExceedsLimits: return "a via's velocity is above its limit";
+    case Status::kFenceEmpty: return "a geofence's half-spaces have no point in common: is one of them, or the order of the polygon, reversed?";
     case Status::kPoseInvalid: return "the pose's quaternion is not a unit quaternion";
     case Status::kCameraInvalid: return "the image has no size, or its intrinsics are those of no camera";
     case Status::kRecordDamaged: return "the bytes are no record, not all of it, or altered";

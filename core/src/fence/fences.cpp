@@ -159,7 +159,7 @@ void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
 }
 
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
-  const FenceFault fault = find_fence_fault(list, count);
+  const FenceFault fault = find_fence_fault(list, count, grid.spec());
   if (fault.status != Status::kOk) return fault;
   fences.keep_in_count = 0;
   fences.keep_out_count = 0;

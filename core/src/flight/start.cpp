@@ -94,7 +94,7 @@ Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t
   if (verdict.status == Status::kOk) verdict = check_map(spec, map, words, word_count);
   refusal = refusal_of(verdict);
   if (verdict.status != Status::kOk) return verdict.status;
-  const FenceFault fault = find_fence_fault(spec.fences, spec.fence_count);
+  const FenceFault fault = find_fence_fault(spec.fences, spec.fence_count, map.safe().spec());
   if (fault.status == Status::kOk) return Status::kOk;
   refusal.field = Field::kFences;
   refusal.fence = fault.fence;

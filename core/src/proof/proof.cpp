@@ -102,8 +102,10 @@ constexpr Voxel kNoVoxel{-1, -1, -1};
 
 Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                     const ProofGrounds& grounds) noexcept {
-  const FenceFault fault = find_fence_fault(grounds.fences, grounds.fence_count);
-  if (fault.status == Status::kOk) return begin_accepted(grid, trajectory, from, limits, beyond, grounds);
+  const Status begun = begin_accepted(grid, trajectory, from, limits, beyond, grounds);
+  if (begun != Status::kRunning) return begun;
+  const FenceFault fault = find_fence_fault(grounds.fences, grounds.fence_count, grid.spec());
+  if (fault.status == Status::kOk) return begun;
   refuse(from);
   report_.fence = fault.fence;
   return fault.status;
