@@ -105,6 +105,26 @@ TEST(ExportCrazyflie, WithoutAYawPlanThereIsAPieceASegmentAndYawIsZero) {
   EXPECT_EQ(count, -1);
 }
 
+TEST(ExportCrazyflie, AnEmptyYawPlanIsYawZeroAndASegmentWithoutDurationIsRefused) {
+  const Trajectory trajectory = tern_test::hover(3.0);
+  Poly4d pieces[kCrazyfliePieces];
+  std::int32_t count = 0;
+  ExportError error{};
+  YawPlan yaw{};
+  for (const std::int32_t spline : {0, kMaxYawPieces + 1}) {
+    yaw.count = spline;
+    ASSERT_EQ(crazyflie_raw(trajectory, &yaw, {}, pieces, kCrazyfliePieces, count, error), Status::kOk);
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(error.yaw, 0.0);
+    EXPECT_EQ(pieces[0].p[3][0], 0.0f);
+    EXPECT_EQ(setpoint_error(trajectory, &yaw, {}).yaw_rate, 0.0);
+  }
+  for (const double duration : {0.0, -1.0, std::nan("")}) {
+    EXPECT_EQ(crazyflie_raw(tern_test::hover(duration), nullptr, {}, pieces, kCrazyfliePieces, count, error),
+              Status::kInvalidArgument);
+  }
+}
+
 /// Far from the origin, floats are coarse: the error says so.
 TEST(ExportCrazyflie, TheErrorShowsCoordinatesThatAreTooLarge) {
   Random random(4);

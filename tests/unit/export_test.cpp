@@ -183,6 +183,14 @@ TEST(ExportMavlink, FramesAreTheProtocols) {
   EXPECT_EQ(crc, 0xdbb8) << "the frame that node-mavlink 2.3 decodes to these numbers";
 }
 
+TEST(ExportFrames, TheErrorOfAMalformedPlanReadsNothingBeyondIt) {
+  Trajectory trajectory{};
+  trajectory.count = kMaxSegments + 1;
+  for (Segment& segment : trajectory.segments) segment.duration = 1.0;
+  EXPECT_LT(setpoint_error(trajectory, nullptr, {}).jerk, 1e-40);
+  EXPECT_TRUE(std::isnan(setpoint_error(trajectory, nullptr, {std::nan(""), 0.0, 0.0}).position));
+}
+
 int mask_of(const SetpointNed& setpoint) {
   std::uint8_t frame[kMavlinkSetpointBytes];
   EXPECT_EQ(mavlink_setpoint(setpoint, {255, 190, 1, 1, 0, 0}, frame), 65);

@@ -72,17 +72,23 @@ void widen_by_cubic(const YawPlan& plan, double t, double h, const Curve& flown,
   }
 }
 
+/// Pieces of the spline, 0 in an empty plan.
+int32_t pieces_of(const YawPlan& plan) {
+  return plan.count < 1 || plan.count > kMaxYawPieces ? 0 : plan.count;
+}
+
 /// The first knot of the plan after time t: of a uniform spline behind a first polynomial.
 double next_knot(const YawPlan& plan, double t, int32_t& piece) {
   if (t < plan.lead) return plan.lead;
-  while (piece < plan.count && !(plan.lead + (piece + 1) * plan.step > t)) ++piece;  // at most kMaxYawPieces
+  while (piece < pieces_of(plan) && !(plan.lead + (piece + 1) * plan.step > t)) ++piece;  // at most kMaxYawPieces
   return plan.lead + (piece + 1) * plan.step;
 }
 
 double rate_bound(const YawPlan& plan) {
+  if (pieces_of(plan) == 0) return 0.0;
   const double* p = plan.polynomial;
   double most = absolute(p[1]) + plan.lead * (2.0 * absolute(p[2]) + 3.0 * plan.lead * absolute(p[3]));
-  for (int32_t i = 0; i < plan.count + 2 && i < kMaxYawPieces + 2; ++i) {
+  for (int32_t i = 0; i < plan.count + 2; ++i) {
     raise(most, absolute(plan.points[i + 1] - plan.points[i]) / plan.step);
   }
   return most;
@@ -94,7 +100,7 @@ void widen_by_curve(const Trajectory& plan, const Segment& flown, const Vec3& or
                     ExportError& error) noexcept {
   double most[kOrders] = {error.position, error.velocity, error.acceleration, error.jerk};
   double plan_begin = 0.0;
-  for (int i = 0; i < plan.count && i < kMaxSegments; ++i) {
+  for (int i = 0; i < plan.count; ++i) {  // at most kMaxSegments: cut_spans() saw to it
     const Segment& planned = plan.segments[i];
     const double plan_end = plan_begin + planned.duration;
     const Overlap time{larger(begin, plan_begin), smaller(begin + flown.duration, plan_end)};
@@ -120,7 +126,7 @@ void widen_by_yaw(const YawPlan* plan, const double (&points)[kControlPoints], d
   int32_t piece = 0;
   for (int turn = 0; turn < kMaxYawPieces + 3 && t < end; ++turn) {
     const double knot = next_knot(*plan, t, piece);
-    const double stop = knot > t && knot < end && piece < plan->count ? knot : end;
+    const double stop = knot > t && knot < end && piece < pieces_of(*plan) ? knot : end;
     Curve part = flown;
     keep_part(part, (t - begin) / duration, (stop - begin) / duration);
     widen_by_cubic(*plan, t, stop - t, part, error);

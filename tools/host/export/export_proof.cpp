@@ -20,33 +20,6 @@ constexpr double kFar = 500.0;         // m; floats are 3e-5 m apart there
 constexpr double kLeastRadius = 2e-9;  // m; a proof needs a radius, and grants itself twice this
 constexpr double kMoreReserve = 5.0;   // %: another plan is rounded otherwise
 
-/// The boundary less `slack` on each side, as a fence: a smaller boundary would lay out the voxels anew.
-FenceRecord inner_boundary(const tern::Box& boundary, double slack) {
-  const tern::Vec3& lo = boundary.lower;
-  const tern::Vec3& hi = boundary.upper;
-  return {tern::FenceKind::kKeepIn,
-          {{{1.0, 0.0, 0.0}, hi.x - slack},
-           {{0.0, 1.0, 0.0}, hi.y - slack},
-           {{0.0, 0.0, 1.0}, hi.z - slack},
-           {{-1.0, 0.0, 0.0}, slack - lo.x},
-           {{0.0, -1.0, 0.0}, slack - lo.y},
-           {{0.0, 0.0, -1.0}, slack - lo.z}}};
-}
-
-/// A scenario in which a curve that is proven keeps `slack` more than it must in this one.
-Scenario stricter(Scenario scenario, double slack) {
-  scenario.radius += slack;
-  for (FenceRecord& fence : scenario.fences) {
-    if (fence.kind == tern::FenceKind::kKeepOut) continue;  // the radius does it
-    for (tern::Halfspace& plane : fence.planes) {
-      plane.offset -= slack * std::sqrt(plane.normal.x * plane.normal.x + plane.normal.y * plane.normal.y +
-                                        plane.normal.z * plane.normal.z);
-    }
-  }
-  if (slack > 0.0) scenario.fences.push_back(inner_boundary(scenario.boundary, slack));
-  return scenario;
-}
-
 tern::ProofReport proof_of(Scenario scenario, const tern::Trajectory& curve, const tern::Limits* limits) {
   scenario.radius = std::max(scenario.radius, kLeastRadius);
   const GridMap map(scenario);
@@ -81,15 +54,16 @@ double length(const tern::Vec3& a, const tern::Vec3& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
 }
 
-[[noreturn]] void refuse_clearance(const ExportCase& what, double until) {
+/// `where` says what is wrong with that, or nothing.
+[[noreturn]] void refuse_error(const ExportCase& what, double allowed, const std::string& where) {
   const tern::Vec3& place = what.plan.origin;
-  std::string text = "is up to " + brief(what.error.position) + " m off the plan, and proven clear only until " +
-                     brief(until) + " s. ";
+  std::string text = "is up to " + brief(what.error.position) + " m off the plan; " + brief(allowed) +
+                     " m is allowed without a proof" + where + ". ";
   if (!(length(place, what.origin) <= kFar)) {
     text += "Numbers are coarse so far from 0. Let a point near the plan be 0: --origin " +
             fixed(std::floor(place.x), 0) + " " + fixed(std::floor(place.y), 0) + " " + fixed(std::floor(place.z), 0);
   } else {
-    text += "Plan with a tracking margin of " + brief(std::ceil(what.error.position * 1e3) / 1e2) + " m more";
+    text += "Plan with a tracking margin of " + brief(std::ceil(what.error.position * 1e3) / 1e2) + " m or more";
   }
   throw std::runtime_error(text);
 }
@@ -106,7 +80,7 @@ double length(const tern::Vec3& a, const tern::Vec3& b) {
   throw std::runtime_error(text);
 }
 
-std::string prove_curve(const Scenario& scenario, const ExportCase& what) {
+std::string prove_curve(const Scenario& scenario, const ExportCase& what, double allowed) {
   const tern::Limits limits = scaled(scenario.limits, 1.0 + kExportExcess);
   const tern::ProofReport report = proof_of(scenario, *what.curve, &limits);
   switch (report.end) {
@@ -117,7 +91,7 @@ std::string prove_curve(const Scenario& scenario, const ExportCase& what) {
     case tern::ProofEnd::kJerk:
       refuse_limits(scenario, what, report.until);
     default:
-      refuse_clearance(what, report.until);
+      refuse_error(what, allowed, ", and the curve is proven clear only until " + fixed(report.until, 3) + " s");
   }
 }
 
@@ -132,17 +106,13 @@ tern::Limits scaled(tern::Limits limits, double factor) {
 }
 
 std::string prove_export(const Scenario& scenario, const ExportCase& what) {
-  const double off = what.error.position;
-  if (!std::isfinite(off)) refuse_clearance(what, 0.0);
   const double allowed = std::max(kExportOff, kExportMarginShare * scenario.tracking_margin);
-  const bool near = off <= allowed;
+  const bool near = what.error.position <= allowed;
   const bool limits_kept = excess_of(scenario, what.error) <= kExportExcess;
-  if (what.curve != nullptr && !(near && limits_kept)) return prove_curve(scenario, what);
+  if (what.curve != nullptr && !(near && limits_kept)) return prove_curve(scenario, what, allowed);
+  if (!near) refuse_error(what, allowed, "");
   if (!limits_kept) throw std::runtime_error("is too far off the plan's velocity or acceleration. Use another form");
-  if (near) return "as clear as the plan but for that, and within the limits";
-  const tern::ProofReport report = proof_of(stricter(scenario, off), what.plan, nullptr);
-  if (report.end != tern::ProofEnd::kProven) refuse_clearance(what, report.until);
-  return "proven clear with that, and within the limits";
+  return "as clear as the plan but for that, and within the limits";
 }
 
 }  // namespace tern_host

@@ -14,6 +14,7 @@ namespace tern_host {
 
 /// An export may be this far from the plan without a proof of its own, in metres, or this part of the scenario's
 /// tracking margin. The rest of the margin is the controller's. Single precision is nearer up to 1,400 m from 0.
+/// Beyond, setpoints jump from one float to the next, and nobody should fly them even where they are clear.
 constexpr double kExportOff = 1e-4;
 constexpr double kExportMarginShare = 0.1;
 /// It may exceed a limit by this part of it.
