@@ -17,7 +17,7 @@ namespace tern_test {
 namespace {
 
 using tern::box_of;
-using tern::Contact;
+using tern::BoxContact;
 using tern::EllipsoidFrame;
 using tern::EllipsoidMetric;
 using tern::fit_ellipsoid;
@@ -118,7 +118,7 @@ TEST(CorridorEllipsoid, ContactPlaneKeepsTheScaledEllipsoidFromTheGrownBox) {
     const EllipsoidMetric metric = metric_of(frame);
     const LocalBox box = random_box(random);
     const double radius = random.chance(0.5) ? 0.0 : random.real(0.0, 0.5);
-    const Contact contact = contact_of(metric, box, radius);
+    const BoxContact contact = contact_of(metric, box, radius);
     const Vec3 normal = to_vec3(contact.normal);
     if (norm3(normal) < 0.5) continue;
     ASSERT_NEAR(norm3(normal), 1.0, 1e-12);

@@ -29,11 +29,11 @@ Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, L
 /// A pass over the obstacles in work. Plain data; needs no initialisation before tangents_begin.
 struct TangentPass {
   EllipsoidMetric metric;
-  int listed;       ///< obstacles that are listed as remaining
-  int count;        ///< remaining, once all are listed
-  int met;          ///< the one whose contact is known, by its place among the remaining; -1: none yet
-  Contact contact;  ///< of that one
-  int looks;        ///< contacts computed for the half-space that comes next
+  int listed;          ///< obstacles that are listed as remaining
+  int count;           ///< remaining, once all are listed
+  int met;             ///< the one whose contact is known, by its place among the remaining; -1: none yet
+  BoxContact contact;  ///< of that one
+  int looks;           ///< contacts computed for the half-space that comes next
 };
 
 /// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of them by the

@@ -45,7 +45,7 @@ void look(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index, Wo
   for (; fit.next < end && contacts < kFitContacts; ++fit.next) {
     const std::int32_t i = index[fit.next];
     if (least_scale(fit.metric, obstacles.boxes[i], obstacles.radius) >= 1.0) continue;
-    const Contact contact = contact_of(fit.metric, obstacles.boxes[i], obstacles.radius);
+    const BoxContact contact = contact_of(fit.metric, obstacles.boxes[i], obstacles.radius);
     ++contacts;
     if (contact.scale >= 1.0 - kFitTolerance) continue;
     index[fit.kept] = i;
@@ -66,7 +66,7 @@ double remaining(double used) {
 }
 
 /// Shrinks y and z together until the ellipsoid touches the first contact. In the end, y points towards the last one.
-void shrink_both(EllipsoidFrame& frame, const Contact& contact, double thinnest) {
+void shrink_both(EllipsoidFrame& frame, const BoxContact& contact, double thinnest) {
   const double along = dot(contact.point, frame.direction.col(0));
   const Vector across = contact.point - along * frame.direction.col(0);
   const double distance_across = length(across);
@@ -78,7 +78,7 @@ void shrink_both(EllipsoidFrame& frame, const Contact& contact, double thinnest)
 }
 
 /// Shrinks z, but no further than y: the round ellipsoid was already clear.
-void shrink_z(EllipsoidFrame& frame, const Contact& contact) {
+void shrink_z(EllipsoidFrame& frame, const BoxContact& contact) {
   const double along = dot(contact.point, frame.direction.col(0));
   const double aside = dot(contact.point, frame.direction.col(1));
   const double up = absolute(dot(contact.point, frame.direction.col(2)));

@@ -50,7 +50,7 @@ struct EllipsoidFit {
   int count;  ///< candidates
   int next;   ///< the one to look at next
   int kept;
-  Contact first;  ///< the contact that the ellipsoid meets first, if any are kept
+  BoxContact first;  ///< the contact that the ellipsoid meets first, if any are kept
 };
 
 /// Fits the ellipsoid to the segment from `from` to `to` (local frame, metres). `cell` sets the size of the ball if the

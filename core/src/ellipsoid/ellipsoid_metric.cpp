@@ -153,7 +153,7 @@ double reach_along(const EllipsoidMetric& metric, const Vector& normal) noexcept
   return square_root(larger(dot(normal, multiply(metric.shape, normal)), 0.0));
 }
 
-Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept {
+BoxContact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept {
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();
   // Along a fixed normal, growing the box by the radius is the same as moving the centre towards the box by the radius.

@@ -39,7 +39,7 @@ Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept;
 Vector nearest_offset(const EllipsoidMetric& metric, const Vector& center, const LocalBox& box) noexcept;
 
 /// Where the growing ellipsoid meets a box grown by the radius (the box with a ball at each of its points).
-struct Contact {
+struct BoxContact {
   Vector point;   ///< relative to the ellipsoid's centre, on the grown box
   Vector normal;  ///< unit, away from the centre; zero if the box contains the centre
   double scale;   ///< scaled by this, the ellipsoid touches the plane with `normal` that cuts off the grown box
@@ -48,7 +48,7 @@ struct Contact {
 /// For radius 0 the contact is exact. For a radius > 0 the normal comes from a few fixed-point steps, so the plane may
 /// lie slightly in front of the rounded edge of the grown box. The scale is that of the plane, so it never overstates
 /// the room.
-Contact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
+BoxContact contact_of(const EllipsoidMetric& metric, const LocalBox& box, double radius) noexcept;
 
 /// A lower bound of the scale at which the growing ellipsoid meets the box grown by the radius, for a fraction of the
 /// price of contact_of: the ellipsoid meets the box beyond any plane that cuts the box off.

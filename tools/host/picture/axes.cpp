@@ -14,7 +14,7 @@ namespace {
 constexpr double kPixelsPerTick = 70.0;
 constexpr int kMaxTicks = 60;
 
-double tick_step(const Range& range, double wanted) {
+double tick_step(const AxisRange& range, double wanted) {
   const double rough = range.extent() / std::max(2.0, wanted);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -77,7 +77,7 @@ Pixel Axes::at(double h, double v) const {
   return {frame.x + along * frame.width, frame.y + (down ? across : 1.0 - across) * frame.height};
 }
 
-std::vector<double> ticks(const Range& range, double wanted) {
+std::vector<double> ticks(const AxisRange& range, double wanted) {
   std::vector<double> values;
   if (!(range.extent() > 0.0)) return values;
   const double step = tick_step(range, wanted);

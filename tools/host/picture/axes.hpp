@@ -10,7 +10,7 @@
 
 namespace tern_host {
 
-struct Range {
+struct AxisRange {
   double low;
   double high;
 
@@ -20,15 +20,15 @@ struct Range {
 /// A plotting area: its place in the picture and the values along its edges.
 struct Axes {
   Rect frame;
-  Range horizontal;
-  Range vertical;
+  AxisRange horizontal;
+  AxisRange vertical;
   bool down = false;  ///< vertical values grow downwards
 
   Pixel at(double h, double v) const;
 };
 
 /// Round values (1, 2 or 5 times a power of ten apart) inside a range, about `wanted` of them.
-std::vector<double> ticks(const Range& range, double wanted);
+std::vector<double> ticks(const AxisRange& range, double wanted);
 
 /// Grid lines below the data.
 void draw_grid(Canvas& canvas, const Axes& axes);

@@ -116,7 +116,7 @@ void draw_view(Canvas& canvas, const Axes& axes, const Projection& view, const F
   draw_end_marks(canvas, axes.frame, project(axes, view, world.start), project(axes, view, world.goal), way);
 }
 
-Range range_of(const tern::Box& b, int axis) {
+AxisRange range_of(const tern::Box& b, int axis) {
   return {component(b.lower, axis), component(b.upper, axis)};
 }
 
@@ -154,8 +154,8 @@ std::string flight_svg(const FlightWorld& world, const FlightResult& result) {
   for (const TrackPoint& point : result.track) fastest = std::max(fastest, point.speed);
   Canvas page;
   const double y = draw_head(page, world, result, fastest);
-  const Range across = range_of(b, top.horizontal);
-  const Range up = range_of(b, top.vertical);
+  const AxisRange across = range_of(b, top.horizontal);
+  const AxisRange up = range_of(b, top.vertical);
   const double scale = std::min((kWidth - kAxisRoom) / across.extent(), kMostHeight / up.extent());
   const Rect top_frame{kPageMargin + kAxisRoom, y, scale * across.extent(), scale * up.extent()};
   const Rect side_frame{top_frame.x, top_frame.bottom() + kAxisRoom + 26.0, top_frame.width,

@@ -161,9 +161,9 @@ double component(const Vec3& v, int axis) {
   return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
 }
 
-Range view_range(const PlanResult& result, int axis) {
+AxisRange view_range(const PlanResult& result, int axis) {
   const tern::Box& boundary = result.scenario.boundary;
-  Range range{component(boundary.lower, axis), component(boundary.upper, axis)};
+  AxisRange range{component(boundary.lower, axis), component(boundary.upper, axis)};
   if (!(range.extent() > 0.0)) range = {range.low - result.grid.cell, range.high + result.grid.cell};
   return range;
 }

@@ -22,7 +22,7 @@ struct Projection {
 double component(const tern::Vec3& v, int axis);
 
 /// What a view shows of the world along one axis.
-Range view_range(const PlanResult& result, int axis);
+AxisRange view_range(const PlanResult& result, int axis);
 
 /// The corners of a fence as far as it lies within the boundary.
 std::vector<tern::Vec3> fence_corners(const FenceRecord& fence, const tern::Box& boundary);

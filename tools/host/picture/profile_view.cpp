@@ -41,7 +41,7 @@ Curves sample(const tern::Trajectory& trajectory, Profile profile) {
   return curves;
 }
 
-Range value_range(const Curves& curves, const LimitRange& limit) {
+AxisRange value_range(const Curves& curves, const LimitRange& limit) {
   double high = std::max({limit.upper.x, limit.upper.y, limit.upper.z, limit.horizontal});
   for (const std::vector<double>& values : curves.values) {
     for (const double v : values) high = std::max(high, std::fabs(v));
