@@ -111,6 +111,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
       {TERN_CAMERA_INVALID, "camera_invalid"},
       {TERN_RECORD_DAMAGED, "record_damaged"},
       {TERN_RECORD_VERSION, "record_version"},
+      {TERN_CLOCK_BEHIND, "clock_behind"},
       {TERN_START_OCCUPIED, "start_occupied"},
       {TERN_GOAL_OCCUPIED, "goal_occupied"},
       {TERN_NO_PATH, "no_path"},

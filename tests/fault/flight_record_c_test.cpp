@@ -56,6 +56,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_set_mission(r, &a.via, 1, TERN_VIA_SKIP, kOk),
           tern_flight_record_set_yaw(r, &a.yaw, kOk),
           tern_flight_record_stop(r, kOk),
+          tern_flight_record_set_clock(r, 0, kOk),
           tern_flight_record_tick(r, &a.flight, 0, &a.report, kOk)};
 }
 

@@ -164,12 +164,24 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
     recorder.tick(flight, t, report, flight.tick(t, report));
     if (k == 150) recorder.stop(flight.stop());
   }
+  // The clock falls: what is refused is not recorded, and the flight goes on once it knows.
+  for (int k = 0; k < 3; ++k) {
+    const Status fallen = flight.tick(k, report);
+    EXPECT_EQ(fallen, Status::kClockBehind);
+    EXPECT_EQ(recorder.tick(flight, k, report, fallen), Status::kOk);
+  }
+  recorder.set_clock(-5000, flight.set_clock(-5000));
+  for (int k = 0; k < 10; ++k) {
+    const std::int64_t t = -5000 + k * kSmallFlight.tick;
+    recorder.tick(flight, t, report, flight.tick(t, report));
+  }
   EXPECT_GT(report.committed, 0u);
   std::size_t used = 0;
   ASSERT_EQ(recorder.close(&used), Status::kOk);
   const tern_host::FlightReplay replayed = tern_host::replay_flight(text(bytes, used));
   EXPECT_EQ(replayed.difference, "");
-  EXPECT_EQ(replayed.ticks, 200);
+  EXPECT_EQ(replayed.ticks, 210);
+  EXPECT_NEAR(replayed.seconds, 0.02 * (199 + 9), 1e-9);
 }
 
 TEST(FlightRecord, CRecordsLikeCpp) {

@@ -58,6 +58,7 @@ struct Turned {
   void check_same(const YawSample& before, const YawSample& after) {
     EXPECT_NEAR(before.yaw.cosine, after.yaw.cosine, 1e-12);
     EXPECT_NEAR(before.yaw.sine, after.yaw.sine, 1e-12);
+    EXPECT_NEAR(before.angle, after.angle, 1e-9);
     EXPECT_NEAR(before.yaw.rate, after.yaw.rate, 1e-9);
     EXPECT_NEAR(before.acceleration, after.acceleration, 1e-6);
   }
@@ -182,7 +183,7 @@ TEST(FlightYaw, WrongRequestsAreRefused) {
   EXPECT_EQ(flown.flight.set_yaw(bad), Status::kInvalidArgument);
   bad = yaw_of(FlightYawMode::kTowardsPoint);
   bad.point.x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(flown.flight.set_yaw(bad), Status::kInvalidArgument);
+  EXPECT_EQ(flown.flight.set_yaw(bad), Status::kNonFiniteInput);
   EXPECT_EQ(flown.flight.set_yaw(yaw_of(FlightYawMode::kAtPoints)), Status::kInvalidArgument);
   EXPECT_EQ(flown.flight.set_yaw(yaw_of(static_cast<FlightYawMode>(5))), Status::kInvalidArgument);
   EXPECT_EQ(flown.flight.set_yaw(good), Status::kOk);

@@ -221,6 +221,11 @@ class Flights(unittest.TestCase):
         self.assertTrue(tick.arrived)
         self.assertIn("fly", modes)
         np.testing.assert_allclose(flight.command(now).position, [3, 1, 1.5], atol=1e-9)
+        with self.assertRaises(tern.TernError) as raised:
+            flight.tick(0)
+        self.assertEqual(raised.exception.status, "clock_behind")
+        flight.set_clock(0)
+        self.assertTrue(flight.tick(0).arrived)
 
     def test_a_scan_shows_what_is_free(self):
         rolling_map = tern.RollingMap((-5, -5, -2), 0.2, (50, 50, 20), 0.3, range=4.0, scan_pixel=0.05)

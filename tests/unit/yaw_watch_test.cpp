@@ -32,7 +32,7 @@ tern::YawSample turning(std::int64_t t, double rate, double acceleration) {
   const double u = std::min(s, ramp);
   const double angle = 0.5 * settings.yaw_acceleration * u * u + limit * (s - u);
   tern::YawSample sample{};
-  sample.angle = std::remainder(angle, 2.0 * M_PI);
+  sample.angle = angle;
   sample.yaw.rate = rate * settings.yaw_acceleration * u;
   sample.acceleration = s < ramp ? acceleration * settings.yaw_acceleration : 0.0;
   return sample;
@@ -43,6 +43,13 @@ TEST(YawWatch, TellsAYawAtItsLimitsFromOneBeyondThem) {
   EXPECT_NE(watched_yaw([](std::int64_t t) { return turning(t, 1.0, 1.001); }).find("beyond its limits"),
             std::string::npos);
   EXPECT_NE(watched_yaw([](std::int64_t t) { return turning(t, 1.001, 1.0); }).find("a step"), std::string::npos);
+  // A whole turn is a step, too: the angle counts turns.
+  EXPECT_NE(watched_yaw([](std::int64_t t) {
+              tern::YawSample sample = turning(t, 1.0, 1.0);
+              if (t > 200000000) sample.angle += 2.0 * M_PI;
+              return sample;
+            }).find("a step"),
+            std::string::npos);
   EXPECT_NE(watched_yaw([](std::int64_t t) {
               tern::YawSample sample = turning(t, 1.0, 1.0);
               if (t > 200000000) sample.angle += 1e-3;

@@ -176,8 +176,9 @@ class FlightState;
 /// the map, or plan with the planner, while it is in use. Enter frames with RollingMap::begin_frame() whenever the map
 /// is not busy; tick() does the rest. Copies share the flight. It is not thread-safe.
 ///
-/// Times are nanoseconds of a clock of yours. No decision depends on any other clock, so a recorded flight replays to
-/// the same bits.
+/// Times are nanoseconds of a clock of yours, which may show any number. Choose one that nobody sets: a clock that
+/// leaps ahead takes the command along. No decision depends on any other clock, so a recorded flight replays to the
+/// same bits.
 class Flight {
  public:
   /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
@@ -193,9 +194,9 @@ class Flight {
   Status set_goal(const Vec3& goal) noexcept;
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
   /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m; where `stop` is true,
-  /// at rest. The goal's tolerance and stop mean nothing. The points are copied. `policy` says what happens to one that
-  /// turns out to be in an obstacle, to break a fence, or to have no way to it; for the goal, that is as for
-  /// set_goal(). kOk; whatever is refused leaves the goal as it was: kNonFiniteInput; kViasFull (more than
+  /// at rest. The goal's tolerance and stop mean nothing, whatever they are. The points are copied. `policy` says what
+  /// happens to one that turns out to be in an obstacle, to break a fence, or to have no way to it; for the goal, that
+  /// is as for set_goal(). kOk; whatever is refused leaves the goal as it was: kNonFiniteInput; kViasFull (more than
   /// kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a velocity, no such policy, or before
   /// start()).
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
@@ -204,19 +205,27 @@ class Flight {
   /// Plans yaws beside what is flown from now on; without it, yaw() is 0. May be called again at any time: the nose
   /// goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk; whatever is
   /// refused changes nothing: kNonFiniteInput; kLimitsInvalid; kInvalidArgument (before start(), a mode that is none, a
-  /// heading without direction, too many headings or none, view out of range).
+  /// heading without direction, too many headings or none, view out of range). What the mode does not read may be
+  /// anything.
   Status set_yaw(const FlightYaw& yaw) noexcept;
-  /// Where the nose points at time `t`, with rate and acceleration. Every time has an answer, as for command().
+  /// Where the nose points at time `t`, with rate and acceleration: all three are continuous, however ticks come. The
+  /// angle begins within half a turn of 0 and counts whole turns from there. Every time has an answer, as for
+  /// command().
   YawSample yaw(int64_t t) const noexcept;
   /// Comes to rest soon and forgets the goal. kInvalidArgument before start().
   Status stop() noexcept;
   /// Does one tick's work: the map's job in work, the proof of what is flown where the map changed, and the next plan.
-  /// Call it every FlightSpec::tick; where ticks are skipped, plans come late and are dropped. `t` must not fall. kOk;
-  /// kInvalidArgument before start(), or if `t` falls. `report` is always filled.
+  /// Call it every FlightSpec::tick; where ticks are skipped, plans come late and are dropped. kOk; kClockBehind if `t`
+  /// is before the last tick's, and nothing was done; kInvalidArgument before start(). `report` is always filled: where
+  /// nothing was done, with the last one.
   Status tick(int64_t t, FlightReport& report) noexcept;
-  /// What to fly at time `t`. Every time has an answer: the beginning before it, and rest after the end. Before start()
-  /// zeros.
+  /// What to fly at time `t`. Every time has an answer: that of the last tick's time for times before it, so that
+  /// nothing is flown twice, and rest after the end. Before start() zeros.
   Command command(int64_t t) const noexcept;
+  /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
+  /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
+  /// start().
+  Status set_clock(int64_t t) noexcept;
   /// The committed plan's end: where the vehicle comes to rest if nothing else happens. World frame.
   Vec3 rest_position() const noexcept;
 

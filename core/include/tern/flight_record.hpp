@@ -64,6 +64,7 @@ class FlightRecorder {
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy, Status answer) noexcept;
   Status set_yaw(const FlightYaw& yaw, Status answer) noexcept;
   Status stop(Status answer) noexcept;
+  Status set_clock(int64_t t, Status answer) noexcept;
   /// Records command(t) and yaw(t) of the flight, too, as they are after the tick.
   Status tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept;
 

@@ -125,8 +125,8 @@ class RollingMap {
 
   /// Begins to enter a depth image that was taken at `pose` and time `t`, in nanoseconds of your clock. The image must
   /// stay until the job is done. kRunning; or kNonFiniteInput, kPoseInvalid (no unit quaternion), kCameraInvalid,
-  /// kOutOfMap (the pose is not in the window), kPixelsFull, or kInvalidArgument (not bound, another job is not
-  /// finished, no image, or `t` is before the last frame's). A call that is refused changes nothing.
+  /// kOutOfMap (the pose is not in the window), kPixelsFull, kClockBehind (`t` is before the last frame's), or
+  /// kInvalidArgument (not bound, another job is not finished, or no image). A call that is refused changes nothing.
   Status begin_frame(const DepthView& view, const Pose& pose, int64_t t) noexcept;
   /// Begins to enter a scan: `count` points of yours, world frame, metres, measured from `origin`. Points that are not
   /// finite are skipped. A point beyond the range marks nothing; in its direction, everything up to the range is seen.

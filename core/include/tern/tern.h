@@ -184,6 +184,7 @@ typedef enum {
   TERN_CAMERA_INVALID = 19,
   TERN_RECORD_DAMAGED = 20,
   TERN_RECORD_VERSION = 21,
+  TERN_CLOCK_BEHIND = 22,
   /* The request is right, but the world has no answer to it. */
   TERN_START_OCCUPIED = 30,
   TERN_GOAL_OCCUPIED = 31,

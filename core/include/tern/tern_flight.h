@@ -131,16 +131,21 @@ uint8_t tern_flight_start_refusal(tern_flight* flight, const tern_flight_spec* s
                                   int64_t t, tern_flight_refusal* refusal);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
-/* Sets a mission: vias, and the goal as the last point. ok, non_finite_input, vias_full or invalid_argument. */
+/* Sets a mission: vias, and the goal as the last point, whose tolerance and stop mean nothing. ok, non_finite_input,
+ * vias_full or invalid_argument. */
 uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int32_t count, uint8_t policy);
 /* What became of a point of the mission. */
 uint8_t tern_flight_point_state(const tern_flight* flight, int32_t point);
 /* Comes to rest and forgets the goal. */
 uint8_t tern_flight_stop(tern_flight* flight);
-/* One tick's work; `t` in nanoseconds. `report` may be null. ok or invalid_argument. */
+/* One tick's work; `t` in nanoseconds. `report` may be null. ok; clock_behind where `t` is before the last tick's, and
+ * nothing was done; invalid_argument. */
 uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* report);
-/* What to fly at time `t`: any time has an answer. Null does nothing. */
+/* What to fly at time `t`: any time has an answer, that of the last tick's time for times before it. Null does
+ * nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
+/* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
+uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 
 /* Where the vehicle comes to rest on what is committed, metres; zero for a flight that was not started. Null does
  * nothing. */
@@ -148,7 +153,7 @@ void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position);
 
 /* Plans yaws beside what is flown. ok, non_finite_input, limits_invalid or invalid_argument. */
 uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw);
-/* Where the nose points at time `t`. Null does nothing. */
+/* Where the nose points at time `t`; the angle counts whole turns. Null does nothing. */
 void tern_flight_yaw_at(const tern_flight* flight, int64_t t, tern_yaw_sample* yaw);
 
 /* In English: tern::flight_mode_name() and flight_reason_text(). */

@@ -22,6 +22,7 @@ const char* status_name(Status status) noexcept {
     case Status::kCameraInvalid: return "camera_invalid";
     case Status::kRecordDamaged: return "record_damaged";
     case Status::kRecordVersion: return "record_version";
+    case Status::kClockBehind: return "clock_behind";
     case Status::kStartOccupied: return "start_occupied";
     case Status::kGoalOccupied: return "goal_occupied";
     case Status::kNoPath: return "no_path";
@@ -75,6 +76,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kCameraInvalid: return "the image has no size, or its intrinsics are those of no camera";
     case Status::kRecordDamaged: return "the bytes are no record, not all of it, or altered";
     case Status::kRecordVersion: return "another version of the format wrote the record";
+    case Status::kClockBehind: return "the time is before the last one: wait until the clock has caught up, or say with set_clock() that it was set";
     case Status::kStartOccupied: return "the start is closer to an obstacle than the radius";
     case Status::kGoalOccupied: return "the goal is closer to an obstacle than the radius";
     case Status::kNoPath: return "free space at this resolution and radius does not connect start and goal";

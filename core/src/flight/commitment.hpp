@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "flight/flight_clock.hpp"
 #include "flight/itinerary.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
@@ -50,9 +51,10 @@ inline double seconds_between(std::int64_t begin, std::int64_t t) noexcept {
   return static_cast<double>(t - begin) * 1e-9;
 }
 
-/// Nanoseconds, rounded down.
+/// Nanoseconds, rounded down. No plan is flown for longer than kFarthest.
 inline std::int64_t nanoseconds(double seconds) noexcept {
-  return static_cast<std::int64_t>(seconds * 1e9);
+  const double exact = seconds * 1e9;
+  return exact < static_cast<double>(kFarthest) ? static_cast<std::int64_t>(exact) : kFarthest;
 }
 
 }  // namespace tern

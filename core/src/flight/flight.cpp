@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "flight/flight_state.hpp"
+#include "map/map_state.hpp"
 
 namespace tern {
 namespace {
@@ -39,6 +40,19 @@ Status Flight::stop() noexcept {
   state_->reason = FlightReason::kNoGoal;
   if (state_->job != Job::kEvade) state_->job = Job::kIdle;  // its plan led to the goal
   return Status::kOk;
+}
+
+/// What is past is never commanded again.
+std::int64_t FlightState::time_to_answer(std::int64_t t) const noexcept {
+  const std::int64_t wanted = clock.time_of(t);
+  return wanted < time ? time : wanted;
+}
+
+/// The map begins to count anew as well: its frames carry times of the same clock.
+void FlightState::set_clock(std::int64_t t) noexcept {
+  clock.set(t, time + spec.tick);
+  shown = clock.shown_at(time);
+  map.state_->timed = false;
 }
 
 const Commitment& FlightState::commitment_at(std::int64_t t) const noexcept {
@@ -102,15 +116,20 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
   const Contact first = meets_before ? before : contact;
-  report.contact_time = report.mode == FlightMode::kThreat ? first.time : 0;
+  report.contact_time = report.mode == FlightMode::kThreat ? clock.shown_at(first.time) : 0;
   report.contact_speed = report.mode == FlightMode::kThreat ? first.speed : 0.0;
 }
 
 Status Flight::tick(int64_t t, FlightReport& report) noexcept {
-  report = FlightReport{};
-  if (state_ == nullptr || t < state_->time) return Status::kInvalidArgument;
+  report = state_ == nullptr ? FlightReport{} : state_->report;
+  report.work = 0;
+  if (state_ == nullptr) return Status::kInvalidArgument;
   FlightState& state = *state_;
-  state.time = t;
+  if (t < state.shown) return Status::kClockBehind;
+  const std::int64_t time = state.clock.time_of(t);
+  state.gap = time - state.time;
+  state.time = time;
+  state.shown = t;
   state.alarmed = false;
   state.pass_points();
   state.take_over();
@@ -127,7 +146,14 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
 
 Command Flight::command(int64_t t) const noexcept {
   if (state_ == nullptr) return Command{};
-  return {state_->sample_at(t), state_->looking_at(t)};
+  const std::int64_t time = state_->time_to_answer(t);
+  return {state_->sample_at(time), state_->looking_at(time)};
+}
+
+Status Flight::set_clock(int64_t t) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  state_->set_clock(t);
+  return Status::kOk;
 }
 
 PointState Flight::point_state(int32_t point) const noexcept {
@@ -137,13 +163,13 @@ PointState Flight::point_state(int32_t point) const noexcept {
 
 Status Flight::set_yaw(const FlightYaw& yaw) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
-  const Status status = check_flight_yaw(yaw, state_->spec.yaw_rate);
+  const Status status = state_->check_yaw(yaw);
   if (status == Status::kOk) state_->set_yaw(yaw);
   return status;
 }
 
 YawSample Flight::yaw(int64_t t) const noexcept {
-  return state_ == nullptr ? YawSample{} : state_->yaw_at(t);
+  return state_ == nullptr ? YawSample{} : state_->yaw_at(state_->time_to_answer(t));
 }
 
 Vec3 Flight::rest_position() const noexcept {

@@ -112,6 +112,10 @@ void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command
   if (command != nullptr) *command = object(flight).command(t);
 }
 
+std::uint8_t tern_flight_set_clock(tern_flight* flight, std::int64_t t) {
+  return code(object(flight).set_clock(t));
+}
+
 void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position) {
   if (position != nullptr) *position = object(flight).rest_position();
 }

@@ -14,6 +14,7 @@
 #include "curve/hermite.hpp"
 #include "curve/stopping.hpp"
 #include "flight/commitment.hpp"
+#include "flight/flight_clock.hpp"
 #include "flight/jobs.hpp"
 #include "flight/nose.hpp"
 #include "flight/route_copy.hpp"
@@ -45,7 +46,10 @@ class FlightState {
   RollingMap map;
   Planner* planner;
   RouteCopy route;
-  std::int64_t time;       ///< of the last tick
+  FlightClock clock;
+  std::int64_t shown;      ///< by the clock at the last tick
+  std::int64_t time;       ///< of the last tick, as are all others here: nanoseconds since the start
+  std::int64_t gap;        ///< from the tick before to the last one
   std::uint32_t owed;      ///< instructions that were done and not paid for yet: some pieces at most
   std::uint32_t deferred;  ///< and those that wait until no brake is in work
   Commitment now;
@@ -136,6 +140,8 @@ class FlightState {
   FlightReport report;
 
   // flight.cpp
+  std::int64_t time_to_answer(std::int64_t t) const noexcept;
+  void set_clock(std::int64_t t) noexcept;
   Sample sample_at(std::int64_t t) const noexcept;
   const Commitment& commitment_at(std::int64_t t) const noexcept;
   /// The one that will be flown to its end. What comes before a takeover lasts a few ticks.
@@ -206,7 +212,9 @@ class FlightState {
   bool passes_later() const noexcept;
 
   // nose.cpp: where the nose points
+  Status check_yaw(const FlightYaw& yaw) const noexcept;
   void set_yaw(const FlightYaw& yaw) noexcept;
+  void drop_late_yaw() noexcept;
   void turn_nose(Work& work) noexcept;
   NoseWish nose_wish(std::int64_t t) const noexcept;
   void begin_yaw(const NoseWish& wish) noexcept;
@@ -283,9 +291,6 @@ class FlightState {
   const Commitment& watched_commitment() const noexcept { return watched_part == Watched::kBefore ? now : latest(); }
   void run_watch(Work& work) noexcept;
 };
-
-/// What is wrong with a yaw plan's wish; kOk where nothing is. `rate` is the limit, rad/s.
-Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept;
 
 /// What is wrong with a mission; kOk where nothing is.
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;

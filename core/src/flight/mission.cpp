@@ -3,7 +3,6 @@
 //
 // The points of a mission: which of them the next plan passes, when one was passed, and what happens to one that
 // cannot be reached.
-#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
@@ -25,30 +24,16 @@ double time_of(const Commitment& plan, std::int32_t point) {
   return kNever;
 }
 
-/// What is wrong with a point of a mission; kOk where nothing is. A velocity cannot be promised in unknown space.
-Status check_point(const Via& point) {
-  if (!finite(point.position) || !finite(point.tolerance)) return Status::kNonFiniteInput;
-  return point.tolerance < 0.0 || point.has_velocity ? Status::kInvalidArgument : Status::kOk;
-}
-
 }  // namespace
-
-Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
-  if (points == nullptr || count < 1) return Status::kInvalidArgument;
-  if (policy != ViaPolicy::kEnd && policy != ViaPolicy::kSkip) return Status::kInvalidArgument;
-  if (is_full(count > kMaxMissionPoints)) return Status::kViasFull;
-  for (std::int32_t i = 0; i < count; ++i) {
-    const Status status = check_point(points[i]);
-    if (status != Status::kOk) return status;
-  }
-  return Status::kOk;
-}
 
 void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
     itinerary.points[i] = points[i];
     itinerary.state[i] = PointState::kAhead;
   }
+  // The flight ends at the goal, at rest.
+  itinerary.points[count - 1].tolerance = 0.0;
+  itinerary.points[count - 1].stop = false;
   itinerary.count = count;
   itinerary.leg = itinerary.suspicions = 0;
   itinerary.policy = policy;

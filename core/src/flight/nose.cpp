@@ -21,36 +21,37 @@ constexpr std::uint32_t kNoseShare = 4;
 /// A yaw plan is flown for so long, nanoseconds, before the next one takes over: a plan brings the acceleration of its
 /// start to 0 first, so that plans that follow each other faster would never turn.
 constexpr std::int64_t kNoseHold = 400000000;
+/// Ticks that are further apart than this, nanoseconds, count as this: no yaw plan waits for them.
+constexpr std::int64_t kLongestGap = std::int64_t{10} * 1000000000;
 /// What is flown ends soon where it is less than this part of the horizon away.
 constexpr double kSeekPart = 0.5;
 /// A place that moved by less is the same, metres.
 constexpr double kSameWish = 0.1;
 
-bool points_somewhere(const Heading& h) {
-  return finite(h) && has_direction(h);
-}
-
-bool headings_fit(const FlightYaw& yaw) {
-  if (yaw.headings == nullptr || yaw.heading_count < 1 || yaw.heading_count > kMaxMissionPoints) return false;
+Status check_headings(const FlightYaw& yaw) {
+  const bool fits = yaw.headings != nullptr && yaw.heading_count >= 1 && yaw.heading_count <= kMaxMissionPoints;
+  if (!fits) return Status::kInvalidArgument;
   for (std::int32_t i = 0; i < yaw.heading_count; ++i) {
-    if (!points_somewhere(yaw.headings[i])) return false;
+    const Status status = check_heading(yaw.headings[i]);
+    if (status != Status::kOk) return status;
   }
-  return true;
+  return Status::kOk;
 }
 
-bool mode_fits(const FlightYaw& yaw) {
+/// What the mode reads.
+Status check_mode(const FlightYaw& yaw) {
   switch (yaw.mode) {
     case FlightYawMode::kTowardsUnseen:
     case FlightYawMode::kAlongMotion:
-      return true;
+      return Status::kOk;
     case FlightYawMode::kTowardsPoint:
-      return finite(yaw.point);
+      return finite(yaw.point) ? Status::kOk : Status::kNonFiniteInput;
     case FlightYawMode::kFixed:
-      return points_somewhere(yaw.heading);
+      return check_heading(yaw.heading);
     case FlightYawMode::kAtPoints:
-      return headings_fit(yaw);
+      return check_headings(yaw);
   }
-  return false;
+  return Status::kInvalidArgument;
 }
 
 /// A nose that stays where it is.
@@ -72,22 +73,36 @@ bool same_wish(const NoseWish& a, const NoseWish& b) {
          distance(a.point, b.point) < kSameWish;
 }
 
-}  // namespace
-
-Status check_flight_yaw(const FlightYaw& yaw, double rate) noexcept {
-  if (!finite(yaw.acceleration_max) || !finite(yaw.view)) return Status::kNonFiniteInput;
-  if (!yaw_limits_valid(rate, yaw.acceleration_max)) return Status::kLimitsInvalid;
-  const bool view_fits = yaw.view >= 0.0 && yaw.view <= 2.0 * kPi;
-  return view_fits && points_somewhere(yaw.start) && mode_fits(yaw) ? Status::kOk : Status::kInvalidArgument;
+/// From one tick to the next, as far as the last two tell.
+std::int64_t tick_gap(const FlightState& flight) {
+  if (flight.gap > kLongestGap) return kLongestGap;
+  return flight.gap > flight.spec.tick ? flight.gap : flight.spec.tick;
 }
 
+/// When a yaw plan that begins now may take over: later by as much as ticks come late.
+std::int64_t soonest_turn(const FlightState& flight) {
+  return flight.time + (kNoseTicks - 1) * flight.spec.tick + tick_gap(flight);
+}
+
+}  // namespace
+
+Status FlightState::check_yaw(const FlightYaw& yaw) const noexcept {
+  if (!finite(yaw.acceleration_max) || !finite(yaw.view)) return Status::kNonFiniteInput;
+  if (!yaw_limits_valid(spec.yaw_rate, yaw.acceleration_max)) return Status::kLimitsInvalid;
+  if (yaw.view < 0.0 || yaw.view > 2.0 * kPi) return Status::kInvalidArgument;
+  const Status start_fits = nose.planned ? Status::kOk : check_heading(yaw.start);
+  return start_fits != Status::kOk ? start_fits : check_mode(yaw);
+}
+
+/// A plan in work takes over as ever, unless it turns more sharply than the nose may now: a wish that changes at every
+/// tick would never be followed otherwise.
 void FlightState::set_yaw(const FlightYaw& yaw) noexcept {
   if (!nose.planned) {
     nose.now = at_rest(yaw.start);
     nose.begin = time - kNoseHold;  // the first plan may take over at once
   }
+  nose.busy = nose.busy && yaw.acceleration_max >= nose.yaw.acceleration_max;
   nose.planned = true;
-  nose.busy = false;
   nose.yaw = yaw;
   const std::int32_t count = yaw.mode == FlightYawMode::kAtPoints ? yaw.heading_count : 0;
   for (std::int32_t i = 0; i < count; ++i) nose.headings[i] = yaw.headings[i];
@@ -98,7 +113,9 @@ void FlightState::set_yaw(const FlightYaw& yaw) noexcept {
 
 YawSample FlightState::yaw_at(std::int64_t t) const noexcept {
   const bool is_next = nose.has_next && t >= nose.next_begin;
-  return evaluate(is_next ? nose.next : nose.now, seconds_between(is_next ? nose.next_begin : nose.begin, t));
+  YawSample at = evaluate(is_next ? nose.next : nose.now, seconds_between(is_next ? nose.next_begin : nose.begin, t));
+  at.angle += 2.0 * kPi * (is_next ? nose.next_turns : nose.turns);
+  return at;
 }
 
 /// As asked for, unless what is flown ends soon and the next thing to see is out of view: then the nose turns to it.
@@ -119,23 +136,33 @@ void FlightState::turn_nose(Work& work) noexcept {
   if (!nose.planned) return;
   if (nose.has_next && time >= nose.next_begin) {
     nose.now = nose.next;
+    nose.turns = nose.next_turns;
     nose.begin = nose.next_begin;
     nose.has_next = false;
   }
-  const bool is_due = !nose.busy && !nose.has_next && time + kNoseTicks * spec.tick >= nose.begin + kNoseHold;
+  drop_late_yaw();
+  const bool is_due = !nose.busy && !nose.has_next && soonest_turn(*this) >= nose.begin + kNoseHold;
   if (is_due && !same_wish(nose_wish(time), nose.wish)) begin_yaw(nose_wish(time));
   if (nose.busy) advance_yaw(work, work.left - least(work.left, spec.work_per_tick / kNoseShare));
 }
 
+/// Ticks were skipped until it was too late: as with plans of the trajectory, what is not done one tick before its
+/// takeover is dropped. It begins where the nose was to be then, and the nose would jump there.
+void FlightState::drop_late_yaw() noexcept {
+  if (!nose.busy || time <= nose.next_begin - spec.tick) return;
+  nose.busy = false;
+  nose.wish.commits = ~report.committed;
+}
+
 void FlightState::begin_yaw(const NoseWish& wish) noexcept {
   const Commitment& flown = latest();
-  const std::int64_t soonest = time + kNoseTicks * spec.tick;
+  const std::int64_t soonest = soonest_turn(*this);
   nose.next_begin = soonest > flown.begin ? soonest : flown.begin;
   take_rest(flown.flown, seconds_between(flown.begin, nose.next_begin), kNoseAhead, nose.way);
   const YawSample from = yaw_at(nose.next_begin);
   const double most = nose.yaw.acceleration_max;
   YawRequest request = yaw_request({from.yaw.cosine, from.yaw.sine}, spec.yaw_rate, most);
-  request.start_rate = from.yaw.rate;
+  request.start_rate = clamp(from.yaw.rate, -kLargestYawRate, kLargestYawRate);  // it may be rounded up
   request.start_acceleration = clamp(from.acceleration, -most, most);
   request.point = wish.point;
   request.heading = wish.heading;
@@ -166,8 +193,8 @@ void FlightState::time_headings(YawRequest& request) noexcept {
   request.heading = nose.headings[itinerary.leg < last ? itinerary.leg : last];
 }
 
-/// As long as more than `kept` units are left. A plan that is not done in time is taken as it is: it keeps the limits,
-/// too.
+/// As long as more than `kept` units are left. A plan that would be late at the next tick is taken as it is: it keeps
+/// the limits, too.
 void FlightState::advance_yaw(Work& work, std::uint32_t kept) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning && work.left > kept) {
@@ -175,8 +202,10 @@ void FlightState::advance_yaw(Work& work, std::uint32_t kept) noexcept {
     status = nose.planner.step(1);
     owe(effort, work);
   }
-  if (status == Status::kRunning && time + spec.tick < nose.next_begin) return;
+  if (status == Status::kRunning && time + tick_gap(*this) <= nose.next_begin - spec.tick) return;
   nose.planner.finish(nose.next);
+  const double begins = evaluate(nose.now, seconds_between(nose.begin, nose.next_begin)).angle;
+  nose.next_turns = nose.turns + whole_turns(begins - evaluate(nose.next, 0.0).angle);
   nose.busy = false;
   nose.has_next = true;
 }

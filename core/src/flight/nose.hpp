@@ -14,7 +14,7 @@
 
 namespace tern {
 
-/// Ticks from the beginning of a yaw plan to the instant when it takes over.
+/// Ticks from the beginning of a yaw plan to the instant when it takes over, where ticks come in time.
 constexpr int kNoseTicks = 8;
 
 /// What a yaw plan is made for; another one is made where this changes.
@@ -30,9 +30,12 @@ struct Nose {
   Heading headings[kMaxMissionPoints];
   bool planned;  ///< the flight plans yaws
 
+  /// A plan begins within half a turn of 0. The nose turns on from where it is: whole turns are counted.
   YawPlan now;
+  double turns;
   std::int64_t begin;  ///< nanoseconds
   YawPlan next;
+  double next_turns;
   std::int64_t next_begin;
   bool has_next;
 

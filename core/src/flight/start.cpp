@@ -77,8 +77,7 @@ FlightRefusal refusal_of(const Verdict& verdict) {
 }
 
 /// One segment that stays at a point.
-void hover(const Vec3& position, std::int64_t t, Commitment& commitment) {
-  commitment.begin = t;
+void hover(const Vec3& position, Commitment& commitment) {
   commitment.flown.origin = commitment.aim = position;
   const JointState rest{};
   append_between(rest, rest, kMinDuration, commitment.flown);
@@ -144,11 +143,12 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   state->limits = MotionLimits(spec.limits);
   state->map = map;
   state->planner = &planner;
-  state->time = state->frame_time = t;
+  state->clock.set(t, 0);
+  state->shown = t;
   state->frames = map.frames();
   state->reason = FlightReason::kNoGoal;
   state->look_at = position;
-  hover(position, t, state->now);
+  hover(position, state->now);
   const Status rests = state->prove_start(why);
   if (rests != Status::kOk) return rests;
   const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());

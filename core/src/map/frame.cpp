@@ -93,20 +93,22 @@ View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3
 }  // namespace
 
 Status check_sensor(const MapState& state, const Vec3& position, std::int64_t t) noexcept {
-  if (state.task != Task::kIdle || (state.timed && t < state.time)) return Status::kInvalidArgument;
+  if (state.task != Task::kIdle) return Status::kInvalidArgument;
+  if (state.timed && t < state.time) return Status::kClockBehind;
   if (!finite(position)) return Status::kNonFiniteInput;
   return state.route.inside(state.route.voxel_of(state.route.to_local(position))) ? Status::kOk : Status::kOutOfMap;
 }
 
 void MapState::age_to(std::int64_t t) noexcept {
-  const std::int64_t since = timed ? t - time : 0;
+  // The difference may not fit into 63 bits; unsigned, it is exact.
+  const std::uint64_t since = timed ? static_cast<std::uint64_t>(t) - static_cast<std::uint64_t>(time) : 0;
   time = t;
   timed = true;
   ++frames;
   frame.forgotten[0] = frame.forgotten[1] = {0, 0};
   if (spec.age == 0) return;
   const std::int32_t count = layers();
-  ageing += (since < spec.age ? since : spec.age) * count;
+  ageing += (since < static_cast<std::uint64_t>(spec.age) ? static_cast<std::int64_t>(since) : spec.age) * count;
   const std::int64_t due = ageing / spec.age;
   ageing %= spec.age;
   const std::int32_t layers_due = due < count ? static_cast<std::int32_t>(due) : count;

@@ -33,8 +33,9 @@ enum class FlightEventKind : std::uint8_t {
   kYaw,
   kStop,
   kTick,
+  kClock,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kTick);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kClock);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 

@@ -68,6 +68,12 @@ Status FlightRecorder::stop(Status answer) noexcept {
   return FlightEvent(*this, FlightEventKind::kStop, answer).end();
 }
 
+Status FlightRecorder::set_clock(int64_t t, Status answer) noexcept {
+  FlightEvent event(*this, FlightEventKind::kClock, answer);
+  event.words()(t);
+  return event.end();
+}
+
 Status FlightRecorder::tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept {
   FlightEvent event(*this, FlightEventKind::kTick, answer);
   if (!event.is_open()) return event.end();

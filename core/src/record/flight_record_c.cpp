@@ -131,6 +131,10 @@ std::uint8_t tern_flight_record_stop(tern_flight_recorder* recorder, std::uint8_
   return record(recorder, true, [=](FlightRecorder& r) { return r.stop(status(answer)); });
 }
 
+std::uint8_t tern_flight_record_set_clock(tern_flight_recorder* recorder, std::int64_t t, std::uint8_t answer) {
+  return record(recorder, true, [=](FlightRecorder& r) { return r.set_clock(t, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_flight* flight, std::int64_t t,
                                      const tern_flight_report* report, std::uint8_t answer) {
   return record(recorder, flight != nullptr && report != nullptr,

@@ -77,9 +77,13 @@ double angle_of(const Heading& heading) noexcept {
   return angle;
 }
 
+double whole_turns(double angle) noexcept {
+  return absolute(angle) <= kLargestAngle ? static_cast<double>(nearest(angle / (2.0 * kPi))) : 0.0;
+}
+
 double wrapped(double angle) noexcept {
   const double x = absolute(angle) <= kLargestAngle ? angle : 0.0;
-  const double turns = static_cast<double>(nearest(x / (2.0 * kPi)));
+  const double turns = whole_turns(x);
   const double rest = (x - 4.0 * turns * kQuarterHigh) - 4.0 * turns * kQuarterLow;
   return rest <= -kPi ? rest + 2.0 * kPi : rest;
 }

@@ -17,6 +17,9 @@ Heading heading_of(double angle) noexcept;
 /// The angle of a direction, -pi .. pi; off by 1e-15 at most. 0 where both are zero.
 double angle_of(const Heading& heading) noexcept;
 
+/// The whole number of turns that is nearest to the angle, |angle| <= 1e6 rad; 0 for larger ones.
+double whole_turns(double angle) noexcept;
+
 /// The angle less whole turns: -pi < it <= pi, but for rounding.
 double wrapped(double angle) noexcept;
 

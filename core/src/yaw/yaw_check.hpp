@@ -25,6 +25,9 @@ inline bool yaw_limits_valid(double rate, double acceleration) {
   return rate >= 0.01 && rate <= kLargestYawRate && acceleration >= 0.01 && acceleration <= 1000.0;
 }
 
+/// kNonFiniteInput; kInvalidArgument without a direction; kOk.
+Status check_heading(const Heading& heading) noexcept;
+
 /// kOk, or what is wrong with a request: see YawPlanner::plan().
 Status check_yaw(const Trajectory& trajectory, const YawRequest& request) noexcept;
 

@@ -7,18 +7,13 @@
 namespace tern {
 namespace {
 
-Status check(const Heading& heading) {
-  if (!finite(heading)) return Status::kNonFiniteInput;
-  return has_direction(heading) ? Status::kOk : Status::kInvalidArgument;
-}
-
 Status check_timed(const YawRequest& request) {
   if (request.timed == nullptr || request.timed_count < 1) return Status::kInvalidArgument;
   double last = 0.0;
   for (int i = 0; i < request.timed_count; ++i) {
     const TimedHeading& next = request.timed[i];
     if (!finite(next.time)) return Status::kNonFiniteInput;
-    const Status status = check(next.heading);
+    const Status status = check_heading(next.heading);
     if (status != Status::kOk) return status;
     if (next.time < last || (i > 0 && !(next.time > last))) return Status::kInvalidArgument;
     last = next.time;
@@ -29,7 +24,7 @@ Status check_timed(const YawRequest& request) {
 Status check_mode(const YawRequest& request) {
   switch (request.mode) {
     case YawMode::kFixed:
-      return check(request.heading);
+      return check_heading(request.heading);
     case YawMode::kAlongMotion:
       if (!finite(request.least_speed)) return Status::kNonFiniteInput;
       return request.least_speed > 0.0 ? Status::kOk : Status::kInvalidArgument;
@@ -44,6 +39,11 @@ Status check_mode(const YawRequest& request) {
 
 }  // namespace
 
+Status check_heading(const Heading& heading) noexcept {
+  if (!finite(heading)) return Status::kNonFiniteInput;
+  return has_direction(heading) ? Status::kOk : Status::kInvalidArgument;
+}
+
 Status check_yaw(const Trajectory& trajectory, const YawRequest& request) noexcept {
   const double numbers[] = {request.rate_max, request.acceleration_max, request.start_rate, request.start_acceleration};
   for (const double number : numbers) {
@@ -53,7 +53,7 @@ Status check_yaw(const Trajectory& trajectory, const YawRequest& request) noexce
   if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
   const double length = duration(trajectory);
   if (!finite(length)) return Status::kNonFiniteInput;
-  const Status start = check(request.start);
+  const Status start = check_heading(request.start);
   if (start != Status::kOk) return start;
   const bool is_brisk = absolute(request.start_acceleration) > request.acceleration_max * (1.0 + 1e-9);
   if (is_brisk || absolute(request.start_rate) > kLargestYawRate) return Status::kStartExceedsLimits;

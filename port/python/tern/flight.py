@@ -153,7 +153,7 @@ class Flight:
         require(lib.tern_flight_stop(self.struct))
 
     def tick(self, t: int) -> Tick:
-        """Does one tick's work. Call it every `tick_ns`."""
+        """Does one tick's work. Call it every `tick_ns`. Raises TernError with clock_behind if `t` falls: see set_clock."""
         report = ffi.new("tern_flight_report*")
         require(lib.tern_flight_tick(self.struct, t, report))
         reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
@@ -161,8 +161,12 @@ class Flight:
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
                     report.frame_age)
 
+    def set_clock(self, t: int) -> None:
+        """The clock was set, back or ahead, and shows `t` now: one tick after the last one."""
+        require(lib.tern_flight_set_clock(self.struct, t))
+
     def command(self, t: int) -> Command:
-        """What to fly at a time."""
+        """What to fly at a time. For times before the last tick: what it was then."""
         command = ffi.new("tern_command*")
         lib.tern_flight_command(self.struct, t, command)
         sample = command.sample

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kNames[] = {"none",        "bind",    "assume_free", "mark_box", "mark_cylinder", "mark_points",
                                   "frame",       "scan",    "follow",      "step",     "start",         "set_goal",
-                                  "set_mission", "set_yaw", "stop",        "tick"};
+                                  "set_mission", "set_yaw", "stop",        "tick",     "set_clock"};
 
 }  // namespace
 

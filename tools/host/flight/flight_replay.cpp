@@ -74,6 +74,8 @@ class Player {
         return flight_.stop();
       case FlightEventKind::kTick:
         return tick(event);
+      case FlightEventKind::kClock:
+        return set_clock(event);
     }
     return Status::kRecordDamaged;
   }
@@ -217,6 +219,15 @@ class Player {
     return flight_.set_yaw(yaw);
   }
 
+  /// What was flown until then took as long as the ticks say.
+  Status set_clock(FlightEvent& event) {
+    std::int64_t t = 0;
+    event.words(t);
+    earlier_ = result_.seconds;
+    first_ = t;
+    return flight_.set_clock(t);
+  }
+
   Status tick(FlightEvent& event) {
     std::int64_t t = 0;
     event.words(t);
@@ -225,7 +236,8 @@ class Player {
     const Status answer = flight_.tick(t, report);
     const tern::Command command = flight_.command(t);
     if (result_.ticks == 0) first_ = t;
-    result_.seconds = 1e-9 * static_cast<double>(t - first_);
+    result_.seconds =
+        earlier_ + 1e-9 * static_cast<double>(static_cast<std::uint64_t>(t) - static_cast<std::uint64_t>(first_));
     if (tern::TickHash(command, flight_.yaw(t), report).value() != recorded) note_difference();
     if (static_cast<std::uint64_t>(result_.ticks) % tern::kWholeCommandTicks == 0) {
       tern::Command whole{};
@@ -274,7 +286,8 @@ class Player {
   std::vector<float> floats_;
   std::vector<tern::Vec3> points_;
   FlightReplay result_;
-  std::int64_t first_ = 0;
+  std::int64_t first_ = 0;  ///< time of the first tick, or what the clock was set to last
+  double earlier_ = 0.0;    ///< seconds until then
   bool told_distance_ = false;
   bool stopped_ = false;
 };

@@ -23,7 +23,8 @@ const char* state_name(tern::PointState state) {
 
 }  // namespace
 
-MissionWatch::MissionWatch(const FlightWorld& world, const tern::Flight& flight) : world_(world), flight_(flight) {
+MissionWatch::MissionWatch(const FlightWorld& world, const tern::Flight& flight, Commands commands)
+    : world_(world), flight_(flight), commands_(std::move(commands)) {
   for (const tern::Via& via : mission_of(world)) {
     points_.push_back({via.position, via.tolerance, "ahead", 0.0, std::numeric_limits<double>::infinity(), 0.0});
   }
@@ -33,7 +34,7 @@ MissionWatch::MissionWatch(const FlightWorld& world, const tern::Flight& flight)
 void MissionWatch::approach(std::int64_t from, std::int64_t to) {
   for (std::int64_t t = from; leg_ < points_.size() && t <= to; t += kStep) {
     MissionPoint& point = points_[leg_];
-    const tern::Sample sample = flight_.command(t).sample;
+    const tern::Sample sample = commands_(t);
     const tern::Vec3 off{sample.position.x - point.position.x, sample.position.y - point.position.y,
                          sample.position.z - point.position.z};
     if (!(length(off) < point.distance)) continue;

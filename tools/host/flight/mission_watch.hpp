@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flight/curve_pieces.hpp"
 #include "host/flight/simulated_flight.hpp"
 #include "tern/flight.hpp"
 
@@ -17,8 +18,8 @@ namespace tern_host {
 
 class MissionWatch {
  public:
-  /// Both must outlive the watch.
-  MissionWatch(const FlightWorld& world, const tern::Flight& flight);
+  /// All must outlive the watch. `commands` has answers for the last tick's past, too.
+  MissionWatch(const FlightWorld& world, const tern::Flight& flight, Commands commands);
 
   /// To be called after every tick.
   void look(std::int64_t t, const tern::FlightReport& report);
@@ -34,6 +35,7 @@ class MissionWatch {
 
   const FlightWorld& world_;
   const tern::Flight& flight_;
+  Commands commands_;
   std::vector<MissionPoint> points_;
   std::size_t leg_ = 0;  ///< the first one that is not done with
   std::int64_t last_ = 0;

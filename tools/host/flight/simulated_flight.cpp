@@ -17,6 +17,7 @@
 #include "host/flight/flight_specs.hpp"
 #include "host/flight/flight_tape.hpp"
 #include "host/flight/flight_watch.hpp"
+#include "host/flight/flown_past.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/gimbal.hpp"
 #include "host/flight/mission_watch.hpp"
@@ -45,7 +46,8 @@ class Simulation {
         spec_(flight_spec_of(world.settings)),
         truth_(world),
         faults_(truth_),
-        commands_(commands_of(flight_)),
+        commands_{[this](auto t) { return past_.holds(t) ? past_.at(t) : flight_.command(t).sample; },
+                  [this] { return flight_.rest_position(); }},
         recorder_(truth_),
         tape_(record, frame_bytes(world.settings)),
         sensor_(truth_, world_, map_spec_, map_, noise_, tape_) {
@@ -107,7 +109,7 @@ class Simulation {
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));
     watch_ = std::make_unique<FlightWatch>(world_, spec_, map_, commands_);
     threats_ = std::make_unique<ThreatWatch>(world_.settings, spec_, map_, watch_->rooms(), commands_);
-    mission_ = std::make_unique<MissionWatch>(world_, flight_);
+    mission_ = std::make_unique<MissionWatch>(world_, flight_, commands_.at);
     yaw_watch_ = std::make_unique<YawWatch>(world_.settings, spec_.tick, [this](auto t) { return flight_.yaw(t); });
   }
 
@@ -138,7 +140,7 @@ class Simulation {
 
   Setpoint setpoint(double t) const {
     const std::int64_t at = std::llround(1e9 * t);
-    const tern::Sample sample = flight_.command(at).sample;
+    const tern::Sample sample = commands_.at(at);
     if (!plans_yaw_) return {sample, gimbal_.yaw() + gimbal_.rate() * (t - seconds()), gimbal_.rate()};
     const auto nose = flight_.yaw(at);
     return {sample, nose.angle, nose.yaw.rate};
@@ -165,6 +167,7 @@ class Simulation {
     move_goal();
     watch_->before(time_);
     const tern::Status ticked = flight_.tick(time_, report_);
+    past_.note(state());
     tape_.recorder().tick(flight_, time_, report_, ticked);
     tape_.save();
     watch_->look(time_, report_);
@@ -262,6 +265,7 @@ class Simulation {
   std::vector<std::uint64_t> words_;
   tern::RollingMap map_;
   tern::Flight flight_;
+  FlownPast past_;
   tern::FlightReport report_{};
   FlightWorld truth_;  ///< the world, with what has appeared in it
   FlightFaults faults_;

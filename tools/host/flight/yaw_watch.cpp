@@ -10,7 +10,6 @@ namespace tern_host {
 namespace {
 
 constexpr double kSlack = 1e-9;  // rad, rad/s and rad/s^2: rounding
-constexpr double kTurn = 6.28318530717958648;
 
 }  // namespace
 
@@ -27,7 +26,7 @@ void YawWatch::check(std::int64_t t) {
   const double most = settings_.yaw_acceleration;
   const bool within =
       std::abs(now.yaw.rate) <= settings_.yaw_rate + kSlack && std::abs(now.acceleration) <= most + kSlack;
-  const double turned = std::remainder(now.angle - last_angle_, kTurn);
+  const double turned = now.angle - last_angle_;
   const double mean = 0.5 * (now.yaw.rate + last_rate_);
   const double changed = std::abs(now.yaw.rate - last_rate_);
   const bool smooth = !has_last_ || (std::abs(turned) <= settings_.yaw_rate * step + kSlack &&
