@@ -137,6 +137,16 @@ TEST(SensorFov, IsAllAroundForALidarAlone) {
   EXPECT_EQ(tern_host::flight_settings({"sensor_fov=360,40", "sensor=lidar"}).fov_vertical, 40.0);
 }
 
+TEST(FlightYawRecord, DegreesAreRefused) {
+  EXPECT_EQ(refusal("P25:1", {"yaw=heading,-1.57"}), "");
+  EXPECT_EQ(tern_host::flight_settings({"yaw=heading,1.5"}).yaw_heading, 1.5);
+  EXPECT_EQ(refusal("P25:1", {"yaw=heading,90"}),
+            "'yaw heading' is in rad, at most 6.2832, found 90; if that is in degrees, write 1.5708");
+  EXPECT_NE(refusal("P25:1", {"yaw_rate=45"}).find("'yaw_rate' is in rad/s, at most"), std::string::npos);
+  EXPECT_NE(refusal("P25:1", {"yaw_acceleration=180"}).find("is in rad/s^2, at most"), std::string::npos);
+  EXPECT_NE(refusal("P25:1", {"sensor_fov=1.57,1.29"}).find("both are 10 to 150 degrees"), std::string::npos);
+}
+
 TEST(SensorFov, OfAFileMayComeBeforeItsSensor) {
   const std::string path = testing::TempDir() + "tern_lidar_world.txt";
   const std::string world = "boundary -5 -5 0 5 5 3\nsensor_fov 360 40\n";

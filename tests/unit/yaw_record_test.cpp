@@ -63,6 +63,22 @@ TEST(YawRecord, ErrorsNameTheRecord) {
   EXPECT_EQ(error_of("start_yaw 1\n"), "map.txt:4: 'start_yaw' needs a 'yaw', which says where the nose should point");
 }
 
+TEST(YawRecord, DegreesAreRefused) {
+  EXPECT_EQ(error_of("yaw fixed 90\n"),
+            "map.txt:4: 'yaw fixed' is in rad, at most 6.2832, found 90; if that is in degrees, write 1.5708");
+  EXPECT_EQ(error_of("yaw fixed 6.2832\nstart_yaw -6.2832\nyaw_rate_max 31.4\nyaw_acceleration_max 100\n"), "");
+  for (const char* record : {"fixed -7", "timed 1 0 2 7", "timed 1 -90", "fixed 180"}) {
+    EXPECT_NE(error_of(std::string("yaw ") + record + "\n").find("is in rad, at most"), std::string::npos) << record;
+  }
+  EXPECT_NE(error_of("yaw motion\nstart_yaw 45\n").find("map.txt:5: 'start_yaw' is in rad,"), std::string::npos);
+  for (const char* record : {"start_yaw_rate -45", "yaw_rate_max 90"}) {
+    EXPECT_NE(error_of(std::string("yaw motion\n") + record + "\n").find("is in rad/s, at most"), std::string::npos);
+  }
+  for (const char* record : {"start_yaw_acceleration 180", "yaw_acceleration_max 360"}) {
+    EXPECT_NE(error_of(std::string("yaw motion\n") + record + "\n").find("is in rad/s^2, at most"), std::string::npos);
+  }
+}
+
 TEST(YawRecord, ThePlanKeepsTheLimitsAndPointsWhereItShould) {
   const PlanResult result = planned("yaw point 4 0 1\nyaw_rate_max 2\nyaw_acceleration_max 4\n");
   ASSERT_NE(result.yaw, nullptr);

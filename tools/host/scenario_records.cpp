@@ -5,6 +5,7 @@
 #include "host/map/map_warnings.hpp"
 #include "host/number.hpp"
 #include "host/via_record.hpp"
+#include "host/yaw/yaw_units.hpp"
 #include "tern/config.hpp"
 
 namespace tern_host {
@@ -153,7 +154,16 @@ void ScenarioBuilder::check_unknown() const {
   throw ScenarioError(choices_[2].place, "'unknown solid' needs an 'octomap', which says what is free");
 }
 
+/// Limits that are too low are the planner's to refuse.
 void ScenarioBuilder::check_yaw() const {
+  for (const Setting& setting : settings_) {
+    const std::string key = setting.key;
+    if (key == "start_yaw") yaw_angle(key, *setting.scalar, setting.place);
+    if (key == "start_yaw_rate" || key == "yaw_rate_max") yaw_rate(key, *setting.scalar, setting.place);
+    if (key == "start_yaw_acceleration" || key == "yaw_acceleration_max") {
+      yaw_acceleration(key, *setting.scalar, setting.place);
+    }
+  }
   if (scenario_.has_yaw) return;
   for (const Setting& setting : settings_) {
     const std::string key = setting.key;

@@ -11,6 +11,7 @@
 #include "host/text_records.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "host/via_record.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
@@ -66,7 +67,7 @@ void set_tracking(FlightSettings& s, const Words& words, const Place& place) {
 void set_yaw(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<std::string> kinds = {"gimbal", "unseen", "motion", "point", "heading"};
   if (words.size() < 2 || std::find(kinds.begin(), kinds.end(), words[1]) == kinds.end()) {
-    throw RecordError(place, "yaw is gimbal, unseen, motion, point x y z, or heading DEGREES");
+    throw RecordError(place, "yaw is gimbal, unseen, motion, point x y z, or heading ANGLE");
   }
   const Words rest(words.begin() + 1, words.end());
   const std::vector<double> values = numbers(rest, place);
@@ -75,7 +76,17 @@ void set_yaw(FlightSettings& s, const Words& words, const Place& place) {
     throw_count("yaw " + words[1], std::to_string(needed) + " numbers", values.size(), place);
   s.yaw = words[1];
   if (needed == 3) s.yaw_point = {values[0], values[1], values[2]};
-  if (needed == 1) s.yaw_heading = values[0];
+  if (needed == 1) s.yaw_heading = yaw_angle("yaw heading", values[0], place);
+}
+
+constexpr Range kTurning{0.01, 1e9};
+
+void set_yaw_rate(FlightSettings& s, const Words& words, const Place& place) {
+  s.yaw_rate = yaw_rate(words[0], number_within(words, kTurning, place), place);
+}
+
+void set_yaw_acceleration(FlightSettings& s, const Words& words, const Place& place) {
+  s.yaw_acceleration = yaw_acceleration(words[0], number_within(words, kTurning, place), place);
 }
 
 Setters all_setters() {
@@ -100,8 +111,8 @@ Setters all_setters() {
                  {"wind", real(&S::wind, 0.0, 100.0)},
                  {"drag", real(&S::drag, 0.0, 10.0)},
                  {"px4_speed", real(&S::px4_speed, 0.1, 100.0)},
-                 {"yaw_rate", real(&S::yaw_rate, 0.01, 100.0)},
-                 {"yaw_acceleration", real(&S::yaw_acceleration, 0.01, 1000.0)},
+                 {"yaw_rate", set_yaw_rate},
+                 {"yaw_acceleration", set_yaw_acceleration},
                  {"yaw", set_yaw},
                  {"tick_hz", real(&S::tick_hz, 1.0, 1000.0)},
                  {"work_per_tick", whole(&S::work_per_tick, 256.0, 1e8)},

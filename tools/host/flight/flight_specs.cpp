@@ -73,7 +73,7 @@ tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
   yaw.acceleration_max = s.yaw_acceleration;
   yaw.view = kDegree * s.fov_horizontal;
   yaw.start = {std::cos(start), std::sin(start)};
-  yaw.heading = {std::cos(kDegree * s.yaw_heading), std::sin(kDegree * s.yaw_heading)};
+  yaw.heading = {std::cos(s.yaw_heading), std::sin(s.yaw_heading)};
   yaw.point = s.yaw_point;
   return yaw;
 }

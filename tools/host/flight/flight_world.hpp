@@ -43,7 +43,7 @@ struct AppearAhead {
   double distance = 0.0;  ///< metres of way; 0: none appears
 };
 
-/// One record each in a world's file, and a key of `--set`. SI units; angles in degrees.
+/// One record each in a world's file, and a key of `--set`. SI units; the field of view in degrees.
 struct FlightSettings {
   double body_radius = 0.25;
   double tracking_margin = 0.10;  ///< largest error of the vehicle, which is flown
@@ -73,7 +73,7 @@ struct FlightSettings {
   double yaw_acceleration = 8.0;  ///< rad/s^2; only where the flight plans its yaw
   std::string yaw = "gimbal";     ///< or the flight's own plan: unseen, motion, point or heading
   tern::Vec3 yaw_point{};
-  double yaw_heading = 0.0;  ///< degrees
+  double yaw_heading = 0.0;  ///< rad
   double tick_hz = 100.0;
   int work_per_tick = 4000;
   double time_limit = 120.0;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "host/yaw/yaw_units.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -17,9 +19,11 @@ void expect_count(const char* mode, const char* wanted, bool right, std::size_t 
   if (!right) throw_count(std::string("yaw ") + mode, wanted, found, place);
 }
 
-std::vector<tern::TimedHeading> timed_headings(const std::vector<double>& v) {
+std::vector<tern::TimedHeading> timed_headings(const std::vector<double>& v, const Place& place) {
   std::vector<tern::TimedHeading> timed;
-  for (std::size_t i = 0; i + 1 < v.size(); i += 2) timed.push_back({v[i], heading_of(v[i + 1])});
+  for (std::size_t i = 0; i + 1 < v.size(); i += 2) {
+    timed.push_back({v[i], heading_of(yaw_angle("yaw timed", v[i + 1], place))});
+  }
   return timed;
 }
 
@@ -49,7 +53,7 @@ void read_yaw_record(const Words& words, const Place& place, YawWish& wish) {
   } else if (mode == "fixed") {
     expect_count("fixed", "1 number", v.size() == 1, v.size(), place);
     wish.mode = tern::YawMode::kFixed;
-    wish.heading = v[0];
+    wish.heading = yaw_angle("yaw fixed", v[0], place);
   } else if (mode == "point") {
     expect_count("point", "3 numbers", v.size() == 3, v.size(), place);
     wish.mode = tern::YawMode::kTowardsPoint;
@@ -57,7 +61,7 @@ void read_yaw_record(const Words& words, const Place& place, YawWish& wish) {
   } else if (mode == "timed") {
     expect_count("timed", "a time and an angle, any number of times", !v.empty() && v.size() % 2 == 0, v.size(), place);
     wish.mode = tern::YawMode::kTimed;
-    wish.timed = timed_headings(v);
+    wish.timed = timed_headings(v, place);
   } else {
     throw RecordError(place, "'yaw' is 'motion', 'fixed', 'point' or 'timed', found " + quote(mode));
   }
