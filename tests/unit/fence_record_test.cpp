@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,46 @@ TEST(FenceRecord, ErrorsSayWhere) {
   const tern_host::Words words = tern_host::split_words("keepin_halfspaces 1 0 0 9", false);
   for (int k = 0; k < tern::kMaxFences; ++k) add_fence(words, kPlace, fences);
   EXPECT_THROW(add_fence(words, kPlace, fences), tern_host::RecordError);
+}
+
+std::string error_of_all(const std::vector<std::string>& lines) {
+  std::vector<FenceRecord> fences;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    add_fence(tern_host::split_words(lines[i], false), {"world.txt", static_cast<int>(i) + 1}, fences);
+  }
+  try {
+    refuse_empty_fences(fences, {{0.0, 0.0, 0.0}, {10.0, 8.0, 3.0}}, 0.3);
+  } catch (const tern_host::RecordError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FenceRecord, EmptyFencesAreNamedWithTheirLine) {
+  const std::string pillar = "keepout_halfspaces 1 0 0 6 -1 0 0 -4 0 1 0 6 0 -1 0 -2";
+  const std::string clockwise = "keepout_halfspaces -1 0 0 -6 1 0 0 4 0 -1 0 -6 0 1 0 2";
+  const std::string wrong = "; is one of them, or the order of the polygon, reversed?";
+  EXPECT_EQ(error_of_all({}), "");
+  EXPECT_EQ(error_of_all({pillar, "keepin 0 0 0 4 8 3", "keepout 2 2 2 2 2 2", "keepout_halfspaces 1 0 0 -40"}), "");
+  EXPECT_EQ(error_of_all({pillar, clockwise, pillar}),
+            "world.txt:2: 'keepout_halfspaces' is empty: its half-spaces have no common point" + wrong);
+  EXPECT_EQ(
+      error_of_all({"keepin 0 0 0 4 8 3", pillar, "keepin 5 0 0 9 8 3"}),
+      "world.txt:3: 'keepin' is empty: its half-spaces have no common point with those of the keep-ins before it" +
+          wrong);
+}
+
+TEST(FenceRecord, WorldsOfFlightsWithEmptyFencesAreRefused) {
+  const std::string path = testing::TempDir() + "clockwise.txt";
+  std::ofstream(path) << "boundary 0 0 0 10 8 3\nstart 1 4 1\n"
+                         "keepout_halfspaces -1 0 0 -6 1 0 0 4 0 -1 0 -6 0 1 0 2\ngoal 9 4 1\n";
+  try {
+    tern_host::read_flight_world(path, {});
+    ADD_FAILURE() << "it is read";
+  } catch (const tern_host::RecordError& error) {
+    EXPECT_EQ(error.place().line, 3);
+    EXPECT_NE(error.reason().find("reversed?"), std::string::npos);
+  }
 }
 
 TEST(FenceGap, OfABox) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/fence_fault.hpp"
 #include "host/number.hpp"
 #include "tern/config.hpp"
 
@@ -93,7 +94,8 @@ bool is_fence(const std::string& key) {
 
 void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences) {
   const bool keeps_out = words.front().rfind("keepout", 0) == 0;
-  FenceRecord fence{keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, planes_of(words, place)};
+  FenceRecord fence{keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, planes_of(words, place),
+                    words.front(), place};
   std::size_t planes = fence.planes.size();
   for (const FenceRecord& other : fences) planes += other.planes.size();
   if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
@@ -104,6 +106,20 @@ void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>&
     throw RecordError(place, "more than " + std::to_string(tern::kMaxFences) + " fences (TERN_MAX_FENCES)");
   }
   fences.push_back(fence);
+}
+
+void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box& boundary, double clearance) {
+  tern::GridSpec map{};
+  map.boundary = boundary;
+  map.radius = clearance;
+  const std::vector<tern::Fence> list = fences_of(fences);
+  const tern::FenceFault fault = tern::find_fence_fault(list.data(), static_cast<std::int32_t>(list.size()), map);
+  if (fault.status != tern::Status::kFenceEmpty) return;
+  const FenceRecord& empty = fences[static_cast<std::size_t>(fault.fence)];
+  const bool keeps_in = empty.kind == tern::FenceKind::kKeepIn;
+  const std::string others = keeps_in ? " with those of the keep-ins before it" : "";
+  throw RecordError(empty.place, "'" + empty.key + "' is empty: its half-spaces have no common point" + others +
+                                     "; is one of them, or the order of the polygon, reversed?");
 }
 
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind) {

@@ -17,6 +17,8 @@ namespace tern_host {
 struct FenceRecord {
   tern::FenceKind kind;
   std::vector<tern::Halfspace> planes;
+  std::string key = "fence";  ///< of its record, for messages
+  Place place{};
 };
 
 /// Of six numbers, the lower corner first. Throws RecordError.
@@ -29,6 +31,10 @@ bool is_fence(const std::string& key);
 
 /// Appends the fence of a record for which is_fence() holds. Throws RecordError, also where the core takes no more.
 void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences);
+
+/// Throws RecordError where the core would refuse them as empty on a map with this boundary and clearance: a keep-out
+/// without any point, or keep-ins without one in common.
+void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box& boundary, double clearance);
 
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);
 

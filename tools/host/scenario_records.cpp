@@ -242,6 +242,7 @@ Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   check_unknown();
   check_yaw();
   scenario_.resolution_place = find("resolution")->place;
+  refuse_empty_fences(scenario_.fences, scenario_.boundary, scenario_.radius + scenario_.tracking_margin);
   warn_of_records();
   return scenario_;
 }

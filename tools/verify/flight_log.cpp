@@ -4,6 +4,7 @@
 // Logs of flights, and what in them must fit together.
 #include <algorithm>
 
+#include "verify/emptiness.hpp"
 #include "verify/flight.hpp"
 #include "verify/json.hpp"
 
@@ -36,6 +37,8 @@ World world_of(const Json& json) {
   for (const Json& block : truth.at("blocks")) world.blocks.push_back(box_of(block));
   for (const Json& cylinder : truth.at("cylinders")) world.cylinders.push_back(cylinder_of(cylinder));
   for (const Json& fence : truth.at("fences")) world.fences.push_back(fence_of(fence));
+  const std::optional<std::size_t> empty = empty_fence(world.fences, world.boundary);
+  if (empty) throw InputError("fence " + std::to_string(*empty + 1) + ": " + empty_text(world.fences[*empty]));
   world.start = point_of(json.at("start"));
   for (const Json& point : json.at("mission")) world.mission.push_back(point_of(point.at("position")));
   if (world.mission.empty() || world.mission.back() != point_of(json.at("goal"))) {

@@ -110,11 +110,16 @@ Problem parse_problem(const std::string& text, const std::string& name) {
   Problem problem;
   problem.name = name;
   Settings settings;
-  for (const Record& record : records_of(text, name)) add(record, problem, settings);
+  std::vector<Record> fences;
+  for (const Record& record : records_of(text, name)) {
+    add(record, problem, settings);
+    if (problem.fences.size() > fences.size()) fences.push_back(record);
+  }
   for (const char* const key : {"boundary", "start", "goal"}) {
     if (!settings.has(key)) throw InputError(name + ": there is no '" + key + "'");
   }
   apply(settings, problem);
+  refuse_empty(problem.fences, fences, problem.boundary);
   return problem;
 }
 

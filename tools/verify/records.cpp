@@ -7,6 +7,8 @@
 #include <locale>
 #include <sstream>
 
+#include "verify/emptiness.hpp"
+
 namespace tern_verify {
 namespace {
 
@@ -78,6 +80,11 @@ Box block_from(const Record& record) {
     record.refuse("'" + record.key() + "' needs 6 numbers");
   }
   return box_from(record, v);
+}
+
+void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary) {
+  const std::optional<std::size_t> empty = empty_fence(fences, boundary);
+  if (empty) records[*empty].refuse("'" + records[*empty].key() + "': " + empty_text(fences[*empty]));
 }
 
 Fence fence_from(const Record& record) {

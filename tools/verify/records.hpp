@@ -37,6 +37,8 @@ Box box_from(const Record& record, const std::vector<Rational>& v);
 Box block_from(const Record& record);
 /// `keepin`, `keepout` and both with half-spaces.
 Fence fence_from(const Record& record);
+/// Throws InputError with the place of a fence without a point; fence k comes from record k.
+void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary);
 Via via_from(const Record& record);
 
 /// What records of one value each say; each may be given once.

@@ -142,12 +142,17 @@ World parse_world(const std::string& text, const std::string& name, const std::v
   world.settings = kDefaults;
   world.tracking = "bounded";
   Point goal{0, 0, 0};
-  for (const Record& record : records_of(text, name)) add(record, goal, world);
+  std::vector<Record> fences;
+  for (const Record& record : records_of(text, name)) {
+    add(record, goal, world);
+    if (world.fences.size() > fences.size()) fences.push_back(record);
+  }
   for (const std::string& setting : overrides) set(override_from(setting), world);
   world.mission.push_back(goal);
   for (std::size_t a = 0; a < 3; ++a) {
     if (world.boundary.lower[a] >= world.boundary.upper[a]) throw InputError(name + ": there is no boundary");
   }
+  refuse_empty(world.fences, fences, world.boundary);
   const bool is_storey = world.boundary.upper[2] - world.boundary.lower[2] <= kStorey;
   world.settings.emplace("cell", is_storey ? 0.1 : 0.2);
   return world;

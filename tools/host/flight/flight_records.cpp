@@ -234,6 +234,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
     throw RecordError(end, "there is no boundary");
   }
+  refuse_empty_fences(world.fences, b, world.settings.body_radius + world.settings.tracking_margin);
   check_fov(world.settings, {path, 0});
   choose_voxels(world);
   choose_evidence(world.settings);

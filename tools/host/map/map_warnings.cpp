@@ -198,7 +198,8 @@ void warn_of_fences(const std::vector<FenceRecord>& fences, const Box& reach, co
                     std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < fences.size(); ++i) {
     if (fences[i].kind == tern::FenceKind::kKeepIn || reaches_into(fences[i], reach)) continue;
-    warnings.push_back(file + ": fence " + std::to_string(i + 1) + ", a keep-out, adds nothing: outside the boundary");
+    warnings.push_back(file + ":" + std::to_string(fences[i].place.line) + ": fence " + std::to_string(i + 1) +
+                       ", a keep-out, adds nothing: outside the boundary; has one of its half-spaces the wrong sign?");
   }
 }
 
