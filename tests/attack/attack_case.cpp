@@ -63,7 +63,7 @@ void print_ask(const World& world, const Ask& ask) {
               r.budget.sight_lines, r.budget.planes, r.budget.iterations);
   for (const tern::Via& via : ask.vias) {
     line("via", via.position);
-    std::printf("    tolerance %.17g%s\n", via.tolerance, via.stop ? " stop" : "");
+    std::printf("    tolerance %.17g%s dwell %.17g\n", via.tolerance, via.stop ? " stop" : "", via.dwell);
     if (via.has_velocity) line("  velocity", via.velocity);
   }
   for (const tern::Fence& fence : ask.fences) {

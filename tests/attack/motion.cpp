@@ -168,6 +168,19 @@ const char* miss(const World& world, const tern::Via& via, const tern::Segment& 
   return nullptr;
 }
 
+/// True where the plan stays where it is for the via's dwell from that joint on.
+bool dwells(const tern::Trajectory& trajectory, int joint, const tern::Via& via) {
+  double rested = 0.0;
+  for (int s = joint; s < trajectory.count; ++s) {
+    const tern::Segment& segment = trajectory.segments[s];
+    for (const tern::Vec3& p : segment.points) {
+      if (largest(point(p) - point(segment.points[0])) > 0) return rested >= via.dwell;
+    }
+    rested += segment.duration;
+  }
+  return rested >= via.dwell;
+}
+
 }  // namespace
 
 void check_vias(const World& world, const tern::Request& request, const tern::Trajectory& trajectory,
@@ -180,6 +193,7 @@ void check_vias(const World& world, const tern::Request& request, const tern::Tr
     const bool at_end = joint == trajectory.count;
     const tern::Segment& segment = trajectory.segments[at_end ? joint - 1 : joint];
     const char* const why = miss(world, request.vias[v], segment, at_end ? 1 : 0, point(trajectory.origin));
+    if (!dwells(trajectory, joint, request.vias[v])) return report(findings, "via", "via %d: no dwell", v);
     if (why != nullptr) return report(findings, "via", "via %d: %s, %.17g m", v, why, passage.distance);
     last = passage.time;
   }

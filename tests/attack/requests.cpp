@@ -213,6 +213,9 @@ void make_mission(Rng& rng, const World& world, const Map& map, const Ask& ask, 
     }
     mission.vias.push_back(via);
   }
+  for (tern::Via& via : mission.vias) {
+    if (via.stop && rng.chance(0.4)) via.dwell = rng.spread(1e-3, tern::kMaxDwell);
+  }
   mission.request.vias = mission.vias.data();
   mission.request.via_count = static_cast<std::int32_t>(mission.vias.size());
 }

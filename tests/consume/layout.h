@@ -33,7 +33,7 @@
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_via, position) FIELD(tern_via, tolerance) FIELD(tern_via, stop) FIELD(tern_via, has_velocity)           \
-  FIELD(tern_via, velocity) FIELD(tern_request, vias) FIELD(tern_request, via_count)                                 \
+  FIELD(tern_via, velocity) FIELD(tern_via, dwell) FIELD(tern_request, vias) FIELD(tern_request, via_count)                                 \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
   FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, goal_mode)                           \
   FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \

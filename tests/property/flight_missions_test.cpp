@@ -124,6 +124,31 @@ TEST(FlightMissions, StopsAreMade) {
   EXPECT_EQ(mission.passed, 2);
 }
 
+TEST(FlightMissions, TheVehicleStaysAtAPointForItsDwell) {
+  std::vector<Via> way = {via(3.0, 0.0, 1.5), via(5.0, 0.0, 1.5, 0.2, true), via(5.0, 3.0, 1.5, 0.0, true),
+                          via(0.0, 0.5, 1.5)};
+  way[1].dwell = 2.0;
+  way[2].dwell = 0.5;
+  Logged mission(Scene{}, FlightSettings{}, way);
+  std::int64_t rested[4] = {}, longest[4] = {};  // at each point, while it was the next one
+  ASSERT_EQ(mission.flown.flight.set_mission(way.data(), 4, ViaPolicy::kEnd), Status::kOk);
+  while (mission.flown.time < 40000000000 && mission.flown.report.reason != FlightReason::kArrived) {
+    mission.flown.tick();
+    const auto leg = static_cast<std::size_t>(mission.flown.report.leg);
+    const Sample sample = mission.flown.flight.command(mission.flown.time).sample;
+    const bool rests = speed(sample) == 0.0 && gap(sample.position, way[leg].position) <= way[leg].tolerance + 1e-9;
+    rested[leg] = rests ? rested[leg] + 10000000 : 0;
+    longest[leg] = std::max(longest[leg], rested[leg]);
+  }
+  EXPECT_EQ(mission.flown.report.reason, FlightReason::kArrived);
+  EXPECT_EQ(mission.flown.report.passed, 4);
+  EXPECT_LT(longest[0], 20000000) << "passed at speed";
+  for (const std::size_t k : {1, 2}) {
+    EXPECT_GE(longest[k], static_cast<std::int64_t>(1e9 * way[k].dwell) - 20000000) << k;
+    EXPECT_LE(longest[k], static_cast<std::int64_t>(1e9 * way[k].dwell) + 300000000) << k;
+  }
+}
+
 TEST(FlightMissions, ForestsAreCrossed) {
   for (int k = 0; k < tern_test::scaled(6); ++k) {
     Random random(static_cast<std::uint64_t>(1700 + k));
@@ -273,15 +298,30 @@ TEST(FlightMissions, WrongMissionsAreRefused) {
   EXPECT_EQ(flown.flight.set_mission(nullptr, 1, ViaPolicy::kEnd), Status::kInvalidArgument);
   EXPECT_EQ(flown.flight.set_mission(&good, 0, ViaPolicy::kEnd), Status::kInvalidArgument);
   EXPECT_EQ(flown.flight.set_mission(&good, 1, static_cast<ViaPolicy>(2)), Status::kInvalidArgument);
+  const auto refused = [&flown, &good](const Via& point) {
+    const Via points[2] = {point, good};
+    return flown.flight.set_mission(points, 2, ViaPolicy::kEnd);
+  };
   const std::vector<Via> many(kMaxMissionPoints + 1, good);
   EXPECT_EQ(flown.flight.set_mission(many.data(), kMaxMissionPoints + 1, ViaPolicy::kEnd), Status::kViasFull);
   Via bad = via(3.0, 0.0, 1.5, -0.1);
-  EXPECT_EQ(flown.flight.set_mission(&bad, 1, ViaPolicy::kEnd), Status::kInvalidArgument);
+  EXPECT_EQ(refused(bad), Status::kInvalidArgument);
   bad = good;
   bad.has_velocity = true;
-  EXPECT_EQ(flown.flight.set_mission(&bad, 1, ViaPolicy::kEnd), Status::kInvalidArgument);
+  EXPECT_EQ(refused(bad), Status::kInvalidArgument);
+  EXPECT_EQ(flown.flight.set_mission(&bad, 1, ViaPolicy::kEnd), Status::kInvalidArgument) << "the goal, too";
+  bad = good;
+  bad.dwell = 1.0;
+  EXPECT_EQ(refused(bad), Status::kInvalidArgument) << "without a stop";
+  bad.stop = true;
+  EXPECT_EQ(refused(bad), Status::kOk);
+  bad.dwell = -1.0;
+  EXPECT_EQ(refused(bad), Status::kInvalidArgument);
+  bad.dwell = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refused(bad), Status::kNonFiniteInput);
   bad = via(std::numeric_limits<double>::quiet_NaN(), 0.0, 1.5);
-  EXPECT_EQ(flown.flight.set_mission(&bad, 1, ViaPolicy::kEnd), Status::kNonFiniteInput);
+  EXPECT_EQ(refused(bad), Status::kNonFiniteInput);
+  ASSERT_EQ(flown.flight.stop(), Status::kOk);
   EXPECT_EQ(flown.fly(0.2), FlightReason::kNoGoal);
   EXPECT_EQ(flown.flight.point_state(-1), PointState::kAhead);
 }

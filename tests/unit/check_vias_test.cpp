@@ -99,6 +99,21 @@ TEST_F(CheckVias, FindsMotionAtAStop) {
   expect_missed(0, 1, 0, 1.0);
 }
 
+TEST_F(CheckVias, FindsADwellThatIsShortOrMoves) {
+  const Via via{{3, 1, 1}, 0.0, true, false, {}, 3.0};
+  EXPECT_FALSE(met({via}, {1})) << "it goes on at once";
+  plan_.segments[plan_.count++] = plan_.segments[1];
+  rest({2.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, 1);
+  EXPECT_FALSE(met({via}, {1}));
+  expect_missed(0, 0, -1, 1.0);
+  plan_.segments[1].duration = 3.0;
+  EXPECT_TRUE(met({via}, {1}));
+  plan_.segments[1].points[4].x += 1e-6;  // there and back, at rest at both ends
+  EXPECT_FALSE(met({via}, {1}));
+  expect_missed(0, 0, -1, 1e-6);
+  EXPECT_FALSE(met({{{3, 4, 1}, 0.0, true, false, {}, 1.0}}, {3})) << "no segment is left";
+}
+
 TEST_F(CheckVias, FindsAccelerationAtAStop) {
   plan_.segments[1].points[2] = {2.0, 0.042, 0.0};  // 42 / T^2 times as much
   EXPECT_FALSE(met({{{3, 1, 1}, 0.0, true, false, {}}}, {1}));

@@ -217,11 +217,12 @@ TEST(Scenario, AGridThatIsTooLargeComesWithAResolutionThatFits) {
 }
 
 TEST(Scenario, ViasHaveAToleranceAStopOrAVelocity) {
-  const Scenario s = parse_scenario(kMinimal +
-                                        "via 1 2 1\nvia 2 2 1 0.25\nvia 3 2 1 stop\nvia 3 1 1 0.5 stop\n"
-                                        "via 2 1 1 0.1 velocity 1 -0.5 0\n",
-                                    "map.txt");
-  ASSERT_EQ(s.vias.size(), 5u);
+  const Scenario s =
+      parse_scenario(kMinimal +
+                         "via 1 2 1\nvia 2 2 1 0.25\nvia 3 2 1 stop\nvia 3 1 1 0.5 stop\n"
+                         "via 2 1 1 0.1 velocity 1 -0.5 0\nvia 1 1 1 dwell 2.5\nvia 1 1 1 0.1 stop dwell 0\n",
+                     "map.txt");
+  ASSERT_EQ(s.vias.size(), 7u);
   expect_vec(s.vias[0].position, 1, 2, 1);
   EXPECT_EQ(s.vias[0].tolerance, 0.0);
   EXPECT_FALSE(s.vias[0].stop);
@@ -233,6 +234,10 @@ TEST(Scenario, ViasHaveAToleranceAStopOrAVelocity) {
   EXPECT_TRUE(s.vias[4].has_velocity);
   EXPECT_FALSE(s.vias[4].stop);
   expect_vec(s.vias[4].velocity, 1, -0.5, 0);
+  EXPECT_TRUE(s.vias[5].stop);
+  EXPECT_EQ(s.vias[5].dwell, 2.5);
+  EXPECT_TRUE(s.vias[6].stop);
+  EXPECT_EQ(s.vias[6].tolerance, 0.1);
 }
 
 TEST(Scenario, ViasThatAreNoneSayWhy) {
@@ -240,6 +245,12 @@ TEST(Scenario, ViasThatAreNoneSayWhy) {
   EXPECT_NE(error_of(kMinimal + "via 1 2 1 stop 3\n"), "");
   EXPECT_NE(error_of(kMinimal + "via 1 2 1 velocity 3\n"), "");
   EXPECT_NE(error_of(kMinimal + "via 1 2 1 slowly\n"), "");
+  EXPECT_EQ(error_of(kMinimal + "via 1 2 1 dwell\n"), "map.txt:4: 'dwell' needs 1 number of seconds, found 0");
+  EXPECT_EQ(error_of(kMinimal + "via 1 2 1 dwell -1\n"), "map.txt:4: 'dwell' is 0 to 3600 seconds, found '-1'");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 dwell nan\n"), "");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 dwell 3601\n"), "");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 dwell 3 stop\n"), "");
+  EXPECT_NE(error_of(kMinimal + "via 1 2 1 velocity 1 0 0 dwell 3\n"), "");
   std::string many = kMinimal;
   for (int v = 0; v <= tern::kMaxVias; ++v) many += "via 1 2 1\n";
   EXPECT_EQ(error_of(many), "map.txt:20: more than 16 vias");

@@ -89,7 +89,8 @@ std::string via_lines(const PlanResult& result) {
     const tern::ViaPassage& passage = result.report.vias[v];
     const tern::Via& via = result.scenario.vias[v];
     text += "  via " + left(std::to_string(v + 1), 8) + fixed(passage.time, 3) + " s, " + fixed(passage.distance, 3) +
-            " m from it" + (via.stop ? ", at rest" : "") + "\n";
+            " m from it" + (via.stop ? ", at rest" : "") +
+            (via.dwell > 0.0 ? " for " + fixed(via.dwell, 1) + " s" : "") + "\n";
   }
   return text;
 }

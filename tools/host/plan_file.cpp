@@ -107,6 +107,7 @@ Json vias_json(const PlanResult& result) {
   for (std::size_t v = 0; v < result.scenario.vias.size(); ++v) {
     const tern::Via& via = result.scenario.vias[v];
     Json entry = {{"position", json(via.position)}, {"tolerance", via.tolerance}, {"stop", via.stop}};
+    if (via.dwell > 0.0) entry["dwell"] = via.dwell;
     if (via.has_velocity) entry["velocity"] = json(via.velocity);
     if (result.ok()) {
       entry["time"] = result.report.vias[v].time;

@@ -8,7 +8,7 @@
 
 namespace tern_host {
 
-/// via x y z [tolerance] [stop | velocity x y z]. Throws RecordError.
+/// via x y z [tolerance] [[stop] [dwell seconds] | velocity x y z]. A dwell is a stop. Throws RecordError.
 tern::Via read_via(const Words& words, const Place& place);
 
 }  // namespace tern_host

@@ -30,7 +30,11 @@ std::vector<Bound> bounds_of(const Json& limits) {
 }
 
 Via via_of(const Json& json) {
-  Via via{point_of(json.at("position")), number_of(json.at("tolerance")), json.at("stop").get<bool>(), {}};
+  Via via{point_of(json.at("position")),
+          number_of(json.at("tolerance")),
+          json.at("stop").get<bool>(),
+          {},
+          number_or_zero(json, "dwell")};
   if (json.contains("velocity")) via.velocity = point_of(json.at("velocity"));
   return via;
 }
@@ -40,7 +44,8 @@ bool same(const Bound& a, const Bound& b) {
 }
 
 bool same(const Via& a, const Via& b) {
-  return std::tie(a.position, a.tolerance, a.stop, a.velocity) == std::tie(b.position, b.tolerance, b.stop, b.velocity);
+  return std::tie(a.position, a.tolerance, a.stop, a.velocity, a.dwell) ==
+         std::tie(b.position, b.tolerance, b.stop, b.velocity, b.dwell);
 }
 
 template <typename T>

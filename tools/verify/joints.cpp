@@ -77,6 +77,18 @@ Passage passage_at(const std::vector<Segment>& segments, std::size_t joint) {
   return {motion_at(segment, at_end), &segment};
 }
 
+/// Seconds at rest from a joint on: of segments whose control points are all the same.
+Rational rested_from(const std::vector<Segment>& segments, std::size_t joint) {
+  Rational rested = 0;
+  for (std::size_t s = joint; s < segments.size(); ++s) {
+    const auto& points = segments[s].points;
+    const bool rests = std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points.front(); });
+    if (!rests) break;
+    rested += segments[s].duration;
+  }
+  return rested;
+}
+
 /// The tightest of what a via asks for, at one joint.
 Claim via_claim(const Subject& subject, std::size_t index, std::size_t joint) {
   const Via& via = subject.problem.vias[index];
@@ -92,6 +104,10 @@ Claim via_claim(const Subject& subject, std::size_t index, std::size_t joint) {
   };
   if (via.velocity) holds(1, *via.velocity);
   for (std::size_t k = 1; via.stop && k < passage.motion.size(); ++k) holds(k, kZero);
+  if (via.dwell > 0) {
+    const auto what = [&] { return place() + ", dwell in s"; };
+    tightest.note(rested_from(subject.plan.segments, joint) - via.dwell, 0, what);
+  }
   return tightest.claim();
 }
 

@@ -43,6 +43,7 @@ struct Via {
   Rational tolerance;
   bool stop;
   std::optional<Point> velocity;
+  Rational dwell;  ///< seconds at rest
 };
 
 constexpr int kHorizontal = 3;  ///< in place of an axis: the length of (x, y)

@@ -105,10 +105,15 @@ Fence fence_from(const Record& record) {
 
 Via via_from(const Record& record) {
   std::vector<std::string> words = record.words;
-  Via result{{}, 0, false, {}};
+  Via result{{}, 0, false, {}, 0};
   for (std::size_t i = 1; i < words.size(); ++i) {
-    if (words[i] == "stop" && i + 1 == words.size()) {
+    if (words[i] == "stop" && (i + 1 == words.size() || words[i + 1] == "dwell")) {
       result.stop = true;
+      words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
+      --i;
+    } else if (words[i] == "dwell") {
+      result.stop = true;
+      result.dwell = Record{record.file, record.line, words}.numbers(i + 1, 1)[0];
       words.resize(i);
     } else if (words[i] == "velocity") {
       result.velocity = point_from(record.numbers(i + 1, 3));

@@ -194,11 +194,11 @@ class Flight {
   Status set_goal(const Vec3& goal) noexcept;
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
   /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m; where `stop` is true,
-  /// at rest. The goal's tolerance and stop mean nothing, whatever they are. The points are copied. `policy` says what
-  /// happens to one that turns out to be in an obstacle, to break a fence, or to have no way to it; for the goal, that
-  /// is as for set_goal(). kOk; whatever is refused leaves the goal as it was: kNonFiniteInput; kViasFull (more than
-  /// kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a velocity, no such policy, or before
-  /// start()).
+  /// at rest, and for its `dwell`. The goal's tolerance, stop and dwell mean nothing, whatever they are. The points are
+  /// copied. `policy` says what happens to one that turns out to be in an obstacle, to break a fence, or to have no way
+  /// to it; for the goal, that is as for set_goal(). kOk; whatever is refused leaves the goal as it was:
+  /// kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a
+  /// velocity, no such policy, or before start()).
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
   /// What became of a point of the mission. kAhead for points that it does not have.
   PointState point_state(int32_t point) const noexcept;

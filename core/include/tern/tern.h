@@ -85,6 +85,7 @@ typedef struct {
   double tolerance; /* m, >= 0: how near the plan comes */
   bool stop, has_velocity;
   tern_vec3 velocity;
+  double dwell; /* s, 0 .. 3600: how long the plan rests there; only with stop */
 } tern_via;
 /* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;

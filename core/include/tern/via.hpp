@@ -19,16 +19,21 @@ struct Via {
   Vec3 position{};
   /// m, >= 0: the plan comes at least this near. 0, and anything below kLeastTolerance: through the position itself.
   double tolerance = 0.0;
-  /// True: the plan comes to rest there. Velocity, acceleration and jerk are zero for an instant.
+  /// True: the plan comes to rest there. Velocity, acceleration and jerk are zero for an instant, or for `dwell`.
   bool stop = false;
   /// True: the plan has exactly `velocity` there. Not together with `stop` (kInvalidArgument).
   bool has_velocity = false;
   /// m/s, within the limits (kViaExceedsLimits). Read only where has_velocity is true.
   Vec3 velocity{};
+  /// s, 0 .. kMaxDwell: the plan rests there for so long. Above 0 only together with `stop` (kInvalidArgument).
+  double dwell = 0.0;
 };
 
 /// A tolerance below this is none, metres.
 constexpr double kLeastTolerance = 1e-6;
+
+/// The longest dwell, seconds.
+constexpr double kMaxDwell = 3600.0;
 
 /// Means "no via" in place of a via's index, as in Report::via.
 constexpr int32_t kNoVia = -1;

@@ -46,6 +46,19 @@ bool is_near(const Passage& passage, const Via& via, const Vec3& origin, double 
   return !(excess > 0.0) || refuse_excess(excess, 0, found);
 }
 
+/// True where the segment at the joint rests for the via's dwell: its control points are all the same.
+bool dwells(const Trajectory& trajectory, std::int32_t joint, const Via& via, CheckReport& found) {
+  const bool exists = joint < trajectory.count;
+  const double rested = exists ? trajectory.segments[joint].duration : 0.0;
+  if (rested < via.dwell) return refuse_excess(via.dwell - rested, 0, found);
+  const Segment& segment = trajectory.segments[joint];
+  for (const Vec3& point : segment.points) {
+    const double moved = distance(point, segment.points[0]);
+    if (moved > 0.0) return refuse_excess(moved, 0, found);
+  }
+  return true;
+}
+
 bool via_met(const Passage& passage, const Via& via, CheckReport& found) {
   constexpr Vec3 kRest{0.0, 0.0, 0.0};
   if (via.has_velocity && !gives(passage, via.velocity, 1, found)) return false;
@@ -65,6 +78,7 @@ bool vias_met(const Grid& grid, const Trajectory& trajectory, const CheckQuery& 
     const Passage passage = passage_at(trajectory, joint);
     if (!is_near(passage, query.vias[v], trajectory.origin, tolerance, found)) return false;
     if (!via_met(passage, query.vias[v], found)) return false;
+    if (query.vias[v].dwell > 0.0 && !dwells(trajectory, joint, query.vias[v], found)) return false;
     least = joint;
   }
   found.via = -1;

@@ -48,7 +48,7 @@ void FlightState::begin_cycle() noexcept {
   if (!has_goal || parked || has_next || stopping || watching || !map.safe().bound()) return;
   takeover = time + lead_ticks(spec, late) * spec.tick;
   deadline = takeover - spec.tick;
-  if (reaches_goal() && rests_at_takeover()) return;
+  if ((reaches_goal() || ends_at_dwell()) && rests_at_takeover()) return;
   ++report.asked;
   const GridSpec& window = map.route().spec();
   const int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;

@@ -188,6 +188,7 @@ class FlightState {
   // mission.cpp: the points on the way
   void begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
   void try_anew() noexcept;
+  bool ends_at_dwell() const noexcept;
   std::int32_t leg_at(std::int64_t t) const noexcept;
   void pass_points() noexcept;
   void pass_point() noexcept;

@@ -9,22 +9,6 @@
 #include "grid/distance.hpp"
 
 namespace tern {
-namespace {
-
-/// A new plan may pass the next point so many seconds later than the one that is flown.
-constexpr double kLaterAtPoint = 0.25;
-/// Later than any plan passes a point, seconds.
-constexpr double kNever = 1e9;
-
-/// When a plan passes the point; kNever if it does not.
-double time_of(const Commitment& plan, std::int32_t point) {
-  for (std::int32_t i = 0; i < plan.passages; ++i) {
-    if (plan.passage[i].point == point) return plan.passage[i].time;
-  }
-  return kNever;
-}
-
-}  // namespace
 
 void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
@@ -34,6 +18,7 @@ void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy
   // The flight ends at the goal, at rest.
   itinerary.points[count - 1].tolerance = 0.0;
   itinerary.points[count - 1].stop = false;
+  itinerary.points[count - 1].dwell = 0.0;
   itinerary.count = count;
   itinerary.leg = itinerary.suspicions = 0;
   itinerary.policy = policy;
@@ -52,39 +37,6 @@ void FlightState::try_anew() noexcept {
   reason = FlightReason::kNone;
 }
 
-/// The next point at that time, if nothing else is committed before.
-std::int32_t FlightState::leg_at(std::int64_t t) const noexcept {
-  std::int32_t leg = itinerary.leg;
-  if (now.goal != goal_number) return leg;
-  const double flown = smaller(seconds_between(now.begin, t), now.branch);
-  for (std::int32_t i = 0; i < now.passages; ++i) {
-    const Passage& passage = now.passage[i];
-    if (passage.point == leg && passage.time <= flown && leg < itinerary.last()) leg = itinerary.after(leg);
-  }
-  return leg;
-}
-
-/// Notes what was passed until now: what the plan that is flown says, and a point that is within its tolerance.
-void FlightState::pass_points() noexcept {
-  if (!has_goal) return;
-  const std::int32_t leg = leg_at(has_next && next.begin < time ? next.begin : time);
-  while (itinerary.leg != leg) pass_point();
-  const Via& point = itinerary.points[itinerary.leg];
-  const bool is_near =
-      point.tolerance > 0.0 && !point.stop && distance(sample_at(time).position, point.position) <= point.tolerance;
-  if (is_near && itinerary.leg != itinerary.last()) pass_point();
-}
-
-void FlightState::pass_point() noexcept {
-  itinerary.state[itinerary.leg] = PointState::kPassed;
-  go_on_from(itinerary.leg);
-}
-
-void FlightState::go_on_from(std::int32_t point) noexcept {
-  itinerary.leg = itinerary.after(point);
-  try_anew();
-}
-
 bool FlightState::in_window(const Vec3& place) const noexcept {
   const GridSpec& window = map.safe().spec();
   const double margin = window.clearance() + kAimVoxels * window.cell;
@@ -96,7 +48,7 @@ bool FlightState::in_window(const Vec3& place) const noexcept {
 }
 
 /// The next plan passes all points that are less than a horizon away, along straight lines, and then leads towards the
-/// target: the first one that is further away, or the goal.
+/// target: the first one that is further away or where the vehicle stays for a while, or the goal.
 void FlightState::choose_points(const Vec3& from) noexcept {
   const Grid& seen = map.route();
   const bool is_clear = itinerary.suspicions > 0 && seen.bound() && !is_blocked(itinerary.suspect);
@@ -105,6 +57,7 @@ void FlightState::choose_points(const Vec3& from) noexcept {
   target = leg_at(takeover);
   double way = distance(from, itinerary.points[target].position);
   while (target != itinerary.last() && way <= spec.horizon && in_window(itinerary.points[target].position)) {
+    if (itinerary.points[target].dwell > 0.0) break;
     const Vec3& place = itinerary.points[target].position;
     ask_for(target);
     target = itinerary.after(target);
@@ -249,28 +202,6 @@ void FlightState::shorten_way(const Path& way) noexcept {
 /// where it fails, that says nothing about them.
 bool FlightState::is_outdated() const noexcept {
   return planned_goal != goal_number;
-}
-
-/// When the planner's trajectory passes the points that it was asked for, and the target where it ends there.
-void FlightState::list_passages(const Report& found) noexcept {
-  if (is_outdated()) {
-    asked_count = 0;
-    aims_at_goal = beside_goal = false;
-  }
-  draft.passages = asked_count;
-  for (std::int32_t i = 0; i < asked_count; ++i) draft.passage[i] = {asked_point[i], found.vias[i].time};
-  draft.target = target;
-  if (aims_at_goal) draft.passage[draft.passages++] = {target, duration(plan)};
-}
-
-/// The plan at hand passes the next point much later than the plan that is flown: right before a point, the planner may
-/// find no way through it but to stop and come back.
-bool FlightState::passes_later() const noexcept {
-  const std::int32_t leg = leg_at(takeover);
-  if (leg == itinerary.last()) return false;
-  const double kept = time_of(now, leg);
-  const double flown = seconds_between(now.begin, takeover);
-  return kept < kNever && kept - flown + kLaterAtPoint < time_of(draft, leg);
 }
 
 }  // namespace tern

@@ -5,17 +5,19 @@
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "flight/flight_state.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
 
-/// kOk where nothing is. Tolerance and stop of the goal mean nothing. A velocity cannot be promised in unknown space.
+/// kOk where nothing is. Tolerance, stop and dwell of the goal mean nothing. A velocity cannot be promised in unknown
+/// space.
 Status check_point(const Via& point, bool is_goal) {
   if (!finite(point.position)) return Status::kNonFiniteInput;
   if (point.has_velocity) return Status::kInvalidArgument;
   if (is_goal) return Status::kOk;
-  if (!finite(point.tolerance)) return Status::kNonFiniteInput;
-  return point.tolerance < 0.0 ? Status::kInvalidArgument : Status::kOk;
+  if (!finite(point.tolerance) || !finite(point.dwell)) return Status::kNonFiniteInput;
+  return point.tolerance < 0.0 || !dwell_valid(point) ? Status::kInvalidArgument : Status::kOk;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 //
 // The way through the vias. Each leg, from a via to the next, is searched for and shortened by itself. The whole way
 // then gets one corridor, one chain and one trajectory.
+#include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "path/way.hpp"
 #include "planner/layout.hpp"
@@ -21,6 +22,19 @@ double reach_of(const Via& via) {
 
 Hold hold_of(const Via& via, const Vec3& origin, std::int32_t polyhedron, double reach) {
   return Hold{polyhedron, 0, via.position - origin, reach, via.stop, via.has_velocity, via.velocity};
+}
+
+/// The plan rests at a via for `duration`: a segment at the joint whose control points are all the same.
+void insert_rest(Trajectory& trajectory, int joint, double duration) {
+  for (int s = trajectory.count; s > joint; --s) trajectory.segments[s] = trajectory.segments[s - 1];
+  const bool at_end = joint == trajectory.count;
+  const Segment& beside = at_end ? trajectory.segments[joint - 1] : trajectory.segments[joint];
+  const Vec3 place = beside.points[at_end ? kDegree : 0];
+  Segment& rest = trajectory.segments[joint];
+  rest.polyhedron = beside.polyhedron;
+  rest.duration = duration;
+  for (Vec3& point : rest.points) point = place;
+  ++trajectory.count;
 }
 
 }  // namespace
@@ -104,6 +118,22 @@ void Plan::locate_vias() noexcept {
     while (joint < trajectory.count && trajectory.segments[joint].polyhedron < polyhedron) ++joint;
     memory.mission.joint[v] = joint;
   }
+}
+
+/// Finds the vias, and lets the plan rest at those with a dwell. False if a segment more does not fit.
+bool Plan::add_dwells() noexcept {
+  Layout& memory = *memory_;
+  Trajectory& trajectory = memory.trajectory;
+  locate_vias();
+  std::int32_t added = 0;
+  for (std::int32_t v = 0; v < via_count(); ++v) {
+    memory.mission.joint[v] += added;
+    if (!(memory.mission.vias[v].dwell > 0.0)) continue;
+    if (is_full(trajectory.count == kMaxSegments)) return false;
+    insert_rest(trajectory, memory.mission.joint[v], memory.mission.vias[v].dwell);
+    ++added;
+  }
+  return true;
 }
 
 void Plan::report_vias() noexcept {

@@ -78,6 +78,7 @@ class Plan {
   std::int32_t via_at_fault(Stage stage) const noexcept;
   void make_holds() noexcept;
   void locate_vias() noexcept;
+  bool add_dwells() noexcept;
   void report_vias() noexcept;
 
   // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.

@@ -230,13 +230,12 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   return progress;
 }
 
-/// Adds the escapes at both ends to the trajectory, and passes it to the check.
+/// Adds the escapes at both ends and the dwells at the vias to the trajectory, and passes it to the check.
 void Plan::end_trajectory() noexcept {
   Layout& memory = *memory_;
   memory.trajectory.origin = asked_.start.position;
-  if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory)) {
+  if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory) && add_dwells()) {
     raise(report_.high_water.segments, memory.trajectory.count);
-    locate_vias();
     enter(Stage::kCheck);
   } else if (stop_and_go_) {
     fail(Stage::kTrajectory, Status::kSegmentsFull);
@@ -257,7 +256,7 @@ void Plan::report_trajectory() noexcept {
 }
 
 /// Replaces the refused plan of the optimiser by stop-and-go along the same corridor. `why`: kCheckFailed, or
-/// kSegmentsFull if the escapes leave too little room for its segments.
+/// kSegmentsFull if escapes and dwells leave too little room for its segments.
 void Plan::fall_back(Status why) noexcept {
   stop_and_go_ = true;
   refused_ = why;

@@ -150,9 +150,9 @@ bool in_map(const Grid& grid, const Vec3& world) {
 }
 
 Status check_via(const Grid& grid, const Via& via, const MotionLimits& limits) {
-  if (!finite(via.position) || !finite(via.tolerance)) return Status::kNonFiniteInput;
+  if (!finite(via.position) || !finite(via.tolerance) || !finite(via.dwell)) return Status::kNonFiniteInput;
   if (via.has_velocity && !finite(via.velocity)) return Status::kNonFiniteInput;
-  if (via.tolerance < 0.0 || (via.stop && via.has_velocity)) return Status::kInvalidArgument;
+  if (via.tolerance < 0.0 || (via.stop && via.has_velocity) || !dwell_valid(via)) return Status::kInvalidArgument;
   if (!in_map(grid, via.position)) return Status::kOutOfMap;
   const bool within = !via.has_velocity || within_limit(via.velocity, limits.velocity);
   return within ? Status::kOk : Status::kViaExceedsLimits;

@@ -69,6 +69,7 @@ void list_via(Words& words, AnyVia& via) {
   words(via.stop);
   words(via.has_velocity);
   words(via.velocity);
+  words(via.dwell);
 }
 constexpr std::size_t kViaFields = 9;
 

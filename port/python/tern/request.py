@@ -104,11 +104,13 @@ class Fence:
 
 @dataclass(frozen=True)
 class Via:
-    """A point to pass on the way. tolerance: how near the plan comes, m. stop: at rest there. velocity: with it there."""
+    """A point to pass on the way. tolerance: how near the plan comes, m. stop: at rest there,
+    for dwell seconds. velocity: with it there."""
     position: Sequence[float]
     tolerance: float = 0.0
     stop: bool = False
     velocity: Sequence[float] | None = None
+    dwell: float = 0.0
 
 
 @dataclass
@@ -137,6 +139,7 @@ def c_vias(vias: Sequence[Via], kept: list):
     out = ffi.new("tern_via[]", len(vias)) if vias else ffi.NULL
     for i, via in enumerate(vias):
         out[i] = {"position": vector(via.position), "tolerance": via.tolerance, "stop": via.stop,
-                  "has_velocity": via.velocity is not None, "velocity": vector(via.velocity or _ZERO)}
+                  "has_velocity": via.velocity is not None, "velocity": vector(via.velocity or _ZERO),
+                  "dwell": via.dwell}
     kept.append(out)
     return out
