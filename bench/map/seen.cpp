@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Free means seen, over as many random frames and scans as you like (the reference is that of the tests); and how much
-// of what ray casting calls free a frame saw whole.
+// Free means seen, over as many random frames and scans as you like (as in the tests); and how much of what ray casting
+// calls free a frame saw whole.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -35,10 +35,16 @@ class Output {
   std::string text_;
 };
 
-void count_row(Output& out, const char* kind, std::uint64_t seed, const SeenCounts& c) {
-  out.line(std::string("| ") + kind + " | " + std::to_string(seed) + " | " + std::to_string(c.frames) + " | " +
-           std::to_string(c.shown) + " | " + std::to_string(c.wrong) + " | " + std::to_string(c.could_be) + " | " +
-           std::to_string(c.hits) + " | " + std::to_string(c.missed) + " |");
+void frame_row(Output& out, std::uint64_t seed, const SeenCounts& c) {
+  out.line("| " + std::to_string(seed) + " | " + std::to_string(c.frames) + " | " + std::to_string(c.shown) + " | " +
+           std::to_string(c.wrong) + " | " + std::to_string(c.could_be) + " | " + std::to_string(c.hits) + " | " +
+           std::to_string(c.missed) + " |");
+}
+
+void scan_row(Output& out, std::uint64_t seed, const SeenCounts& c) {
+  out.line("| " + std::to_string(seed) + " | " + std::to_string(c.frames) + " | " + std::to_string(c.shown) + " | " +
+           std::to_string(c.could_be) + " | " + std::to_string(c.wrong) + " | " + std::to_string(c.hits) + " | " +
+           std::to_string(c.missed) + " |");
 }
 
 /// Frames into empty maps, on the way through the forest.
@@ -158,11 +164,14 @@ int main(int argc, char** argv) {
   tern_test::Random random(seed);
   for (int k = 0; k < frames; ++k) of_frames.add(check_frame(random, tern_test::random_spec(random)));
   for (int k = 0; k < scans; ++k) of_scans.add(check_scan(random, tern_test::random_scan_spec(random)));
+  out.line("| seed | frames | voxels called seen | of them not wholly seen | wholly seen | hits | of them lost |");
+  out.line("| --- | --- | --- | --- | --- | --- | --- |");
+  frame_row(out, seed, of_frames);
+  out.line("");
   out.line(
-      "| what | seed | number | voxels called seen | of them not wholly seen | wholly seen | hits | of them lost |");
-  out.line("| --- | --- | --- | --- | --- | --- | --- | --- |");
-  count_row(out, "frames", seed, of_frames);
-  count_row(out, "scans", seed, of_scans);
+      "| seed | scans | voxels called seen | voxels that hold a thing | of them called seen | hits | of them lost |");
+  out.line("| --- | --- | --- | --- | --- | --- | --- |");
+  scan_row(out, seed, of_scans);
   out.line("");
   cast_table(out);
   out.line("");

@@ -31,6 +31,8 @@ struct Arguments {
   tern_box box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
   tern_cylinder cylinder{{0.0, 0.0, 0.0}, 0.5, 1.0};
   tern_depth_view view{};
+  const float range = 2.0f;
+  tern_beams beams{&kPoint, &range, 1, 0.1, 9.0};
   tern_pose pose{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
   tern_flight_spec flight_spec{};
   tern_flight_yaw yaw{};
@@ -49,6 +51,7 @@ std::vector<std::uint8_t> answers(tern_flight_recorder* r) {
           tern_flight_record_mark_points(r, &kPoint, 1, kOk),
           tern_flight_record_frame(r, &a.view, &a.pose, 0, kRunning),
           tern_flight_record_scan(r, &kPoint, 1, &kPoint, 0, kRunning),
+          tern_flight_record_beams(r, &a.beams, &kPoint, 0, kRunning),
           tern_flight_record_follow(r, &kPoint, kRunning),
           tern_flight_record_step(r, 5, kRunning),
           tern_flight_record_start(r, &a.flight_spec, &kPoint, 0, kOk),
@@ -118,6 +121,8 @@ TEST_F(FlightRecordC, EachPointerMustBeThere) {
   expect_refused(tern_flight_record_frame(r, &a_.view, nullptr, 0, kRunning));
   expect_refused(tern_flight_record_scan(r, nullptr, 1, &kPoint, 0, kRunning));
   expect_refused(tern_flight_record_scan(r, &kPoint, 1, nullptr, 0, kRunning));
+  expect_refused(tern_flight_record_beams(r, nullptr, &kPoint, 0, kRunning));
+  expect_refused(tern_flight_record_beams(r, &a_.beams, nullptr, 0, kRunning));
   expect_refused(tern_flight_record_follow(r, nullptr, kRunning));
   expect_refused(tern_flight_record_start(r, nullptr, &kPoint, 0, kOk));
   expect_refused(tern_flight_record_start(r, &a_.flight_spec, nullptr, 0, kOk));

@@ -84,6 +84,12 @@ TEST_F(FaultyRecord, PointsMustBeThere) {
   expect_passed_over(recorder_.scan(nullptr, 1, point, 0, Status::kNonFiniteInput));
   expect_recorded(recorder_.scan(nullptr, 0, point, 0, Status::kRunning), 1 + 3 + 1);
   expect_recorded(recorder_.scan(&point, 1, point, 0, Status::kRunning), 1 + 3 + 1 + 3);
+  const float range = 2.5f;
+  expect_refused(recorder_.scan({nullptr, &range, 1, 0.1, 9.0}, point, 0, Status::kRunning));
+  expect_refused(recorder_.scan({&point, nullptr, 1, 0.1, 9.0}, point, 0, Status::kRunning));
+  expect_passed_over(recorder_.scan({nullptr, nullptr, 1, 0.1, 9.0}, point, 0, Status::kInvalidArgument));
+  expect_recorded(recorder_.scan({nullptr, nullptr, 0, 0.1, 9.0}, point, 0, Status::kRunning), 1 + 3 + 2 + 1);
+  expect_recorded(recorder_.scan({&point, &range, 1, 0.1, 9.0}, point, 0, Status::kRunning), 1 + 3 + 2 + 1 + 4);
 }
 
 /// A picture of 2 x 2 pixels, changed.

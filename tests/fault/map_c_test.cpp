@@ -4,6 +4,8 @@
 // The rolling map through C: the same map as through C++, and an answer to every call that comes too early.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/owned_map.hpp"
 #include "tern/tern_map.h"
 
@@ -53,6 +55,11 @@ TEST(MapC, EqualsTheMapInCpp) {
   EXPECT_EQ(tern_map_busy(&map), 0);
   ASSERT_EQ(tern_map_begin_scan(&map, &point, 1, &pose.position, 6), kRunning);
   finish(map);
+  const float ranges[] = {INFINITY, 0.7f};
+  const tern_vec3 ways[] = {{1.0, 0.1, 0.2}, {0.0, 0.0, -1.0}};
+  const tern_beams beams{ways, ranges, 2, 0.1, 50.0};
+  ASSERT_EQ(tern_map_begin_beams(&map, &beams, &pose.position, 7), kRunning);
+  finish(map);
   ASSERT_EQ(tern_map_follow(&map, &box.upper), kRunning);
   finish(map);
 
@@ -63,6 +70,8 @@ TEST(MapC, EqualsTheMapInCpp) {
   ASSERT_EQ(owned.map.begin_frame(image.view, pose, 5), tern::Status::kRunning);
   tern_test::finish(owned.map);
   ASSERT_EQ(owned.map.begin_scan(&point, 1, pose.position, 6), tern::Status::kRunning);
+  tern_test::finish(owned.map);
+  ASSERT_EQ(owned.map.begin_scan(beams, pose.position, 7), tern::Status::kRunning);
   tern_test::finish(owned.map);
   ASSERT_EQ(owned.map.follow(box.upper), tern::Status::kRunning);
   tern_test::finish(owned.map);
@@ -103,6 +112,9 @@ TEST(MapC, NullPointersHaveAnswers) {
   EXPECT_EQ(tern_map_begin_frame(&map, nullptr, &pose, 0), kInvalid);
   EXPECT_EQ(tern_map_begin_frame(&map, &view, nullptr, 0), kInvalid);
   EXPECT_EQ(tern_map_begin_scan(&map, &point, 1, nullptr, 0), kInvalid);
+  const tern_beams beams{nullptr, nullptr, 0, 0.0, 1.0};
+  EXPECT_EQ(tern_map_begin_beams(&map, nullptr, &point, 0), kInvalid);
+  EXPECT_EQ(tern_map_begin_beams(&map, &beams, nullptr, 0), kInvalid);
   EXPECT_EQ(tern_map_follow(&map, nullptr), kInvalid);
   EXPECT_EQ(tern_map_assume_free(&map, nullptr, 1.0), kInvalid);
   EXPECT_EQ(tern_map_mark_box(&map, nullptr), kInvalid);
@@ -143,6 +155,8 @@ TEST(MapC, AnswersWithoutAMap) {
   for (tern_map* none : {&map, static_cast<tern_map*>(nullptr)}) {
     EXPECT_EQ(tern_map_begin_frame(none, &view, &pose, 0), kInvalid);
     EXPECT_EQ(tern_map_begin_scan(none, &point, 1, &point, 0), kInvalid);
+    const tern_beams beams{nullptr, nullptr, 0, 0.0, 1.0};
+    EXPECT_EQ(tern_map_begin_beams(none, &beams, &point, 0), kInvalid);
     EXPECT_EQ(tern_map_follow(none, &point), kInvalid);
     EXPECT_EQ(tern_map_step(none, 1), kInvalid);
     EXPECT_EQ(tern_map_busy(none), 0);

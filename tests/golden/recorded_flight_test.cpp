@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -127,6 +128,13 @@ TEST(FlightRecord, ScansMarksAndYawsAreReplayedToo) {
   const tern::Vec3 points[] = {{5, 0.2, 1.5}, {5, 0.3, 1.5}, {6, -1, 1}};
   recorder.mark_points(points, 2, map.mark_points(points, 2));
   recorder.scan(points, 3, eye, 0, map.begin_scan(points, 3, eye, 0));
+  for (Status done = Status::kRunning; done == Status::kRunning;) {
+    done = map.step(5000);
+    recorder.step(5000, done);
+  }
+  const float ranges[] = {3.5f, INFINITY, NAN};
+  const tern::Beams beams{points, ranges, 3, 0.1, 50.0};
+  recorder.scan(beams, eye, 0, map.begin_scan(beams, eye, 0));
   for (Status done = Status::kRunning; done == Status::kRunning;) {
     done = map.step(5000);
     recorder.step(5000, done);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Free means seen, for random frames and scans, against a slower reference. tern_bench_seen runs as many as you like.
+// Free means seen: random frames against a slower reference, random scans against the things in their worlds.
+// tern_bench_seen runs as many as you like.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,13 +16,11 @@ using tern_test::Random;
 using tern_test::scaled;
 using tern_test::SeenCounts;
 
-/// Not so careful that it sees little, though half of the frames allow for a wrong pose.
 void expect_right(const SeenCounts& sum) {
   EXPECT_EQ(sum.wrong, 0);
   EXPECT_EQ(sum.missed, 0);
   EXPECT_EQ(sum.refused, 0);
-  EXPECT_GT(sum.shown, sum.could_be / 2);
-  EXPECT_GT(sum.hits, 1000);
+  EXPECT_GT(sum.hits, 50 * sum.frames);
   ::testing::Test::RecordProperty("shown", std::to_string(sum.shown));
   ::testing::Test::RecordProperty("could_be", std::to_string(sum.could_be));
 }
@@ -31,13 +30,16 @@ TEST(MapSeen, EveryShownVoxelWasInFrontOfAllItsPixels) {
   SeenCounts sum;
   for (int k = 0; k < scaled(2000); ++k) sum.add(check_frame(random, tern_test::random_spec(random)));
   expect_right(sum);
+  EXPECT_GT(sum.shown, sum.could_be / 2);  // though half of the frames allow for a wrong pose
 }
 
-TEST(MapSeen, EveryVoxelThatAScanShowsWasBehindNoBeamAndHadBeamsAllOverIt) {
+TEST(MapSeen, NoVoxelThatAScanShowsHoldsAThing) {
   Random random(302);
   SeenCounts sum;
-  for (int k = 0; k < scaled(300); ++k) sum.add(check_scan(random, tern_test::random_scan_spec(random)));
+  for (int k = 0; k < scaled(600); ++k) sum.add(check_scan(random, tern_test::random_scan_spec(random)));
   expect_right(sum);
+  EXPECT_GT(sum.shown, 1000 * sum.frames);
+  EXPECT_GT(sum.could_be, 100 * sum.frames);
 }
 
 }  // namespace

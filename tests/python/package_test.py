@@ -240,5 +240,19 @@ class Flights(unittest.TestCase):
         with self.assertRaises(tern.TernError):
             rolling_map.begin_scan([(1, 0, 0)], (99, 0, 0), t=1)
 
+    def test_a_beam_says_that_nothing_came_back_or_that_nothing_is_known(self):
+        angle = np.linspace(-0.3, 0.3, 61)
+        y, z = (a.ravel() for a in np.meshgrid(np.tan(angle), np.tan(angle)))
+        directions = np.stack([np.ones_like(y), y, z], axis=1)
+        for says, seen in ((np.inf, True), (np.nan, False), (0.05, False)):
+            rolling_map = tern.RollingMap((-5, -5, -2), 0.2, (50, 50, 20), 0.3, range=4.0, scan_pixel=0.05)
+            ranges = np.full(len(y), np.inf)
+            ranges[len(y) // 2] = says  # straight ahead
+            rolling_map.begin_beams(directions, ranges, (0, 0, 0), t=0)
+            rolling_map.finish()
+            self.assertEqual(rolling_map.seen((40, 25, 10)), seen)
+        with self.assertRaises(ValueError):
+            rolling_map.begin_beams(directions, ranges[1:], (0, 0, 0), t=1)
+
 
 unittest.main()

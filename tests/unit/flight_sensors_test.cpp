@@ -136,10 +136,11 @@ TEST(Lidar, BeamsEndWhereTheWorldBegins) {
   Noise noise(1);
   const tern_host::LidarScan scan = take_scan(world, {0.0, 0.0, 1.5}, {0.1, 0.2, 1.6}, 7, noise);
   EXPECT_EQ(scan.taken, 7);
-  EXPECT_EQ(scan.points.size(), tern_host::beam_count(world.settings));
-  EXPECT_GT(scan.points.size(), 19000u);
+  EXPECT_EQ(scan.ranges.size(), tern_host::beam_count(world.settings));
+  EXPECT_GT(scan.ranges.size(), 19000u);
   int on_trunk = 0;
-  for (const tern::Vec3& point : scan.points) {
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const tern::Vec3 point = scan.point(beam, static_cast<double>(scan.ranges[beam]));
     // Where it truly is. A beam shows the nearest thing in its part of the view, which is 0.02 rad wide.
     const tern::Vec3 p{point.x - 0.1, point.y - 0.2, point.z - 0.1};
     const double far = std::hypot(p.x, std::hypot(p.y, p.z - 1.5));
@@ -150,9 +151,18 @@ TEST(Lidar, BeamsEndWhereTheWorldBegins) {
   EXPECT_GT(on_trunk, 200);
 }
 
+/// In a sky without returns, a beam is infinite.
+TEST(Lidar, NothingComesBackFromFarAway) {
+  FlightWorld world;
+  world.boundary = {{-900.0, -900.0, -900.0}, {900.0, 900.0, 900.0}};
+  world.settings.sensor = "lidar";
+  Noise noise(1);
+  const tern_host::LidarScan scan = take_scan(world, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0, noise);
+  for (const float range : scan.ranges) ASSERT_TRUE(std::isinf(range) && range > 0.0f);
+}
+
 double length_of(const tern_host::LidarScan& scan, std::size_t beam) {
-  const tern::Vec3& p = scan.points[beam];
-  return std::hypot(p.x - scan.origin.x, std::hypot(p.y - scan.origin.y, p.z - scan.origin.z));
+  return static_cast<double>(scan.ranges[beam]);
 }
 
 tern_host::LidarScan scan_at_start(const std::vector<std::string>& overrides, Noise& noise) {
@@ -163,7 +173,7 @@ tern_host::LidarScan scan_at_start(const std::vector<std::string>& overrides, No
 /// The least length of a beam and its neighbours. Scans have one column of beams after the other, 0.02 rad apart.
 double least_around(const tern_host::LidarScan& scan, std::size_t beam) {
   constexpr int kColumns = 315;
-  const int rows = static_cast<int>(scan.points.size()) / kColumns;
+  const int rows = static_cast<int>(scan.ranges.size()) / kColumns;
   const int column = static_cast<int>(beam) / rows;
   const int row = static_cast<int>(beam) % rows;
   double least = 1e9;
@@ -182,7 +192,7 @@ int wrong_beams(const std::string& filter) {
   int wrong = 0;
   for (int k = 0; k < 10; ++k) {
     const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=0.01", filter}, noise);
-    for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
+    for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
       wrong += length_of(scan, beam) < 0.95 * least_around(clean, beam) ? 1 : 0;
     }
   }
@@ -194,16 +204,15 @@ TEST(Lidar, FiltersLoneReturns) {
   EXPECT_LE(wrong_beams("speckle_filter=1"), 10);
 }
 
-/// Where no neighbour is right either, a beam says nothing: the map skips points at the origin.
-TEST(Lidar, BeamsWithoutALengthEndAtTheOrigin) {
+/// Where no neighbour is right either, a beam says that nothing is known.
+TEST(Lidar, BeamsWithoutALengthAreNotANumber) {
   Noise noise(3);
   const tern_host::LidarScan scan = scan_at_start({"sensor=lidar", "outliers=1", "speckle_filter=1"}, noise);
-  int at_origin = 0;
-  for (std::size_t beam = 0; beam < scan.points.size(); ++beam) {
-    ASSERT_TRUE(std::isfinite(length_of(scan, beam)));
-    at_origin += length_of(scan, beam) <= 0.0 ? 1 : 0;
+  int unknown = 0;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    unknown += std::isnan(length_of(scan, beam)) ? 1 : 0;
   }
-  EXPECT_GT(at_origin, 10);
+  EXPECT_GT(unknown, 10);
 }
 
 }  // namespace

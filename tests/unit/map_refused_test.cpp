@@ -191,6 +191,7 @@ TEST_F(MapFrames, FramesOutOfOrder) {
   // One job at a time.
   EXPECT_EQ(owned.map.begin_frame(image.view, pose, t), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.begin_scan(nullptr, 0, pose.position, t), Status::kInvalidArgument);
+  EXPECT_EQ(owned.map.begin_scan({nullptr, nullptr, 0, 0.0, 1.0}, pose.position, t), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.follow(pose.position), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.assume_free(pose.position, 1.0), Status::kInvalidArgument);
   EXPECT_EQ(owned.map.mark_box({pose.position, pose.position}), Status::kInvalidArgument);
@@ -206,6 +207,17 @@ TEST_F(MapFrames, CallsThatAreWrong) {
   RollingMap& map = owned.map;
   EXPECT_EQ(map.begin_scan(nullptr, 1, pose.position, 0), Status::kInvalidArgument);
   EXPECT_EQ(map.begin_scan(nullptr, 0, {kNan, 0.0, 0.0}, 0), Status::kNonFiniteInput);
+  const tern::Vec3 ahead{1.0, 0.0, 0.0};
+  const float range = 1.0f;
+  const tern::Beams wrong[] = {{nullptr, &range, 1, 0.1, 9.0}, {&ahead, nullptr, 1, 0.1, 9.0},
+                               {&ahead, &range, 1, -0.1, 9.0}, {&ahead, &range, 1, 9.0, 9.0},
+                               {&ahead, &range, 1, kNan, 9.0}, {&ahead, &range, 1, 0.1, kNan}};
+  for (const tern::Beams& beams : wrong) {
+    EXPECT_EQ(map.begin_scan(beams, pose.position, 0), Status::kInvalidArgument);
+  }
+  const tern::Beams right{&ahead, &range, 1, 0.0, kInfinity};
+  EXPECT_EQ(map.begin_scan(right, {kNan, 0.0, 0.0}, 0), Status::kNonFiniteInput);
+  EXPECT_EQ(map.begin_scan(right, {1e15, 0.0, 0.0}, 0), Status::kOutOfMap);
   EXPECT_EQ(map.follow({kNan, 0.0, 0.0}), Status::kNonFiniteInput);
   EXPECT_EQ(map.follow({1e15, 0.0, 0.0}), Status::kOutOfMap);
   EXPECT_EQ(map.assume_free({0.0, 0.0, 0.0}, -1.0), Status::kInvalidArgument);

@@ -244,7 +244,7 @@ TEST_F(MapRules, AScanShowsWhatItsBeamsPass) {
   // Beams 0.04 apart, as tangents, onto a wall 2.05 m ahead; one of them onto something at half the way.
   for (int v = -25; v <= 25; ++v) {
     for (int u = -25; u <= 25; ++u) {
-      const double t = u == 5 && v == 5 ? 1.05 : 2.05;
+      const double t = u == 10 && v == 10 ? 1.05 : 2.05;
       points.push_back({eye.x + t, eye.y + t * 0.04 * u, eye.z + t * 0.04 * v});
     }
   }
@@ -254,8 +254,8 @@ TEST_F(MapRules, AScanShowsWhatItsBeamsPass) {
   EXPECT_TRUE(scanned.map.seen({28, 10, 10}));
   EXPECT_FALSE(scanned.map.seen({30, 10, 10}));
   EXPECT_TRUE(scanned.map.route().obstacle({30, 10, 10}));
-  EXPECT_TRUE(scanned.map.route().obstacle({20, 12, 12}));
-  EXPECT_FALSE(scanned.map.seen({27, 13, 13}));  // behind it
+  EXPECT_TRUE(scanned.map.route().obstacle({20, 14, 14}));
+  EXPECT_FALSE(scanned.map.seen({27, 17, 17}));  // behind it
   EXPECT_FALSE(scanned.map.seen({5, 10, 10}));   // no beam went there
 }
 

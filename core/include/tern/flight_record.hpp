@@ -27,7 +27,7 @@ constexpr size_t kFlightRecordBytes = 56;
 constexpr size_t kTickRecordBytes = 168;
 /// Room that is enough for a frame with such a view, bytes; 0 where it has no pixels, or more than kMaxPixels.
 size_t frame_record_bytes(const DepthView& view) noexcept;
-/// Room that a scan of so many points needs, bytes.
+/// Room that is enough for a scan of so many points or beams, bytes.
 size_t scan_record_bytes(size_t count) noexcept;
 
 /// Writes the record of one flight. Make every call of the map and the flight as always, then tell the recorder of it,
@@ -55,6 +55,7 @@ class FlightRecorder {
   Status mark_points(const Vec3* world, size_t count, Status answer) noexcept;
   Status frame(const DepthView& view, const Pose& pose, int64_t t, Status answer) noexcept;
   Status scan(const Vec3* points, size_t count, const Vec3& origin, int64_t t, Status answer) noexcept;
+  Status scan(const Beams& beams, const Vec3& origin, int64_t t, Status answer) noexcept;
   Status follow(const Vec3& center, Status answer) noexcept;
   Status step(uint32_t work, Status answer) noexcept;
 

@@ -41,8 +41,10 @@ struct MapSpec {
   /// Error of the pose: at most this distance and this angle. Both >= 0; metres, and radians up to 0.5.
   double pose_margin;
   double angle_margin;
-  /// For scans: edge of a pixel of the images that a scan is sorted into, as a tangent. At least twice the largest
-  /// angle between neighbouring beams, in radians. Within [kMinScanPixel, 1], or 0 if you use no scans.
+  /// For scans: how finely the map looks at them, in radians; at least twice the largest angle between neighbouring
+  /// beams. Beams has what the sensor must promise. A scan sees nothing within about 1.25 scan_pixel of where a thing
+  /// is shown, or of the edge of the view. Within [kMinScanPixel, 1], or 0 if you use no scans. From 0.2 on, hardly
+  /// anything is seen.
   double scan_pixel;
 
   /// Hits that block a voxel, and misses that clear a blocked one (a hit starts the count again). Within 1 ..
@@ -108,6 +110,32 @@ struct DepthView {
   double min, max;
 };
 
+/// The beams of a scan, yours: beam k looked along directions[k], in the world's axes and of any length, and measured
+/// ranges[k], metres from the sensor. As in ROS (REP 117), a range says one of three things:
+///
+/// - within [min, max): something is there;
+/// - +infinity: the beam came back with nothing within MapSpec::range;
+/// - anything else, as NaN: nothing is known, and nothing is seen around that direction.
+///
+/// A direction that is 0 or not finite is skipped.
+///
+/// A scan shows what is free only as far as the sensor keeps this promise, which docs/map.md explains. In any direction
+/// with beams all around it, what is nearest at a distance d < range is shown by a beam at most 1.25 scan_pixel away,
+/// at a distance of at most d, but for the depth's error. Sensors keep it in one of two ways:
+///
+/// - Wide beams: each shows what is nearest in a part of the view, and the parts leave no gap.
+/// - Thin beams: no direction of the view is further than 0.35 scan_pixel from a beam. Things thinner than
+///   0.75 scan_pixel * d may then be missed.
+///
+/// Where a beam is missing, not even passed as unknown, the map notices the hole if it is 3 scan_pixel wide.
+struct Beams {
+  const Vec3* directions;
+  const float* ranges;
+  size_t count;
+  /// Ranges that the sensor can measure, metres: 0 <= min < max. `max` may be infinite.
+  double min, max;
+};
+
 class MapState;
 
 /// A view of a map that lies in words of yours, which must outlive it. Copies share the map. It is not thread-safe.
@@ -128,10 +156,14 @@ class RollingMap {
   /// kOutOfMap (the pose is not in the window), kPixelsFull, kClockBehind (`t` is before the last frame's), or
   /// kInvalidArgument (not bound, another job is not finished, or no image). A call that is refused changes nothing.
   Status begin_frame(const DepthView& view, const Pose& pose, int64_t t) noexcept;
-  /// Begins to enter a scan: `count` points of yours, world frame, metres, measured from `origin`. Points that are not
-  /// finite are skipped. A point beyond the range marks nothing; in its direction, everything up to the range is seen.
-  /// The points must stay until the job is done. Answers as begin_frame(); also kInvalidArgument if scan_pixel is 0.
+  /// Begins to enter a scan: `count` points of yours, world frame, metres, measured from `origin`. The sensor must
+  /// promise what Beams says. A point that is not finite is skipped: its beam is missing. A point beyond the range
+  /// marks nothing; in its direction, everything up to the range is seen. The points must stay until the job is done.
+  /// Answers as begin_frame(); also kInvalidArgument if scan_pixel is 0.
   Status begin_scan(const Vec3* points, size_t count, const Vec3& origin, int64_t t) noexcept;
+  /// The same for beams, which can also say that nothing came back, or that nothing is known. Directions and ranges
+  /// must stay until the job is done. Also kInvalidArgument for null pointers, or if not 0 <= min < max.
+  Status begin_scan(const Beams& beams, const Vec3& origin, int64_t t) noexcept;
   /// Begins to move the window so that `center`, world frame, comes near its middle. kOk if it need not move, or
   /// kRunning; kNonFiniteInput; kOutOfMap if doubles are too coarse there; kInvalidArgument as begin_frame(). What
   /// enters the window is unknown, except for the prior. What leaves it is forgotten. Until the slide is finished, both

@@ -27,7 +27,7 @@ typedef struct {
 /* Room that is enough for begin and close, and that a tick needs, bytes. */
 #define TERN_FLIGHT_RECORD_BYTES 56
 #define TERN_TICK_RECORD_BYTES 168
-/* Room that is enough for a frame with such a view, and that a scan needs, bytes. */
+/* Room that is enough for a frame with such a view, and for a scan of so many points or beams, bytes. */
 size_t tern_frame_record_bytes(const tern_depth_view* view);
 size_t tern_scan_record_bytes(size_t count);
 
@@ -46,6 +46,8 @@ uint8_t tern_flight_record_frame(tern_flight_recorder* recorder, const tern_dept
                                  int64_t t, uint8_t answer);
 uint8_t tern_flight_record_scan(tern_flight_recorder* recorder, const tern_vec3* points, size_t count,
                                 const tern_vec3* origin, int64_t t, uint8_t answer);
+uint8_t tern_flight_record_beams(tern_flight_recorder* recorder, const tern_beams* beams, const tern_vec3* origin,
+                                 int64_t t, uint8_t answer);
 uint8_t tern_flight_record_follow(tern_flight_recorder* recorder, const tern_vec3* center, uint8_t answer);
 uint8_t tern_flight_record_step(tern_flight_recorder* recorder, uint32_t work, uint8_t answer);
 

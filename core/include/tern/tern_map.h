@@ -15,6 +15,7 @@
 typedef tern::MapSpec tern_map_spec;
 typedef tern::Pose tern_pose;
 typedef tern::DepthView tern_depth_view;
+typedef tern::Beams tern_beams;
 extern "C" {
 #else
 /* clang-format off */
@@ -33,6 +34,11 @@ typedef struct {
   int32_t width, height, stride;
   double fx, fy, cx, cy, scale, min, max;
 } tern_depth_view;
+/* Beams of a scan of yours: tern::Beams. A range of +infinity: nothing came back; NaN: nothing is known. */
+typedef struct {
+  const tern_vec3* directions; const float* ranges; size_t count;
+  double min, max;
+} tern_beams;
 /* clang-format on */
 #endif
 
@@ -58,6 +64,8 @@ uint8_t tern_map_begin_frame(tern_map* map, const tern_depth_view* view, const t
 /* Begins to enter a scan of `count` points, world frame, measured from `origin`. The points must stay until the job is
  * done. Answers as tern_map_begin_frame(). */
 uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, size_t count, const tern_vec3* origin, int64_t t);
+/* The same for beams, which can also say that nothing came back, or that nothing is known. */
+uint8_t tern_map_begin_beams(tern_map* map, const tern_beams* beams, const tern_vec3* origin, int64_t t);
 /* Begins to move the window so that `center` comes near its middle. ok if it need not move, or running. */
 uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);
 /* Continues the job for at most `work` units. running: call it again. ok: no job is left. */

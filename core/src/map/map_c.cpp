@@ -79,6 +79,10 @@ std::uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, std::si
   return origin == nullptr ? kInvalid : code(object(map).begin_scan(points, count, *origin, t));
 }
 
+std::uint8_t tern_map_begin_beams(tern_map* map, const tern_beams* beams, const tern_vec3* origin, std::int64_t t) {
+  return beams == nullptr || origin == nullptr ? kInvalid : code(object(map).begin_scan(*beams, *origin, t));
+}
+
 std::uint8_t tern_map_follow(tern_map* map, const tern_vec3* center) {
   return center == nullptr ? kInvalid : code(object(map).follow(*center));
 }

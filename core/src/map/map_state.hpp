@@ -22,9 +22,6 @@ namespace tern {
 
 /// Views of a scan: the faces of a cube around its origin.
 constexpr int kFaces = 6;
-/// Half the width of a face, as a tangent. A half width of 1 would cover all directions. The faces overlap so that a
-/// cube near an edge lies wholly in one of two faces.
-constexpr double kFaceTangent = 1.25;
 
 /// The task that a job does next.
 enum class Task : std::uint8_t {
@@ -44,7 +41,8 @@ enum class Task : std::uint8_t {
 /// The frame or scan that is being processed.
 struct Frame {
   DepthView image;     ///< copied; its numbers are the caller's
-  const Vec3* points;  ///< the caller's
+  const Vec3* points;  ///< the caller's; null if the scan is one of beams
+  Beams beams;         ///< copied; what it points to is the caller's
   std::size_t point_count;
   Vec3 origin;        ///< of the sensor, in the window's local frame
   Vec3 world_origin;  ///< the same in the world
@@ -143,6 +141,8 @@ class MapState {
   /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window.
   /// Returns what that took.
   std::uint32_t mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
+  /// Begins a scan whose points or beams are set.
+  void begin_faces(const Vec3& world_origin, std::int64_t t) noexcept;
   /// Prepares the projectors of the frame's views.
   void prepare_views() noexcept;
   /// Inflates both grids at once.

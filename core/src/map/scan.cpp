@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A scan. Its points are sorted into images on the six faces of a cube around the sensor. These images are then used
-// like that of a camera.
+// A scan. Its beams are sorted into images on the six faces of a cube around the sensor. These images are then used
+// like that of a camera. docs/map.md proves what they show.
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "map/map_state.hpp"
@@ -10,14 +10,24 @@
 namespace tern {
 namespace {
 
-/// Points of a piece.
+/// Points or beams of a piece.
 constexpr std::size_t kPiecePoints = 64;
-/// Instructions of a piece of points; of a row of a face, and a pixel of it.
-constexpr std::uint32_t kPointsEffort = 13500;
+/// Instructions of a piece of points, and of beams; of a row of a face, and a pixel of it.
+constexpr std::uint32_t kPointsEffort = 15500;
+constexpr std::uint32_t kBeamsEffort = 20000;
 constexpr std::uint32_t kFaceRowEffort = 120;
 constexpr std::uint32_t kFacePixelEffort = 3;
-/// The depth of a pixel into which no point has fallen.
+/// The depth of a pixel into which no beam has fallen.
 constexpr Depth kNoPoint = 32767;
+/// Outlines are widened by this many pixels, as an angle. Nothing in a pixel is further from a beam in it: its diagonal
+/// is at most 1.246 pixels, measured as scan_pixel is.
+constexpr double kReach = 1.25;
+/// Between thin beams half a pixel apart, a thing comes nearer to the sensor than the beams show by this part of its
+/// distance at most, for each radian of scan_pixel: sqrt(3) times half a diagonal of the beams' lattice.
+constexpr double kRelief = 0.6125;
+
+/// Width of a face, in scan_pixels: 2.5 / scan_pixel.
+constexpr double kScanWidth = 2.5;
 
 /// The view of face f looks along axis f / 2, in its positive direction if f is even. The image's axes are the next two
 /// axes.
@@ -31,10 +41,11 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   const Vec3 axes[3] = {unit((a + 1) % 3), unit((a + 2) % 3), (f % 2 == 0 ? 1.0 : -1.0) * unit(a)};
   place(view, axes, origin, state.spec.cell);
   view.width = view.height = state.face;
-  view.fx = view.fy = state.face / (2.0 * kFaceTangent);
+  view.fx = view.fy = state.face / (2.0 * bent(kFaceTangent));
   view.cx = view.cy = 0.5 * (state.face - 1);
   view.growth = state.spec.pose_margin;
-  view.growth_ahead = state.spec.angle_margin * square_root(1.0 + 2.0 * kFaceTangent * kFaceTangent);
+  view.growth_ahead = state.spec.angle_margin;
+  view.reach = kReach * kScanWidth / state.face;
   view.units = kDepthUnits / state.spec.range;
   const std::int64_t entries = DepthPyramid::entries(state.face, state.face);
   view.pyramid = DepthPyramid(state.face, state.face, state.image + f * entries);
@@ -45,12 +56,16 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
 /// towards the sensor, and a point is off by less than a ten thousandth of a pixel.
 struct FourRays {
   Four axes[3];
-  Four free;      ///< the part of each vector that is certainly free, as a factor
-  FourInts hits;  ///< not 0 if the point is within the range
+  Four returned;   ///< 1 if something sent the beam back, else 0
+  Four most;       ///< metres that it can show as free
+  FourInts depth;  ///< up to which it is certainly free, in units
+  FourInts hits;   ///< not 0 if the point is within the range
 };
 
 /// Points further than this away are skipped, like those that are not finite. Their squares still have finite sums.
 constexpr double kFarthest = 1e18;
+/// The largest range that is not infinite.
+constexpr double kMostFinite = 3.4028234663852886e38;
 
 /// The vector from the sensor to a point; 0 if the point is skipped.
 Vec3 ray_to(const Vec3& point, const Vec3& origin) {
@@ -60,30 +75,53 @@ Vec3 ray_to(const Vec3& point, const Vec3& origin) {
 }
 
 /// The vectors from the sensor to the points of a piece, axis by axis. A piece that is not full ends in zeros.
-struct PieceOfRays {
-  Four fours[3][kPiecePoints / 4];
-
-  PieceOfRays(const Vec3* points, std::size_t count, const Vec3& origin) {
-    float* numbers[3];
-    for (int a = 0; a < 3; ++a) numbers[a] = reinterpret_cast<float*>(fours[a]);
+class PieceOfRays {
+ public:
+  PieceOfRays(const Vec3* points, std::size_t count, const Vec3& origin, const MapSpec& spec) {
     for (std::size_t k = 0; k < kPiecePoints; ++k) {
-      const Vec3 ray = k < count ? ray_to(points[k], origin) : kZero;
-      for (int a = 0; a < 3; ++a) numbers[a][k] = static_cast<float>(axis(ray, a));
+      put(k, k < count ? ray_to(points[k], origin) : kZero, true, spec.range);
     }
   }
-  FourRays four(std::size_t k) const { return {{fours[0][k], fours[1][k], fours[2][k]}, all(0.0f), FourInts{}}; }
+  /// Beams from `first` on. Those without a return end beyond the range, where they hit nothing.
+  PieceOfRays(const Beams& beams, std::size_t first, std::size_t count, const MapSpec& spec) {
+    for (std::size_t k = 0; k < kPiecePoints; ++k) {
+      const Vec3 unit = k < count ? unit_of(beams.directions[first + k]) : kZero;
+      const double range = k < count ? static_cast<double>(beams.ranges[first + k]) : 0.0;
+      const bool none = range > kMostFinite;
+      const bool known = none || (range > 0.0 && range < kFarthest && range >= beams.min && range < beams.max);
+      const bool returned = known && !none;
+      const double most = none ? spec.range * (1.0 - kRelief * spec.scan_pixel) : spec.range;
+      put(k, (returned ? range : 2.0 * spec.range) * unit, returned, known ? most : 0.0);
+    }
+  }
+  FourRays four(std::size_t k) const {
+    return {{fours_[0][k], fours_[1][k], fours_[2][k]}, fours_[3][k], fours_[4][k], FourInts{}, FourInts{}};
+  }
+
+ private:
+  /// The direction with length 1; 0 if it is none, or too long or short to say.
+  static Vec3 unit_of(const Vec3& direction) {
+    const double far = length(direction);
+    return far > 1.0 / kFarthest && far < kFarthest ? (1.0 / far) * direction : kZero;
+  }
+  void put(std::size_t k, const Vec3& ray, bool returned, double most) {
+    const double numbers[] = {ray.x, ray.y, ray.z, returned ? 1.0 : 0.0, most};
+    for (int a = 0; a < 5; ++a) reinterpret_cast<float*>(fours_[a])[k] = static_cast<float>(numbers[a]);
+  }
+
+  Four fours_[5][kPiecePoints / 4];
 };
 
 /// Finds out how far the rays are free. A point beyond the range shows that the ray is free up to the range.
-void set_free(FourRays& rays, const MapSpec& spec) {
+void set_free(FourRays& rays, const MapSpec& spec, double units) {
   const Four* r = rays.axes;
   const Four square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
   const Four far = square_root(square);
-  const float range = static_cast<float>(spec.range);
   const Four margin = static_cast<float>(spec.depth_margin) + static_cast<float>(spec.depth_margin_square) * square;
-  const Four least = far - margin;
-  rays.free = (least < range ? least : all(range)) / far;
-  rays.hits = (far > 0.0f) & (far <= range);
+  const Four least = static_cast<float>(1.0 - kRelief * spec.scan_pixel) * far - rays.returned * margin;
+  const Four free = (least < rays.most ? least : rays.most) * static_cast<float>(units) - 1.0f;
+  rays.depth = whole(clamp(free, 0.0f, static_cast<float>(kDepthUnits)));
+  rays.hits = (rays.returned > 0.0f) & (far > 0.0f) & (far <= static_cast<float>(spec.range));
 }
 
 /// What a ray shows in a face: a pixel, and the depth up to which it is free.
@@ -98,13 +136,16 @@ FourPixels pixels_across(const FourRays& rays, int a, const View& face) {
   const Four down = rays.axes[(a + 2) % 3];
   const Four widest = static_cast<float>(kFaceTangent) * ahead;
   const FourInts within = (absolute(across) < widest) & (absolute(down) < widest);
-  const Four scale = static_cast<float>(face.fx) / (ahead > 0.0f ? ahead : all(1.0f));
+  // t / (1 + bend * |t|), where t = across / ahead, is across / (ahead + bend * |across|).
+  const float bend = static_cast<float>(kFaceBend);
+  const float scale = static_cast<float>(face.fx);
+  const Four some = ahead > 0.0f ? ahead : all(1.0f);
   const float middle = static_cast<float>(face.cx + 0.5);
   const float last = static_cast<float>(face.width) - 0.5f;
-  const Four units = ahead * rays.free * static_cast<float>(face.units) - 1.0f;
-  const FourInts depth = whole(clamp(units, 0.0f, static_cast<float>(kDepthUnits)));
-  return {whole(clamp(across * scale + middle, 0.0f, last)), whole(clamp(down * scale + middle, 0.0f, last)),
-          within ? depth : FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint}};
+  const Four u = across / (some + bend * absolute(across)) * scale + middle;
+  const Four v = down / (some + bend * absolute(down)) * scale + middle;
+  return {whole(clamp(u, 0.0f, last)), whole(clamp(v, 0.0f, last)),
+          within ? rays.depth : FourInts{kNoPoint, kNoPoint, kNoPoint, kNoPoint}};
 }
 
 /// Lowers the depths of the pixels that four rays fall into, on each face that they meet.
@@ -135,24 +176,41 @@ VoxelBox ball_box(const Vec3& origin, double range, const GridSpec& window) {
 
 std::int32_t face_pixels(const MapSpec& spec) noexcept {
   if (!(spec.scan_pixel >= kMinScanPixel)) return 0;
-  return floor_index(2.0 * kFaceTangent / spec.scan_pixel, 3, 4096);
+  return floor_index(kScanWidth / spec.scan_pixel, 3, 4096);
+}
+
+void MapState::begin_faces(const Vec3& world_origin, std::int64_t t) noexcept {
+  frame.world_origin = world_origin;
+  frame.origin = route.to_local(world_origin);
+  frame.view_count = kFaces;
+  for (int f = 0; f < kFaces; ++f) frame.views[f] = face_view(*this, f, frame.origin);
+  frame.box = ball_box(frame.origin, spec.range, route.spec());
+  prepare_views();
+  age_to(t);
+  begin(Task::kClearFaces);
 }
 
 Status RollingMap::begin_scan(const Vec3* points, size_t count, const Vec3& origin, int64_t t) noexcept {
   if (state_ == nullptr || state_->face == 0 || (points == nullptr && count > 0)) return Status::kInvalidArgument;
   const Status sensor = check_sensor(*state_, origin, t);
   if (sensor != Status::kOk) return sensor;
-  Frame& frame = state_->frame;
-  frame.points = points;
-  frame.point_count = count;
-  frame.world_origin = origin;
-  frame.origin = state_->route.to_local(origin);
-  frame.view_count = kFaces;
-  for (int f = 0; f < kFaces; ++f) frame.views[f] = face_view(*state_, f, frame.origin);
-  frame.box = ball_box(frame.origin, state_->spec.range, state_->route.spec());
-  state_->prepare_views();
-  state_->age_to(t);
-  state_->begin(Task::kClearFaces);
+  state_->frame.points = points;
+  state_->frame.beams = Beams{};
+  state_->frame.point_count = count;
+  state_->begin_faces(origin, t);
+  return Status::kRunning;
+}
+
+Status RollingMap::begin_scan(const Beams& beams, const Vec3& origin, int64_t t) noexcept {
+  const bool there = beams.count == 0 || (beams.directions != nullptr && beams.ranges != nullptr);
+  const bool can_measure = beams.min >= 0.0 && beams.min < beams.max;
+  if (state_ == nullptr || state_->face == 0 || !there || !can_measure) return Status::kInvalidArgument;
+  const Status sensor = check_sensor(*state_, origin, t);
+  if (sensor != Status::kOk) return sensor;
+  state_->frame.points = nullptr;
+  state_->frame.beams = beams;
+  state_->frame.point_count = beams.count;
+  state_->begin_faces(origin, t);
   return Status::kRunning;
 }
 
@@ -172,19 +230,21 @@ std::uint32_t MapState::read_points(std::int64_t index) const noexcept {
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
   const std::size_t count = left < kPiecePoints ? left : kPiecePoints;
+  const bool by_range = frame.points == nullptr;
   const float per_cell = static_cast<float>(1.0 / spec.cell);
   const Vec3 from = (1.0 / spec.cell) * frame.origin;
   HitWriter writer = hit_writer();
-  const PieceOfRays piece_of_rays(frame.points + begin, count, frame.world_origin);
+  const PieceOfRays piece_of_rays = by_range ? PieceOfRays(frame.beams, begin, count, spec)
+                                             : PieceOfRays(frame.points + begin, count, frame.world_origin, spec);
   for (std::size_t k = 0; k < kPiecePoints / 4; ++k) {
     FourRays rays = piece_of_rays.four(k);
-    set_free(rays, spec);
+    set_free(rays, spec, frame.views[0].units);
     lower(frame, rays);
     Four cells[3];
     for (int a = 0; a < 3; ++a) cells[a] = static_cast<float>(axis(from, a)) + per_cell * rays.axes[a];
     writer.add(cells, rays.hits);
   }
-  return kPointsEffort;
+  return by_range ? kBeamsEffort : kPointsEffort;
 }
 
 }  // namespace tern

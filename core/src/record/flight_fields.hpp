@@ -34,8 +34,9 @@ enum class FlightEventKind : std::uint8_t {
   kStop,
   kTick,
   kClock,
+  kBeams,
 };
-constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kClock);
+constexpr int kFlightEventKinds = static_cast<int>(FlightEventKind::kBeams);
 constexpr unsigned kAnswerShift = 8;
 constexpr unsigned kEventLengthShift = 16;
 

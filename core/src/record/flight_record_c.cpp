@@ -98,6 +98,12 @@ std::uint8_t tern_flight_record_scan(tern_flight_recorder* recorder, const tern_
                 [=](FlightRecorder& r) { return r.scan(points, count, *origin, t, status(answer)); });
 }
 
+std::uint8_t tern_flight_record_beams(tern_flight_recorder* recorder, const tern_beams* beams, const tern_vec3* origin,
+                                      std::int64_t t, std::uint8_t answer) {
+  return record(recorder, beams != nullptr && origin != nullptr,
+                [=](FlightRecorder& r) { return r.scan(*beams, *origin, t, status(answer)); });
+}
+
 std::uint8_t tern_flight_record_follow(tern_flight_recorder* recorder, const tern_vec3* center, std::uint8_t answer) {
   return record(recorder, center != nullptr, [=](FlightRecorder& r) { return r.follow(*center, status(answer)); });
 }

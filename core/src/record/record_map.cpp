@@ -54,7 +54,7 @@ size_t frame_record_bytes(const DepthView& view) noexcept {
 }
 
 size_t scan_record_bytes(size_t count) noexcept {
-  return kWordBytes * (1 + 1 + 3 + 1 + 3 * count);
+  return kWordBytes * (1 + 1 + 3 + 2 + 1 + 4 * count);
 }
 
 Status FlightRecorder::bind(const MapSpec& spec, Status answer) noexcept {
@@ -118,6 +118,19 @@ Status FlightRecorder::scan(const Vec3* points, size_t count, const Vec3& origin
   event.words()(t);
   event.words()(origin);
   write_points(points, count, event.words());
+  return event.end();
+}
+
+Status FlightRecorder::scan(const Beams& beams, const Vec3& origin, int64_t t, Status answer) noexcept {
+  FlightEvent event(*this, FlightEventKind::kBeams, answer);
+  if (!event.is_open()) return event.end();
+  if (beams.count > 0 && (beams.directions == nullptr || beams.ranges == nullptr)) return Status::kInvalidArgument;
+  event.words()(t);
+  event.words()(origin);
+  event.words()(beams.min);
+  event.words()(beams.max);
+  write_points(beams.directions, beams.count, event.words());
+  for (std::size_t k = 0; k < beams.count; ++k) event.words()(static_cast<double>(beams.ranges[k]));
   return event.end();
 }
 

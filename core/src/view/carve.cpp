@@ -13,6 +13,9 @@ namespace {
 constexpr std::uint32_t kChooseEffort = 750;
 constexpr std::uint32_t kLeastEffort = 300;
 constexpr std::uint32_t kDecideEffort = 850;
+/// More of both in the view of a scan.
+constexpr std::uint32_t kChooseAroundEffort = 250;
+constexpr std::uint32_t kDecideAroundEffort = 1500;
 
 /// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
 struct Cube {
@@ -51,13 +54,16 @@ bool hidden(const DepthPyramid& pyramid, const Cores& cores, int k) {
 }
 
 /// True if every pixel that covers cube k of eight measured a depth behind it.
-bool clear(const DepthPyramid& pyramid, const Footprints& feet, int k) {
+bool clear(const View& view, const Footprints& feet, int k) {
+  const DepthPyramid& pyramid = view.pyramid;
   if (feet.inside[k / 4][k % 4] == 0) return false;
   const PixelBox box = feet.pixels.at(k);
   // Usually, one pixel in the middle decides.
   if (pyramid.row((box.v0 + box.v1) >> 1)[(box.u0 + box.u1) >> 1] < feet.far[k / 4][k % 4]) return false;
   const std::int32_t level = pyramid.level_for(box);
-  return level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4];
+  if (level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4]) return true;
+  // The outlines of a scan's view are wide: to round them outwards to a coarse level would hide too much.
+  return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
 /// A block and the view that carves it.
@@ -86,13 +92,14 @@ struct Carving {
   template <std::int32_t kSize>
   void decide(const Centers& centers, const Cube* cubes) const {
     bool chosen[8];
-    effort += kSize > 1 ? kChooseEffort : kLeastEffort;
+    const bool around = view.reach > 0.0;
+    effort += kSize > 1 ? kChooseEffort + (around ? kChooseAroundEffort : 0) : kLeastEffort;
     if (!choose<kSize>(centers, cubes, chosen)) return;
-    effort += kDecideEffort;
+    effort += kDecideEffort + (around ? kDecideAroundEffort : 0);
     const Footprints feet = projector.footprints(centers, kSize);
     for (int k = 0; k < 8; ++k) {
       if (!chosen[k]) continue;
-      if (clear(view.pyramid, feet, k)) {
+      if (clear(view, feet, k)) {
         add<kSize>(free, cubes[k]);
       } else if constexpr (kSize > 1) {
         divide<kSize>(centers.at(k), cubes[k]);

@@ -52,6 +52,20 @@ std::int64_t DepthPyramid::entries(std::int32_t width, std::int32_t height) noex
   return sum;
 }
 
+Depth DepthPyramid::least_closely(const PixelBox& box) const noexcept {
+  std::int32_t level = 0;
+  const auto last = [&](std::int32_t from, std::int32_t to) { return (to >> level) - (from >> level); };
+  while (level < levels_ && (last(box.u0, box.u1) >= kCloseEntries || last(box.v0, box.v1) >= kCloseEntries)) ++level;
+  if (level == levels_) return 0;
+  const std::ptrdiff_t stride = width(level);
+  Depth result = kDepthUnits;
+  for (std::int32_t v = box.v0 >> level; v <= box.v1 >> level; ++v) {
+    const Depth* const row = least_[level] + v * stride;
+    for (std::int32_t u = box.u0 >> level; u <= box.u1 >> level; ++u) result = row[u] < result ? row[u] : result;
+  }
+  return result;
+}
+
 void DepthPyramid::make_row(std::int32_t level, std::int32_t row) const noexcept {
   const std::int32_t below = width(level - 1);
   const std::int32_t next = 2 * row + 1 < height(level - 1) ? below : 0;

@@ -18,6 +18,9 @@ constexpr std::int32_t kDepthUnits = 32766;
 /// The most levels. A rectangle that spans more than three entries of the last level has no answer.
 constexpr std::int32_t kPyramidLevels = 11;
 
+/// The most entries along each axis that a close look at a rectangle reads.
+constexpr std::int32_t kCloseEntries = 6;
+
 /// A rectangle of pixels, first and last ones included.
 struct PixelBox {
   std::int32_t u0, u1, v0, v1;
@@ -55,6 +58,9 @@ class DepthPyramid {
   Depth least(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(least_[level], box, level, [](Depth a, Depth b) { return b < a ? b : a; });
   }
+  /// The same from kCloseEntries entries along each axis: a closer bound, because a coarse level rounds the
+  /// rectangle's edges outwards. 0 if there is no answer.
+  Depth least_closely(const PixelBox& box) const noexcept;
   Depth most(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(most_[level], box, level, [](Depth a, Depth b) { return a < b ? b : a; });
   }

@@ -13,9 +13,40 @@ constexpr double kRounding = 1.0 / 1048576.0;
 constexpr float kNearest = 1e-3f;
 /// More than any pixel measures.
 constexpr float kMostUnits = static_cast<float>(kDepthUnits + 1);
+/// The view of a scan: half its width, its bend, and the sine of the most that an outline is widened by, seen along z.
+constexpr float kWidest = static_cast<float>(kFaceTangent);
+constexpr float kBend = static_cast<float>(kFaceBend);
+constexpr float kMostReach = 0.5f;
+/// sqrt(1 + t^2) <= 1 + kSlant * t for t up to kWidest.
+constexpr float kSlant = 0.5352f;
+/// 1 - sqrt(1 - r^2) <= kBulge * r for r up to kMostReach.
+constexpr float kBulge = 0.27f;
 
 Point to_point(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+Four larger(Four a, Four b) {
+  return a > b ? a : b;
+}
+Four smaller(Four a, Four b) {
+  return a < b ? a : b;
+}
+
+Four distance(Four x, Four y, Four z) {
+  return square_root(x * x + y * y + z * z);
+}
+
+/// How far from tangent t the tangent of a direction is that is an angle away. `reach`: the angle's sine times the
+/// distance of a point at t over its depth. Exactly it is r s^2 / (sqrt(s^2 - r^2) - |t| r) with r = reach and
+/// s = sqrt(1 + t^2), or less.
+Four widening(Four t, Four reach) {
+  const Four aside = smaller(absolute(t), all(kWidest));
+  return reach * (1.0f + kSlant * aside) / (1.0f - (kBulge + aside) * reach);
+}
+
+Four bent(Four t) {
+  return t / (1.0f + kBend * absolute(t));
 }
 }  // namespace
 
@@ -29,6 +60,7 @@ Projector::Projector(const View& view, double extent) noexcept {
   half_ = to_point(half);
   growth_ = static_cast<float>(view.growth + kRounding * extent);
   growth_ahead_ = static_cast<float>(view.growth_ahead);
+  reach_ = static_cast<float>(view.reach);
   units_ = static_cast<float>(view.units);
   const auto axis = [](double focal, double center, std::int32_t count) {
     const double rounding = 2.0 * kRounding * (absolute(center) + count);
@@ -67,16 +99,33 @@ Centers Projector::row(const Point& center, float size) const noexcept {
   return centers;
 }
 
+Projector::Image Projector::image_of(const Axis& axis, Four from, Four to) noexcept {
+  return {whole(clamp(from, 0.0f, axis.last)), whole(clamp(to, 0.0f, axis.last)), (to < 0.0f) | (from >= axis.count),
+          (from >= 0.0f) & (to < axis.count)};
+}
+
 Projector::Image Projector::project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept {
   const Four lower = center - half;
   const Four upper = center + half;
   const Four from = axis.focal * (lower * (lower < 0.0f ? by_near : by_far)) + axis.from;
   const Four to = axis.focal * (upper * (upper < 0.0f ? by_far : by_near)) + axis.to;
-  return {whole(clamp(from, 0.0f, axis.last)), whole(clamp(to, 0.0f, axis.last)), (to < 0.0f) | (from >= axis.count),
-          (from >= 0.0f) & (to < axis.count)};
+  return image_of(axis, from, to);
+}
+
+/// The same in the view of a scan, with the outline widened.
+Projector::Image Projector::project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far,
+                                         Four reach) noexcept {
+  const Four lower = center - half;
+  const Four upper = center + half;
+  const Four first = lower * (lower < 0.0f ? by_near : by_far);
+  const Four last = upper * (upper < 0.0f ? by_far : by_near);
+  const Four from = axis.focal * bent(first - widening(first, reach)) + axis.from;
+  const Four to = axis.focal * bent(last + widening(last, reach)) + axis.to;
+  return image_of(axis, from, to);
 }
 
 Footprints Projector::footprints(const Centers& centers, float size) const noexcept {
+  if (reach_ > 0.0f) return footprints_around(centers, size);
   Footprints out;
   for (int n = 0; n < 2; ++n) {
     const Four deepest = centers.z[n] + size * half_.z;
@@ -98,7 +147,34 @@ Footprints Projector::footprints(const Centers& centers, float size) const noexc
   return out;
 }
 
+Footprints Projector::footprints_around(const Centers& centers, float size) const noexcept {
+  Footprints out;
+  for (int n = 0; n < 2; ++n) {
+    const Four corner = distance(absolute(centers.x[n]) + size * half_.x, absolute(centers.y[n]) + size * half_.y,
+                                 absolute(centers.z[n]) + size * half_.z);
+    const Four grown = growth_ + growth_ahead_ * corner;
+    const Four farthest = corner + grown;
+    const Four near = centers.z[n] - size * half_.z - grown;
+    const Four far = centers.z[n] + size * half_.z + grown;
+    const FourInts ahead = near > kNearest;
+    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
+    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Four reach = reach_ * farthest * by_near;
+    const Four bounded = smaller(reach, all(kMostReach));
+    const Image u = project_bent(u_, centers.x[n], size * half_.x + grown, by_near, by_far, bounded);
+    const Image v = project_bent(v_, centers.y[n], size * half_.y + grown, by_near, by_far, bounded);
+    out.pixels.u0[n] = u.first;
+    out.pixels.u1[n] = u.last;
+    out.pixels.v0[n] = v.first;
+    out.pixels.v1[n] = v.last;
+    out.far[n] = whole(clamp(farthest * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
+    out.inside[n] = ahead & (reach < kMostReach) & u.within & v.within;
+  }
+  return out;
+}
+
 Cores Projector::cores(const Centers& centers, float size) const noexcept {
+  if (reach_ > 0.0f) return cores_around(centers, size);
   Cores out;
   const float between = size - 1.0f;
   for (int n = 0; n < 2; ++n) {
@@ -110,6 +186,37 @@ Cores Projector::cores(const Centers& centers, float size) const noexcept {
     const Image v = project_axis(v_, centers.y[n], all(between * half_.y), by_near, by_far);
     const Four deepest = near + half_.z;
     const Four units = (deepest + (growth_ + growth_ahead_ * deepest)) * units_;
+    out.pixels.u0[n] = u.first;
+    out.pixels.u1[n] = u.last;
+    out.pixels.v0[n] = v.first;
+    out.pixels.v1[n] = v.last;
+    out.far[n] = whole(clamp(units, 0.0f, kMostUnits));
+    out.ahead[n] = near > kNearest;
+    out.beside[n] = (far <= 0.0f) | (units >= kMostUnits) | (out.ahead[n] & (u.beside | v.beside));
+  }
+  return out;
+}
+
+/// The voxel nearest to the sensor has its centre at least as far away as the box of all centres. A voxel's farthest
+/// corner is at least half a voxel further away than its centre.
+Cores Projector::cores_around(const Centers& centers, float size) const noexcept {
+  Cores out;
+  const float between = size - 1.0f;
+  const auto least_off = [](Four center, Four half) { return larger(absolute(center) - half, all(0.0f)); };
+  for (int n = 0; n < 2; ++n) {
+    const Four half_x = all(between * half_.x);
+    const Four half_y = all(between * half_.y);
+    const Four half_z = all(between * half_.z);
+    const Four near = centers.z[n] - half_z;
+    const Four far = centers.z[n] + half_z;
+    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
+    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Image u = project_bent(u_, centers.x[n], half_x, by_near, by_far, all(0.0f));
+    const Image v = project_bent(v_, centers.y[n], half_y, by_near, by_far, all(0.0f));
+    const Four corner =
+        distance(least_off(centers.x[n], half_x), least_off(centers.y[n], half_y), least_off(centers.z[n], half_z)) +
+        half_.z;
+    const Four units = (corner + (growth_ + growth_ahead_ * corner)) * units_;
     out.pixels.u0[n] = u.first;
     out.pixels.u1[n] = u.last;
     out.pixels.v0[n] = v.first;

@@ -71,11 +71,15 @@ class Projector {
   struct Image {
     FourInts first, last, beside, within;
   };
+  static Image image_of(const Axis& axis, Four from, Four to) noexcept;
   static Image project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
+  static Image project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far, Four reach) noexcept;
+  Footprints footprints_around(const Centers& centers, float size) const noexcept;
+  Cores cores_around(const Centers& centers, float size) const noexcept;
 
   Point steps_[3];
   Point half_;  ///< half the extent of a voxel along the camera's axes
-  float growth_, growth_ahead_, units_;
+  float growth_, growth_ahead_, reach_, units_;
   Axis u_, v_;
 };
 

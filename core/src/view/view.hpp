@@ -14,7 +14,21 @@
 
 namespace tern {
 
+/// Half the width of a scan's view, as a tangent. It looks at a face of a cube around the sensor. A half width of 1
+/// would show the face alone; what is more overlaps with the views beside it, so that a cube near an edge lies wholly
+/// in one.
+constexpr double kFaceTangent = 1.5;
+/// A scan's view is bent: tangent t is at t / (1 + kFaceBend * |t|) in the image. So its pixels cover about equal
+/// angles. On the face itself, they are 0.66 to 1.19 times as wide as in its middle; those of a pinhole, 0.33 to 1.
+constexpr double kFaceBend = 0.4142;
+
+inline double bent(double tangent) noexcept {
+  return tangent / (1.0 + kFaceBend * (tangent < 0.0 ? -tangent : tangent));
+}
+
 /// A camera with axes x, y across and z ahead. All lengths in metres; `steps` and `corner` in the camera's frame.
+///
+/// Depths are along z. In the view of a scan, they are distances from the sensor.
 struct View {
   Vec3 steps[3];  ///< from one voxel to the next along the window's x, y and z
   Vec3 corner;    ///< lower corner of the window's voxel (0, 0, 0)
@@ -22,6 +36,7 @@ struct View {
   std::int32_t width, height;
   double growth;        ///< added to every cube on all sides for the pose's error,
   double growth_ahead;  ///< and for each metre of depth, for the error of the angle
+  double reach;         ///< sine of the angle by which outlines are widened, > 0 in the view of a scan alone
   double units;         ///< depth units per metre
   DepthPyramid pyramid;
 

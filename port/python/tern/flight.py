@@ -67,6 +67,19 @@ class RollingMap:
         sensor = ffi.new("tern_vec3*", vector(origin))
         self._begin(lib.tern_map_begin_scan(self.struct, pointer, len(memory), sensor, t), memory)
 
+    def begin_beams(self, directions: npt.ArrayLike, ranges: npt.ArrayLike, origin: Sequence[float], t: int,
+                    nearest: float = 0.1, furthest: float = float("inf")) -> None:
+        """Begins to enter a scan by its beams: directions of shape (n, 3), of any length, world frame; ranges of shape
+        (n,), metres from origin. inf: nothing came back; NaN, or not within [nearest, furthest): nothing is known."""
+        memory, pointer = points(directions)
+        measured = np.ascontiguousarray(ranges, dtype=np.float32)
+        if measured.shape != (len(memory),):
+            raise ValueError(f"ranges must have the shape ({len(memory)},), not {measured.shape}")
+        beams = ffi.new("tern_beams*", {"directions": pointer, "ranges": ffi.cast("float*", measured.ctypes.data),
+                                        "count": len(memory), "min": nearest, "max": furthest})
+        sensor = ffi.new("tern_vec3*", vector(origin))
+        self._begin(lib.tern_map_begin_beams(self.struct, beams, sensor, t), (memory, measured))
+
     def finish(self) -> None:
         """Ends the job in work. For maps that no flight uses."""
         while _is_running(lib.tern_map_step(self.struct, 1 << 20)):

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kNames[] = {"none",        "bind",    "assume_free", "mark_box", "mark_cylinder", "mark_points",
                                   "frame",       "scan",    "follow",      "step",     "start",         "set_goal",
-                                  "set_mission", "set_yaw", "stop",        "tick",     "set_clock"};
+                                  "set_mission", "set_yaw", "stop",        "tick",     "set_clock",     "scan"};
 
 }  // namespace
 
@@ -50,6 +50,30 @@ bool FlightEvents::next(FlightEvent& event) {
 
 void FlightEvents::require_end(const FlightEvent& event) const {
   if (event.words.past_end() || event.words.left() > 0) refuse(event, "has another length than what it holds");
+}
+
+std::vector<tern::Vec3> FlightEvents::points(FlightEvent& event) const {
+  std::vector<tern::Vec3> points(count(event, event.words.left() / 3));
+  for (tern::Vec3& point : points) event.words(point);
+  return points;
+}
+
+tern::Beams FlightEvents::beams(FlightEvent& event, std::vector<tern::Vec3>& directions,
+                                std::vector<float>& ranges) const {
+  tern::Beams beams{};
+  event.words(beams.min);
+  event.words(beams.max);
+  directions = points(event);
+  ranges.resize(directions.size());
+  for (float& range : ranges) {
+    double number = 0.0;
+    event.words(number);
+    range = static_cast<float>(number);
+  }
+  beams.directions = directions.data();
+  beams.ranges = ranges.data();
+  beams.count = directions.size();
+  return beams;
 }
 
 std::size_t FlightEvents::count(FlightEvent& event, std::size_t most) const {

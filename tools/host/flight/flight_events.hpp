@@ -9,9 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "record/flight_fields.hpp"
 #include "record/words.hpp"
+#include "tern/map.hpp"
 #include "tern/status.hpp"
 
 namespace tern_host {
@@ -38,6 +40,10 @@ class FlightEvents {
   void require_end(const FlightEvent& event) const;
   /// A count of the last event of at most `most`. Throws where it is more.
   std::size_t count(FlightEvent& event, std::size_t most) const;
+  /// What the last event goes on with: a number of points and each one, or the beams of a scan, which are put into
+  /// `directions` and `ranges`. Throws where there are more points than words.
+  std::vector<tern::Vec3> points(FlightEvent& event) const;
+  tern::Beams beams(FlightEvent& event, std::vector<tern::Vec3>& directions, std::vector<float>& ranges) const;
   /// Throws: the last event has something that no recorder writes.
   [[noreturn]] void refuse(const FlightEvent& event, const std::string& what) const;
 

@@ -57,15 +57,16 @@ class Player {
       case FlightEventKind::kFrame:
         return frame(event);
       case FlightEventKind::kScan:
+      case FlightEventKind::kBeams:
         return scan(event);
       case FlightEventKind::kFollow:
-        return map_.follow(vector(event));
+        return map_.follow(read<tern::Vec3>(event));
       case FlightEventKind::kStep:
         return map_.step(static_cast<std::uint32_t>(event.words.word()));
       case FlightEventKind::kStart:
         return start(event);
       case FlightEventKind::kGoal:
-        return flight_.set_goal(vector(event));
+        return flight_.set_goal(read<tern::Vec3>(event));
       case FlightEventKind::kMission:
         return set_mission(event);
       case FlightEventKind::kYaw:
@@ -80,10 +81,11 @@ class Player {
     return Status::kRecordDamaged;
   }
 
-  static tern::Vec3 vector(FlightEvent& event) {
-    tern::Vec3 v{};
-    event.words(v);
-    return v;
+  template <typename Value>
+  static Value read(FlightEvent& event) {
+    Value value{};
+    event.words(value);
+    return value;
   }
 
   Status bind(FlightEvent& event) {
@@ -104,7 +106,7 @@ class Player {
 
   Status mark(FlightEvent& event) {
     if (event.kind == FlightEventKind::kMarkPoints) {
-      const std::vector<tern::Vec3> points = read_points(event);
+      const std::vector<tern::Vec3> points = events_.points(event);
       return map_.mark_points(points.data(), points.size());
     }
     if (event.kind == FlightEventKind::kMarkBox) {
@@ -117,25 +119,16 @@ class Player {
       list_cylinder(event.words, cylinder);
       return map_.mark_cylinder(cylinder);
     }
-    const tern::Vec3 center = vector(event);
-    double radius = 0.0;
-    event.words(radius);
-    return map_.assume_free(center, radius);
-  }
-
-  std::vector<tern::Vec3> read_points(FlightEvent& event) {
-    std::vector<tern::Vec3> points(events_.count(event, event.words.left() / 3));
-    for (tern::Vec3& point : points) event.words(point);
-    return points;
+    const tern::Vec3 center = read<tern::Vec3>(event);
+    return map_.assume_free(center, read<double>(event));
   }
 
   Status frame(FlightEvent& event) {
     // The map reads pixels and points until its job is done.
     if (map_.busy()) return Status::kInvalidArgument;
-    std::int64_t t = 0;
+    const auto t = read<std::int64_t>(event);
     tern::Pose pose{};
     tern::DepthView view{};
-    event.words(t);
     list_pose(event.words, pose);
     list_view(event.words, view);
     const std::uint64_t bits = event.words.word();
@@ -164,20 +157,20 @@ class Player {
 
   Status scan(FlightEvent& event) {
     if (map_.busy()) return Status::kInvalidArgument;
-    std::int64_t t = 0;
-    event.words(t);
-    const tern::Vec3 origin = vector(event);
-    points_ = read_points(event);
+    const auto t = read<std::int64_t>(event);
+    const tern::Vec3 origin = read<tern::Vec3>(event);
     ++result_.frames;
+    if (event.kind == FlightEventKind::kBeams)
+      return map_.begin_scan(events_.beams(event, points_, floats_), origin, t);
+    points_ = events_.points(event);
     return map_.begin_scan(points_.data(), points_.size(), origin, t);
   }
 
   Status start(FlightEvent& event) {
     if (!fences_.empty() || !words_.empty()) events_.refuse(event, "is a second one");
-    const tern::Vec3 position = vector(event);
-    std::int64_t t = 0;
+    const tern::Vec3 position = read<tern::Vec3>(event);
+    const auto t = read<std::int64_t>(event);
     tern::FlightSpec spec{};
-    event.words(t);
     list_flight_spec(event.words, spec);
     read_fences(event);
     spec.fences = fences_.data();
@@ -202,8 +195,7 @@ class Player {
   }
 
   Status set_mission(FlightEvent& event) {
-    tern::ViaPolicy policy{};
-    event.words(policy);
+    const auto policy = read<tern::ViaPolicy>(event);
     std::vector<tern::Via> points(events_.count(event, tern::kMaxMissionPoints));
     for (tern::Via& point : points) list_via(event.words, point);
     return flight_.set_mission(points.data(), static_cast<std::int32_t>(points.size()), policy);
@@ -229,8 +221,7 @@ class Player {
   }
 
   Status tick(FlightEvent& event) {
-    std::int64_t t = 0;
-    event.words(t);
+    const auto t = read<std::int64_t>(event);
     const std::uint64_t recorded = event.words.word();
     tern::FlightReport report{};
     const Status answer = flight_.tick(t, report);

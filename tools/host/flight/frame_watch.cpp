@@ -122,16 +122,11 @@ void FrameWatch::after(const DepthFrame& frame) {
 void FrameWatch::before(const LidarScan& scan) {
   if (!begin()) return;
   for (int k = 0; k < kVoxels; ++k) {
-    const Vec3& end = point_of(scan);
-    const Vec3& o = scan.origin;
+    const auto beam = static_cast<std::size_t>(noise_.below(static_cast<int>(scan.ranges.size())));
+    const double range = static_cast<double>(scan.ranges[beam]);
     const double part = noise_.within(0.0, 1.0);
-    note_unseen({o.x + part * (end.x - o.x), o.y + part * (end.y - o.y), o.z + part * (end.z - o.z)});
+    note_unseen(scan.point(beam, part * (range < spec_.range ? range : spec_.range)));
   }
-}
-
-/// Any one of its points.
-const Vec3& FrameWatch::point_of(const LidarScan& scan) {
-  return scan.points[static_cast<std::size_t>(noise_.below(static_cast<int>(scan.points.size())))];
 }
 
 /// Scans have no pixels of their own to look into: what they show is compared with the true world.
@@ -219,10 +214,9 @@ std::vector<Vec3> FrameWatch::hits_of(const DepthFrame& frame) {
 
 std::vector<Vec3> FrameWatch::hits_of(const LidarScan& scan) const {
   std::vector<Vec3> points;
-  for (const Vec3& point : scan.points) {
-    const Vec3& o = scan.origin;
-    const double far = std::hypot(point.x - o.x, std::hypot(point.y - o.y, point.z - o.z));
-    if (far > kNearest && far < 0.999 * spec_.range) points.push_back(point);
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const double range = static_cast<double>(scan.ranges[beam]);
+    if (range > kNearest && range < 0.999 * spec_.range) points.push_back(scan.point(beam, range));
   }
   return points;
 }

@@ -40,7 +40,6 @@ class FrameWatch {
   bool end();
   tern::Vec3 center_of(const tern::Voxel& voxel) const;
   void note_unseen(const tern::Vec3& point);
-  const tern::Vec3& point_of(const LidarScan& scan);
   template <typename IsWhole>
   void check_seen(IsWhole is_whole);
   bool is_hit(const tern::Vec3& point, tern::Voxel& voxel) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/flight/ray_fan.hpp"
 #include "host/flight/speckle_filter.hpp"
@@ -14,6 +15,8 @@ namespace {
 constexpr double kTurn = 6.28318530717958648;
 /// Distance that a beam is followed to, in ranges.
 constexpr double kFarther = 1.5;
+/// From this distance on nothing comes back, in ranges.
+constexpr double kNoReturn = 1.35;
 /// Distance of an outlier at least, metres.
 constexpr double kNearestOutlier = 0.1;
 
@@ -32,6 +35,13 @@ struct BeamGrid {
   int columns, rows;
   double lowest, high;  ///< rad
 };
+
+/// What the driver says of a beam of this length, metres; 0: it does not know.
+float range_of(double length, double sensor_range) {
+  if (!(length > 0.0)) return std::numeric_limits<float>::quiet_NaN();
+  if (length > kNoReturn * sensor_range) return std::numeric_limits<float>::infinity();
+  return static_cast<float>(length);
+}
 
 /// Distances along the beams' borders, (columns + 1) x (rows + 1).
 std::vector<double> border_distances(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
@@ -70,6 +80,15 @@ std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& b
 
 }  // namespace
 
+tern::Beams LidarScan::beams() const {
+  return {directions.data(), ranges.data(), ranges.size(), 0.0, std::numeric_limits<double>::infinity()};
+}
+
+tern::Vec3 LidarScan::point(std::size_t beam, double distance) const {
+  const tern::Vec3& d = directions[beam];
+  return {origin.x + distance * d.x, origin.y + distance * d.y, origin.z + distance * d.z};
+}
+
 std::size_t beam_count(const FlightSettings& settings) {
   return BeamGrid(settings).count();
 }
@@ -86,11 +105,10 @@ LidarScan take_scan(const FlightWorld& world, const tern::Vec3& eye, const tern:
   for (int c = 0; c < beams.columns; ++c) {
     const double azimuth = beams.azimuth(c + 0.5);
     for (int r = 0; r < beams.rows; ++r) {
-      const double length = lengths[beams.index(c, r)];
       const double elevation = beams.elevation(r + 0.5);
-      const double flat = length * std::cos(elevation);
-      scan.points.push_back({believed.x + flat * std::cos(azimuth), believed.y + flat * std::sin(azimuth),
-                             believed.z + length * std::sin(elevation)});
+      const double flat = std::cos(elevation);
+      scan.directions.push_back({flat * std::cos(azimuth), flat * std::sin(azimuth), std::sin(elevation)});
+      scan.ranges.push_back(range_of(lengths[beams.index(c, r)], s.sensor_range));
     }
   }
   return scan;

@@ -9,18 +9,24 @@
 
 #include "host/flight/flight_world.hpp"
 #include "host/flight/noise.hpp"
+#include "tern/map.hpp"
 
 namespace tern_host {
 
-/// One scan: a point in the world for each beam. Beams without a return end beyond the range. Those that the filter
-/// finds no length for end at the origin, which tells the map nothing.
+/// One scan: directions in the world, and ranges. Beams without a return are infinite. Those that the filter finds no
+/// length for are NaN: nothing is known there.
 struct LidarScan {
-  std::vector<tern::Vec3> points;
+  std::vector<tern::Vec3> directions;
+  std::vector<float> ranges;
   tern::Vec3 origin{};
   std::int64_t taken = 0;
+
+  tern::Beams beams() const;
+  /// So many metres along a beam.
+  tern::Vec3 point(std::size_t beam, double distance) const;
 };
 
-/// The points of a scan.
+/// The beams of a scan.
 std::size_t beam_count(const FlightSettings& settings);
 
 /// What a level lidar at `eye` sees all around, sensor_fov's vertical angle from its lowest beam to its highest, with

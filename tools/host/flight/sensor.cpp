@@ -62,8 +62,8 @@ void Sensor::enter(const DepthFrame& frame) {
 }
 
 void Sensor::enter(const LidarScan& scan) {
-  const tern::Status begun = map_.begin_scan(scan.points.data(), scan.points.size(), scan.origin, scan.taken);
-  tape_.recorder().scan(scan.points.data(), scan.points.size(), scan.origin, scan.taken, begun);
+  const tern::Status begun = map_.begin_scan(scan.beams(), scan.origin, scan.taken);
+  tape_.recorder().scan(scan.beams(), scan.origin, scan.taken, begun);
 }
 
 }  // namespace tern_host
