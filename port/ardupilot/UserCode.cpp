@@ -15,6 +15,19 @@ static const Vector3f GOAL(2, 10, -2);
 
 static AP_Tern* planner;
 
+// The vehicle's position, under the name that it has since 4.7 or, where there is no such function, before.
+template <typename Estimate>
+static auto read_position(const Estimate& estimate, Vector3f& ned, int)
+    -> decltype(estimate.get_relative_position_NED_origin_float(ned)) {
+  return estimate.get_relative_position_NED_origin_float(ned);
+}
+
+template <typename Estimate>
+static auto read_position(const Estimate& estimate, Vector3f& ned, long)
+    -> decltype(estimate.get_relative_position_NED_origin(ned)) {
+  return estimate.get_relative_position_NED_origin(ned);
+}
+
 void Copter::userhook_init() {
   const size_t bytes = tern_size_of(TERN_SIZE_WORKSPACE);
   const size_t words = tern_grid_words(SPEC.dims);
@@ -29,9 +42,8 @@ void Copter::userhook_50Hz() {
     return;
   }
   AP_Tern::Vehicle now;
-  // In 4.7: get_relative_position_NED_origin_float.
   now.ready = flightmode->mode_number() == Mode::Number::GUIDED && motors->armed() && !ap.land_complete &&
-              ahrs.get_relative_position_NED_origin(now.position) && ahrs.get_velocity_NED(now.velocity);
+              read_position(ahrs, now.position, 0) && ahrs.get_velocity_NED(now.velocity);
   planner->update(now);
 }
 

@@ -83,7 +83,7 @@ class Limits:
         limits = ffi.new("tern_limits*")
         bad = ffi.new("uint8_t*")
         status = getattr(lib, f"tern_limits_from_{stack}")(values, limits, bad)
-        require(status, "the parameter for " + ffi.string(lib.tern_field_name(bad[0])).decode())
+        require(status, f"{stack}'s parameter for {ffi.string(lib.tern_field_name(bad[0])).decode()}, in metres")
         return cls._of(limits)
 
 
