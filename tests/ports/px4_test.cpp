@@ -137,17 +137,19 @@ TEST_F(Offboard, ComesToRestBeforeItPlansWhereTheVehicleMovesAtTheSwitch) {
   expect_arrival();
 }
 
-TEST_F(Offboard, PlansAnewAfterAResetBeforeTheSwitch) {
-  ASSERT_EQ(fly([](double t) {
-              switch_mode(t);
-              if (t > 2.0 && px4.local.heading_reset_counter == 0) {
-                px4.local.heading_reset_counter = 1;
-                px4.local.heading = -2.0f;
-              }
-            }),
-            0);
-  EXPECT_NEAR(px4.setpoints.front().yaw, -2.0, 1e-6);
-  expect_arrival();
+TEST_F(Offboard, PlansAnewAfterATurnOrAResetBeforeTheSwitch) {
+  for (const bool is_reset : {false, true}) {
+    px4 = Px4{};
+    ASSERT_EQ(fly([&](double t) {
+                switch_mode(t);
+                if (t < 2.0) return;
+                px4.local.heading = is_reset ? 1.1f : -3.0f;
+                px4.local.heading_reset_counter = is_reset ? 1 : 0;
+              }),
+              0);
+    EXPECT_NEAR(px4.setpoints.front().yaw, is_reset ? 1.1 : -3.0, 1e-6);
+    expect_arrival();
+  }
 }
 
 TEST_F(Offboard, ComesToRestWhenTheEstimatorIsReset) {

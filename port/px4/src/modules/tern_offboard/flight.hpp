@@ -14,6 +14,7 @@ namespace tern_offboard {
 constexpr hrt_abstime kPeriod = 20000;     // us: 50 Hz
 constexpr hrt_abstime kPlanning = 10000;   // us of each period, while a plan is made in flight
 constexpr double kStartTolerance = 0.1;    // m from the plan's start at the switch; farther away, a new plan is made
+constexpr double kStartHeading = 0.2;      // rad, likewise
 constexpr double kRestSpeed = 0.3;         // m/s
 constexpr double kStopDeceleration = 3.0;  // m/s^2
 
@@ -65,8 +66,9 @@ class Flight {
 
   /// At rest at the start of the plan, in the frame that it was made in.
   bool is_at_start(const Seen& seen) const {
-    return length(difference(seen.here.position, from_.position)) <= kStartTolerance && seen.speed <= kRestSpeed &&
-           !is_reset(seen);
+    const double turned = fabs(remainder(seen.here.heading - from_.heading, 6.28318530717958648));
+    return length(difference(seen.here.position, from_.position)) <= kStartTolerance && turned <= kStartHeading &&
+           seen.speed <= kRestSpeed && !is_reset(seen);
   }
 
   /// The pilot took over, or the vehicle landed or disarmed: the next switch to offboard begins anew.
