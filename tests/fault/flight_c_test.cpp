@@ -60,6 +60,8 @@ TEST(FlightC, SaysThatNoFramesCome) {
   EXPECT_TRUE(report.map_stale);
   EXPECT_EQ(report.frame_age, 1000000001);
   EXPECT_STRNE(tern_flight_reason_text(TERN_FLIGHT_MAP_STALE), "unknown");
+  EXPECT_EQ(static_cast<int>(report.blocked_by), TERN_BLOCKED_BY_NOTHING);
+  EXPECT_STREQ(tern_blocked_by_text(TERN_BLOCKED_BY_FENCE), "a fence");
 }
 
 /// The window is 51.2 m long.

@@ -57,6 +57,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
   std::printf("%s after %.2f s, %.2f m, %.2f m/s on average\n", result.status.c_str(), result.time, result.length,
               mean);
   if (!result.reached()) std::printf("why: %s\n", result.reason.c_str());
+  if (result.blocked_by != tern::BlockedBy::kNothing) std::printf("in the way: %s\n", result.blocked().c_str());
   if (!world.vias.empty()) print_mission(result);
   if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);

@@ -137,6 +137,18 @@ struct FlightYaw {
   int32_t heading_count;  ///< 1 .. kMaxMissionPoints
 };
 
+/// What keeps a flight from going on.
+enum class BlockedBy : uint8_t {
+  kNothing = 0,  ///< nothing that is known
+  kUnseen,       ///< a voxel that no sensor has shown to be free yet: let one look there
+  kObstacle,     ///< a voxel with something that was seen or marked
+  kWindow,       ///< the face of the map's window, beyond which nothing is known
+  kFence,        ///< a fence
+};
+
+/// In English, for logs: "a voxel that was not seen free yet". Static strings; "unknown" for other numbers.
+const char* blocked_by_text(BlockedBy by) noexcept;
+
 /// What one tick did.
 struct FlightReport {
   FlightMode mode;
@@ -160,6 +172,14 @@ struct FlightReport {
   bool map_stale;
   /// Nanoseconds since a tick last found that a frame or scan was begun; since start(), if there was none.
   int64_t frame_age;
+  /// What ended the proof of the last plan, or what is in the way of one, if none was found. kNothing where the last
+  /// plan was proven to its end, at the goal, and without one. It explains, and decides nothing.
+  BlockedBy blocked_by;
+  /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence the place
+  /// on the way. Zero for kNothing.
+  Vec3 blocked_at;
+  /// For kFence: its index in FlightSpec::fences. Otherwise kNoFence.
+  int32_t blocked_fence = kNoFence;
 };
 
 /// What to fly at one time.

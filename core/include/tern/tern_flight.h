@@ -43,6 +43,8 @@ typedef struct {
   int64_t contact_time; double contact_speed;
   int32_t leg, passed, skipped;
   bool waits_for_view, map_stale; int64_t frame_age;
+  uint8_t blocked_by; /* TERN_BLOCKED_BY_... */
+  tern_vec3 blocked_at; int32_t blocked_fence;
 } tern_flight_report;
 /* How to turn the nose: tern::FlightYaw. rad, rad/s^2, m. */
 typedef struct {
@@ -89,6 +91,14 @@ enum {
   TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
   TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
   TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through what is known */
+};
+/* What keeps it from going on. */
+enum {
+  TERN_BLOCKED_BY_NOTHING = 0,
+  TERN_BLOCKED_BY_UNSEEN = 1,   /* a voxel that no sensor has shown to be free yet */
+  TERN_BLOCKED_BY_OBSTACLE = 2, /* a voxel with something that was seen or marked */
+  TERN_BLOCKED_BY_WINDOW = 3,   /* the face of the map's window */
+  TERN_BLOCKED_BY_FENCE = 4
 };
 /* What happens where a point of a mission cannot be reached. */
 enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* it goes on to the next point */ };
@@ -156,9 +166,10 @@ uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw);
 /* Where the nose points at time `t`; the angle counts whole turns. Null does nothing. */
 void tern_flight_yaw_at(const tern_flight* flight, int64_t t, tern_yaw_sample* yaw);
 
-/* In English: tern::flight_mode_name() and flight_reason_text(). */
+/* In English: tern::flight_mode_name(), flight_reason_text() and blocked_by_text(). */
 const char* tern_flight_mode_name(uint8_t mode);
 const char* tern_flight_reason_text(uint8_t reason);
+const char* tern_blocked_by_text(uint8_t by);
 
 #ifdef __cplusplus
 } /* extern "C" */

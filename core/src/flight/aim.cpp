@@ -189,6 +189,8 @@ void FlightState::park(FlightReason why) noexcept {
   parked = true;
   is_looking = false;
   reason = why;
+  if (why == FlightReason::kNearest && !cut_off) note_block_near(goal, map.route());
+  if (why == FlightReason::kHemmedIn) note_block_near(start.d[0], map.safe());
 }
 
 /// True where the vehicle will rest, and the nearest free point to an aim in an obstacle is no nearer than where it is.
@@ -229,6 +231,7 @@ bool FlightState::move_to_reachable(const Report& found) noexcept {
   const double left = distance(start.d[0], goal) - distance(found.reachable, goal);
   const bool is_there = rests_at_takeover() && left <= map.route().spec().cell;
   cut_off = is_there && (aims_at_goal || beside_goal);
+  if (cut_off) note_block_beyond(found.reachable);
   if (is_there) return false;
   aim = found.reachable;
   to_reachable = true;

@@ -182,6 +182,7 @@ Progress FlightState::run_route(Work& work) noexcept {
     choose_draft(false);
     return Progress::kDone;
   }
+  note_no_plan(found);
   if (note_fault(found)) {
     give_up();
   } else if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
@@ -240,6 +241,7 @@ void FlightState::end_plan(const Report& found) noexcept {
   const bool planned = found.status == Status::kOk;
   if (planned) list_passages(found);
   if (planned || is_outdated()) return choose_draft(planned);
+  note_no_plan(found);
   if (note_fault(found)) return give_up();
   if (!move_aim(found) && !move_to_reachable(found) && !ask_for_less(found)) choose_draft(false);
 }

@@ -115,6 +115,11 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.leg = itinerary.leg;
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
+  const bool has_block = reason != FlightReason::kNoGoal && reason != FlightReason::kArrived;
+  const Blockage& what = has_block ? block : kNoBlockage;
+  report.blocked_by = what.by;
+  report.blocked_at = what.at;
+  report.blocked_fence = what.fence;
   const Contact first = meets_before ? before : contact;
   report.contact_time = report.mode == FlightMode::kThreat ? clock.shown_at(first.time) : 0;
   report.contact_speed = report.mode == FlightMode::kThreat ? first.speed : 0.0;

@@ -136,4 +136,8 @@ const char* tern_flight_reason_text(std::uint8_t reason) {
   return tern::flight_reason_text(static_cast<tern::FlightReason>(reason));
 }
 
+const char* tern_blocked_by_text(std::uint8_t by) {
+  return tern::blocked_by_text(static_cast<tern::BlockedBy>(by));
+}
+
 }  // extern "C"

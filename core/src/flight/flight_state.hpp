@@ -39,6 +39,15 @@ constexpr int kWandering = 1500;
 /// Points of a way that are so near are the same, metres.
 constexpr double kSamePlace = 1e-6;
 
+/// What keeps the flight from going on, and where, world frame.
+struct Blockage {
+  BlockedBy by;
+  Vec3 at;
+  std::int32_t fence;  ///< its index for kFence, otherwise kNoFence
+};
+
+constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
+
 class FlightState {
  public:
   FlightSpec spec;
@@ -120,6 +129,8 @@ class FlightState {
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
 
+  Blockage block;  ///< for the report
+
   Nose nose;
 
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
@@ -184,6 +195,13 @@ class FlightState {
   bool move_to_reachable(const Report& found) noexcept;
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
+
+  // blocked.cpp: what the report says is in the way
+  void note_unproven() noexcept;
+  void note_no_plan(const Report& found) noexcept;
+  void note_block_near(const Vec3& place, const Grid& grid) noexcept;
+  void note_block_beyond(const Vec3& reachable) noexcept;
+  Blockage block_at(const Voxel& voxel) const noexcept;
 
   // mission.cpp: the points on the way
   void begin_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;

@@ -46,4 +46,20 @@ const char* flight_reason_text(FlightReason reason) noexcept {
   return "unknown";
 }
 
+const char* blocked_by_text(BlockedBy by) noexcept {
+  switch (by) {
+    case BlockedBy::kNothing:
+      return "nothing that is known";
+    case BlockedBy::kUnseen:
+      return "a voxel that was not seen free yet";
+    case BlockedBy::kObstacle:
+      return "an obstacle";
+    case BlockedBy::kWindow:
+      return "the face of the map's window";
+    case BlockedBy::kFence:
+      return "a fence";
+  }
+  return "unknown";
+}
+
 }  // namespace tern

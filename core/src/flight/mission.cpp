@@ -34,6 +34,7 @@ void FlightState::try_anew() noexcept {
   parked = is_looking = cut_off = false;
   idle_cycles = fruitless = wandering = retreat = retreats = 0;
   nearest = -1.0;
+  block = kNoBlockage;
   reason = FlightReason::kNone;
 }
 

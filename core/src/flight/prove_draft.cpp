@@ -46,6 +46,7 @@ Progress FlightState::run_reach(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   reached = proof.report().until;
   look_at = evaluate(draft.wished, reached).position;
+  note_unproven();
   note_view();
   if (rests_at_takeover() && proof.report().end == ProofEnd::kObstacle) look_at_obstacle();
   if (proof.report().end == ProofEnd::kProven) {

@@ -149,6 +149,7 @@ void list_yaw_sample(Words& words, Sample& sample) {
   words(sample.angle);
 }
 
+/// All that says what was decided. What blocks the way is said for people, and may be said better in another version.
 template <typename Words, typename Report>
 void list_flight_report(Words& words, Report& report) {
   words(report.mode);

@@ -14,6 +14,7 @@ from tern.planner import Planner
 from tern.request import Fence, Limits, c_fences
 
 _MODES = ("rest", "look", "fly", "stop", "threat")
+_BLOCKERS = ("nothing", "unseen", "obstacle", "window", "fence")
 
 
 class RollingMap:
@@ -118,8 +119,9 @@ class Command:
 
 @dataclass(frozen=True)
 class Tick:
-    """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, and for how many
-    nanoseconds no frame was entered into the map."""
+    """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, for how many
+    nanoseconds no frame was entered into the map, and what is in the way ("nothing", "unseen", "obstacle", "window",
+    "fence") and where (world frame, metres)."""
     mode: str
     reason: str
     arrived: bool
@@ -130,6 +132,8 @@ class Tick:
     work: int
     map_stale: bool
     frame_age: int
+    blocked_by: str
+    blocked_at: np.ndarray
 
 
 class Flight:
@@ -172,7 +176,7 @@ class Flight:
         reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
         return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
-                    report.frame_age)
+                    report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)))
 
     def set_clock(self, t: int) -> None:
         """The clock was set, back or ahead, and shows `t` now: one tick after the last one."""

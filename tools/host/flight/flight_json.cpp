@@ -6,6 +6,7 @@
 
 #include "host/flight/commits_json.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "host/number.hpp"
 
 namespace tern_host {
 namespace {
@@ -89,6 +90,13 @@ Json contact_json(const FlightContact& c) {
   return json;
 }
 
+Json blocked_json(const FlightResult& result) {
+  const tern::Vec3& at = result.blocked_at;
+  Json blocked = {{"by", tern::blocked_by_text(result.blocked_by)}, {"at", {at.x, at.y, at.z}}};
+  if (result.blocked_fence != tern::kNoFence) blocked["fence"] = result.blocked_fence;
+  return blocked;
+}
+
 Json mission_json(const std::vector<MissionPoint>& points) {
   Json all = Json::array();
   for (const MissionPoint& p : points) {
@@ -100,6 +108,14 @@ Json mission_json(const std::vector<MissionPoint>& points) {
 }
 
 }  // namespace
+
+std::string FlightResult::blocked() const {
+  if (blocked_by == tern::BlockedBy::kNothing) return "";
+  const std::string number =
+      blocked_fence == tern::kNoFence ? "" : ", number " + std::to_string(blocked_fence + 1) + ",";
+  return tern::blocked_by_text(blocked_by) + number + " at " + fixed(blocked_at.x, 2) + " " + fixed(blocked_at.y, 2) +
+         " " + fixed(blocked_at.z, 2);
+}
 
 std::string flight_json(const FlightWorld& world, const FlightResult& result, bool with_commits) {
   char hash[17];
@@ -128,6 +144,7 @@ std::string flight_json(const FlightWorld& world, const FlightResult& result, bo
                {"work", {{"max", result.work_max}, {"p99", result.work_p99}, {"total", result.work_total}}},
                {"watched", watched_json(result.watched)},
                {"commands_hash", hash}};
+  if (result.blocked_by != tern::BlockedBy::kNothing) json["blocked"] = blocked_json(result);
   if (result.skipped > 0) json["skipped_ticks"] = result.skipped;
   if (!result.appeared.empty()) json["appeared"] = appeared_json(result.appeared);
   if (result.contact.happened) json["contact"] = contact_json(result.contact);

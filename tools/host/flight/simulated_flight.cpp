@@ -66,6 +66,9 @@ class Simulation {
     FlightResult result = recorder_.finish();
     result.status = ending.status;
     result.reason = ending.reason;
+    result.blocked_by = report_.blocked_by;
+    result.blocked_at = report_.blocked_at;
+    result.blocked_fence = report_.blocked_fence;
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();

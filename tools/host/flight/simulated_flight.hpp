@@ -59,9 +59,12 @@ struct FlightCommit {
 };
 
 struct FlightResult {
-  std::string status;  ///< reached, stuck, timeout, threat, collision or invariant
-  std::string reason;  ///< in words
-  double time = 0.0;   ///< seconds
+  std::string status;                                      ///< reached, stuck, timeout, threat, collision or invariant
+  std::string reason;                                      ///< in words
+  tern::BlockedBy blocked_by = tern::BlockedBy::kNothing;  ///< at the end, as tern::FlightReport says,
+  tern::Vec3 blocked_at{};                                 ///< and where
+  std::int32_t blocked_fence = tern::kNoFence;
+  double time = 0.0;                                       ///< seconds
   double length = 0.0;
   double min_clearance = 0.0;
   double tracking_max = 0.0, tracking_rms = 0.0;  ///< of where the vehicle believes to be, off the command, metres
@@ -82,6 +85,8 @@ struct FlightResult {
   std::vector<TrackPoint> track;  ///< one a tick
   std::string samples;            ///< CSV, one row a tick
 
+  /// In words; empty for nothing.
+  std::string blocked() const;
   bool reached() const { return status == "reached"; }
 };
 

@@ -110,6 +110,7 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
   const auto add = [&](const char* label, const std::string& text) { facts.push_back({label, text}); };
   add("status", result.status);
   if (!result.reached()) add("why", result.reason);
+  if (!result.reached() && !result.blocked().empty()) add("in the way", result.blocked());
   add("duration", fixed(result.time, 2) + " s");
   add("length", fixed(result.length, 2) + " m");
   add("least clearance",

@@ -1,0 +1,153 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the report says is in the way of a flight that does not arrive.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "base/math.hpp"
+#include "flight/blocked.hpp"
+#include "support/flight_room.hpp"
+#include "support/grid_storage.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using namespace tern;
+using tern_test::FlightRoom;
+using tern_test::OwnedMap;
+
+double distance_to_cube(const Vec3& p, const Vec3& center, double cell) {
+  const auto gap = [cell](double at, double middle) { return std::max(0.0, std::abs(at - middle) - 0.5 * cell); };
+  return std::hypot(gap(p.x, center.x), gap(p.y, center.y), gap(p.z, center.z));
+}
+
+TEST(NearestSolid, IsTheNearestOfAll) {
+  tern_test::Random random(36);
+  for (int k = 0; k < tern_test::scaled(300); ++k) {
+    const double cell = random.real(0.05, 0.3);
+    tern_test::OwnedGrid owned(tern_test::whole_grid({150, 12, 9}, cell, 0.3));
+    ASSERT_EQ(owned.status, Status::kOk);
+    Grid& grid = owned.grid;
+    const int marked = random.integer(0, 40);
+    for (int n = 0; n < marked; ++n) {
+      grid.mark_voxel({random.integer(0, 149), random.integer(0, 11), random.integer(0, 8)});
+    }
+    const Vec3 p{cell * random.real(-3.0, 153.0), cell * random.real(-3.0, 15.0), cell * random.real(-3.0, 12.0)};
+    const double reach = cell * random.real(0.5, 40.0);
+    double least = reach;
+    for (int z = 0; z < 9; ++z) {
+      for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 150; ++x) {
+          if (grid.obstacle({x, y, z})) least = std::min(least, distance_to_cube(p, grid.center({x, y, z}), cell));
+        }
+      }
+    }
+    const NearestSolid found = nearest_solid(grid, p, reach);
+    ASSERT_EQ(found.found, least < reach);
+    EXPECT_NEAR(found.distance, least, 1e-9);
+    if (!found.found) continue;
+    EXPECT_TRUE(grid.obstacle(found.voxel));
+    EXPECT_NEAR(distance_to_cube(p, grid.center(found.voxel), cell), least, 1e-9);
+  }
+}
+
+/// The goal is in a block: the voxel of the block that is nearest to it.
+TEST(FlightBlocked, GoalInABlock) {
+  FlightRoom room(FlightRoom::flight_spec(), {{{4.0, -2.0, -2.0}, {6.0, 2.0, 4.0}}});
+  ASSERT_EQ(room.flight.set_goal({3.7, 0.125, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(), FlightReason::kNearest);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kObstacle);
+  EXPECT_DOUBLE_EQ(room.report.blocked_at.x, 4.125);
+  EXPECT_LT(std::abs(room.report.blocked_at.y - 0.125), 0.3);
+  ASSERT_EQ(room.flight.set_goal({0.125, 4.125, 1.125}), Status::kOk);
+  room.tick();
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kNothing);
+  EXPECT_EQ(room.fly(), FlightReason::kArrived);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kNothing);
+  EXPECT_EQ(room.report.blocked_at.x, 0.0);
+  EXPECT_EQ(room.report.blocked_fence, kNoFence);
+}
+
+/// Around the vehicle: the wall on the way from where the vehicle ends towards the goal.
+TEST(FlightBlocked, GoalBeyondClosedWalls) {
+  const std::vector<Box> walls = {{{3.0, -3.0, -2.0}, {3.25, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {-2.75, 3.25, 4.0}},
+                                  {{-3.0, -3.0, -2.0}, {3.25, -2.75, 4.0}},
+                                  {{-3.0, 3.0, -2.0}, {3.25, 3.25, 4.0}}};
+  FlightRoom room(FlightRoom::flight_spec(), walls);
+  ASSERT_EQ(room.flight.set_goal({14.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(6000), FlightReason::kNearest);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kObstacle);
+  EXPECT_DOUBLE_EQ(room.report.blocked_at.x, 3.125);
+}
+
+TEST(FlightBlocked, HemmedIn) {
+  FlightRoom room;
+  const Vec3& p = room.start;
+  for (int a = 0; a < 3; ++a) {
+    for (const double sign : {-1.0, 1.0}) {
+      Box wall{{p.x - 2.0, p.y - 2.0, p.z - 2.0}, {p.x + 2.0, p.y + 2.0, p.z + 2.0}};
+      axis(sign < 0.0 ? wall.upper : wall.lower, a) = axis(p, a) + sign * 0.4;
+      room.mark(wall);
+    }
+  }
+  ASSERT_EQ(room.flight.set_goal({8.0, 0.0, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(1000), FlightReason::kHemmedIn);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kObstacle);
+  EXPECT_LT(distance_to_cube(p, room.report.blocked_at, FlightRoom::kCell), FlightRoom::kRadius);
+}
+
+TEST(FlightBlocked, GoalInAKeepOut) {
+  Halfspace planes[kBoxPlanes];
+  box_planes({{4.0, -2.0, -3.0}, {6.0, 2.0, 5.0}}, planes);
+  const Fence fence{planes, kBoxPlanes, FenceKind::kKeepOut};
+  FlightSpec spec = FlightRoom::flight_spec();
+  spec.fences = &fence;
+  spec.fence_count = 1;
+  FlightRoom room(spec);
+  ASSERT_EQ(room.flight.set_goal({5.0, 0.125, 1.125}), Status::kOk);
+  ASSERT_TRUE(room.tick_until([&] { return room.report.mode == FlightMode::kLook; }));
+  EXPECT_EQ(room.report.plan, Status::kGoalFenced);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kFence);
+  EXPECT_DOUBLE_EQ(room.report.blocked_at.x, 5.0);
+  EXPECT_EQ(room.report.blocked_fence, 0);
+}
+
+/// A ball is known, and no sensor shows more: the first unseen voxel beside the way, just outside the ball.
+TEST(FlightBlocked, SpaceThatNobodySaw) {
+  const Vec3 start{0.125, 0.125, 1.125};
+  constexpr double kKnown = 1.9;
+  OwnedMap owned(FlightRoom::map_spec());
+  ASSERT_EQ(owned.map.assume_free(start, kKnown), Status::kOk);
+  const auto memory = std::make_unique<Workspace>();
+  Planner planner(memory.get(), sizeof *memory);
+  std::vector<std::uint64_t> words(flight_words(FlightRoom::map_spec().dims));
+  Flight flight;
+  const FlightSpec spec = FlightRoom::flight_spec();
+  ASSERT_EQ(flight.start(spec, owned.map, planner, words.data(), words.size(), start, 0), Status::kOk);
+  ASSERT_EQ(flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  FlightReport report{};
+  for (int k = 0; k < 500 && report.blocked_by == BlockedBy::kNothing; ++k) flight.tick(k * spec.tick, report);
+  EXPECT_EQ(report.blocked_by, BlockedBy::kUnseen);
+  const Grid& safe = owned.map.safe();
+  EXPECT_TRUE(safe.obstacle(safe.voxel_of(safe.to_local(report.blocked_at))));
+  const Vec3 away = report.blocked_at - start;
+  const double far = std::hypot(away.x, away.y, away.z);
+  EXPECT_GT(far, kKnown - 2.0 * FlightRoom::kCell);
+  EXPECT_LT(far, kKnown + 2.0 * FlightRoom::kCell);
+}
+
+TEST(FlightBlocked, EveryKindHasAText) {
+  for (const BlockedBy by :
+       {BlockedBy::kNothing, BlockedBy::kUnseen, BlockedBy::kObstacle, BlockedBy::kWindow, BlockedBy::kFence}) {
+    EXPECT_STRNE(blocked_by_text(by), "unknown");
+  }
+  EXPECT_STREQ(blocked_by_text(static_cast<BlockedBy>(77)), "unknown");
+}
+
+}  // namespace
