@@ -70,6 +70,8 @@
   FIELD(tern_proof_report, until) FIELD(tern_proof_report, end) FIELD(tern_proof_report, voxel)                      \
   FIELD(tern_proof_report, work) FIELD(tern_proof_report, fence)                                                     \
   FIELD(tern_flight_refusal, field) FIELD(tern_flight_refusal, fence)                                                  \
+  FIELD(tern_flight_refusal, blocked_by) FIELD(tern_flight_refusal, blocked_at)                                        \
+  FIELD(tern_flight_refusal, distance) FIELD(tern_flight_refusal, needed)                                              \
   FIELD(tern_flight_spec, limits) FIELD(tern_flight_spec, time_weight)                                               \
   FIELD(tern_flight_spec, tick)                                                                                      \
   FIELD(tern_flight_spec, work_per_tick) FIELD(tern_flight_spec, plan_work) FIELD(tern_flight_spec, horizon)         \

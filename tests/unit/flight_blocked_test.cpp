@@ -142,6 +142,44 @@ TEST(FlightBlocked, SpaceThatNobodySaw) {
   EXPECT_LT(far, kKnown + 2.0 * FlightRoom::kCell);
 }
 
+/// Where the vehicle may not begin: in a ball of 1.5 m, beside a block and below the window's face.
+TEST(FlightBlocked, StartsThatAreRefused) {
+  const auto refusal_at = [](const Vec3& start, const std::vector<Box>& solid) {
+    OwnedMap owned(FlightRoom::map_spec());
+    EXPECT_EQ(owned.map.assume_free({0.0, 0.0, 1.0}, 1.5), Status::kOk);
+    for (const Box& box : solid) EXPECT_EQ(owned.map.mark_box(box), Status::kOk);
+    const auto memory = std::make_unique<Workspace>();
+    Planner planner(memory.get(), sizeof *memory);
+    std::vector<std::uint64_t> words(flight_words(FlightRoom::map_spec().dims));
+    Flight flight;
+    FlightRefusal refusal;
+    const Status status =
+        flight.start(FlightRoom::flight_spec(), owned.map, planner, words.data(), words.size(), start, 0, &refusal);
+    EXPECT_EQ(status, refusal.blocked_by == BlockedBy::kNothing ? Status::kOk : Status::kStartOccupied);
+    return refusal;
+  };
+  EXPECT_EQ(refusal_at({0.0, 0.0, 1.0}, {}).blocked_by, BlockedBy::kNothing);
+  const FlightRefusal beside = refusal_at({0.0, 0.0, 1.0}, {{{0.3, -0.2, 0.8}, {0.5, 0.2, 1.2}}});
+  EXPECT_EQ(beside.blocked_by, BlockedBy::kObstacle);
+  EXPECT_DOUBLE_EQ(beside.distance, 0.25);
+  EXPECT_DOUBLE_EQ(beside.needed, 0.5);
+  EXPECT_DOUBLE_EQ(beside.blocked_at.x, 0.375);
+  const FlightRefusal unseen = refusal_at({1.2, 0.0, 1.0}, {});
+  EXPECT_EQ(unseen.blocked_by, BlockedBy::kUnseen);
+  EXPECT_LT(unseen.distance, 0.3);
+  const FlightRefusal low = refusal_at({0.0, 0.0, -1.9}, {});
+  EXPECT_EQ(low.blocked_by, BlockedBy::kUnseen);  // its own voxel
+  EXPECT_EQ(low.distance, 0.0);
+  FlightRoom room;
+  FlightRefusal face;
+  EXPECT_EQ(room.flight.start(room.spec, room.map(), room.planner, room.words.data(), room.words.size(),
+                              {0.125, 0.125, -1.8}, 0, &face),
+            Status::kStartOccupied);
+  EXPECT_EQ(face.blocked_by, BlockedBy::kWindow);
+  EXPECT_NEAR(face.distance, 0.2, 1e-12);
+  EXPECT_DOUBLE_EQ(face.blocked_at.z, -2.0);
+}
+
 TEST(FlightBlocked, EveryKindHasAText) {
   for (const BlockedBy by :
        {BlockedBy::kNothing, BlockedBy::kUnseen, BlockedBy::kObstacle, BlockedBy::kWindow, BlockedBy::kFence}) {

@@ -21,44 +21,81 @@ using tern_host::FlightWorld;
 using tern_host::Noise;
 using tern_host::read_flight_world;
 
-/// How far one can go from `from` along a line before something is met, in steps of the clearance there.
-double march(const FlightWorld& world, const tern::Vec3& from, const tern::Vec3& along, double most) {
-  const double norm = std::sqrt(along.x * along.x + along.y * along.y + along.z * along.z);
-  double t = 0.0;
-  for (int k = 0; k < 100000 && t < most; ++k) {
-    const double room = clearance(world, {from.x + t * along.x, from.y + t * along.y, from.z + t * along.z});
-    if (room < 1e-7) break;
-    t += room / norm;
-  }
-  return std::min(t, most);
+/// A camera's view of a world without errors.
+DepthFrame clean_frame(FlightWorld world, const tern::Vec3& eye, double yaw) {
+  world.settings.outliers = world.settings.depth_noise = 0.0;
+  world.settings.speckle_filter = 0;
+  Noise noise(1);
+  return take_frame(world, eye, yaw, 0, noise);
 }
 
-TEST(DepthCamera, SeesTheNearestOfAPixelsCorners) {
+double depth_at(const DepthFrame& frame, int u, int v) {
+  return static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]);
+}
+
+/// Where a ray through a place of the image is at a depth.
+tern::Vec3 point_behind(const DepthFrame& frame, const tern::Vec3& eye, double yaw, double u, double v, double depth) {
+  const double right = (u - frame.view.cx) / frame.view.fx;
+  const double down = (v - frame.view.cy) / frame.view.fy;
+  return {eye.x + depth * (std::cos(yaw) + right * std::sin(yaw)),
+          eye.y + depth * (std::sin(yaw) - right * std::cos(yaw)), eye.z - depth * down};
+}
+
+/// What a pixel shows is there: at its depth, a place of its area touches something. And nothing is nearer: before its
+/// depth, no place of its area is in anything.
+TEST(DepthCamera, ShowsTheNearestThingInAPixelsWholeArea) {
   Noise random(3);
-  for (const char* const name : {"P12:1", "O:2", "S20:1"}) {
-    FlightWorld world = read_flight_world(name, {});
-    world.settings.outliers = world.settings.depth_noise = 0.0;
-    world.settings.speckle_filter = 0;
+  for (const char* const name : {"P12:1", "O:2", "S20:1", "M:3"}) {
+    const FlightWorld world = read_flight_world(name, {});
     const double yaw = random.within(-3.0, 3.0);
-    const DepthFrame frame = take_frame(world, world.start, yaw, 0, random);
+    const DepthFrame frame = clean_frame(world, world.start, yaw);
     const double most = 1.5 * world.settings.sensor_range;
     for (int k = 0; k < 200; ++k) {
       const int u = random.below(frame.view.width);
       const int v = random.below(frame.view.height);
-      double least = most;
-      for (const double du : {-0.5, 0.5}) {
-        for (const double dv : {-0.5, 0.5}) {
-          const double right = (u + du - frame.view.cx) / frame.view.fx;
-          const double down = (v + dv - frame.view.cy) / frame.view.fy;
-          least = std::min(
-              least,
-              march(world, world.start,
-                    {std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw), -down}, most));
-        }
+      const double depth = depth_at(frame, u, v);
+      double room = 1e9;
+      for (int n = 0; n < 400; ++n) {
+        const double du = random.within(-0.5, 0.5);
+        const double dv = random.within(-0.5, 0.5);
+        const double before = random.within(0.0, 1.0) * (depth - 1e-4);
+        EXPECT_GT(clearance(world, point_behind(frame, world.start, yaw, u + du, v + dv, before)), 0.0);
+        room = std::min(room, clearance(world, point_behind(frame, world.start, yaw, u + du, v + dv, depth + 1e-4)));
       }
-      EXPECT_NEAR(static_cast<double>(frame.depths[static_cast<std::size_t>(v * frame.view.width + u)]), least, 1e-4)
-          << name << " " << u << " " << v;
+      const double pixel = depth / frame.view.fx;
+      EXPECT_LE(room, depth < most - 1e-4 ? 0.2 * pixel : most) << name << " " << u << " " << v;
     }
+  }
+}
+
+/// Wires, poles and shelves of a thousandth of a pixel, between its corners and borders.
+TEST(DepthCamera, SeesWhatIsThinnerThanAPixel) {
+  FlightWorld world;
+  world.boundary = {{-2.0, -8.0, -4.0}, {14.0, 8.0, 4.0}};
+  const tern::Vec3 eye{0.0, 0.01, 0.013};
+  const auto pixels_at = [&](double depth, double yaw) {
+    const DepthFrame frame = clean_frame(world, eye, yaw);
+    return std::count_if(frame.depths.begin(), frame.depths.end(),
+                         [depth](float z) { return std::abs(static_cast<double>(z) - depth) < 2e-4; });
+  };
+  world.blocks = {{{8.0, -7.0, 0.5}, {8.0001, 7.0, 0.5001}}};  // a wire across: a row of pixels
+  EXPECT_GE(pixels_at(8.0, 0.0), 139);
+  EXPECT_LE(pixels_at(8.0, 0.0), 141);
+  world.blocks.clear();
+  world.cylinders.push_back({8.0, 0.7, -3.9, 3.9, 5e-5});  // a pole: a column of pixels
+  EXPECT_GE(pixels_at(8.0, 0.0), 70);
+  EXPECT_LE(pixels_at(8.0, 0.0), 82);
+  world.cylinders.clear();
+  world.blocks = {{{3.0, -1.0, 0.5}, {6.0, 1.0, 0.5001}}};  // a shelf, from its edge: nothing behind it is nearer
+  EXPECT_GE(pixels_at(3.0, 0.0), 52);
+  world.blocks = {{{3.0, -1.0, 0.0131}, {6.0, 1.0, 0.0132}}};  // at the eye's height
+  EXPECT_GE(pixels_at(3.0, 0.0), 52);
+  world.blocks = {{{5.0, 2.0, 1.0}, {5.0001, 2.0001, 1.0001}}};  // a mote: one pixel, from everywhere
+  for (const double yaw : {-0.2, 0.0, 0.1, 0.3, 0.6, 0.9}) {
+    const DepthFrame frame = clean_frame(world, eye, yaw);
+    const double depth = 5.0 * std::cos(yaw) + 1.99 * std::sin(yaw);
+    EXPECT_GE(pixels_at(depth, yaw), 1) << yaw;
+    EXPECT_LE(pixels_at(depth, yaw), 4) << yaw;
   }
 }
 

@@ -58,6 +58,18 @@ FlightSpec flight_spec(const Limits& limits) noexcept;
 /// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.
 size_t flight_words(const Voxel& dims) noexcept;
 
+/// What keeps a flight from going on, or from beginning.
+enum class BlockedBy : uint8_t {
+  kNothing = 0,  ///< nothing that is known
+  kUnseen,       ///< a voxel that no sensor has shown to be free yet: let one look there
+  kObstacle,     ///< a voxel with something that was seen or marked
+  kWindow,       ///< the face of the map's window, beyond which nothing is known
+  kFence,        ///< a fence
+};
+
+/// In English, for logs: "a voxel that was not seen free yet". Static strings; "unknown" for other numbers.
+const char* blocked_by_text(BlockedBy by) noexcept;
+
 /// Why Flight::start() refused.
 struct FlightRefusal {
   /// The field of FlightSpec, of the map or of the call. kNone where nothing was refused.
@@ -65,6 +77,14 @@ struct FlightRefusal {
   /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence where their pointer or
   /// count is wrong. Otherwise kNoFence.
   int32_t fence = kNoFence;
+  /// For kStartOccupied: what is nearest to the start that is not known to be free, kUnseen, kObstacle or kWindow.
+  BlockedBy blocked_by = BlockedBy::kNothing;
+  /// Where, world frame, metres: the centre of that voxel, or the nearest point of the window's face.
+  Vec3 blocked_at = {0.0, 0.0, 0.0};
+  /// How far it is from the start, metres: from the voxel's cube, or from the face.
+  double distance = 0.0;
+  /// How far it must be, metres: the map's radius and its tracking margin.
+  double needed = 0.0;
 };
 
 /// What the vehicle is doing.
@@ -136,18 +156,6 @@ struct FlightYaw {
   const Heading* headings;
   int32_t heading_count;  ///< 1 .. kMaxMissionPoints
 };
-
-/// What keeps a flight from going on.
-enum class BlockedBy : uint8_t {
-  kNothing = 0,  ///< nothing that is known
-  kUnseen,       ///< a voxel that no sensor has shown to be free yet: let one look there
-  kObstacle,     ///< a voxel with something that was seen or marked
-  kWindow,       ///< the face of the map's window, beyond which nothing is known
-  kFence,        ///< a fence
-};
-
-/// In English, for logs: "a voxel that was not seen free yet". Static strings; "unknown" for other numbers.
-const char* blocked_by_text(BlockedBy by) noexcept;
 
 /// What one tick did.
 struct FlightReport {

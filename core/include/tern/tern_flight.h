@@ -35,7 +35,11 @@ typedef struct {
   int64_t stale_after; /* nanoseconds */
 } tern_flight_spec;
 /* Why a flight was refused: tern::FlightRefusal. */
-typedef struct { uint8_t field; int32_t fence; } tern_flight_refusal;
+typedef struct {
+  uint8_t field; int32_t fence;
+  uint8_t blocked_by; /* TERN_BLOCKED_BY_... */
+  tern_vec3 blocked_at; double distance, needed; /* metres */
+} tern_flight_refusal;
 /* What one tick did: tern::FlightReport. */
 typedef struct {
   uint8_t mode, reason, plan;

@@ -263,6 +263,7 @@ class FlightState {
 
   // start.cpp
   Status prove_start(FlightRefusal& refusal) noexcept;
+  void refuse_start(FlightRefusal& refusal) const noexcept;
 
   // prove_draft.cpp: what of it is flown
   ProofGrounds grounds_of(const Commitment& commitment) const noexcept;

@@ -7,6 +7,7 @@
 #include "base/fence_fault.hpp"
 #include "base/math.hpp"
 #include "base/verdict.hpp"
+#include "flight/blocked.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
 #include "planner/validate.hpp"
@@ -128,7 +129,36 @@ Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
   if (ended && found.end == ProofEnd::kProven) return Status::kOk;
   refusal.field = Field::kStartPosition;
   refusal.fence = found.fence;
-  return found.end == ProofEnd::kFence ? Status::kStartFenced : Status::kStartOccupied;
+  if (found.end == ProofEnd::kFence) return Status::kStartFenced;
+  refuse_start(refusal);
+  return Status::kStartOccupied;
+}
+
+/// What is too near to where the vehicle would rest.
+void FlightState::refuse_start(FlightRefusal& refusal) const noexcept {
+  const Grid& safe = map.safe();
+  const GridSpec& window = safe.spec();
+  const Vec3 local = safe.to_local(now.aim);
+  refusal.needed = window.clearance();
+  refusal.distance = window.clearance() + window.cell;
+  const NearestSolid solid = nearest_solid(safe, local, refusal.distance);
+  if (solid.found) {
+    const Blockage nearest_voxel = block_at(solid.voxel);
+    refusal.blocked_by = nearest_voxel.by;
+    refusal.blocked_at = nearest_voxel.at;
+    refusal.distance = solid.distance;
+  }
+  const Box boundary = safe.local_boundary();
+  for (int a = 0; a < 3; ++a) {
+    const double below = axis(local, a) - axis(boundary.lower, a);
+    const double above = axis(boundary.upper, a) - axis(local, a);
+    const double apart = larger(0.0, smaller(below, above));
+    if (apart >= refusal.distance) continue;
+    refusal.blocked_by = BlockedBy::kWindow;
+    refusal.blocked_at = now.aim;
+    axis(refusal.blocked_at, a) = axis(window.origin, a) + axis(below < above ? boundary.lower : boundary.upper, a);
+    refusal.distance = apart;
+  }
 }
 
 Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,

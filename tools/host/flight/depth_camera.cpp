@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/flight/depth_camera.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "host/flight/ray_fan.hpp"
+#include "host/flight/pixel_columns.hpp"
 #include "host/flight/speckle_filter.hpp"
 
 namespace tern_host {
@@ -39,23 +38,11 @@ tern::Pose pose_of(const tern::Vec3& eye, double yaw) {
   return {eye, {0.5 * (w + z), -0.5 * (w + z), 0.5 * (w - z), 0.5 * (z - w)}};
 }
 
-/// Depths at the pixels' corners, (width + 1) x (height + 1). A level camera's columns are upright planes.
-std::vector<float> corner_depths(const FlightWorld& world, const tern::DepthView& view, const tern::Vec3& eye,
-                                 double far, double yaw) {
-  const double wider = 0.5 + 0.5 / view.width;
-  const double widest = std::hypot(1.0, wider * view.width / view.fx);
-  const FlightWorld near = nearby(world, eye, far * widest);
-  const int columns = view.width + 1;
-  std::vector<float> depths(static_cast<std::size_t>(columns) * static_cast<std::size_t>(view.height + 1));
-  for (int u = 0; u < columns; ++u) {
-    const double right = (u - 0.5 - view.cx) / view.fx;
-    const RayFan fan(near, eye, far, std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw));
-    for (int v = 0; v <= view.height; ++v) {
-      const double down = (v - 0.5 - view.cy) / view.fy;
-      depths[static_cast<std::size_t>(v * columns + u)] = static_cast<float>(fan.distance(down));
-    }
-  }
-  return depths;
+/// The borders between pixels, from the first one's to the last one's, in metres aside for each metre ahead.
+std::vector<double> borders(int pixels, double center, double focal) {
+  std::vector<double> at;
+  for (int k = 0; k <= pixels; ++k) at.push_back((k - 0.5 - center) / focal);
+  return at;
 }
 
 }  // namespace
@@ -68,12 +55,14 @@ DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double ya
   frame.pose = pose_of(eye, yaw);
   frame.taken = t;
   const double far = kFarther * s.sensor_range;
-  const std::vector<float> corners = corner_depths(world, frame.view, eye, far, yaw);
+  const tern::DepthView& view = frame.view;
+  const PixelColumns columns(world, eye, yaw, far, borders(s.width, view.cx, view.fx));
+  const std::vector<double> downs = borders(s.height, view.cy, view.fy);
   std::size_t pixel = 0;
   for (int v = 0; v < s.height; ++v) {
     for (int u = 0; u < s.width; ++u, ++pixel) {
-      const float* const top = &corners[static_cast<std::size_t>(v * (s.width + 1) + u)];
-      double depth = static_cast<double>(std::min({top[0], top[1], top[s.width + 1], top[s.width + 2]}));
+      const auto row = static_cast<std::size_t>(v);
+      double depth = columns.depth(u, downs[row], downs[row + 1]);
       if (s.depth_noise > 0.0) depth *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
       if (s.outliers > 0.0 && noise.chance(s.outliers)) depth = noise.within(kNearestOutlier, far);
       frame.depths[pixel] = static_cast<float>(depth);

@@ -20,8 +20,8 @@ struct DepthFrame {
   std::int64_t taken = 0;
 };
 
-/// What a level camera at `eye` sees that looks along `yaw`, with noise and outliers. A pixel has the least depth of
-/// its four corners, as the map demands: what is nearest in it counts.
+/// What a level camera at `eye` sees that looks along `yaw`, with noise and outliers. A pixel has the depth of the
+/// nearest thing in its whole area, as the map demands.
 DepthFrame take_frame(const FlightWorld& world, const tern::Vec3& eye, double yaw, std::int64_t t, Noise& noise);
 
 }  // namespace tern_host

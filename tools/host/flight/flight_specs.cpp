@@ -64,6 +64,14 @@ void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const
                            " m along x, or sensor_range to less than " + brief(0.5 * length / kHorizon) + " m");
 }
 
+std::string describe_refusal(const tern::FlightRefusal& refusal) {
+  if (refusal.blocked_by == tern::BlockedBy::kNothing) return "";
+  const tern::Vec3& at = refusal.blocked_at;
+  return ": all within " + fixed(refusal.needed, 2) + " m of the start must be known to be free, and " +
+         tern::blocked_by_text(refusal.blocked_by) + " is " + fixed(refusal.distance, 2) + " m away, at " +
+         fixed(at.x, 2) + " " + fixed(at.y, 2) + " " + fixed(at.z, 2);
+}
+
 tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
   tern::FlightYaw yaw{};
   yaw.mode = tern::FlightYawMode::kTowardsUnseen;

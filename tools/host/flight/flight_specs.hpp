@@ -16,6 +16,10 @@ tern::MapSpec map_spec_of(const FlightWorld& world);
 /// Without fences.
 tern::FlightSpec flight_spec_of(const FlightSettings& settings);
 
+/// What is too near to a start that is refused, and how far it must be: goes on after the status. Empty where nothing
+/// is.
+std::string describe_refusal(const tern::FlightRefusal& refusal);
+
 /// Throws where plans would not end within the window; says what to change.
 void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map);
 

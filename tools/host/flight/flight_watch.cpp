@@ -212,6 +212,15 @@ std::int64_t FlightWatch::time_for(double way, const Sample& sample) const {
   return static_cast<std::int64_t>(1e9 * (std::sqrt(speed * speed + 2.0 * most * way) - speed) / most) + 1;
 }
 
+/// Where the way is too near to the true world. If the map says free there, the flight is not to blame: no frame showed
+/// what is there, or the start's surroundings were stated free.
+std::string FlightWatch::too_near(const Vec3& p, double room) const {
+  const std::string place = "at " + fixed(p.x, 2) + " " + fixed(p.y, 2) + " " + fixed(p.z, 2);
+  const bool says_free = rooms_.readable() && rooms_.from_solid(p) >= -kDistanceError;
+  return fixed(-room, 4) + " m too near to the true world " + place +
+         (says_free ? ", where the map says free: no frame showed what is there" : "");
+}
+
 /// The whole way, not points of it alone: from a point, the vehicle cannot come nearer than the room there allows. A
 /// millimetre without room is flown nearly straight, and so comes nearer than its ends by less than a micrometre.
 /// Unproven space counts from `fresh` on.
@@ -224,7 +233,7 @@ void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_
     const double real = knows_world_ ? rooms_.from_world(p) : kFar;
     const double solid = t < fresh ? kFar : rooms_.from_solid(p);
     const double fenced = rooms_.from_fences(p);
-    if (real < -kDistanceError) fail(6, fixed(-real, 4) + " m too near to the true world, " + after(t, from), from);
+    if (real < -kDistanceError) fail(6, too_near(p, real) + ", " + after(t, from), from);
     if (solid < -kDistanceError) fail(2, fixed(-solid, 4) + " m too near to unproven space, " + after(t, from), from);
     if (fenced < -kDistanceError) fail(2, fixed(-fenced, 4) + " m into a fence, " + after(t, from), from);
     const double room = std::min({solid, real, fenced, kLeastWay + spec_.horizon});

@@ -33,6 +33,8 @@ class Rooms {
   /// From the true world, for a body that is off the command by the tracking error.
   double from_world(const tern::Vec3& p) const;
 
+  /// It rests with something within the radius: whether that is called a threat is the flight's choice.
+  bool leaves() const { return leaves_; }
   /// The vehicle rests here. If something is within the radius, from_solid() lets it stay as near to that as it is.
   void rest_at(const tern::Vec3& place);
 

@@ -103,10 +103,13 @@ class Simulation {
     const double most = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
     const double free = assumed_radius(world_, map_.safe().spec(), most);
     record.assume_free(world_.start, free, map_.assume_free(world_.start, free));
-    const tern::Status begun = flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0);
+    tern::FlightRefusal refusal;
+    const tern::Status begun =
+        flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0, &refusal);
     record.start(spec_, world_.start, 0, begun);
     if (begun != tern::Status::kOk) {
-      throw std::runtime_error(world_.name + ": the flight cannot begin: " + tern::status_name(begun));
+      throw std::runtime_error(world_.name + ": the flight cannot begin: " + tern::status_name(begun) +
+                               describe_refusal(refusal));
     }
     set_wishes();
     vehicle_ = make_vehicle(vehicle_settings_of(world_.settings), setpoint(0.0));

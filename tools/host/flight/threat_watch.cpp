@@ -94,11 +94,11 @@ std::int64_t ThreatWatch::notice_ticks() const {
 }
 
 /// The flight looks at whole frames, and needs some ticks for a proof. An alarm in which nothing is in the way is one
-/// of a plan that was taken back, and over soon.
+/// of a plan that was taken back, and over soon; or the vehicle rests beside something and may stay.
 void ThreatWatch::count_disagreement(bool threat, std::int64_t t) {
   const std::int64_t most = notice_ticks();
   unnoticed_ = shown_ >= 0 && !threat ? unnoticed_ + 1 : 0;
-  unfounded_ = unproven_ < 0 && threat && !map_.busy() ? unfounded_ + 1 : 0;
+  unfounded_ = unproven_ < 0 && threat && !rooms_.leaves() && !map_.busy() ? unfounded_ + 1 : 0;
   if (unnoticed_ > most) fail("something is in the way, and the flight does not say so", t);
   if (unfounded_ > most) fail("the flight says that something is in the way, and there is not", t);
 }
