@@ -207,7 +207,8 @@ void run_plans(Context& context) {
   if (again && status == Status::kOk) replan(context, planner, world, map, ask);
   Rng own = side_stream(context.rng);
   if (own.chance(kMissions)) run_mission(context, own, planner, world, map, ask);
-  const bool missed = status == Status::kNoPath || status == Status::kGoalOccupied || status == Status::kGoalFenced;
+  const bool missed = status == Status::kNoPath || status == Status::kGoalOccupied ||
+                      status == Status::kGoalTooNarrow || status == Status::kGoalFenced;
   if (missed) go_near(context, planner, world, map, ask);
 }
 

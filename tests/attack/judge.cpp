@@ -19,6 +19,14 @@ bool is_capacity(Status status) {
 
 namespace {
 
+bool is_occupied(Status status) {
+  return status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
+}
+
+bool is_narrow(Status status) {
+  return status == Status::kStartTooNarrow || status == Status::kGoalTooNarrow || status == Status::kViaTooNarrow;
+}
+
 bool is_budget(Status status) {
   return static_cast<int>(status) >= 90;
 }
@@ -91,12 +99,14 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
     report(f, "report", "%s: %s spent %u of %u", what, tern::stage_name(static_cast<tern::Stage>(k)), r.stages[k].work,
            r.stages[k].bound);
   }
-  const bool occupied =
-      status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
+  const bool occupied = is_occupied(status) || is_narrow(status);
   if (r.has_nearest_free && !occupied)
     report(f, "report", "%s: a nearest free voxel for %s", what, tern::status_name(status));
   if (r.has_nearest_free && !world.grid.free(world.grid.voxel_of(world.grid.to_local(r.nearest_free)))) {
     report(f, "report", "%s: the nearest free voxel is not free", what);
+  }
+  if (r.finer_cell > 0.0 && (!is_narrow(status) || r.finer_cell > 0.5 * world.spec.cell)) {
+    report(f, "report", "%s: a finer cell of %g for %s", what, r.finer_cell, tern::status_name(status));
   }
   const bool fenced = status == Status::kStartFenced || status == Status::kGoalFenced || status == Status::kViaFenced;
   if (r.via != tern::kNoVia && (ok || r.via < 0 || r.via >= ask.request.via_count)) {
@@ -108,9 +118,8 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
 }
 
 bool is_map_answer(Status status) {
-  return status == Status::kNoPath || status == Status::kStartOccupied || status == Status::kGoalOccupied ||
-         status == Status::kViaOccupied || status == Status::kViaFenced || status == Status::kCorridorBlocked ||
-         status == Status::kStartFenced || status == Status::kGoalFenced;
+  return is_occupied(status) || is_narrow(status) || status == Status::kNoPath || status == Status::kViaFenced ||
+         status == Status::kCorridorBlocked || status == Status::kStartFenced || status == Status::kGoalFenced;
 }
 
 }  // namespace

@@ -62,6 +62,17 @@ Status plan_fenced(const Vec3& point, const tern::Via* via = nullptr) {
   return world.plan();
 }
 
+/// A shaft around x = y = 1 in a solid corner, so narrow that none of its voxels keeps the radius; its middle does.
+Status plan_in_shaft(const Vec3& from, const Vec3& to, const tern::Via* via = nullptr) {
+  World world({40, 40, 20}, 0.1, 0.19);
+  world.block({0.0, 0.0, 0.0}, {0.8, 2.0, 2.0}).block({1.2, 0.0, 0.0}, {2.0, 2.0, 2.0});
+  world.block({0.8, 0.0, 0.0}, {1.2, 0.8, 2.0}).block({0.8, 1.2, 0.0}, {1.2, 2.0, 2.0});
+  world.from(from).to(to);
+  world.request.vias = via;
+  world.request.via_count = via == nullptr ? 0 : 1;
+  return world.plan();
+}
+
 /// A wall through a small room.
 Status plan_behind_wall() {
   World world({20, 10, 1}, 0.1, 0.0);
@@ -217,6 +228,20 @@ std::vector<Case> world_cases() {
       {Status::kMapChanged, map_changed},
       {Status::kCorridorBlocked, grow_through_obstacle},
       {Status::kNoTrajectory, no_trajectory},
+      {Status::kStartTooNarrow,
+       [] {
+         return plan_in_shaft({1.0, 1.0, 1.0}, {3.0, 3.0, 1.0});
+       }},
+      {Status::kGoalTooNarrow,
+       [] {
+         return plan_in_shaft({3.0, 3.0, 1.0}, {1.0, 1.0, 1.0});
+       }},
+      {Status::kViaTooNarrow,
+       [] {
+         tern::Via via{};
+         via.position = {1.0, 1.0, 1.0};
+         return plan_in_shaft({3.0, 3.0, 1.0}, {3.0, 3.2, 1.0}, &via);
+       }},
       {Status::kStartFenced, [] { return plan_fenced(open_world().request.start.position); }},
       {Status::kGoalFenced, [] { return plan_fenced(open_world().request.goal.position); }},
       {Status::kViaOccupied,

@@ -64,7 +64,8 @@
   FIELD(tern_report, half_spaces)                                                                                    \
   FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
   FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
-  FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)
+  FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)    \
+  FIELD(tern_report, finer_cell)
 
 #define TERN_LAYOUT_FLIGHT(FIELD)                                                                                    \
   FIELD(tern_proof_report, until) FIELD(tern_proof_report, end) FIELD(tern_proof_report, voxel)                      \

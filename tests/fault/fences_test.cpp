@@ -104,8 +104,10 @@ TEST(FencesInAVoxel, ShutAStartInOrLeadItToOneSide) {
   const Fence fences[] = {{before, 2, FenceKind::kKeepOut}, {behind, 2, FenceKind::kKeepOut}};
   world.request.fences = fences;
   world.request.fence_count = 2;
-  EXPECT_EQ(world.plan(), Status::kStartOccupied);
+  EXPECT_EQ(world.plan(), Status::kStartTooNarrow);
   EXPECT_FALSE(world.report.raw_occupied);
+  EXPECT_EQ(world.report.fence, 0);
+  EXPECT_EQ(world.report.finer_cell, 0.025);
   EXPECT_TRUE(world.report.has_nearest_free);
   world.request.fence_count = 1;
   ASSERT_EQ(world.plan(), Status::kOk);

@@ -154,7 +154,7 @@ void expect_kept(const Case& c) {
 bool is_answer(Status status) {
   return status == Status::kOk || status == Status::kNoPath || status == Status::kStartFenced ||
          status == Status::kGoalFenced || status == Status::kFenceEmpty || status == Status::kStartOccupied ||
-         status == Status::kGoalOccupied;
+         status == Status::kGoalOccupied || status == Status::kStartTooNarrow || status == Status::kGoalTooNarrow;
 }
 
 /// A point that a face of the keep-out leaves just the radius, where there is one in the boundary.

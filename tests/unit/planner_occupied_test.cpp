@@ -31,6 +31,7 @@ class OccupiedEnds : public testing::Test {
     EXPECT_EQ(world_.plan(), status);
     EXPECT_EQ(report().stage, tern::Stage::kSearch);
     EXPECT_EQ(report().raw_occupied, raw);
+    EXPECT_EQ(report().finer_cell, 0.0) << "occupied, or so narrow that no grid that fine fits";
     EXPECT_TRUE(report().has_nearest_free);
     EXPECT_EQ(report().stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
     EXPECT_TRUE(world_.trajectory_untouched());
@@ -44,14 +45,15 @@ class OccupiedEnds : public testing::Test {
 
 TEST_F(OccupiedEnds, AtRestTheyAreRefused) {
   world_.from(inside_);
-  expect_refused(Status::kStartOccupied, false);
+  expect_refused(Status::kStartTooNarrow, false);
+  EXPECT_EQ(report().fence, tern::kNoFence);
   goal().velocity = along_;
-  expect_refused(Status::kStartOccupied, false);
+  expect_refused(Status::kStartTooNarrow, false);
   world_.from({5.0, 2.0, 1.0}).to(inside_);
   goal().velocity = tern::kZero;
-  expect_refused(Status::kGoalOccupied, false);
+  expect_refused(Status::kGoalTooNarrow, false);
   start().velocity = along_;
-  expect_refused(Status::kGoalOccupied, false);
+  expect_refused(Status::kGoalTooNarrow, false);
 }
 
 TEST_F(OccupiedEnds, InAnObstacleMotionDoesNotHelp) {
@@ -99,18 +101,18 @@ TEST_F(OccupiedEnds, AGoalThatEntersTheTunnelIsLeftForFromOutside) {
 TEST_F(OccupiedEnds, AStartDeepInTheTunnelIsRefusedAfterItsEscapes) {
   world_.from(inside_);
   start().velocity = along_;
-  EXPECT_EQ(world_.plan(), Status::kStartOccupied);
+  EXPECT_EQ(world_.plan(), Status::kStartTooNarrow);
   EXPECT_GT(report().stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
 }
 
 /// The way to a via where the plan starts is no way at all, and the next leg finds no voxel to begin in.
-TEST_F(OccupiedEnds, AViaAtSuchAStartIsOccupied) {
+TEST_F(OccupiedEnds, AViaAtSuchAStartIsTooNarrow) {
   world_.from(inside_);
   tern::Via via{};
   via.position = inside_;
   world_.request.vias = &via;
   world_.request.via_count = 1;
-  EXPECT_EQ(world_.plan(), Status::kViaOccupied);
+  EXPECT_EQ(world_.plan(), Status::kViaTooNarrow);
   EXPECT_EQ(report().via, 0);
   EXPECT_FALSE(report().raw_occupied);
   EXPECT_TRUE(report().has_nearest_free);

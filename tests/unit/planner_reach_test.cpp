@@ -87,7 +87,7 @@ TEST(ReachGoalInMotion, TheNearestPointIsTheOneNearestToTheGoal) {
   World world({80, 40, 20}, 0.1, 0.0);
   world.block({5.0, 1.8, 0.0}, {6.2, 2.2, 0.1}).from({1.0, 1.0, 1.0}).to({6.02, 1.99, 0.0});
   world.request.goal.velocity = {1.0, 0.0, 0.0};
-  EXPECT_EQ(world.plan(), Status::kGoalOccupied);
+  EXPECT_EQ(world.plan(), Status::kGoalTooNarrow);
   EXPECT_FALSE(world.report.raw_occupied);
   ASSERT_TRUE(world.report.has_reachable);
   // Above the block; beside it, centres are 0.24 m away.

@@ -172,7 +172,7 @@ std::vector<std::string> cells(const PlanResult& result) {
 }  // namespace
 
 std::string plan_summary(const PlanResult& result) {
-  const std::string detail = tern_host::describe_status(result.report);
+  const std::string detail = tern_host::describe_status(result);
   std::string text = result.scenario.name + ": ok" + (detail.empty() ? "" : " (" + detail + ")") + "\n";
   if (result.path != nullptr) text += search_lines(result);
   if (result.corridor != nullptr) text += corridor_line(result);
@@ -183,7 +183,7 @@ std::string plan_summary(const PlanResult& result) {
 
 std::string failure_summary(const PlanResult& result) {
   return result.scenario.name + ": no plan: " + tern::status_name(result.report.status) + ": " +
-         tern_host::describe_status(result.report) + "\n";
+         tern_host::describe_status(result) + "\n";
 }
 
 std::string yaw_failure(const PlanResult& result) {
@@ -203,7 +203,7 @@ std::string table_header() {
 
 std::string table_row(const std::string& name, const PlanResult& result) {
   std::string row = left(name, kNameWidth) + left(tern::status_name(result.report.status), kStatusWidth);
-  if (!result.ok()) return row + "  " + tern_host::describe_status(result.report) + "\n";
+  if (!result.ok()) return row + "  " + tern_host::describe_status(result) + "\n";
   const std::vector<std::string> values = cells(result);
   for (std::size_t i = 0; i < values.size(); ++i) row += right(values[i], kColumns[i].width);
   return row + "\n";

@@ -7,6 +7,7 @@
 
 #include "host/finding_text.hpp"
 #include "host/number.hpp"
+#include "host/occupied_text.hpp"
 
 namespace tern_host {
 namespace {
@@ -155,11 +156,6 @@ std::string point_text(const Vec3& v) {
   return "(" + brief(v.x) + ", " + brief(v.y) + ", " + brief(v.z) + ")";
 }
 
-bool is_occupied(tern::Status status) {
-  return status == tern::Status::kStartOccupied || status == tern::Status::kGoalOccupied ||
-         status == tern::Status::kViaOccupied;
-}
-
 /// A number that is not -1 only where it has a value.
 Json index_json(int index) {
   return index < 0 ? Json(nullptr) : Json(index);
@@ -183,14 +179,13 @@ std::string finding_text(const tern::CheckReport& check) {
   return check.finding == tern::Finding::kNone ? "" : "; the check found: " + describe_finding(check);
 }
 
-std::string describe_failure(const tern::Report& report) {
+std::string describe_failure(const PlanResult& result) {
+  const tern::Report& report = result.report;
   std::string text = std::string(tern::status_meaning(report.status)) + "; stage: " + tern::stage_name(report.stage);
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
-  if (is_occupied(report.status)) {
-    text += report.raw_occupied ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
-  }
+  text += describe_occupied(result);
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
   return text + finding_text(report.check);
@@ -198,8 +193,9 @@ std::string describe_failure(const tern::Report& report) {
 
 }  // namespace
 
-std::string describe_status(const tern::Report& report) {
-  if (report.status != tern::Status::kOk) return describe_failure(report);
+std::string describe_status(const PlanResult& result) {
+  const tern::Report& report = result.report;
+  if (report.status != tern::Status::kOk) return describe_failure(result);
   if (report.goal_missed != tern::Status::kOk) {
     return std::string("not at the goal but at ") + point_text(report.reachable) +
            ", as near as a path comes: " + tern::status_meaning(report.goal_missed);
@@ -218,7 +214,7 @@ std::string plan_json(const PlanResult& result) {
   const Scenario& scenario = result.scenario;
   Json plan = {{"format", "tern-plan/1"},
                {"status", tern::status_name(result.report.status)},
-               {"detail", describe_status(result.report)},
+               {"detail", describe_status(result)},
                {"scenario", scenario.name},
                {"resolution", scenario.resolution},
                {"robot_radius", scenario.radius},
@@ -229,6 +225,7 @@ std::string plan_json(const PlanResult& result) {
                {"goal_state", json(scenario.goal)}};
   const tern::Report& report = result.report;
   if (!scenario.vias.empty()) plan["vias"] = vias_json(result);
+  if (report.finer_cell > 0.0) plan["finer_resolution"] = report.finer_cell;
   if (report.has_reachable) plan["reachable"] = json(report.reachable);
   if (report.goal_missed != tern::Status::kOk) plan["goal_missed"] = tern::status_name(report.goal_missed);
   if (result.path != nullptr) plan["search"] = search_json(result);

@@ -13,7 +13,7 @@ namespace tern_host {
 
 /// One sentence on how the plan went: empty for an optimised plan, why and how it fell back for another, and what is
 /// wrong (stage, field, nearest free voxel) where there is none.
-std::string describe_status(const tern::Report& report);
+std::string describe_status(const PlanResult& result);
 
 /// The plan as JSON: world frame, numbers that read back to the same bits.
 std::string plan_json(const PlanResult& result);

@@ -132,7 +132,8 @@ struct Report {
   /// Only for kStartOccupied, kGoalOccupied and kViaOccupied. True: the point lies inside an obstacle. False: it is
   /// outside, but closer to one than the radius.
   bool raw_occupied;
-  /// Only for kStartOccupied, kGoalOccupied and kViaOccupied: true where nearest_free has a value.
+  /// Only for kStartOccupied, kGoalOccupied, kViaOccupied, kStartTooNarrow, kGoalTooNarrow and kViaTooNarrow: true
+  /// where nearest_free has a value.
   bool has_nearest_free;
   /// True where reachable has a value: the goal is occupied or fenced, or no path leads to it, or the search had no
   /// room to find one (kNodesFull, kOpenFull). False where the start joins no free voxel, where Budget::expansions did
@@ -163,7 +164,8 @@ struct Report {
   HighWater high_water;
   /// Where `status` or `goal_missed` is kStartFenced, kGoalFenced or kViaFenced: the index in Request::fences of a
   /// fence that is broken. Keep-in fences are looked at first, in the request's order, then keep-out fences. Where
-  /// `field` is kFences: the index of the fence that is wrong. Else kNoFence.
+  /// `field` is kFences: the index of the fence that is wrong. Where one of them is kStartTooNarrow, kGoalTooNarrow or
+  /// kViaTooNarrow: of a fence that takes the point's voxel, where obstacles and boundary leave it. Else kNoFence.
   int32_t fence = kNoFence;
   /// Why there is no plan, for a request with vias: the index in Request::vias of the via that is wrong or that the
   /// plan could not be led to. kNoVia where the start or the way from the last via to the goal is at fault, or no
@@ -209,6 +211,11 @@ struct Report {
   double search_bound;
   /// Which search found the path.
   SearchUsed search_used;
+
+  /// Only for kStartTooNarrow, kGoalTooNarrow and kViaTooNarrow, metres: the largest of half the voxel's edge, a
+  /// quarter and so on, down to 1/64, at which this point is not too narrow. The grid keeps its origin and boundary,
+  /// and its obstacles are marked again. 0 where none of them would do, or no such grid fits.
+  double finer_cell;
 };
 
 }  // namespace tern

@@ -58,7 +58,7 @@ enum class Status : uint8_t {
   // 30 .. 49: the request is right, but the world has no answer to it. Choose another start, goal, radius or
   // resolution, or wait.
 
-  /// The start is closer to an obstacle than the radius, or no straight line leads from it to a free voxel near it.
+  /// The start is closer to an obstacle than the radius.
   /// Report::raw_occupied says whether it is inside an obstacle, Report::nearest_free has the nearest free voxel.
   kStartOccupied = 30,
   /// The goal is closer to an obstacle than the radius, likewise.
@@ -84,6 +84,15 @@ enum class Status : uint8_t {
   /// A via lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::via and Report::fence
   /// say which.
   kViaFenced = 39,
+
+  /// The start keeps the radius and the fences, but no straight line leads from it to a free voxel near it: the free
+  /// space there is narrower than a voxel. Report::finer_cell says which resolution would do, Report::fence which fence
+  /// makes it so narrow.
+  kStartTooNarrow = 40,
+  /// The same of the goal.
+  kGoalTooNarrow = 41,
+  /// The same of a via. Report::via says which.
+  kViaTooNarrow = 42,
 
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
   // a coarser grid, or a goal that is nearer.

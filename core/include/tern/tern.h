@@ -157,6 +157,7 @@ typedef struct {
   double kkt_residual;
   double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
   uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
+  double finer_cell;   /* m, only for TERN_*_TOO_NARROW: a voxel's edge that would do; 0 if none is known */
 } tern_report;
 #endif
 
@@ -197,6 +198,9 @@ typedef enum {
   TERN_GOAL_FENCED = 37,
   TERN_VIA_OCCUPIED = 38,
   TERN_VIA_FENCED = 39,
+  TERN_START_TOO_NARROW = 40,
+  TERN_GOAL_TOO_NARROW = 41,
+  TERN_VIA_TOO_NARROW = 42,
   /* A capacity ran out. */
   TERN_NODES_FULL = 50,
   TERN_OPEN_FULL = 51,

@@ -32,6 +32,9 @@ const char* status_name(Status status) noexcept {
     case Status::kStartFenced: return "start_fenced";
     case Status::kGoalFenced: return "goal_fenced";
     case Status::kViaOccupied: return "via_occupied";
+    case Status::kStartTooNarrow: return "start_too_narrow";
+    case Status::kGoalTooNarrow: return "goal_too_narrow";
+    case Status::kViaTooNarrow: return "via_too_narrow";
     case Status::kViaFenced: return "via_fenced";
     case Status::kNodesFull: return "nodes_full";
     case Status::kOpenFull: return "open_full";
@@ -83,6 +86,9 @@ const char* status_meaning(Status status) noexcept {
     case Status::kMapChanged: return "the map changed while the plan was being made: begin again";
     case Status::kCorridorBlocked: return "an obstacle touches a segment of the path";
     case Status::kNoTrajectory: return "no trajectory within the limits leaves or reaches the moving boundary state, or has the velocity that a via asks for";
+    case Status::kStartTooNarrow: return "the free space around the start is narrower than a voxel";
+    case Status::kGoalTooNarrow: return "the free space around the goal is narrower than a voxel";
+    case Status::kViaTooNarrow: return "the free space around a via is narrower than a voxel";
     case Status::kViaOccupied: return "a via is closer to an obstacle than the radius";
     case Status::kViaFenced: return "a via is outside a keep-in, or nearer than the radius to a keep-out";
     case Status::kNodesFull: return "the search needs more nodes: raise TERN_MAX_NODES or coarsen the grid";

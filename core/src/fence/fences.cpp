@@ -147,6 +147,13 @@ Status load_keep_out(const Grid& grid, const Surroundings& around, const Fence& 
   return Status::kOk;
 }
 
+/// The least value of normal . p over the box.
+double least_over(const Box& box, const Vec3& normal) {
+  const Vec3 corner{normal.x < 0.0 ? box.upper.x : box.lower.x, normal.y < 0.0 ? box.upper.y : box.lower.y,
+                    normal.z < 0.0 ? box.upper.z : box.lower.z};
+  return dot(normal, corner);
+}
+
 }  // namespace
 
 void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
@@ -190,6 +197,27 @@ std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to
     const Halfspace* faces = fences.planes + fence.first_plane;
     const HullGap gap = widest_gap(from, to, hull_of(fences, fence), faces, fence.planes, radius);
     if (gap.distance < radius - fences.touching) return fence.index;
+  }
+  return kNoFence;
+}
+
+std::int32_t fence_over(const Fences& fences, const Box& cube, double radius) noexcept {
+  const double hair = 0.5 * kLatticeTolerance * (cube.upper.x - cube.lower.x);
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    const double most = -least_over(cube, -1.0 * fences.keep_in[p].normal);
+    if (most > fences.keep_in[p].offset + hair) return fences.keep_in_index[p];
+  }
+  for (int k = 0; k < fences.keep_out_count; ++k) {
+    const KeepOut& fence = fences.keep_out[k];
+    const Hull hull = hull_of(fences, fence);
+    bool beyond = false;
+    for (int f = 0; f < fence.planes + kBoxPlanes && !beyond; ++f) {
+      Vec3 normal{0.0, 0.0, 0.0};
+      if (f < kBoxPlanes) axis(normal, f / 2) = f % 2 == 0 ? 1.0 : -1.0;
+      if (f >= kBoxPlanes) normal = fences.planes[fence.first_plane + f - kBoxPlanes].normal;
+      beyond = least_over(cube, normal) >= hull_reach(normal, hull) + radius - hair;
+    }
+    if (!beyond) return fence.index;
   }
   return kNoFence;
 }

@@ -55,7 +55,12 @@ FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, 
 /// keep-out, both to within `touching`.
 bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
-/// The first fence for which that does not hold, as its index in the request's list. Keep-ins are tested first.
+/// The first fence, likewise, that the closed cube of a voxel does not obey: it is not all inside a keep-in, or beyond
+/// no face and no side of a keep-out by the radius. If there is none, the blocked layer of a grid with such voxels
+/// leaves it free (fence/fence_layer.hpp).
+std::int32_t fence_over(const Fences& fences, const Box& cube, double radius) noexcept;
+
+/// The first fence for which fences_clear does not hold, as its index in the request's list. Keep-ins are tested first.
 /// kNoFence if all hold.
 std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 

@@ -3,6 +3,7 @@
 //
 // Where plans lead, where the sensor points, and when there is no point in going on.
 #include "base/math.hpp"
+#include "base/too_narrow.hpp"
 #include "flight/flight_state.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/distance.hpp"
@@ -210,7 +211,7 @@ bool FlightState::is_nearest() noexcept {
 
 /// An aim in an obstacle moves to the nearest free point, once. False where that leads nowhere.
 bool FlightState::move_aim(const Report& found) noexcept {
-  if (found.status != Status::kGoalOccupied || !found.has_nearest_free || moved_aim) return false;
+  if (!lacks_goal_voxel(found.status) || !found.has_nearest_free || moved_aim) return false;
   moved_aim = true;
   aim = found.nearest_free;
   if (asked_count == 0 && is_nearest()) return false;

@@ -3,6 +3,7 @@
 //
 // One plan, from the copy of the route to the commit. When it begins is known beforehand; late results are dropped.
 #include "base/math.hpp"
+#include "base/too_narrow.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
 #include "grid/distance.hpp"
@@ -185,7 +186,7 @@ Progress FlightState::run_route(Work& work) noexcept {
   note_no_plan(found);
   if (note_fault(found)) {
     give_up();
-  } else if (found.status == Status::kGoalOccupied && found.has_nearest_free && !moved_aim) {
+  } else if (lacks_goal_voxel(found.status) && found.has_nearest_free && !moved_aim) {
     moved_aim = true;
     aim = found.nearest_free;
     beside_goal = aims_at_goal;

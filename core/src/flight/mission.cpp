@@ -4,6 +4,7 @@
 // The points of a mission: which of them the next plan passes, when one was passed, and what happens to one that
 // cannot be reached.
 #include "base/math.hpp"
+#include "base/too_narrow.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
 #include "grid/distance.hpp"
@@ -111,8 +112,8 @@ Vec3 FlightState::place_before_target(const Vec3& from) const noexcept {
 /// reached. False where there is none to leave out, and where the plan that is flown goes on anyway.
 bool FlightState::ask_for_less(const Report& found) noexcept {
   if (asked_count == 0 || keeps) return false;
-  const bool on_way = found.status == Status::kNoPath || found.status == Status::kViaOccupied ||
-                      found.status == Status::kViaFenced || found.status == Status::kGoalOccupied ||
+  const bool on_way = found.status == Status::kNoPath || lacks_via_voxel(found.status) ||
+                      found.status == Status::kViaFenced || lacks_goal_voxel(found.status) ||
                       found.status == Status::kGoalFenced;
   const std::int32_t reached_points = !on_way ? 0 : (found.via == kNoVia ? asked_count : found.via);
   end_at_point(reached_points > 1 ? reached_points - 1 : 0);
@@ -129,8 +130,8 @@ bool FlightState::is_blocked(std::int32_t point) const noexcept {
 
 /// The point at which a plan failed, where it may be left out; otherwise negative.
 std::int32_t FlightState::point_at_fault(const Report& found) const noexcept {
-  const bool at_via = found.status == Status::kViaOccupied || found.status == Status::kViaFenced;
-  const bool at_aim = found.status == Status::kGoalOccupied || found.status == Status::kGoalFenced;
+  const bool at_via = lacks_via_voxel(found.status) || found.status == Status::kViaFenced;
+  const bool at_aim = lacks_goal_voxel(found.status) || found.status == Status::kGoalFenced;
   if (at_via && found.via != kNoVia) return asked_point[found.via];
   return at_aim && aims_at_goal && target != itinerary.last() ? target : -1;
 }

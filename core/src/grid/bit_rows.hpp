@@ -120,6 +120,22 @@ struct GridView {
     return view;
   }
 
+  /// A grid with the same origin and boundary whose voxels are smaller by `halvings` factors of two, to work with
+  /// voxels of that size; it has no layers. False where such a grid cannot be bound.
+  static bool halved(const Grid& grid, int halvings, Grid& fine) noexcept {
+    GridSpec spec = grid.spec_;
+    for (int k = 0; k < halvings; ++k) {
+      spec.cell *= 0.5;
+      spec.dims = {2 * spec.dims.x, 2 * spec.dims.y, 2 * spec.dims.z};
+      if (grid_words(spec.dims) == 0 || spec.cell < kMinCell || spec.clearance() > spec.cell * kMaxDimension) {
+        return false;
+      }
+    }
+    fine.spec_ = spec;
+    fine.local_boundary_ = grid.local_boundary_;
+    return true;
+  }
+
  private:
   static BitRows rows_of(const Grid& grid, const std::uint64_t* layer) noexcept {
     return {layer, grid.row_words_, grid.spec_.dims.y};

@@ -95,6 +95,13 @@ inline double onto_boundary(const Grid& grid, double local, int a) {
   return local;
 }
 
+/// The closed cube of a voxel, local frame.
+inline Box cube_of(const Grid& grid, const Voxel& voxel) {
+  const double cell = grid.spec().cell;
+  return {{voxel.x * cell, voxel.y * cell, voxel.z * cell},
+          {(voxel.x + 1) * cell, (voxel.y + 1) * cell, (voxel.z + 1) * cell}};
+}
+
 /// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) where none does.
 inline IndexRange whole_inside(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();

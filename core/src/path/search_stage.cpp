@@ -17,15 +17,23 @@ constexpr std::uint32_t kEndsEffort = 3000;
 constexpr std::uint32_t kExtractEffort = 6000;
 constexpr std::uint32_t kPathVoxelEffort = 300;
 
-/// Goes on to look for the free voxel nearest to an end that joins none.
-void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, Status status) {
-  stage.status = status;
+/// Goes on to look for the free voxel nearest to an end that joins none, and for a resolution at which it would if it
+/// has room.
+void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, bool at_start) {
+  const bool has_room = point_clear(grid, point, grid.spec().clearance());
+  const Status narrow = at_start ? Status::kStartTooNarrow : Status::kGoalTooNarrow;
+  stage.status = has_room ? narrow : (at_start ? Status::kStartOccupied : Status::kGoalOccupied);
   stage.raw_occupied = !point_clear(grid, point, 0.0);
-  stage.phase = SearchPhase::kNearest;
+  stage.phase = has_room ? SearchPhase::kFiner : SearchPhase::kNearest;
+  finer_begin(stage.finer, point);
   nearest_begin(stage.nearest, grid, point);
 }
 
 Progress advance_nearest(SearchStage& stage, const Grid& grid, Work& work) {
+  if (stage.phase == SearchPhase::kFiner) {
+    if (finer_advance(stage.finer, grid, stage.query.fences, work) == Progress::kMore) return Progress::kMore;
+    stage.phase = SearchPhase::kNearest;
+  }
   if (nearest_advance(stage.nearest, grid, work) == Progress::kMore) return Progress::kMore;
   stage.has_nearest_free = stage.nearest.found;
   if (stage.nearest.found) stage.nearest_free = free_point(grid, stage.nearest.voxel);
@@ -41,7 +49,7 @@ Progress take_expansion(SearchStage& stage, Work& work) {
 }
 
 /// kDone once the end has joined the grid. If no candidate is left: kNoPath after a search that found no path,
-/// otherwise kStartOccupied or kGoalOccupied.
+/// otherwise what refuse_end answers.
 Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
@@ -50,8 +58,7 @@ Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& jo
   }
   if (join.state == JoinState::kJoined) return Progress::kDone;
   if (stage.failed > 0) return conclude(Status::kNoPath, stage.status);
-  const bool at_start = &join == &stage.start;
-  refuse_end(stage, grid, point, at_start ? Status::kStartOccupied : Status::kGoalOccupied);
+  refuse_end(stage, grid, point, &join == &stage.start);
   return advance_nearest(stage, grid, work);
 }
 
@@ -141,7 +148,7 @@ Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
 
 /// Joins both ends to the grid and searches once, going on from the current phase.
 Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
-  if (stage.phase == SearchPhase::kNearest) return advance_nearest(stage, grid, work);
+  if (stage.phase >= SearchPhase::kFiner) return advance_nearest(stage, grid, work);
   if (stage.phase == SearchPhase::kJoinStart) {
     const Progress joined = advance_join(stage, grid, work, stage.start, stage.query.start);
     if (joined != Progress::kDone) return joined;

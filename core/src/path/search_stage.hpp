@@ -12,6 +12,7 @@
 #include "base/work.hpp"
 #include "grid/distance.hpp"
 #include "guide/voxel_search.hpp"
+#include "path/finer_cell.hpp"
 #include "path/join.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
@@ -44,6 +45,7 @@ enum class SearchPhase : std::uint8_t {
   kJoinStart,
   kJoinGoal,
   kSearch,
+  kFiner,    ///< an end joins nothing, though it has room: at which resolution would it?
   kNearest,  ///< an end joins nothing: which free voxel is nearest to it?
 };
 
@@ -67,6 +69,7 @@ struct SearchStage {
   Join start;
   Join goal;
   NearestFree nearest;
+  FinerCell finer;
   VoxelSearch search;
 };
 
@@ -74,7 +77,8 @@ struct SearchStage {
 void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept;
 
 /// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
-/// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied, kNoPath, kNodesFull,
+/// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied,
+/// kStartTooNarrow, kGoalTooNarrow, kNoPath, kNodesFull,
 /// kOpenFull, kJumpPointsFull or kBudgetSearch, with `out` undefined. Pass the same `out` in every call.
 ///
 /// Every leg lies in free voxels. The first and the last one may not, if the exact start or goal is not in a free

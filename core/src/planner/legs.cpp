@@ -5,6 +5,9 @@
 // then gets one corridor, one chain and one trajectory.
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "base/too_narrow.hpp"
+#include "fence/fences.hpp"
+#include "grid/lattice.hpp"
 #include "path/way.hpp"
 #include "planner/layout.hpp"
 #include "planner/plan.hpp"
@@ -81,16 +84,31 @@ Status Plan::join_leg() noexcept {
 
 /// An end of a leg that is a via is no start and no goal.
 Status Plan::status_of_leg(Status status) const noexcept {
-  const bool via_at_start = status == Status::kStartOccupied && leg_ > 0;
-  const bool via_at_goal = status == Status::kGoalOccupied && leg_ < via_count();
-  return via_at_start || via_at_goal ? Status::kViaOccupied : status;
+  const bool at_start = status == Status::kStartOccupied || status == Status::kStartTooNarrow;
+  const bool at_via = (at_start && leg_ > 0) || (lacks_goal_voxel(status) && leg_ < via_count());
+  if (!at_via) return status;
+  return is_too_narrow(status) ? Status::kViaTooNarrow : Status::kViaOccupied;
+}
+
+/// Of a search that failed first because an end has room but no voxel: at which resolution it would have one, and which
+/// fence takes its own voxel if obstacles and boundary leave it.
+void Plan::note_narrowness() noexcept {
+  const SearchStage& search = memory_->stage.search;
+  if (!is_too_narrow(search.status) || escapes_ > 0 || memory_->previous.tries > 0) return;
+  const Voxel home = grid_->voxel_of(search.finer.point);
+  report_.finer_cell = search.finer.cell;
+  const bool is_fenced = has_fences_ && grid_->free(home);
+  const double radius = grid_->spec().clearance();
+  narrow_fence_ = is_fenced ? fence_over(memory_->fences, cube_of(*grid_, home), radius) : kNoFence;
 }
 
 /// The via that the failed part of the way leads to, or begins at if that cannot be left: no via where that is the
 /// start.
 std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
   const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
-  const bool at_start = stage == Stage::kSearch && memory_->stage.search.status == Status::kStartOccupied;
+  const Status why = memory_->stage.search.status;
+  const bool no_start = why == Status::kStartOccupied || why == Status::kStartTooNarrow;
+  const bool at_start = stage == Stage::kSearch && no_start;
   const std::int32_t leg = at_start ? leg_ - 1 : leg_;
   const std::int32_t via = on_leg ? leg : (stage == Stage::kCorridor ? memory_->stage.corridor.passed : via_count());
   return via >= 0 && via < via_count() ? via : kNoVia;

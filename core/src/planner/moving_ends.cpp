@@ -7,7 +7,6 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "curve/rest.hpp"
-#include "grid/distance.hpp"
 #include "planner/detour.hpp"
 #include "planner/escape.hpp"
 #include "planner/layout.hpp"
@@ -96,16 +95,14 @@ Progress Plan::run_detour(Work& work) noexcept {
 /// where the path begins.
 bool Plan::escape_may_help(Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
-  const FlightEnds& ends = memory_->ends;
-  const double radius = world().spec().clearance();
   switch (status) {
     case Status::kNoTrajectory:
     case Status::kCorridorBlocked:
       return true;
-    case Status::kStartOccupied:
-      return !at_rest(asked_.start) && point_clear(world(), ends.start_in_grid, radius);
-    case Status::kGoalOccupied:
-      return !at_rest(asked_.goal) && point_clear(world(), ends.goal_in_grid, radius);
+    case Status::kStartTooNarrow:
+      return !at_rest(asked_.start);
+    case Status::kGoalTooNarrow:
+      return !at_rest(asked_.goal);
     case Status::kNoPath:
     case Status::kSegmentsFull:
     case Status::kCheckFailed:

@@ -3,6 +3,7 @@
 #include "planner/plan.hpp"
 
 #include "base/math.hpp"
+#include "base/too_narrow.hpp"
 #include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/layout.hpp"
@@ -42,9 +43,12 @@ Status Plan::end(Stage stage, Status status) noexcept {
   life_ = Life::kEnded;
   status_ = status;
   report_.stage = stage;
+  const bool narrow = is_too_narrow(status);
   const bool occupied =
       status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
-  if (!occupied) report_.raw_occupied = report_.has_nearest_free = false;
+  if (!occupied && !narrow) report_.raw_occupied = report_.has_nearest_free = false;
+  if (!narrow) report_.finer_cell = 0.0;
+  if (narrow) report_.fence = narrow_fence_;
   if (status != Status::kCheckFailed && report_.optimiser != Status::kCheckFailed) report_.check = CheckReport{};
   if (status != Status::kOk) report_.quality = Quality::kNone;
   if (status == Status::kOk) report_.via = kNoVia;

@@ -86,6 +86,7 @@ class Plan {
   Progress run_fences(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
+  void note_narrowness() noexcept;
   void begin_shortcut() noexcept;
   Progress run_shortcut(Work& work) noexcept;
   bool search_again(Status why) noexcept;
@@ -156,6 +157,7 @@ class Plan {
   std::uint32_t effort_ = 0;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
+  std::int32_t narrow_fence_ = kNoFence;    // Report::fence where a point is too narrow
   std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal
   bool given_at_rest_ = false;              // both ends of the request as given
   std::int32_t fences_blocked_ = 0;         // in the grid: all keep-ins, then the keep-outs

@@ -5,6 +5,7 @@
 // again on the current map: before a new plan is looked for, so that a rest that does not hold costs little, and again
 // if it is to be flown, because the new plan took its memory.
 #include "base/progress.hpp"
+#include "base/too_narrow.hpp"
 #include "base/work.hpp"
 #include "check/tolerance.hpp"
 #include "curve/rest.hpp"
@@ -70,12 +71,12 @@ void Plan::begin_hulls() noexcept {
   if (has_fences_) scratch.fences = &memory.fences;
 }
 
-/// The rest of the plan cannot help if the goal is occupied.
+/// The rest of the plan cannot help if no voxel near the goal is free.
 bool Plan::previous_may_help(Status status) const noexcept {
   const Previous& rest = memory_->previous;
   if (rest.tries == rest.last_try || rest.count == 0) return false;
   if (rest.meets_goal) return true;
-  return rest.tries == 0 && status != Status::kGoalOccupied && !at_rest(asked_.start);
+  return rest.tries == 0 && !lacks_goal_voxel(status) && !at_rest(asked_.start);
 }
 
 void Plan::begin_previous() noexcept {

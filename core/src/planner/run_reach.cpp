@@ -4,6 +4,7 @@
 // Where no plan leads to the goal: the nearest point that one can lead to, for the report, or as the goal instead.
 #include "base/free_point.hpp"
 #include "base/progress.hpp"
+#include "base/too_narrow.hpp"
 #include "base/work.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
@@ -20,8 +21,8 @@ bool lacks_nodes(Status status) {
 
 /// The goal cannot be planned to, whatever the limits and the budget.
 bool misses_goal(Status status) {
-  return status == Status::kGoalOccupied || status == Status::kGoalFenced || status == Status::kNoPath ||
-         status == Status::kViaOccupied || lacks_nodes(status);
+  return lacks_goal_voxel(status) || status == Status::kGoalFenced || status == Status::kNoPath ||
+         lacks_via_voxel(status) || lacks_nodes(status);
 }
 
 }  // namespace

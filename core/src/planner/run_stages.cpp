@@ -98,6 +98,7 @@ Progress Plan::run_search(Work& work) noexcept {
   report_.has_nearest_free = stage.has_nearest_free;
   if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
   if (progress == Progress::kFailed) {
+    note_narrowness();
     fail(Stage::kSearch, status_of_leg(stage.status));
   } else {
     enter(Stage::kShortcut);

@@ -98,7 +98,7 @@ RunJson facts_json(const PlanResult& result) {
   RunJson facts = RunJson::array();
   const auto add = [&](const char* label, const std::string& text) { facts.push_back({label, text}); };
   add("status", tern::status_name(result.report.status));
-  const std::string detail = describe_status(result.report);
+  const std::string detail = describe_status(result);
   if (!detail.empty()) add("why", detail);
   add("radius", fixed(result.scenario.radius, 2) + " m");
   add("computed in", fixed(1e-3 * result.timing.total(), 2) + " ms");

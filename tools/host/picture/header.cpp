@@ -97,7 +97,7 @@ double draw_failure(Canvas& canvas, const PlanResult& result, double y) {
   y += 6.0;
   canvas.text({kPageMargin, y}, std::string("No plan: ") + tern::status_name(result.report.status),
               "class=\"figure\" style=\"fill:#b03030\"");
-  return draw_lines(canvas, describe_status(result.report), kFigureName, y + kLine) - 4.0;
+  return draw_lines(canvas, describe_status(result), kFigureName, y + kLine) - 4.0;
 }
 
 bool has_block(const Scenario& scenario, bool keepout) {

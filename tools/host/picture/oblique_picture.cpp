@@ -110,7 +110,7 @@ void draw_robots(Canvas& canvas, const PlanResult& result, const ObliqueScene& s
 
 std::string headline(const PlanResult& result, const Figures& figures) {
   if (!result.ok()) {
-    return std::string("No plan: ") + tern::status_name(result.report.status) + ": " + describe_status(result.report);
+    return std::string("No plan: ") + tern::status_name(result.report.status) + ": " + describe_status(result);
   }
   const std::string flight = fixed(figures.length, 1) + " m in " + fixed(figures.duration, 1) + " s";
   const std::vector<Block>& blocks = result.scenario.blocks;
