@@ -144,6 +144,25 @@ TEST(FlightClock, MapTakesFramesOfTheNewTime) {
   EXPECT_EQ(enter(4), Status::kClockBehind);
 }
 
+/// From the first time to the last one, all that was seen ages; the difference has 64 bits.
+TEST(FlightClock, MapsAgeFromTheFirstTimeToTheLast) {
+  for (const std::int64_t age : {std::int64_t{0}, 86400 * kSecond}) {
+    MapSpec spec = FlightRoom::map_spec();
+    spec.scan_pixel = 0.1;
+    spec.pixels = 10000;
+    spec.age = age;
+    tern_test::OwnedMap owned(spec);
+    ASSERT_EQ(owned.map.assume_free(kGoal, 2.0), Status::kOk);
+    const Voxel there = owned.map.safe().voxel_of(owned.map.safe().to_local(kGoal));
+    for (const std::int64_t t : {kFirst + 5, kFirst + 5 + kSecond, kLast}) {
+      ASSERT_EQ(owned.map.begin_scan(nullptr, 0, {0.125, 0.125, 1.125}, t), Status::kRunning);
+      while (owned.map.step(1000) == Status::kRunning) {
+      }
+      EXPECT_EQ(owned.map.seen(there), age == 0 || t < 0) << t;
+    }
+  }
+}
+
 /// Each flight from an extreme time is that from 0, bit for bit.
 TEST(FlightClock, ExtremeTimesAreTimesLikeOthers) {
   const auto fly_from = [](std::int64_t begin) {
