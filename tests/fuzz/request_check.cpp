@@ -44,7 +44,8 @@ void add_parts(ByteSource& source, Asked& asked) {
     asked.fences.push_back({asked.planes.data() + 6 * k, 1 + source.below(6), kind});
   }
   for (int k = source.below(3); k > 0; --k) {
-    tern::Via via{source.vector(0.0, 3.0), source.number(0.0, 0.5), source.below(3) == 0, source.below(4) == 0, {}, 0.0};
+    tern::Via via{
+        source.vector(0.0, 3.0), source.number(0.0, 0.5), source.below(3) == 0, source.below(4) == 0, {}, 0.0};
     if (source.below(4) == 0) via.dwell = source.number(-1.0, 10.0);
     if (via.has_velocity) via.velocity = source.vector(-1.0, 1.0);
     asked.vias.push_back(via);

@@ -4,8 +4,8 @@
 // The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
 // is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only where the robot's
 // centre may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every
-// obstacle cube, and inside the boundary (contract C5). Where the boundary holds no whole voxel, this holds for the part
-// of the cube inside the boundary. docs/grid.md has the details.
+// obstacle cube, and inside the boundary (contract C5). Where the boundary holds no whole voxel, this holds for the
+// part of the cube inside the boundary. docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
