@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "attack/emptiness.hpp"
+
 namespace tern_attack {
 
 using tern::Status;
@@ -210,6 +212,7 @@ void run_plans(Context& context) {
   const bool missed = status == Status::kNoPath || status == Status::kGoalOccupied ||
                       status == Status::kGoalTooNarrow || status == Status::kGoalFenced;
   if (missed) go_near(context, planner, world, map, ask);
+  if (own.chance(context.family == Family::kFences ? 0.5 : 0.05)) attack_fences(context, own, planner, world, ask);
 }
 
 }  // namespace

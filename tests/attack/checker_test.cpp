@@ -8,6 +8,8 @@
 
 #include <limits>
 
+#include "attack/emptiness.hpp"
+
 namespace tern_attack {
 namespace {
 
@@ -172,6 +174,29 @@ TEST_F(Checker, SeesAKeepOutBroken) {
 TEST_F(Checker, SeesNumbersThatAreNone) {
   plan.segments[1].points[2].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(kinds(), std::vector<std::string>{"malformed"});
+}
+
+/// x between 1 and 2, the same the other way round, and a wall without thickness, of which nothing is said.
+TEST(FencesOfTheAttack, EmptinessIsProvenOrDenied) {
+  const Point x{{1, 0, 0}};
+  EXPECT_EQ(emptiness_of({{x, 2}, {-1.0L * x, -1}}, 10), Emptiness::kHasPoint);
+  EXPECT_EQ(emptiness_of({{x, 1}, {-1.0L * x, -2}}, 10), Emptiness::kEmpty);
+  EXPECT_EQ(emptiness_of({{x, 2}, {-1.0L * x, -2 - 1e-12L}}, 10), Emptiness::kDoubt);
+}
+
+TEST_F(Checker, SeesFencesThatAreEmptyAndNotRefused) {
+  const tern::Halfspace apart[] = {{{1.0, 0.0, 0.0}, 101.0}, {{-1.0, 0.0, 0.0}, -102.0}};
+  const tern::Fence none{apart, 2, tern::FenceKind::kKeepOut};
+  const tern::Fence some{apart, 1, tern::FenceKind::kKeepOut};
+  const auto judged = [&](const tern::Fence& fence, tern::Status status) {
+    Findings found;
+    judge_fences(world, &fence, 1, status, 0, "plan", found);
+    return found.size();
+  };
+  EXPECT_EQ(judged(none, tern::Status::kFenceEmpty), 0u);
+  EXPECT_EQ(judged(none, tern::Status::kOk), 1u);
+  EXPECT_EQ(judged(some, tern::Status::kOk), 0u);
+  EXPECT_EQ(judged(some, tern::Status::kFenceEmpty), 1u);
 }
 
 }  // namespace

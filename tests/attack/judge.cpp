@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "attack/attack_case.hpp"
+#include "attack/emptiness.hpp"
 #include "attack/solid.hpp"
 
 namespace tern_attack {
@@ -130,6 +131,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
   ++context.tally.status[static_cast<int>(status)];
   for (const tern::StageReport& stage : r.stages) context.tally.work += stage.work;
   check_report(context, world, ask, r, status, what);
+  judge_fences(world, ask.request.fences, ask.request.fence_count, status, r.fence, what, context.findings);
   if (status == Status::kOk) {
     context.tally.hover += r.quality == tern::Quality::kHover;
     context.tally.stop_and_go += r.quality == tern::Quality::kStopAndGo;
@@ -141,7 +143,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
   const char* name = tern::status_name(status);
   const std::string kind = std::string("status_") + name;
   if (never(status) || !fits_budget(ask, status)) return report(f, kind.c_str(), "%s: never an answer", what);
-  if (is_capacity(status) || is_budget(status)) return;
+  if (is_capacity(status) || is_budget(status) || status == Status::kFenceEmpty) return;
   const bool rest = ask.rest_to_rest() && !ask.hurries();
   if (rest && (status == Status::kCorridorBlocked || status == Status::kNoTrajectory)) {
     return report(f, kind.c_str(), "%s: from rest to rest", what);
