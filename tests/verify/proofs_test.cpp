@@ -254,9 +254,10 @@ TEST(Scenarios, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nblok 1\n"), "s.txt:2: unknown record 'blok'");
   EXPECT_EQ(message("boundary 0 0 0 1 1 x\n"), "s.txt:1: 'x' is no number");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nstart 0 0 0\n"), "s.txt: there is no 'goal'");
-  EXPECT_NE(message("boundary 0 0 0 1 1 1\ncloud a.pcd\n").find("not verified"), std::string::npos);
-  EXPECT_EQ(message("boundary 0 0 0 1 1 1\nunknown solid\n"),
-            "s.txt:2: 'unknown solid': space that no map shows is not verified; write it as blocks");
+  EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud none.pcd\n"), "none.pcd: cannot be opened");
+  EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud a b\n"), "s.txt:2: 'cloud' needs the name of a file");
+  EXPECT_EQ(message(std::string(kScenario) + "unknown solid\n"),
+            "s.txt: 'unknown solid' needs an 'octomap', which says what is free");
   EXPECT_EQ(message("unknown\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
   EXPECT_EQ(message("unknown space\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
   EXPECT_EQ(message(std::string(kScenario) + "unknown free\n"), "");

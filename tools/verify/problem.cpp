@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/problem.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -60,13 +61,24 @@ void apply(const Settings& settings, Problem& problem) {
   if (problem.cell <= 0) throw InputError(problem.name + ": 'resolution' must be more than 0");
 }
 
-/// What is free is in map files, which are not read here: a plan cannot be held against unknown space that is solid.
-void check_unknown(const Record& record) {
+bool is_solid(const Record& record) {
   const bool has_word = record.words.size() == 2;
-  if (has_word && record.words[1] == "solid") {
-    record.refuse("'unknown solid': space that no map shows is not verified; write it as blocks");
+  if (!has_word || (record.words[1] != "free" && record.words[1] != "solid")) {
+    record.refuse("'unknown' needs 'free' or 'solid'");
   }
-  if (!has_word || record.words[1] != "free") record.refuse("'unknown' needs 'free' or 'solid'");
+  return record.words[1] == "solid";
+}
+
+void add_map_file(const Record& record, Problem& problem) {
+  if (record.words.size() != 2) record.refuse("'" + record.key() + "' needs the name of a file");
+  const std::string path = (std::filesystem::path(record.file).parent_path() / record.words[1]).string();
+  const std::string bytes = read_file(path);
+  if (record.key() == "octomap") {
+    problem.octrees.push_back(read_octree(bytes, path));
+  } else {
+    const std::vector<CloudPoint> points = read_cloud(bytes, path);
+    problem.points.insert(problem.points.end(), points.begin(), points.end());
+  }
 }
 
 /// Adds a record to the problem, or to the settings.
@@ -82,9 +94,9 @@ void add(const Record& record, Problem& problem, Settings& settings) {
     problem.boundary = box_from(record, record.numbers(1, 6));
     settings.add(record);
   } else if (key == "octomap" || key == "cloud") {
-    record.refuse("'" + key + "': maps of other files are not verified; write them as blocks");
+    add_map_file(record, problem);
   } else if (key == "unknown") {
-    check_unknown(record);
+    problem.unknown_is_solid = is_solid(record);
     settings.add(record);
   } else if (kSettings.count(key) != 0) {
     settings.add(record);
@@ -120,6 +132,9 @@ Problem parse_problem(const std::string& text, const std::string& name) {
   }
   apply(settings, problem);
   refuse_empty(problem.fences, fences, problem.boundary);
+  if (problem.unknown_is_solid && problem.octrees.empty()) {
+    throw InputError(name + ": 'unknown solid' needs an 'octomap', which says what is free");
+  }
   return problem;
 }
 
@@ -128,6 +143,9 @@ std::string read_file(const std::string& path) {
   if (!file) throw InputError(path + ": cannot be opened");
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (file.bad()) throw InputError(path + ": cannot be read");
+  if (text.rfind("version https://git-lfs.github.com/spec/", 0) == 0) {
+    throw InputError(path + ": a Git LFS pointer, not the file itself: run `git lfs pull` where it was cloned");
+  }
   return text;
 }
 

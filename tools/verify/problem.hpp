@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "verify/exact.hpp"
+#include "verify/map_files.hpp"
 
 namespace tern_verify {
 
@@ -66,6 +67,9 @@ struct Problem {
   std::string name;
   Box boundary;
   std::vector<Box> blocks;
+  std::vector<CloudPoint> points;  ///< of all clouds
+  std::vector<Octree> octrees;
+  bool unknown_is_solid = false;  ///< what no octree says is free is an obstacle
   std::vector<Fence> fences;
   Motion start, goal;
   std::vector<Via> vias;
@@ -77,10 +81,10 @@ struct Problem {
   bool may_end_near = false;  ///< `goal_mode nearest`
 };
 
-/// Reads a scenario file (docs/formats.md). Throws InputError; `octomap`, `cloud` and `unknown solid` are refused.
+/// Reads a scenario file (docs/formats.md) and its map files. Throws InputError.
 Problem read_problem(const std::string& path);
 
-/// A scenario as text; `name` is for messages.
+/// A scenario as text; `name` is for messages, and map files are in its folder.
 Problem parse_problem(const std::string& text, const std::string& name);
 
 /// A whole file. Throws InputError.

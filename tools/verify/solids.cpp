@@ -48,7 +48,8 @@ Range range_of(const Box& block, const Lattice& lattice, std::size_t a) {
 
 Lattice lattice_of(const Problem& problem) {
   const auto beyond = [&](const Box& block) { return sticks_out(block, problem.boundary); };
-  const bool padded = std::any_of(problem.blocks.begin(), problem.blocks.end(), beyond);
+  const bool padded = problem.unknown_is_solid || map_sticks_out(problem) ||
+                      std::any_of(problem.blocks.begin(), problem.blocks.end(), beyond);
   const Integer padding = padded ? Integer(ceil_of(problem.clearance / problem.cell) + 1) : Integer(0);
   Lattice lattice{{}, problem.cell, {}};
   for (std::size_t a = 0; a < 3; ++a) {
@@ -61,18 +62,22 @@ Lattice lattice_of(const Problem& problem) {
   return lattice;
 }
 
+bool cells_of(const Box& block, const Lattice& lattice, Cells& cells) {
+  bool meets = true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Range range = range_of(block, lattice, a);
+    cells.begin[a] = range.begin;
+    cells.end[a] = range.end;
+    meets = meets && range.begin < range.end;
+  }
+  return meets;
+}
+
 std::vector<Cells> solid_cells(const Problem& problem, const Lattice& lattice) {
-  std::vector<Cells> solid;
+  std::vector<Cells> solid = map_cells(problem, lattice);
+  Cells cells{};
   for (const Box& block : problem.blocks) {
-    Cells cells{};
-    bool meets = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const Range range = range_of(block, lattice, a);
-      cells.begin[a] = range.begin;
-      cells.end[a] = range.end;
-      meets = meets && range.begin < range.end;
-    }
-    if (meets) solid.push_back(cells);
+    if (cells_of(block, lattice, cells)) solid.push_back(cells);
   }
   return solid;
 }
