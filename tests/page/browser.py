@@ -25,7 +25,7 @@ def find():
 class Browser:
     """One tab of one browser. `faults` are what its console has as errors, and exceptions that nobody caught."""
 
-    def __init__(self, program, timeout=60):
+    def __init__(self, program, timeout=60, flags=()):
         self.timeout = timeout
         self.number = 0
         self.unread = b""
@@ -36,7 +36,7 @@ class Browser:
         self.reading, from_browser = os.pipe()
         self.process = subprocess.Popen(
             ["sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "sh", program,
-             f"--user-data-dir={self.profile.name}", *FLAGS, "about:blank"],
+             f"--user-data-dir={self.profile.name}", *FLAGS, *flags, "about:blank"],
             pass_fds=(to_browser, from_browser), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)

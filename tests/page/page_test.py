@@ -188,6 +188,24 @@ def check_no_plan(tab, program, root, folder):
     check(re.search("occupied|clear", tab.run("document.getElementById('facts').textContent")), "the page says why")
 
 
+def check_without_webgl(tab, folder):
+    """The pages that were made before, in a browser without WebGL: they say so, and plots and figures are there."""
+    for name in ("plan", "table", "flight"):
+        tab.screen(width=1280, height=800)
+        tab.open((folder / f"{name}.html").as_uri(), "window.page")
+        tab.run("page.player.set(0.1 * page.player.end)")
+        tab.run(DRAWN)
+        tab.picture(folder / f"{name}_without_webgl.png")
+        check(tab.run("page.stage.renderer === null"), f"{name}: the browser has no WebGL")
+        check(tab.run("document.getElementById('missing').offsetHeight > 0"), f"{name}: the page says what is missing")
+        check("WebGL" in tab.run("document.getElementById('missing').textContent"), f"{name}: and why")
+        check(tab.run("document.getElementById('fault').hidden"), f"{name}: nothing else is wrong")
+        check(tab.run("document.querySelectorAll('.plot canvas').length > 3"), f"{name}: the plots are there")
+        check(tab.run("document.querySelectorAll('#facts dd').length > 3"), f"{name}: the facts are there")
+        check(float(readout(tab, "speed")) > 0, f"{name}: the readouts follow the time")
+    check_slider(tab)
+
+
 def main():
     program, root, folder = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
     path = browser.find()
@@ -199,6 +217,9 @@ def main():
             part(tab, program, root, folder)
         check_flight(tab, program, folder)
         check(not tab.faults, f"errors in the browser: {tab.faults}")
+    with browser.Browser(path, flags=["--disable-3d-apis"]) as tab:
+        check_without_webgl(tab, folder)
+        check(not tab.faults, f"errors in a browser without WebGL: {tab.faults}")
     sys.exit(1 if failures else 0)
 
 

@@ -8,6 +8,7 @@ const element = (id) => document.getElementById(id);
 class Page {
   constructor() {
     this.stage = new Stage(element("scene"));
+    this.showScene(this.stage.renderer !== null);
     this.labels = new Labels(element("labels"));
     this.legend = new Legend(element("layers"), (name) => this.shownOrHidden(name));
     this.player = new Player(() => this.changed());
@@ -33,6 +34,8 @@ class Page {
       this.setTheme(event.matches ? "dark" : "light"));
     this.stage.controls.addEventListener("start", () => { this.turned = true; });
     this.stage.controls.addEventListener("change", () => { this.dirty = true; });
+    element("scene").addEventListener("webglcontextlost", () => this.showScene(false));
+    element("scene").addEventListener("webglcontextrestored", () => this.showScene(true));
     new ResizeObserver(() => this.resized()).observe(element("stage"));
     window.addEventListener("keydown", (event) => this.key(event));
     // What was clicked gives the keyboard back: the space bar plays again.
@@ -41,6 +44,13 @@ class Page {
         if (event.detail > 0 || event.target.tagName === "SELECT") event.target.blur();
       });
     }
+  }
+
+  /** Without WebGL, the page says so in place of the scene, and has all the rest. */
+  showScene(isThere) {
+    document.body.classList.toggle("flat", !isThere);
+    element("missing").hidden = isThere;
+    this.dirty = true;
   }
 
   key(event) {

@@ -12,12 +12,27 @@ const HOLE = {follow: 4, closeup: 100};  // in radii of the vehicle: nothing sol
 const INSETS = [{}, {below: 0.3}, {below: 0.42}, {beside: 0.3}, {beside: 0.4}];
 const LEAST_CLOSEUP = {width: 200, height: 120, aspects: [0.8, 5]};  // width over height
 
+/** Draws on a canvas; null if the browser has no WebGL. */
+function rendererOn(canvas) {
+  const probe = document.createElement("canvas");
+  const context = probe.getContext("webgl2") || probe.getContext("webgl");
+  if (context === null) return null;
+  // Browsers have few contexts.
+  const loses = context.getExtension("WEBGL_lose_context");
+  if (loses) loses.loseContext();
+  try {
+    return new THREE.WebGLRenderer({canvas, antialias: true});
+  } catch (error) {
+    return null;
+  }
+}
+
 /** All runs on one canvas, a cell each, under one camera. A cell has the world and, where there is room, a close-up. */
 class Stage {
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
-    this.renderer.localClippingEnabled = true;
+    this.renderer = rendererOn(canvas);
+    if (this.renderer !== null) this.renderer.localClippingEnabled = true;
     this.camera = new THREE.PerspectiveCamera(32, 1, 0.05, 1000);
     this.camera.up.set(0, 0, 1);
     this.closeup = new THREE.PerspectiveCamera(46, 1, 0.05, 5000);
@@ -121,6 +136,7 @@ class Stage {
   resize() {
     this.width = this.canvas.clientWidth;
     this.height = this.canvas.clientHeight;
+    if (this.renderer === null) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(this.width, this.height, false);
   }
@@ -177,6 +193,7 @@ class Stage {
   }
 
   render() {
+    if (this.renderer === null) return;
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(this.views[0].scene.background);
     this.renderer.clear();
