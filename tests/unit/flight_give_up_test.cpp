@@ -78,6 +78,25 @@ TEST(FlightGivesUp, AGoalThatIsCutOffIsNotRetreatedFrom) {
   }
 }
 
+/// Right before a goal in an obstacle that was seen, the vehicle stares at it for three seconds, and does not look
+/// around or go back. Further away it does.
+TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
+  for (const bool is_near : {true, false}) {
+    FlightRoom room(FlightRoom::flight_spec(), {{{is_near ? 1.5 : 3.0, -2.0, -2.0}, {4.0, 2.0, 4.0}}});
+    ASSERT_EQ(room.flight.set_goal({is_near ? 1.3 : 2.8, 0.125, 1.125}), Status::kOk);
+    FlightState& state = room.state();
+    state.time = 20000000000;
+    EXPECT_EQ(state.is_before_goal(), is_near);
+    for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
+    EXPECT_TRUE(state.is_looking);
+    EXPECT_EQ(state.sector_at(state.time), is_near ? kDirections + 1 : 0);
+    state.time += 3200000000;  // five directions of 0.614 s
+    state.note_idle();
+    EXPECT_EQ(state.parked, is_near);
+    EXPECT_EQ(state.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
+  }
+}
+
 /// The plan of a retreat leads to its place alone, past no point of the mission. It counts until the vehicle comes
 /// nearer.
 TEST(FlightGivesUp, RetreatsAreFlownAndCounted) {

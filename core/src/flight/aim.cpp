@@ -23,6 +23,8 @@ constexpr double kRetreatRadii = 4.0;
 constexpr int kRetreats = 3;
 constexpr int kRetreatPlaces = 5;
 constexpr int kRetreatRounds = 2;
+/// Radii from a goal in an obstacle, besides some voxels, within which a vehicle that finds no plan is before it.
+constexpr double kBeforeRadii = 2.0;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
@@ -137,12 +139,16 @@ Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
   return sample_at(t).position + spec.horizon * offset_of(sector - 1);
 }
 
-int FlightState::sector_at(std::int64_t t) const noexcept {
+double FlightState::seconds_per_direction() const noexcept {
   double held = kEighthTurn / spec.yaw_rate + kLookTime;
   // A planned turn begins late, and gathers its rate and loses it.
   if (nose.planned)
     held += spec.yaw_rate / nose.yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
-  const double sector = seconds_between(look_since, t) / held;
+  return held;
+}
+
+int FlightState::sector_at(std::int64_t t) const noexcept {
+  const double sector = seconds_between(look_since, t) / seconds_per_direction();
   constexpr int kLast = kDirections + kStares + 1;
   return sector < kLast ? static_cast<int>(sector) : kLast;
 }
@@ -163,11 +169,13 @@ void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
   if (idle_cycles < kIdleCycles) return;
+  if (report.plan == Status::kGoalFenced && aims_at_goal && !leaves) return park(FlightReason::kNoProgress);
   if (!is_looking) {
     is_looking = true;
     look_since = time;
+    if (is_before_goal()) look_since -= nanoseconds((kDirections + 1) * seconds_per_direction()) + 1;
   } else if (sector_at(time) > kDirections + kStares) {
-    if (cut_off && !leaves) {
+    if ((cut_off || is_before_goal()) && !leaves) {
       park(FlightReason::kNearest);
     } else if (!leaves && !is_stale() && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
       ++retreat;
@@ -175,6 +183,18 @@ void FlightState::note_idle() noexcept {
       park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
     }
   }
+}
+
+/// The goal is in an obstacle that was seen, and the vehicle is right before it: a look around would show no way. A
+/// stare shows whether a wrong pixel is all that is there.
+bool FlightState::is_before_goal() const noexcept {
+  const GridSpec& window = map.safe().spec();
+  const double near = kBeforeRadii * window.clearance() + kAimVoxels * window.cell;
+  const Vec3& place = itinerary.points[itinerary.leg].position;
+  const Grid& seen = map.route();
+  if (!seen.bound() || distance(sample_at(time).position, place) > near) return false;
+  const Vec3 local = seen.to_local(place);
+  return seen.inside(seen.voxel_of(local)) && !point_clear(seen, local, window.clearance());
 }
 
 /// There is no point in going on, unless to the point after the next one. Without new frames nothing is known of the

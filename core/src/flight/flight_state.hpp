@@ -186,7 +186,9 @@ class FlightState {
   bool keeps_aim(const Vec3& from) const noexcept;
   void follow_window() noexcept;
   Vec3 looking_at(std::int64_t t) const noexcept;
+  double seconds_per_direction() const noexcept;
   int sector_at(std::int64_t t) const noexcept;
+  bool is_before_goal() const noexcept;
   void look_at_obstacle() noexcept;
   void note_idle() noexcept;
   void park(FlightReason why) noexcept;
