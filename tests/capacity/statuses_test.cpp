@@ -48,11 +48,11 @@ Status plan_with_via(const tern::Via& via, const std::function<void(World&)>& ch
   return world.plan();
 }
 
-/// A keep-out box around a point.
-Status plan_fenced(const Vec3& point, const tern::Via* via = nullptr) {
+/// A keep-out box around a point; reversed where its size is negative.
+Status plan_fenced(const Vec3& point, const tern::Via* via = nullptr, double size = 0.3) {
   World world = open_world();
   tern::Halfspace faces[tern::kBoxPlanes];
-  const Vec3 reach{0.3, 0.3, 0.3};
+  const Vec3 reach{size, size, size};
   tern::box_planes({point - reach, point + reach}, faces);
   const tern::Fence fence{faces, tern::kBoxPlanes, tern::FenceKind::kKeepOut};
   world.request.fences = &fence;
@@ -143,14 +143,19 @@ Status self_test_failed() {
   return tern::self_test(tern::configuration_hash() ^ 1u, &faults);
 }
 
-Status frame(const std::function<void(tern_test::Image&, tern::Pose&)>& change) {
+/// `set_back`: a second one, a nanosecond before the first.
+Status frame(const std::function<void(tern_test::Image&, tern::Pose&)>& change, bool set_back = false) {
   tern::MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 16, 16}, 0.2);
   spec.pixels = 1024;
   tern_test::OwnedMap owned(spec);
   tern_test::Image image(32, 32, 16.0);
   tern::Pose pose{{0.5, 0.8, 0.8}, {0.5, -0.5, 0.5, -0.5}};
   change(image, pose);
-  return owned.map.begin_frame(image.view, pose, 1000);
+  const Status begun = owned.map.begin_frame(image.view, pose, 1000);
+  if (!set_back) return begun;
+  while (owned.map.step(100000) == Status::kRunning) {
+  }
+  return owned.map.begin_frame(image.view, pose, 999);
 }
 
 std::vector<std::uint8_t> record() {
@@ -209,10 +214,12 @@ std::vector<Case> request_cases() {
       {Status::kStartExceedsLimits, [] { return plan_after([](World& w) { w.request.start.velocity.x = 9.0; }); }},
       {Status::kGoalExceedsLimits, [] { return plan_after([](World& w) { w.request.goal.velocity.x = 9.0; }); }},
       {Status::kViaExceedsLimits, [] { return plan_with_via(fast_via()); }},
+      {Status::kFenceEmpty, [] { return plan_fenced(kMiddle, nullptr, -0.3); }},
       {Status::kPoseInvalid, [] { return frame([](tern_test::Image&, tern::Pose& p) { p.quaternion[0] = 5.0; }); }},
       {Status::kCameraInvalid, [] { return frame([](tern_test::Image& i, tern::Pose&) { i.view.fx = 0.0; }); }},
       {Status::kRecordDamaged, [] { return read_altered(200); }},
       {Status::kRecordVersion, [] { return read_altered(8); }},
+      {Status::kClockBehind, [] { return frame([](tern_test::Image&, tern::Pose&) {}, true); }},
   };
 }
 

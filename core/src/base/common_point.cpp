@@ -29,7 +29,7 @@ Vec3 rounded(const Triple<DoubleDouble>& a) {
 CommonPoint::CommonPoint(const Vec3& center, double margin, double scale) noexcept
     : center_(center), margin_(margin), scale_(scale), nearest_(exact(kZero)) {}
 
-bool CommonPoint::breaks(const Wall& wall, const Place& p) const noexcept {
+bool CommonPoint::breaks(const Wall& wall, const Place& p) noexcept {
   const double size = wall.norm * length(rounded(p)) + absolute(wall.offset.high);
   const double quick = dot(wall.normal, rounded(p)) - wall.offset.high;
   if (absolute(quick) > kQuickRounding * size) return quick > 0.0;
@@ -37,7 +37,7 @@ bool CommonPoint::breaks(const Wall& wall, const Place& p) const noexcept {
 }
 
 /// Leaves the part of the line that is in the half-space; false where none is.
-bool CommonPoint::shorten(const Wall& wall, Line& line) const noexcept {
+bool CommonPoint::shorten(const Wall& wall, Line& line) noexcept {
   const Place normal = exact(wall.normal);
   const DoubleDouble slope = dot(normal, line.along);
   if (absolute(slope.high) <= kRounding * wall.norm * length(rounded(line.along))) return !breaks(wall, line.from);

@@ -48,8 +48,8 @@ class CommonPoint {
     DoubleDouble upper;
   };
 
-  bool breaks(const Wall& wall, const Place& p) const noexcept;
-  bool shorten(const Wall& wall, Line& line) const noexcept;
+  static bool breaks(const Wall& wall, const Place& p) noexcept;
+  static bool shorten(const Wall& wall, Line& line) noexcept;
   bool move_onto(int plane) noexcept;
   bool move_onto(int plane, int other) noexcept;
 
