@@ -98,7 +98,7 @@ void FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept 
   const GridSpec& window = grid.spec();
   const double reach = window.clearance() + kBeyondRadius * window.cell;
   const NearestSolid solid = nearest_solid(grid, grid.to_local(place), reach);
-  owed += effort_of(kSolidEffort, solid.words);
+  owed += kSolidEffort * solid.words;
   if (solid.found) block = block_at(solid.voxel);
 }
 
