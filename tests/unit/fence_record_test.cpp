@@ -77,7 +77,13 @@ TEST(FenceRecord, EmptyFencesAreNamedWithTheirLine) {
   const std::string clockwise = "keepout_halfspaces -1 0 0 -6 1 0 0 4 0 -1 0 -6 0 1 0 2";
   const std::string wrong = "; is one of them, or the order of the polygon, reversed?";
   EXPECT_EQ(error_of_all({}), "");
-  EXPECT_EQ(error_of_all({pillar, "keepin 0 0 0 4 8 3", "keepout 2 2 2 2 2 2", "keepout_halfspaces 1 0 0 -40"}), "");
+  EXPECT_EQ(error_of_all({pillar, "keepin 0 0 0 4 8 3", "keepout 2 2 2 2 2 2", "keepout_halfspaces 1 0 0 0.1"}), "");
+  const std::string one_sign = "keepout_halfspaces 1 0 0 6 1 0 0 -4 0 1 0 6 0 -1 0 -2";
+  for (const std::string& elsewhere : {one_sign, std::string("keepout_halfspaces 1 0 0 -40")}) {
+    EXPECT_EQ(error_of_all({pillar, elsewhere}),
+              "world.txt:2: 'keepout_halfspaces' has no part inside the boundary; has one of its half-spaces the wrong "
+              "sign? Leave out a fence that is elsewhere");
+  }
   EXPECT_EQ(error_of_all({pillar, clockwise, pillar}),
             "world.txt:2: 'keepout_halfspaces' is empty: its half-spaces have no common point" + wrong);
   EXPECT_EQ(

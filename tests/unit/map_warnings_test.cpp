@@ -103,9 +103,6 @@ TEST(MapWarnings, RecordsOutside) {
              ":5: 1 of 2 'block' records adds nothing", "in millimetres");
   expect_one(warnings_of("block 1 1 1 2 2 2\nkeepout 1 1 1 2 2 2\nkeepout 4 0 -2 5 6 -1\nkeepout 0 9 0 1 10 1\n"),
              ":7: 2 of 3 'keepout' records add nothing", "outside the boundary");
-  expect_one(warnings_of("keepin 0 0 0 9 8 3\nkeepout_halfspaces 1 0 0 5 -1 0 0 -4 0 0 1 -2\n"),
-             ":6: fence 2, a keep-out", "outside the boundary; has one of its half-spaces the wrong sign?");
-  expect_one(warnings_of("keepout_halfspaces 1 1 1 -3\n"), ":5: fence 1", "outside the boundary");
 }
 
 TEST(MapWarnings, GitLfsPointersAreRefused) {

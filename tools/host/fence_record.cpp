@@ -108,13 +108,40 @@ void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>&
   fences.push_back(fence);
 }
 
+namespace {
+
+/// True if a keep-out has no point within the map, grown by the clearance.
+bool misses(const FenceRecord& fence, const tern::GridSpec& map) {
+  const double by = map.radius;
+  const tern::Box room{{map.boundary.lower.x - by, map.boundary.lower.y - by, map.boundary.lower.z - by},
+                       {map.boundary.upper.x + by, map.boundary.upper.y + by, map.boundary.upper.z + by}};
+  std::vector<Halfspace> planes = fence.planes;
+  planes.resize(planes.size() + tern::kBoxPlanes);
+  Halfspace faces[tern::kBoxPlanes];
+  tern::box_planes(room, faces);
+  std::copy(faces, faces + tern::kBoxPlanes, planes.end() - tern::kBoxPlanes);
+  const tern::Fence within{planes.data(), static_cast<std::int32_t>(planes.size()), fence.kind};
+  return tern::find_fence_fault(&within, 1, map).status == tern::Status::kFenceEmpty;
+}
+
+/// Half-spaces that miss the map are most likely a slip of a sign, and then nothing is kept out.
+void refuse_keepouts_elsewhere(const std::vector<FenceRecord>& fences, const tern::GridSpec& map) {
+  for (const FenceRecord& fence : fences) {
+    if (fence.key != "keepout_halfspaces" || !misses(fence, map)) continue;
+    throw RecordError(fence.place, "'" + fence.key + "' has no part inside the boundary; has one of its half-spaces " +
+                                       "the wrong sign? Leave out a fence that is elsewhere");
+  }
+}
+
+}  // namespace
+
 void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box& boundary, double clearance) {
   tern::GridSpec map{};
   map.boundary = boundary;
   map.radius = clearance;
   const std::vector<tern::Fence> list = fences_of(fences);
   const tern::FenceFault fault = tern::find_fence_fault(list.data(), static_cast<std::int32_t>(list.size()), map);
-  if (fault.status != tern::Status::kFenceEmpty) return;
+  if (fault.status != tern::Status::kFenceEmpty) return refuse_keepouts_elsewhere(fences, map);
   const FenceRecord& empty = fences[static_cast<std::size_t>(fault.fence)];
   const bool keeps_in = empty.kind == tern::FenceKind::kKeepIn;
   const std::string others = keeps_in ? " with those of the keep-ins before it" : "";

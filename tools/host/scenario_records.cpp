@@ -192,7 +192,6 @@ void ScenarioBuilder::warn_of_records() {
   }
   blocks.warn(scenario_.name, scenario_.warnings);
   keepouts.warn(scenario_.name, scenario_.warnings);
-  warn_of_fences(scenario_.fences, reach, scenario_.name, scenario_.warnings);
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {

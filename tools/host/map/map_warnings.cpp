@@ -101,45 +101,6 @@ std::string text_of(const Box& box) {
   return text_of(box.lower) + " to " + text_of(box.upper);
 }
 
-/// The point where three planes meet, if it is one point.
-bool meet(const tern::Halfspace& a, const tern::Halfspace& b, const tern::Halfspace& c, Vec3& at) {
-  const auto cross = [](const Vec3& u, const Vec3& v) {
-    return Vec3{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  };
-  const Vec3 bc = cross(b.normal, c.normal);
-  const Vec3 ca = cross(c.normal, a.normal);
-  const Vec3 ab = cross(a.normal, b.normal);
-  const double volume = a.normal.x * bc.x + a.normal.y * bc.y + a.normal.z * bc.z;
-  const auto value = [&](double x, double y, double z) {
-    return (a.offset * x + b.offset * y + c.offset * z) / volume;
-  };
-  at = {value(bc.x, ca.x, ab.x), value(bc.y, ca.y, ab.y), value(bc.z, ca.z, ab.z)};
-  return std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
-}
-
-/// A bounded polyhedron has a corner, or nothing is in it.
-bool reaches_into(const FenceRecord& fence, const Box& box) {
-  tern::Halfspace faces[tern::kBoxPlanes];
-  tern::box_planes(box, faces);
-  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
-  planes.insert(planes.end(), fence.planes.begin(), fence.planes.end());
-  const auto inside = [&](const Vec3& p) {
-    return std::all_of(planes.begin(), planes.end(), [&](const tern::Halfspace& h) {
-      const double sum = std::fabs(h.normal.x * p.x) + std::fabs(h.normal.y * p.y) + std::fabs(h.normal.z * p.z);
-      return h.normal.x * p.x + h.normal.y * p.y + h.normal.z * p.z <= h.offset + 1e-9 * (sum + std::fabs(h.offset));
-    });
-  };
-  Vec3 corner;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      for (std::size_t k = j + 1; k < planes.size(); ++k) {
-        if (meet(planes[i], planes[j], planes[k], corner) && inside(corner)) return true;
-      }
-    }
-  }
-  return false;
-}
-
 std::string counts_of(const MapFile& file, const MapContent& content) {
   const bool cloud = file.kind == MapFileKind::kCloud;
   std::string text = " of its " + std::to_string(content.read) + (cloud ? " points" : " occupied leaves");
@@ -192,15 +153,6 @@ void RecordsWithin::warn(const std::string& file, std::vector<std::string>& warn
   warnings.push_back(file + ":" + std::to_string(first_) + ": " + std::to_string(outside_) + " of " +
                      std::to_string(total_) + " '" + key_ + "' records add" + (outside_ == 1 ? "s" : "") +
                      " nothing to the map, first this one: outside the boundary" + likely_mistake(corners_, reach_));
-}
-
-void warn_of_fences(const std::vector<FenceRecord>& fences, const Box& reach, const std::string& file,
-                    std::vector<std::string>& warnings) {
-  for (std::size_t i = 0; i < fences.size(); ++i) {
-    if (fences[i].kind == tern::FenceKind::kKeepIn || reaches_into(fences[i], reach)) continue;
-    warnings.push_back(file + ":" + std::to_string(fences[i].place.line) + ": fence " + std::to_string(i + 1) +
-                       ", a keep-out, adds nothing: outside the boundary; has one of its half-spaces the wrong sign?");
-  }
 }
 
 void warn_of_map_file(const MapFile& file, const MapContent& content, const std::vector<Vec3>& points,

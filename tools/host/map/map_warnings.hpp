@@ -41,10 +41,6 @@ class RecordsWithin {
   std::vector<tern::Vec3> corners_;
 };
 
-/// One warning for each keep-out fence that no point of the box is in.
-void warn_of_fences(const std::vector<FenceRecord>& fences, const tern::Box& reach, const std::string& file,
-                    std::vector<std::string>& warnings);
-
 /// The warning of one map file, or none: its obstacles are few within the boundary. `extent` holds all of them.
 void warn_of_map_file(const MapFile& file, const MapContent& content, const std::vector<tern::Vec3>& points,
                       const Scenario& scenario, std::vector<std::string>& warnings);
