@@ -17,7 +17,7 @@ constexpr double kKeyHeight = 22.0;
 constexpr double kPixelsPerLetter = 7.4;
 constexpr double kMaxViewsHeight = 640.0;
 
-Range range_of(const tern::Box& box, int axis) {
+AxisRange range_of(const tern::Box& box, int axis) {
   return {tern_host::component(box.lower, axis), tern_host::component(box.upper, axis)};
 }
 

@@ -15,10 +15,10 @@
 namespace tern_bench {
 
 using tern_host::Axes;
+using tern_host::AxisRange;
 using tern_host::Canvas;
 using tern_host::Pixel;
 using tern_host::Projection;
-using tern_host::Range;
 using tern_host::Rect;
 
 constexpr double kFigureWidth = 1000.0;

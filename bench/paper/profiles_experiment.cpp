@@ -39,7 +39,7 @@ Curve level(double value, double from, double to) {
   return {{from, to}, {value, value}, "class=\"limit\" stroke=\"#8b2e2e\""};
 }
 
-Range range_of(const std::vector<Curve>& curves) {
+AxisRange range_of(const std::vector<Curve>& curves) {
   double low = 0.0;
   double high = 0.0;
   for (const Curve& curve : curves) {

@@ -251,7 +251,7 @@ void ellipsoid_iterations(const Run& run) {
   table.write(run, "ellipsoid.csv");
 }
 
-Range range_with_room(const std::vector<double>& values) {
+AxisRange range_with_room(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return {std::floor(*low), std::ceil(*high)};
 }
