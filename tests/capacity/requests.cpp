@@ -68,6 +68,7 @@ void add_vias(Random& random, Asked& asked) {
     via.position = any_point(random, asked.world);
     via.tolerance = random.chance(0.5) ? 0.3 : 0.0;
     via.stop = random.chance(0.2);
+    via.dwell = via.stop ? 0.5 : 0.0;
     asked.vias.push_back(via);
   }
   asked.world.request.vias = asked.vias.data();

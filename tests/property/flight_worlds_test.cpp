@@ -133,7 +133,7 @@ TEST(FlightWorlds, StartOutsideAKeepInIsRefused) {
   box_planes({{-50.0, -50.0, 2.0}, {50.0, 50.0, 3.0}}, band);
   FlightSettings settings;
   settings.fences = {{band, kBoxPlanes, FenceKind::kKeepIn}};
-  EXPECT_EQ(Flown(Scene{}, settings).started, Status::kStartOccupied);
+  EXPECT_EQ(Flown(Scene{}, settings).started, Status::kStartFenced);
 }
 
 TEST(FlightWorlds, GoalInAnObstacleIsApproached) {

@@ -139,7 +139,7 @@ TEST_F(EscapedFallback, EndsAsTheRequestDidWhereNoneHolds) {
   begin();
   spoil();
   while (step_to_trajectory() == Status::kRunning) spoil();
-  EXPECT_EQ(run(), Status::kStartOccupied);
+  EXPECT_EQ(run(), Status::kStartTooNarrow);
   EXPECT_TRUE(world_.trajectory_untouched());
 }
 

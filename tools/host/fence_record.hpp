@@ -33,8 +33,8 @@ bool is_fence(const std::string& key);
 void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences);
 
 /// Throws RecordError where the core would refuse them as empty on a map with this boundary and clearance: a keep-out
-/// without any point, or keep-ins without one in common. Also for keep-out half-spaces without a point in the map: a sign
-/// is most likely wrong, and nothing would be kept out.
+/// without any point, or keep-ins without one in common. Also for keep-out half-spaces without a point in the map: a
+/// sign is most likely wrong, and nothing would be kept out.
 void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box& boundary, double clearance);
 
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);

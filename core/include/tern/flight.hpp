@@ -247,6 +247,8 @@ class Flight {
   /// is before the last tick's, and nothing was done; kInvalidArgument before start(). `report` is always filled: where
   /// nothing was done, with the last one.
   Status tick(int64_t t, FlightReport& report) noexcept;
+  /// The same without a report.
+  Status tick(int64_t t) noexcept;
   /// What to fly at time `t`. Every time has an answer: that of the last tick's time for times before it, so that
   /// nothing is flown twice, and rest after the end. Before start() zeros.
   Command command(int64_t t) const noexcept;

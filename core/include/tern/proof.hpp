@@ -117,6 +117,8 @@ class Proof {
 
  private:
   friend class FlightState;  // charges what pieces took, and begins with fences that it has looked at once
+  // Has no fences to look at, and needs no stack for that.
+  friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
 
   /// One piece of a curve of degree 7 or less.
   struct Piece {

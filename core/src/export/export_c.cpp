@@ -21,11 +21,19 @@ tern::Vec3 zero_for_null(const tern_vec3* origin) {
   return origin == nullptr ? tern::Vec3{0.0, 0.0, 0.0} : *origin;
 }
 
-template <typename Parameters, typename Convert>
-std::uint8_t limits_from(Convert convert, const Parameters* parameters, tern_limits* limits, std::uint8_t* field) {
+Status limits_of(const tern_px4_parameters& parameters, tern_limits& limits, tern::Field* field) {
+  return tern::limits_from_px4(parameters, limits, field);
+}
+
+Status limits_of(const tern_ardupilot_parameters& parameters, tern_limits& limits, tern::Field* field) {
+  return tern::limits_from_ardupilot(parameters, limits, field);
+}
+
+template <typename Parameters>
+std::uint8_t limits_from(const Parameters* parameters, tern_limits* limits, std::uint8_t* field) {
   if (parameters == nullptr || limits == nullptr) return kInvalid;
   tern::Field bad = tern::Field::kNone;
-  const Status status = convert(*parameters, *limits, &bad);
+  const Status status = limits_of(*parameters, *limits, &bad);
   if (field != nullptr) *field = static_cast<std::uint8_t>(bad);
   return code(status);
 }
@@ -88,12 +96,12 @@ void tern_ardupilot_defaults(tern_ardupilot_parameters* parameters) {
 }
 
 std::uint8_t tern_limits_from_px4(const tern_px4_parameters* parameters, tern_limits* limits, std::uint8_t* field) {
-  return limits_from(tern::limits_from_px4, parameters, limits, field);
+  return limits_from(parameters, limits, field);
 }
 
 std::uint8_t tern_limits_from_ardupilot(const tern_ardupilot_parameters* parameters, tern_limits* limits,
                                         std::uint8_t* field) {
-  return limits_from(tern::limits_from_ardupilot, parameters, limits, field);
+  return limits_from(parameters, limits, field);
 }
 
 }  // extern "C"

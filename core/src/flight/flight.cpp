@@ -126,10 +126,15 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
 }
 
 Status Flight::tick(int64_t t, FlightReport& report) noexcept {
+  const Status status = tick(t);
   report = state_ == nullptr ? FlightReport{} : state_->report;
-  report.work = 0;
+  return status;
+}
+
+Status Flight::tick(int64_t t) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   FlightState& state = *state_;
+  state.report.work = 0;
   if (t < state.shown) return Status::kClockBehind;
   const std::int64_t time = state.clock.time_of(t);
   state.gap = time - state.time;
@@ -145,7 +150,6 @@ Status Flight::tick(int64_t t, FlightReport& report) noexcept {
   state.turn_nose(work);
   state.advance(work);
   state.finish_report(state.spec.work_per_tick - work.left);
-  report = state.report;
   return Status::kOk;
 }
 

@@ -102,10 +102,7 @@ std::uint8_t tern_flight_stop(tern_flight* flight) {
 }
 
 std::uint8_t tern_flight_tick(tern_flight* flight, std::int64_t t, tern_flight_report* report) {
-  tern::FlightReport done{};
-  const Status status = object(flight).tick(t, done);
-  if (report != nullptr) *report = done;
-  return code(status);
+  return code(report != nullptr ? object(flight).tick(t, *report) : object(flight).tick(t));
 }
 
 void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command* command) {

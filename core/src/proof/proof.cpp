@@ -327,7 +327,7 @@ Status Proof::step(uint32_t work) noexcept {
 double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                    ProofReport* report) noexcept {
   Proof proof;
-  const bool begun = proof.begin(grid, trajectory, from, limits, beyond) == Status::kRunning;
+  const bool begun = proof.begin_accepted(grid, trajectory, from, limits, beyond, {}) == Status::kRunning;
   // A segment takes 4 * (kProofPieces + 1) pieces at most.
   for (int i = 0; begun && i <= kMaxSegments && proof.step(5u * kProofPieces) == Status::kRunning; ++i) {
   }

@@ -29,7 +29,7 @@ struct Settings {
   double acceleration = 2.0;
   double yaw_rate = 1.0;
   double rate = 50.0;         ///< points of the trajectory message in a second
-  double pose_timeout = 0.5;  ///< seconds: plans do not begin at a pose that is older
+  double pose_timeout = 1.0;  ///< seconds: plans do not begin at a pose that is older
 };
 
 class Planning {
