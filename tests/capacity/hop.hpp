@@ -26,6 +26,8 @@ enum class Surprise {
 class Hop {
  public:
   explicit Hop(Surprise surprise);
+  /// What start() answered.
+  tern::Status started() const { return status_; }
   /// What is wrong with the flight; empty where nothing is. With `may_touch`, it may come near to an obstacle if it
   /// reports a threat.
   std::string fly(bool may_touch = false);

@@ -207,6 +207,7 @@ class FlightSubject : public Subject {
   explicit FlightSubject(Surprise surprise) : surprise_(surprise) {}
   Outcome run() override {
     Hop hop(surprise_);
+    if (hop.started() != Status::kOk) return {hop.started(), "", ""};
     const std::string wrong = hop.fly();
     const std::uint64_t hash = hop.commands_hash();
     return {Status::kOk, bits_of(&hash, sizeof hash), wrong};

@@ -226,7 +226,9 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   } else if (stage.status == Status::kNoTrajectory && report_.detours == 0 && via_count() == 0) {
     enter(Stage::kDetour);
   } else {
-    fail(Stage::kTrajectory, stage.status);
+    // Where dwells left too little room and stop-and-go has none either, room is what is missing.
+    const bool lacks_room = via_count() > 0 && stop_and_go_ && refused_ == Status::kSegmentsFull;
+    fail(Stage::kTrajectory, lacks_room ? Status::kSegmentsFull : stage.status);
   }
   return progress;
 }
