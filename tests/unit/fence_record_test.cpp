@@ -14,6 +14,7 @@
 #include "host/flight/flight_world.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/simulated_flight.hpp"
+#include "support/own_folder.hpp"
 
 namespace {
 
@@ -93,7 +94,7 @@ TEST(FenceRecord, EmptyFencesAreNamedWithTheirLine) {
 }
 
 TEST(FenceRecord, WorldsOfFlightsWithEmptyFencesAreRefused) {
-  const std::string path = testing::TempDir() + "clockwise.txt";
+  const std::string path = tern_test::own_folder() + "clockwise.txt";
   std::ofstream(path) << "boundary 0 0 0 10 8 3\nstart 1 4 1\n"
                          "keepout_halfspaces -1 0 0 -6 1 0 0 4 0 -1 0 -6 0 1 0 2\ngoal 9 4 1\n";
   try {

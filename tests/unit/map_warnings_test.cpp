@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "host/map/map_files.hpp"
+#include "support/own_folder.hpp"
 
 namespace {
 
@@ -17,7 +18,7 @@ using tern::Vec3;
 using tern_host::RecordError;
 using tern_host::Scenario;
 
-const std::string kFolder = ::testing::TempDir();
+const std::string kFolder = tern_test::own_folder();
 
 /// A wall of points across a room of 10 x 8 x 3 m, each as `change` says.
 std::string wall(const std::function<Vec3(const Vec3&)>& change) {

@@ -15,6 +15,7 @@
 #include "host/map/octomap_file.hpp"
 #include "host/map/scenario_grid.hpp"
 #include "host/scenario.hpp"
+#include "support/own_folder.hpp"
 
 namespace tern_verify {
 namespace {
@@ -133,7 +134,7 @@ std::string random_cloud(std::mt19937& random) {
 }
 
 TEST(Solids, AreTheVoxelsOfMapFiles) {
-  const std::string folder = ::testing::TempDir() + "verify_solids_";
+  const std::string folder = tern_test::own_folder() + "verify_solids_";
   std::mt19937 random(11);
   for (int k = 0; k < 40; ++k) {
     std::ofstream(folder + "a.ot", std::ios::binary) << random_octree(random, k % 2 == 0 ? 0.1 : 0.07);
