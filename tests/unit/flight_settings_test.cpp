@@ -11,6 +11,7 @@
 #include "host/atomic_file.hpp"
 #include "host/flight/flight_world.hpp"
 #include "host/text_records.hpp"
+#include "support/own_folder.hpp"
 
 namespace {
 
@@ -68,7 +69,7 @@ TEST(FlightSettings, RefuseFaultsThatCannotBe) {
 
 /// Why a world with these further lines is refused.
 std::string world_refusal(const std::string& lines) {
-  const std::string path = testing::TempDir() + "tern_faulty_world.txt";
+  const std::string path = tern_test::own_folder() + "tern_faulty_world.txt";
   tern_host::write_file(path, "boundary -5 -5 0 15 5 3\ngoal 8 0 1\n" + lines);
   try {
     tern_host::read_flight_world(path, {});

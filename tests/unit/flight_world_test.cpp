@@ -15,6 +15,7 @@
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/text_records.hpp"
+#include "support/own_folder.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -148,7 +149,7 @@ TEST(FlightYawRecord, DegreesAreRefused) {
 }
 
 TEST(SensorFov, OfAFileMayComeBeforeItsSensor) {
-  const std::string path = testing::TempDir() + "tern_lidar_world.txt";
+  const std::string path = tern_test::own_folder() + "tern_lidar_world.txt";
   const std::string world = "boundary -5 -5 0 5 5 3\nsensor_fov 360 40\n";
   tern_host::write_files({{path, world + "sensor lidar\n"}});
   EXPECT_EQ(refusal(path, {}), "");

@@ -220,7 +220,7 @@ enum class Field : uint8_t {
   kGoalMode,           ///< Request::goal_mode
   kVias,               ///< Request::vias or via_count, or a via in it
   kTrackingMargin,     ///< GridSpec::tracking_margin
-  kMap,                ///< the RollingMap: not bound, or a job is in work
+  kMap,                ///< the RollingMap: not bound, or busy with a job
   kTick,               ///< FlightSpec::tick
   kWork,               ///< FlightSpec::work_per_tick or plan_work
   kHorizon,            ///< FlightSpec::horizon: not above 0, or half the map's window along x or more
