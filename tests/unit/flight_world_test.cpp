@@ -12,6 +12,8 @@
 
 #include "host/atomic_file.hpp"
 #include "host/flight/assumed_ball.hpp"
+#include "host/flight/clear_ends.hpp"
+#include "host/flight/flight_specs.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/text_records.hpp"
@@ -73,6 +75,8 @@ TEST(WorldFamily, EveryMemberIsAWorldWithClearEnds) {
       EXPECT_GT(clearance(world, world.start), 0.6) << name;
       EXPECT_GT(clearance(world, world.goal), 0.6) << name;
       EXPECT_EQ(world.settings.seed, static_cast<std::uint64_t>(seed)) << name;
+      EXPECT_TRUE(world.warnings.empty()) << name << ": " << world.warnings[0];
+      EXPECT_NO_THROW(tern_host::refuse_occupied_ends(world, tern_host::map_spec_of(world).origin)) << name;
     }
   }
 }
@@ -121,6 +125,75 @@ std::string refusal(const std::string& world, const std::vector<std::string>& ov
     return error.reason();
   }
   return "";
+}
+
+/// Why no flight can be at its ends, in a room with a start, a goal and a via that are clear unless `records` say so.
+std::string ends_refusal(const std::string& records) {
+  const std::string path = tern_test::own_folder() + "ends.txt";
+  tern_host::write_files({{path, "boundary 0 0 0 20 12 4\nstart 2 6 1.5\ngoal 18 6 1.5\n" + records}});
+  const FlightWorld world = read_flight_world(path, {});
+  try {
+    tern_host::refuse_occupied_ends(world, {-10.0, -4.0, -0.4});
+  } catch (const tern_host::RecordError& error) {
+    return std::string(error.what()).substr(path.size());
+  }
+  return "";
+}
+
+void expect_refused(const std::string& records, const std::string& place, const std::string& why) {
+  const std::string text = ends_refusal(records);
+  EXPECT_EQ(text.find(place + ": the flight cannot be at its "), 0u) << records << text;
+  EXPECT_NE(text.find(why), std::string::npos) << records << text;
+}
+
+TEST(ClearEnds, AreAtLeastTheRadiusFromEverything) {
+  EXPECT_EQ(ends_refusal(""), "");
+  // The ground is as far away as it must be, and then not.
+  EXPECT_EQ(ends_refusal("goal 18 6 0.35\n"), "");
+  expect_refused(
+      "goal 18 6 0.34\n", ":4",
+      "goal: the ground, the boundary's lower face, is 0.34 m away, at 18.00 6.00 0.00. "
+      "All of it must be 0.35 m away: body_radius 0.25, tracking_margin 0.1, pose_margin 0. Taking off and landing");
+  expect_refused("goal 18 6 0.49\npose_margin 0.15\n", ":4", "must be 0.50 m away");
+  expect_refused("start 2 6 0\n", ":4", "start: the ground");
+  expect_refused("start 2 6 3.9\n", ":4", "start: the ceiling, the boundary's upper face, is 0.10 m");
+  expect_refused("goal 0.2 6 1\n", ":4", "a wall, the boundary's lower face along x, is 0.20 m");
+  expect_refused("goal 18 11.8 1\n", ":4", "a wall, the boundary's upper face along y, is 0.20 m");
+  expect_refused("goal 25 6 1.5\n", ":4", "goal: 25.00 6.00 1.50 is outside the boundary");
+}
+
+TEST(ClearEnds, KnowBlocksCylindersAndTheirVoxels) {
+  expect_refused("block 17 5 0 19 7 1.3\n", ":3", "a block is 0.20 m away, at 18.00 6.00 1.30. All of it");
+  expect_refused("block 17 5 1 19 7 2\n", ":3", "a block is 0.00 m away");
+  expect_refused("cylinder 18 7 0 4 0.8\n", ":3", "a cylinder is 0.20 m away, at 18.00 6.20 1.50");
+  // 0.38 m away, in voxels that are 0.3 m away.
+  const std::string voxels = "and the voxels of 0.2 m that hold a part of it 0.30 m";
+  expect_refused("block 17 5 0 19 7 1.12\n", ":3", "a block is 0.38 m away, at 18.00 6.00 1.12, " + voxels);
+  expect_refused("cylinder 18 6 0 1.12 0.8\n", ":3", voxels);
+  EXPECT_EQ(ends_refusal("block 17 5 0 19 7 1.0\n"), "");
+  EXPECT_EQ(ends_refusal("cylinder 18 6 0 1.0 0.8\n"), "");
+  EXPECT_EQ(ends_refusal("cell 0.1\nblock 17 5 0 19 7 1.1\n"), "");
+  // What appears later is not looked at.
+  EXPECT_EQ(ends_refusal("appear 1 block 17 5 1 19 7 2\n"), "");
+}
+
+TEST(ClearEnds, BreakNoFence) {
+  expect_refused("keepout 17 5 0 17.9 7 4\n", ":3",
+                 "goal: it is 0.10 m from the 'keepout' of line 4, which must be 0.35 m");
+  expect_refused("keepout 17 5 0 19 7 4\n", ":3", "goal: it is in the 'keepout' of line 4");
+  expect_refused("keepin 0 0 0 17.5 12 4\n", ":3", "goal: it is 0.50 m outside of the 'keepin' of line 4");
+  EXPECT_EQ(ends_refusal("keepin 0 0 0 18 12 4\nkeepout 17 5 0 17.65 7 4\n"), "");
+}
+
+TEST(ClearEnds, ViasMayBeOffByTheirToleranceOrSkipped) {
+  expect_refused("via 10 6 0.2 0.1\n", ":4", "via: the ground");
+  EXPECT_EQ(ends_refusal("via 10 6 0.2 0.16\n"), "");
+  EXPECT_EQ(ends_refusal("via 10 6 0.2\nvia_policy skip\n"), "");
+}
+
+TEST(ClearEnds, GoalsThatAreMovedOnPurposeAreFlownTo) {
+  EXPECT_EQ(ends_refusal("cylinder 10 6 0 4 0.5\ngoal_place occupied\n"), "");
+  EXPECT_EQ(ends_refusal("goal_place outside\n"), "");
 }
 
 TEST(SensorFov, IsAllAroundForALidarAlone) {

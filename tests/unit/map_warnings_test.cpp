@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 
+#include "host/flight/flight_world.hpp"
 #include "host/map/map_files.hpp"
 #include "support/own_folder.hpp"
 
@@ -104,6 +105,38 @@ TEST(MapWarnings, RecordsOutside) {
              ":5: 1 of 2 'block' records adds nothing", "in millimetres");
   expect_one(warnings_of("block 1 1 1 2 2 2\nkeepout 1 1 1 2 2 2\nkeepout 4 0 -2 5 6 -1\nkeepout 0 9 0 1 10 1\n"),
              ":7: 2 of 3 'keepout' records add nothing", "outside the boundary");
+}
+
+TEST(MapWarnings, KeepInsThatKeepNothingInAndFitInAnotherUnit) {
+  expect_one(warnings_of("keepin 0 0 0 10000 8000 3000\n"), ":5: 1 of 1 'keepin' records adds nothing",
+             "around all of the boundary: are they in millimetres, not metres?");
+  EXPECT_TRUE(warnings_of("keepin -1e5 -1e5 -1e5 1e5 1e5 1e5\nkeepin 100 100 100 8000 7000 2000\n").empty());
+}
+
+/// The same warnings for a flight's world.
+TEST(MapWarnings, RecordsOfFlightWorlds) {
+  const std::string path = kFolder + "map_warnings_world.txt";
+  const auto of = [&path](const std::string& records) {
+    std::ofstream(path) << "boundary 0 0 0 10 8 3\nstart 1 4 1\ngoal 9 4 1\n" << records;
+    return tern_host::read_flight_world(path, {}).warnings;
+  };
+  const auto expect = [&of, &path](const std::string& records, const std::string& warning) {
+    const std::vector<std::string> warnings = of(records);
+    ASSERT_EQ(warnings.size(), 1u) << records;
+    EXPECT_EQ(warnings[0], path + warning);
+  };
+  const std::string nothing = " nothing to the map, first this one: ";
+  const std::string outside = nothing + "outside the boundary";
+  EXPECT_TRUE(of("block -1 0 0 -0.1 8 3\ncylinder 5 9 0 3 1.2\nkeepin 0 0 0 10 8 3\nkeepout -5 0 0 1 1 1\n").empty());
+  expect("block 1 1 1 2 2 2\nblock 4000 0 0 5000 6000 3000\n",
+         ":5: 1 of 2 'block' records adds" + outside + ": are they in millimetres, not metres?");
+  expect("cylinder 500 400 0 300 50\n",
+         ":4: 1 of 1 'cylinder' records adds" + outside + ": are they in centimetres, not metres?");
+  expect("keepout 5 -2 1 6 -1 2\nkeepout 5 -2 1 6 -1 2\n",
+         ":4: 2 of 2 'keepout' records add" + outside + ": have they other axes? As (x, -y, z) they would be inside");
+  expect("appear 2 cylinder 50 4 0 3 1\n", ":4: 1 of 1 'appear' records adds" + outside);
+  expect("keepin 0 0 0 10000 8000 3000\n", ":4: 1 of 1 'keepin' records adds" + nothing +
+                                               "around all of the boundary: are they in millimetres, not metres?");
 }
 
 TEST(MapWarnings, GitLfsPointersAreRefused) {

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/flight_progress.hpp"
 #include "cli/output_paths.hpp"
+#include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/flight/flown_plan.hpp"
 #include "host/flight/full_knowledge.hpp"
@@ -108,6 +109,7 @@ int fly(const FlyOptions& options) {
   }
   check_output_paths({options.world}, paths);
   const tern_host::FlightWorld world = tern_host::read_flight_world(options.world, options.overrides);
+  print_warnings(world.warnings);
   std::unique_ptr<tern_host::FlightFilm> film;
   if (!options.html.empty()) film = std::make_unique<tern_host::FlightFilm>(world);
   std::string record;

@@ -28,30 +28,57 @@ double gap(double at, double lower, double upper, double origin, double cell) {
   return std::max({0.0, first - at, at - last});
 }
 
-/// True where a block's voxels are as near to the point as the status says of some obstacle.
-bool is_block(const PlanResult& result, const Vec3& point) {
+/// The block whose voxels are nearest to a point.
+struct NearestBlock {
+  const Block* block = nullptr;
+  double of_voxels = 0.0;  ///< their distance, metres
+};
+
+NearestBlock nearest_block(const PlanResult& result, const Vec3& point) {
   const Vec3& o = result.grid.origin;
   const double cell = result.grid.cell;
-  const double enough = result.report.raw_occupied ? 1e-9 : result.grid.clearance();
-  return std::any_of(result.scenario.blocks.begin(), result.scenario.blocks.end(), [&](const Block& block) {
+  NearestBlock nearest;
+  for (const Block& block : result.scenario.blocks) {
     const tern::Box& box = block.box;
     const double x = gap(point.x, box.lower.x, box.upper.x, o.x, cell);
     const double y = gap(point.y, box.lower.y, box.upper.y, o.y, cell);
     const double z = gap(point.z, box.lower.z, box.upper.z, o.z, cell);
-    return std::sqrt(x * x + y * y + z * z) < enough;
-  });
+    const double apart = std::sqrt(x * x + y * y + z * z);
+    if (nearest.block == nullptr || apart < nearest.of_voxels) nearest = {&block, apart};
+  }
+  return nearest;
+}
+
+std::string near_text(const PlanResult& result, const Vec3& point, const NearestBlock& nearest) {
+  const tern::Box& box = nearest.block->box;
+  const Vec3 at{std::clamp(point.x, box.lower.x, box.upper.x), std::clamp(point.y, box.lower.y, box.upper.y),
+                std::clamp(point.z, box.lower.z, box.upper.z)};
+  const double apart = std::hypot(at.x - point.x, at.y - point.y, at.z - point.z);
+  const Scenario& s = result.scenario;
+  std::string text = std::string("; it is too close to a ") + (nearest.block->keepout ? "keepout" : "block") + ", " +
+                     fixed(apart, 3) + " m away at (" + brief(at.x) + ", " + brief(at.y) + ", " + brief(at.z) + ")";
+  if (apart >= s.clearance()) {
+    text += ", whose voxels of " + brief(s.resolution) + " m are " + fixed(nearest.of_voxels, 3) + " m away";
+  }
+  text += "; all of it must be " + brief(s.clearance()) + " m away: radius " + brief(s.radius);
+  return s.tracking_margin > 0.0 ? text + " and tracking_margin " + brief(s.tracking_margin) : text;
 }
 
 std::string occupied_text(const PlanResult& result) {
   const bool inside = result.report.raw_occupied;
+  const Vec3 point = point_of(result);
+  const NearestBlock nearest = nearest_block(result, point);
+  const double enough = inside ? 1e-9 : result.grid.clearance();
+  const bool is_block = nearest.block != nullptr && nearest.of_voxels < enough;
   const bool takes_unknown = result.scenario.unknown == Unknown::kSolid && !result.scenario.known.empty();
-  if (takes_unknown && !is_block(result, point_of(result))) {
+  if (takes_unknown && !is_block) {
     return std::string(inside ? "; it is in" : "; it is too close to") +
            " space that the map does not know, which `unknown solid` takes for obstacles: choose a point in known "
            "space, "
            "or set `unknown free`";
   }
-  return inside ? "; it is inside an obstacle" : "; it is outside of obstacles, but too close to one";
+  if (inside) return "; it is inside an obstacle";
+  return is_block ? near_text(result, point, nearest) : "; it is outside of obstacles, but too close to one";
 }
 
 std::string narrow_text(const tern::Report& report) {

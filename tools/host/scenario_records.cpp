@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario_records.hpp"
 
-#include "host/map/map_warnings.hpp"
 #include "host/number.hpp"
 #include "host/via_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -70,7 +69,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   const std::string& key = words.front();
   if (key == "boundary") return add_boundary(words, place);
   if (key == "block" || key == "keepout") return add_block(words, place);
-  if (is_fence(key)) return add_fence(words, place, scenario_.fences);
+  if (is_fence(key)) return add_fence_record(words, place);
   if (key == "via") return add_via(words, place);
   if (key == "octomap" || key == "cloud") return add_map_file(words, place);
   if (key == "yaw") {
@@ -154,6 +153,12 @@ void ScenarioBuilder::check_unknown() const {
   throw ScenarioError(choices_[2].place, "'unknown solid' needs an 'octomap', which says what is free");
 }
 
+void ScenarioBuilder::add_fence_record(const std::vector<std::string>& words, const Place& place) {
+  add_fence(words, place, scenario_.fences);
+  if (words.front() == "keepin")
+    boxes_.push_back({"keepin", box_of(numbers(words, place), "keepin", place), place.line});
+}
+
 /// Limits that are too low are the planner's to refuse.
 void ScenarioBuilder::check_yaw() const {
   for (const Setting& setting : settings_) {
@@ -179,19 +184,7 @@ void ScenarioBuilder::add_block(const std::vector<std::string>& words, const Pla
     throw ScenarioError(place, "more than " + std::to_string(kMaxBlocks) + " blocks");
   }
   scenario_.blocks.push_back({box, keepout});
-  block_lines_.push_back(place.line);
-}
-
-void ScenarioBuilder::warn_of_records() {
-  const tern::Box reach = reach_of(scenario_);
-  RecordsWithin blocks("block", reach);
-  RecordsWithin keepouts("keepout", reach);
-  for (std::size_t i = 0; i < block_lines_.size(); ++i) {
-    const Block& block = scenario_.blocks[i];
-    (block.keepout ? keepouts : blocks).add(block.box, block_lines_[i]);
-  }
-  blocks.warn(scenario_.name, scenario_.warnings);
-  keepouts.warn(scenario_.name, scenario_.warnings);
+  boxes_.push_back({keepout ? "keepout" : "block", box, place.line});
 }
 
 void ScenarioBuilder::assign(Setting& setting, const std::vector<double>& values, const Place& place) {
@@ -242,7 +235,7 @@ Scenario ScenarioBuilder::finish(const Place& end, Ends ends) {
   check_yaw();
   scenario_.resolution_place = find("resolution")->place;
   refuse_empty_fences(scenario_.fences, scenario_.boundary, scenario_.radius + scenario_.tracking_margin);
-  warn_of_records();
+  warn_of_records(boxes_, scenario_.boundary, reach_of(scenario_), scenario_.name, scenario_.warnings);
   return scenario_;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/map/map_warnings.hpp"
 #include "host/scenario.hpp"
 
 namespace tern_host {
@@ -57,8 +58,8 @@ class ScenarioBuilder {
   void add_map_file(const std::vector<std::string>& words, const Place& place);
   void add_via(const std::vector<std::string>& words, const Place& place);
   void add_block(const std::vector<std::string>& words, const Place& place);
+  void add_fence_record(const std::vector<std::string>& words, const Place& place);
   static void assign(Setting& setting, const std::vector<double>& values, const Place& place);
-  void warn_of_records();
   void check_ranges() const;
   void check_unknown() const;
   void check_yaw() const;
@@ -66,7 +67,7 @@ class ScenarioBuilder {
   Scenario scenario_;
   bool has_boundary_ = false;
   Place yaw_place_;
-  std::vector<int> block_lines_;
+  std::vector<BoxRecord> boxes_;
   std::vector<Setting> settings_;
   Choice choices_[3];
 };

@@ -5,8 +5,10 @@
 #include "host/fence_record.hpp"
 #include "host/flight/fault_records.hpp"
 #include "host/flight/flight_world.hpp"
+#include "host/flight/full_knowledge.hpp"
 #include "host/flight/setting_readers.hpp"
 #include "host/flight/world_family.hpp"
+#include "host/map/map_warnings.hpp"
 #include "host/number.hpp"
 #include "host/text_records.hpp"
 #include "host/vehicle/vehicle.hpp"
@@ -166,16 +168,35 @@ void add_record(const Words& words, const Place& place, FlightWorld& world) {
     add_fence(words, place, world.fences);
   } else if (key == "start") {
     world.start = vector(words, place);
+    world.places.start = place;
   } else if (key == "goal") {
     world.goal = vector(words, place);
+    world.places.goal = place;
   } else if (key == "via") {
     world.vias.push_back(flown_via(words, world, place));
+    world.places.vias.push_back(place);
   } else if (key == "via_policy") {
     world.via_policy = policy_of(words, place);
   } else {
     const char* const hint = key == "radius" ? ": body_radius is the vehicle's, and the margins come on top" : "";
     throw RecordError(place, "there is no record " + quote(key) + " for flights" + hint);
   }
+}
+
+tern::Box box_around(const Cylinder& c) {
+  return {{c.x - c.radius, c.y - c.radius, c.bottom}, {c.x + c.radius, c.y + c.radius, c.top}};
+}
+
+/// The box of a record that was just added, if it has one.
+void note_box(const Words& words, const Place& place, const FlightWorld& world, std::vector<BoxRecord>& boxes) {
+  const std::string& key = words[0];
+  if (key == "block") boxes.push_back({"block", world.blocks.back(), place.line});
+  if (key == "cylinder") boxes.push_back({"cylinder", box_around(world.cylinders.back()), place.line});
+  if (key == "keepin") boxes.push_back({"keepin", box_of(numbers(words, place), key, place), place.line});
+  if (key == "keepout") boxes.push_back({"keepout", box_of(numbers(words, place), key, place), place.line});
+  if (key != "appear") return;
+  const Appearance& appears = world.appearing.back();
+  boxes.push_back({"appear", appears.is_block ? appears.block : box_around(appears.cylinder), place.line});
 }
 
 Words words_of(const std::string& override_text, const Place& place) {
@@ -227,8 +248,12 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   world.name = path;
   FamilyMember member;
   const std::string text = is_member(path, member) ? world_text(member) : read_text(path);
-  const Place end =
-      for_each_record(text, path, [&](const Words& words, const Place& place) { add_record(words, place, world); });
+  world.places.start = world.places.goal = {path, 0};
+  std::vector<BoxRecord> boxes;
+  const Place end = for_each_record(text, path, [&](const Words& words, const Place& place) {
+    add_record(words, place, world);
+    note_box(words, place, world, boxes);
+  });
   replace_settings(overrides, world);
   const tern::Box& b = world.boundary;
   if (!(b.upper.x > b.lower.x && b.upper.y > b.lower.y && b.upper.z > b.lower.z)) {
@@ -238,6 +263,7 @@ FlightWorld read_flight_world(const std::string& path, const std::vector<std::st
   check_fov(world.settings, {path, 0});
   choose_voxels(world);
   choose_evidence(world.settings);
+  warn_of_records(boxes, b, reach_of(b, radius_of(world.settings), world.settings.cell), path, world.warnings);
   if (world.settings.goal_jitter.size > 0.0 && !world.vias.empty()) {
     throw RecordError({path, 0}, "goal_jitter is for worlds without vias: each new goal begins the mission anew");
   }

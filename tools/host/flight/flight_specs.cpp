@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/flight/clear_ends.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/number.hpp"
 
@@ -55,9 +56,9 @@ tern::FlightSpec flight_spec_of(const FlightSettings& s) {
   return spec;
 }
 
-void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map) {
+void check_world(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map) {
   const double length = map.cell * map.dims.x;
-  if (spec.horizon < 0.5 * length) return;
+  if (spec.horizon < 0.5 * length) return refuse_occupied_ends(world, map.origin);
   throw std::runtime_error(world.name + ": plans lead " + brief(spec.horizon) + " m ahead, " + brief(kHorizon) +
                            " of sensor_range, and the window is only " + brief(length) +
                            " m long. Set window to more than " + brief(2.0 * spec.horizon) +

@@ -20,8 +20,9 @@ tern::FlightSpec flight_spec_of(const FlightSettings& settings);
 /// is.
 std::string describe_refusal(const tern::FlightRefusal& refusal);
 
-/// Throws where plans would not end within the window; says what to change.
-void check_horizon(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map);
+/// Throws where plans would not end within the window, or where the flight could not be at its start, its goal or a via
+/// (clear_ends.hpp); says what to change.
+void check_world(const FlightWorld& world, const tern::FlightSpec& spec, const tern::MapSpec& map);
 
 /// How the flight plans its yaw, from the heading at the start on, rad.
 tern::FlightYaw flight_yaw_of(const FlightSettings& settings, double start);

@@ -101,6 +101,13 @@ struct Appearance {
   Cylinder cylinder;
 };
 
+/// Where a world says what it asks for; the file alone where a record is missing.
+struct PointPlaces {
+  Place start;
+  Place goal;
+  std::vector<Place> vias;
+};
+
 struct FlightWorld {
   std::string name;  ///< the file's
   std::vector<tern::Box> blocks;
@@ -113,6 +120,8 @@ struct FlightWorld {
   std::vector<tern::Via> vias;  ///< points to pass on the way to the goal
   tern::ViaPolicy via_policy = tern::ViaPolicy::kEnd;
   FlightSettings settings;
+  PointPlaces places;
+  std::vector<std::string> warnings;  ///< records that add nothing to the world, each with its place
 };
 
 /// The vias, and the goal as the last one.

@@ -99,7 +99,7 @@ class Simulation {
     }
     tern::FlightRecorder& record = tape_.recorder();
     record.bind(map_spec_, bound);
-    check_horizon(world_, spec_, map_spec_);
+    check_world(world_, spec_, map_spec_);
     const double most = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
     const double free = assumed_radius(world_, map_.safe().spec(), most);
     record.assume_free(world_.start, free, map_.assume_free(world_.start, free));

@@ -101,6 +101,31 @@ std::string text_of(const Box& box) {
   return text_of(box.lower) + " to " + text_of(box.upper);
 }
 
+constexpr char kKeepIn[] = "keepin";
+
+/// Records of one kind that add nothing.
+struct Idle {
+  std::string key;
+  std::size_t total = 0;  ///< those that do, too
+  std::size_t count = 0;
+  int first = 0;
+  std::vector<Vec3> corners{};
+
+  void add(const BoxRecord& record) {
+    if (count++ == 0) first = record.line;
+    if (corners.size() > kMostSamples) return;
+    corners.push_back(record.box.lower);
+    corners.push_back(record.box.upper);
+  }
+};
+
+/// A keep-in around all of a map may be meant so, unless it fits the map in another unit.
+bool adds_nothing(const BoxRecord& record, const Box& boundary, const Box& reach) {
+  if (record.key != std::string(kKeepIn)) return !meets(record.box, reach);
+  const bool holds_all = holds(record.box, boundary.lower) && holds(record.box, boundary.upper);
+  return holds_all && !likely_mistake({record.box.lower, record.box.upper}, reach).empty();
+}
+
 std::string counts_of(const MapFile& file, const MapContent& content) {
   const bool cloud = file.kind == MapFileKind::kCloud;
   std::string text = " of its " + std::to_string(content.read) + (cloud ? " points" : " occupied leaves");
@@ -110,11 +135,14 @@ std::string counts_of(const MapFile& file, const MapContent& content) {
 
 }  // namespace
 
-Box reach_of(const Scenario& scenario) {
-  const double margin = scenario.clearance() + 2.0 * scenario.resolution;
-  const Box& b = scenario.boundary;
+Box reach_of(const Box& b, double clearance, double cell) {
+  const double margin = clearance + 2.0 * cell;
   return {{b.lower.x - margin, b.lower.y - margin, b.lower.z - margin},
           {b.upper.x + margin, b.upper.y + margin, b.upper.z + margin}};
+}
+
+Box reach_of(const Scenario& scenario) {
+  return reach_of(scenario.boundary, scenario.clearance(), scenario.resolution);
 }
 
 bool meets(const Box& a, const Box& b) {
@@ -139,20 +167,24 @@ std::string likely_mistake(const std::vector<Vec3>& points, const Box& box) {
   return "";
 }
 
-void RecordsWithin::add(const Box& box, int line) {
-  ++total_;
-  if (meets(box, reach_)) return;
-  if (outside_++ == 0) first_ = line;
-  if (corners_.size() > kMostSamples) return;
-  corners_.push_back(box.lower);
-  corners_.push_back(box.upper);
-}
-
-void RecordsWithin::warn(const std::string& file, std::vector<std::string>& warnings) const {
-  if (outside_ == 0) return;
-  warnings.push_back(file + ":" + std::to_string(first_) + ": " + std::to_string(outside_) + " of " +
-                     std::to_string(total_) + " '" + key_ + "' records add" + (outside_ == 1 ? "s" : "") +
-                     " nothing to the map, first this one: outside the boundary" + likely_mistake(corners_, reach_));
+void warn_of_records(const std::vector<BoxRecord>& records, const Box& boundary, const Box& reach,
+                     const std::string& file, std::vector<std::string>& warnings) {
+  std::vector<Idle> kinds;
+  for (const BoxRecord& record : records) {
+    const std::string key = record.key;
+    auto kind = std::find_if(kinds.begin(), kinds.end(), [&key](const Idle& one) { return one.key == key; });
+    if (kind == kinds.end()) kind = kinds.insert(kind, {key});
+    ++kind->total;
+    if (adds_nothing(record, boundary, reach)) kind->add(record);
+  }
+  for (const Idle& kind : kinds) {
+    if (kind.count == 0) continue;
+    warnings.push_back(file + ":" + std::to_string(kind.first) + ": " + std::to_string(kind.count) + " of " +
+                       std::to_string(kind.total) + " '" + kind.key + "' records add" + (kind.count == 1 ? "s" : "") +
+                       " nothing to the map, first this one: " +
+                       (kind.key == kKeepIn ? "around all of the boundary" : "outside the boundary") +
+                       likely_mistake(kind.corners, reach));
+  }
 }
 
 void warn_of_map_file(const MapFile& file, const MapContent& content, const std::vector<Vec3>& points,

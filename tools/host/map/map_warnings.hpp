@@ -13,7 +13,8 @@
 
 namespace tern_host {
 
-/// The boundary, and as far around it as an obstacle can matter.
+/// The boundary, and as far around it as an obstacle can matter for a map of this clearance and these voxels, metres.
+tern::Box reach_of(const tern::Box& boundary, double clearance, double cell);
 tern::Box reach_of(const Scenario& scenario);
 
 /// True where the interiors of two boxes meet; a flat box has those of its points.
@@ -23,23 +24,17 @@ bool meets(const tern::Box& a, const tern::Box& b);
 /// axes. Empty where they would not.
 std::string likely_mistake(const std::vector<tern::Vec3>& points, const tern::Box& box);
 
-/// Records of one kind, of which some may be beyond all that matters.
-class RecordsWithin {
- public:
-  RecordsWithin(const char* key, const tern::Box& reach) : key_(key), reach_(reach) {}
-
-  void add(const tern::Box& box, int line);
-  /// Adds one warning if any of them is.
-  void warn(const std::string& file, std::vector<std::string>& warnings) const;
-
- private:
-  const char* key_;
-  tern::Box reach_;
-  std::size_t total_ = 0;
-  std::size_t outside_ = 0;
-  int first_ = 0;
-  std::vector<tern::Vec3> corners_;
+/// A record of a file that fills a box, or keeps the flight within it.
+struct BoxRecord {
+  const char* key;  ///< the record's: `keepin` is the only one that keeps the flight within
+  tern::Box box;
+  int line;
 };
+
+/// Adds a warning for each kind of record of which some add nothing to a map: they lie beyond its reach, or are
+/// keep-ins that hold all of its boundary and would not if they were in another unit.
+void warn_of_records(const std::vector<BoxRecord>& records, const tern::Box& boundary, const tern::Box& reach,
+                     const std::string& file, std::vector<std::string>& warnings);
 
 /// The warning of one map file, or none: its obstacles are few within the boundary. `extent` holds all of them.
 void warn_of_map_file(const MapFile& file, const MapContent& content, const std::vector<tern::Vec3>& points,
