@@ -12,7 +12,7 @@ namespace {
 TEST(LidarFlight, ReachesItsGoalAmongOutliers) {
   for (const char* const name : {"P25@5:7003", "P25@5:7006"}) {
     const tern_host::FlightWorld world = tern_host::read_flight_world(
-        name, {"sensor=lidar", "sensor_fov=360,74", "depth_noise=0.01", "outliers=0.01", "time_limit=60"});
+        name, {"sensor=lidar", "sensor_fov=6.2832,1.2915", "depth_noise=0.01", "outliers=0.01", "time_limit=60"});
     const tern_host::FlightResult result = tern_host::simulate_flight(world);
     EXPECT_EQ(result.status, "reached") << name << ": " << result.reason;
   }

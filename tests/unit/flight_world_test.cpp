@@ -197,18 +197,20 @@ TEST(ClearEnds, GoalsThatAreMovedOnPurposeAreFlownTo) {
 }
 
 TEST(SensorFov, IsAllAroundForALidarAlone) {
-  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,40"}), "");
-  EXPECT_EQ(refusal("P25:1", {"sensor_fov=360,40", "sensor=lidar"}), "");
-  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=90,74"}), "");
-  EXPECT_EQ(refusal("P25:1", {"sensor_fov=150,10"}), "");
-  const std::string allowed = ": both are 10 to 150 degrees; with sensor lidar, the first may also be 360";
-  EXPECT_EQ(refusal("P25:1", {"sensor_fov=360,40"}), "sensor_fov 360 40" + allowed);
-  EXPECT_EQ(refusal("P25:1", {"sensor_fov=151,40"}), "sensor_fov 151 40" + allowed);
-  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=200,40"}), "sensor_fov 200 40" + allowed);
-  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,360"}), "sensor_fov 360 360" + allowed);
-  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=360,40", "sensor=camera"}), "sensor_fov 360 40" + allowed);
-  EXPECT_THROW(tern_host::flight_settings({"sensor_fov=360,40"}), tern_host::RecordError);
-  EXPECT_EQ(tern_host::flight_settings({"sensor_fov=360,40", "sensor=lidar"}).fov_vertical, 40.0);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=6.2832,0.7"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=6.2832,0.7", "sensor=lidar"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=1.57,1.29"}), "");
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=2.618,0.1745"}), "");
+  const std::string allowed = ": both are in rad, 0.174 to 2.62; with sensor lidar, the first may also be 6.2832";
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=6.2832,0.7"}), "sensor_fov 6.28318531 0.7" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=2.7,0.7"}), "sensor_fov 2.7 0.7" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor_fov=1.5,0.1"}), "sensor_fov 1.5 0.1" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=3.5,0.7"}), "sensor_fov 3.5 0.7" + allowed);
+  EXPECT_EQ(refusal("P25:1", {"sensor=lidar", "sensor_fov=6.2832,6.2832"}), "sensor_fov 6.2832 6.2832" + allowed);
+  EXPECT_THROW(tern_host::flight_settings({"sensor_fov=6.2832,0.7"}), tern_host::RecordError);
+  const tern_host::FlightSettings around = tern_host::flight_settings({"sensor_fov=6.2832,0.7", "sensor=lidar"});
+  EXPECT_LE(around.fov_horizontal, 2.0 * M_PI);
+  EXPECT_EQ(around.fov_vertical, 0.7);
 }
 
 TEST(FlightYawRecord, DegreesAreRefused) {
@@ -218,15 +220,19 @@ TEST(FlightYawRecord, DegreesAreRefused) {
             "'yaw heading' is in rad, at most 6.2832, found 90; if that is in degrees, write 1.5708");
   EXPECT_NE(refusal("P25:1", {"yaw_rate=45"}).find("'yaw_rate' is in rad/s, at most"), std::string::npos);
   EXPECT_NE(refusal("P25:1", {"yaw_acceleration=180"}).find("is in rad/s^2, at most"), std::string::npos);
-  EXPECT_NE(refusal("P25:1", {"sensor_fov=1.57,1.29"}).find("both are 10 to 150 degrees"), std::string::npos);
+  EXPECT_NE(refusal("P25:1", {"sensor_fov=90,74"}).find("; if that is in degrees, write 1.5708 1.2915"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("P25:1", {"sensor=lidar", "sensor_fov=360,40"}).find("; if that is in degrees, write 6.2832 0.6981"),
+      std::string::npos);
 }
 
 TEST(SensorFov, OfAFileMayComeBeforeItsSensor) {
   const std::string path = tern_test::own_folder() + "tern_lidar_world.txt";
-  const std::string world = "boundary -5 -5 0 5 5 3\nsensor_fov 360 40\n";
+  const std::string world = "boundary -5 -5 0 5 5 3\nsensor_fov 6.2832 0.7\n";
   tern_host::write_files({{path, world + "sensor lidar\n"}});
   EXPECT_EQ(refusal(path, {}), "");
-  EXPECT_EQ(read_flight_world(path, {}).settings.fov_horizontal, 360.0);
+  EXPECT_EQ(read_flight_world(path, {}).settings.fov_horizontal, 2.0 * M_PI);
   EXPECT_NE(refusal(path, {"sensor=camera"}), "");
   tern_host::write_files({{path, world}});
   EXPECT_NE(refusal(path, {}), "");

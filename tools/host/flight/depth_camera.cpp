@@ -10,7 +10,6 @@
 namespace tern_host {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 /// Depth that a ray is followed to, in ranges.
 constexpr double kFarther = 1.5;
 /// Depth of an outlier at least, metres.
@@ -21,8 +20,8 @@ tern::DepthView view_of(const FlightSettings& s, const float* depths) {
   view.z32 = depths;
   view.width = view.stride = s.width;
   view.height = s.height;
-  view.fx = 0.5 * s.width / std::tan(0.5 * s.fov_horizontal * kDegree);
-  view.fy = 0.5 * s.height / std::tan(0.5 * s.fov_vertical * kDegree);
+  view.fx = 0.5 * s.width / std::tan(0.5 * s.fov_horizontal);
+  view.fy = 0.5 * s.height / std::tan(0.5 * s.fov_vertical);
   view.cx = 0.5 * (s.width - 1);
   view.cy = 0.5 * (s.height - 1);
   view.scale = 1.0;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "host/fence_record.hpp"
 #include "host/flight/fault_records.hpp"
@@ -18,21 +19,28 @@
 namespace tern_host {
 namespace {
 
-constexpr Range kFov{10.0, 150.0};
-/// The horizontal field of view of what sees all around.
-constexpr double kAllAround = 360.0;
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr Range kFov{0.174, 2.62};
+/// The horizontal field of view of what sees all around, with room for 6.2832.
+constexpr double kAllAround = 360.0 * kDegree;
+constexpr double kRounding = 1e-3;
 
 [[noreturn]] void throw_fov(double horizontal, double vertical, const Place& place) {
-  throw RecordError(place, "sensor_fov " + brief(horizontal) + " " + brief(vertical) +
-                               ": both are 10 to 150 degrees; with sensor lidar, the first may also be 360");
+  std::string text = "sensor_fov " + brief(horizontal) + " " + brief(vertical) + ": both are in rad, " +
+                     brief(kFov.least) + " to " + brief(kFov.most) +
+                     "; with sensor lidar, the first may also be 6.2832";
+  if (horizontal > kAllAround + kRounding || vertical > kAllAround + kRounding) {
+    text += "; if that is in degrees, write " + fixed(kDegree * horizontal, 4) + " " + fixed(kDegree * vertical, 4);
+  }
+  throw RecordError(place, text);
 }
 
-/// Whether 360 degrees fit depends on the sensor, whose record may come later: check_fov.
+/// Whether a whole turn fits depends on the sensor, whose record may come later: check_fov.
 void set_fov(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<double> values = two_numbers(words, place);
-  const bool fits = (holds(kFov, values[0]) || values[0] == kAllAround) && holds(kFov, values[1]);
-  if (!fits) throw_fov(values[0], values[1], place);
-  s.fov_horizontal = values[0];
+  const bool sees_all = std::fabs(values[0] - kAllAround) <= kRounding;
+  if (!(sees_all || holds(kFov, values[0])) || !holds(kFov, values[1])) throw_fov(values[0], values[1], place);
+  s.fov_horizontal = sees_all ? kAllAround : values[0];
   s.fov_vertical = values[1];
 }
 

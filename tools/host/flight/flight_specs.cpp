@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kHorizon = 0.8;                       ///< of plans, in sensor ranges
 constexpr double kScanPixels = 6.0 * 2.5 * 2.5 + 0.1;  ///< of a map with a scan_pixel of 1 rad
-constexpr double kDegree = 6.28318530717958648 / 360.0;
 
 int voxels(double metres, double cell) {
   return std::min(tern::kMaxDimension, static_cast<int>(std::ceil(metres / cell)));
@@ -80,7 +79,7 @@ tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
   if (s.yaw == "point") yaw.mode = tern::FlightYawMode::kTowardsPoint;
   if (s.yaw == "heading") yaw.mode = tern::FlightYawMode::kFixed;
   yaw.acceleration_max = s.yaw_acceleration;
-  yaw.view = kDegree * s.fov_horizontal;
+  yaw.view = s.fov_horizontal;
   yaw.start = {std::cos(start), std::sin(start)};
   yaw.heading = {std::cos(s.yaw_heading), std::sin(s.yaw_heading)};
   yaw.point = s.yaw_point;

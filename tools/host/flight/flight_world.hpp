@@ -43,7 +43,7 @@ struct AppearAhead {
   double distance = 0.0;  ///< metres of way; 0: none appears
 };
 
-/// One record each in a world's file, and a key of `--set`. SI units; the field of view in degrees.
+/// One record each in a world's file, and a key of `--set`. SI units, angles in rad.
 struct FlightSettings {
   double body_radius = 0.25;
   double tracking_margin = 0.10;  ///< largest error of the vehicle, which is flown
@@ -54,8 +54,8 @@ struct FlightSettings {
   std::string sensor = "camera";  ///< or lidar
   double scan_pixel = 0.04;       ///< as MapSpec::scan_pixel, for the lidar
   double sensor_range = 10.0;
-  double fov_horizontal = 90.0;  ///< of the camera; the lidar sees all around, and may say 360
-  double fov_vertical = 74.0;
+  double fov_horizontal = 1.5707963267948966;  ///< of the camera; the lidar sees all around, and may say 2 pi
+  double fov_vertical = 1.2915436464758039;
   int width = 160;
   int height = 120;
   double sensor_hz = 30.0;

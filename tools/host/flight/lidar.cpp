@@ -24,9 +24,9 @@ constexpr double kNearestOutlier = 0.1;
 struct BeamGrid {
   explicit BeamGrid(const FlightSettings& s)
       : columns(static_cast<int>(std::ceil(kTurn / (0.5 * s.scan_pixel)))),
-        rows(static_cast<int>(std::ceil(s.fov_vertical * kTurn / 360.0 / (0.5 * s.scan_pixel)))),
-        lowest(-0.5 * s.fov_vertical * kTurn / 360.0),
-        high(s.fov_vertical * kTurn / 360.0 / rows) {}
+        rows(static_cast<int>(std::ceil(s.fov_vertical / (0.5 * s.scan_pixel)))),
+        lowest(-0.5 * s.fov_vertical),
+        high(s.fov_vertical / rows) {}
   double azimuth(double column) const { return kTurn * column / columns; }
   double elevation(double row) const { return lowest + high * row; }
   std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }

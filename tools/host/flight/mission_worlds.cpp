@@ -102,7 +102,7 @@ std::string inspection(Noise& random) {
   return record_line("boundary", {-18.0, -14.0, 0.0, 18.0, 14.0, 5.0}) +
          record_line("block", {-half, -half, 0.0, half, half, 5.0}) +
          trees(25, {16.0, 12.0}, places, 1.5, away + 1.2, random) + "start -14 0 1.5\ngoal -14 0 1.5\n" + vias +
-         "sensor_fov 140 74\nyaw point 0 0 1.5\n";
+         "sensor_fov 2.443460952792061 1.2915436464758039\nyaw point 0 0 1.5\n";
 }
 
 /// Through a forest to a place, a stop there, and back.

@@ -12,6 +12,7 @@
 namespace tern_host {
 namespace {
 
+constexpr double kTurn = 6.28318530717958648;
 constexpr double kPlanStep = 0.1;     ///< seconds between points of a plan
 constexpr int kMostPoints = 1000;     ///< of a plan
 constexpr double kMostRows = 6000.0;  ///< of the motion
@@ -155,7 +156,7 @@ std::string FlightFilm::run(const FlightResult& result) const {
       {"motion", motion_.json(static_cast<double>(stride_) / s.tick_hz)},
       {"film",
        {{"sensor",
-         {{"range", s.sensor_range}, {"fov", {s.sensor == "lidar" ? 360.0 : s.fov_horizontal, s.fov_vertical}}}},
+         {{"range", s.sensor_range}, {"fov", {s.sensor == "lidar" ? kTurn : s.fov_horizontal, s.fov_vertical}}}},
         {"known", growth_.known_json()},
         {"seen", growth_.seen_json()},
         {"commits", commits_},
