@@ -128,6 +128,36 @@ TEST(FlightWorlds, FencesHold) {
   }
 }
 
+/// A keep-in of no height, or less than a voxel of 0.2 m: past trees, and through a mission's points.
+TEST(FlightWorlds, AKeepInThinnerThanAVoxelHoldsTheFlight) {
+  const double heights[] = {0.0, 0.06, 0.0, 0.15};
+  for (int k = 0; k < tern_test::scaled(4) && !testing::Test::HasFatalFailure(); ++k) {
+    Random random(static_cast<std::uint64_t>(965 + k));
+    FlightSettings settings;
+    settings.v = random.real(3.0, 6.0);
+    settings.start.z = k % 2 == 0 ? 1.5 : 1.4;  // anywhere in a voxel, or on its face
+    const double lower = settings.start.z - heights[k] * random.unit();
+    Halfspace level[kBoxPlanes];
+    box_planes({{-50.0, -50.0, lower}, {50.0, 50.0, lower + heights[k]}}, level);
+    settings.fences = {{level, kBoxPlanes, FenceKind::kKeepIn}};
+    Flown flown(forest(random, 20.0, 20.0, 1.0 / 40.0), settings);
+    ASSERT_EQ(flown.started, Status::kOk);
+    const double z = settings.start.z;
+    Via way[2];
+    way[0].position = {7.0, 3.0, z};
+    way[1].position = {20.0, 0.0, z};
+    const Status asked =
+        k < 2 ? flown.flight.set_goal(way[1].position) : flown.flight.set_mission(way, 2, ViaPolicy::kEnd);
+    ASSERT_EQ(asked, Status::kOk);
+    while (flown.time < 60000000000 && flown.report.reason == FlightReason::kNone && !HasFatalFailure()) {
+      flown.tick();
+      ASSERT_GE(flown.position().z, lower - 3e-9) << k << ": " << story(flown);
+      ASSERT_LE(flown.position().z, lower + heights[k] + 3e-9) << k << ": " << story(flown);
+    }
+    EXPECT_EQ(flown.report.reason, FlightReason::kArrived) << k << ": " << story(flown);
+  }
+}
+
 TEST(FlightWorlds, StartOutsideAKeepInIsRefused) {
   Halfspace band[kBoxPlanes];
   box_planes({{-50.0, -50.0, 2.0}, {50.0, 50.0, 3.0}}, band);

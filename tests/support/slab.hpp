@@ -12,17 +12,23 @@
 #include "grid/lattice.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"
+#include "tern/fence.hpp"
 
 namespace tern_test {
 
-/// A boundary that holds no whole voxel on one axis, and boxes around it. Which voxels are free and how they are
-/// connected is worked out here, from the obstacle voxels alone.
+/// What makes the slab thin.
+enum class ThinBy { kBoundary, kKeepIn };
+
+/// A boundary, or the keep-in of a geofence, that holds no whole voxel on one axis, and boxes around it. Which voxels
+/// are free and how they are connected is worked out here, from the obstacle voxels alone.
 class Slab {
  public:
   static constexpr double kCell = 0.1;
   static constexpr int kSize = 40;
 
-  explicit Slab(Random& random) : thin_(random.integer(0, 2)), owned_(spec_of(random, thin_)) {
+  explicit Slab(Random& random, ThinBy by = ThinBy::kBoundary)
+      : thin_(random.integer(0, 2)), thin_spec_(spec_of(random, thin_)), owned_(bound_spec(random, by)) {
+    fence_ = keep_in(random);
     for (int k = random.integer(0, 40); k > 0; --k) add(random);
     owned_.grid.inflate();
     for_each([this](const tern::Voxel& v) {
@@ -34,6 +40,10 @@ class Slab {
   const tern::Grid& grid() const { return owned_.grid; }
   const tern::GridSpec& spec() const { return owned_.grid.spec(); }
   int thin() const { return thin_; }
+  /// Where the centre may be.
+  const tern::Box& box() const { return thin_spec_.boundary; }
+  /// The box as a geofence, in a random order, with normals of any length; often only the two planes that matter.
+  tern::Fence fence() const { return {fence_.data(), static_cast<int>(fence_.size()), tern::FenceKind::kKeepIn}; }
   /// All free voxels.
   const std::vector<tern::Voxel>& free() const { return free_; }
   /// Free voxels with equal numbers are connected through faces; 0 for others.
@@ -46,8 +56,8 @@ class Slab {
       const Range range = clip(v, a);
       double x = random.real(range.lower, range.upper);
       if (a == thin_ && random.chance(0.3)) x = random.chance(0.5) ? range.lower : range.upper;
-      x = std::max(x, tern::axis(spec().boundary.lower, a));
-      tern::axis(p, a) = std::min(x, tern::axis(spec().boundary.upper, a));
+      x = std::max(x, tern::axis(box().lower, a));
+      tern::axis(p, a) = std::min(x, tern::axis(box().upper, a));
     }
     return p;
   }
@@ -90,6 +100,35 @@ class Slab {
     return spec;
   }
 
+  /// The spec that the grid is bound to. With a keep-in, each face of its boundary is one of the slab, the grid's, or
+  /// cuts a voxel anywhere between.
+  tern::GridSpec bound_spec(Random& random, ThinBy by) const {
+    tern::GridSpec spec = thin_spec_;
+    if (by == ThinBy::kBoundary) return spec;
+    const double floor = tern::axis(spec.origin, thin_);
+    const double ceiling = floor + kCell * tern::axis(spec.dims, thin_);
+    double& lower = tern::axis(spec.boundary.lower, thin_);
+    double& upper = tern::axis(spec.boundary.upper, thin_);
+    if (random.chance(0.8)) lower = random.chance(0.7) ? std::min(floor, lower) : random.real(floor, lower);
+    if (random.chance(0.8)) upper = random.chance(0.7) ? std::max(ceiling, upper) : random.real(upper, ceiling);
+    return spec;
+  }
+
+  std::vector<tern::Halfspace> keep_in(Random& random) const {
+    tern::Halfspace faces[tern::kBoxPlanes];
+    tern::box_planes(thin_spec_.boundary, faces);
+    const bool all = random.chance(0.5);
+    std::vector<tern::Halfspace> planes;
+    for (int k = 0; k < tern::kBoxPlanes; ++k) {
+      if (!all && k / 2 != thin_) continue;
+      const double scale = random.chance(0.5) ? 1.0 : random.real(0.1, 30.0);
+      planes.push_back({scale * faces[k].normal, scale * faces[k].offset});
+      if (random.chance(0.2)) tern::axis(planes.back().normal, (k / 2 + 1) % 3) = scale * 6e-17;  // of a sine
+      if (random.chance(0.5)) std::swap(planes.front(), planes.back());
+    }
+    return planes;
+  }
+
   void add(Random& random) {
     tern::Box box{};
     for (int a = 0; a < 3; ++a) {
@@ -119,13 +158,12 @@ class Slab {
   /// What the boundary leaves of a voxel on one axis; lower > upper where that is nothing.
   Range clip(const tern::Voxel& v, int a) const {
     const double lower = tern::axis(spec().origin, a) + kCell * tern::axis(v, a);
-    return {std::max(lower, tern::axis(spec().boundary.lower, a)),
-            std::min(lower + kCell, tern::axis(spec().boundary.upper, a))};
+    return {std::max(lower, tern::axis(box().lower, a)), std::min(lower + kCell, tern::axis(box().upper, a))};
   }
 
   /// The boundary is whole on the other axes. A layer that a slab of some height only touches does not count.
   bool is_inside(const tern::Voxel& v) const {
-    const double height = tern::axis(spec().boundary.upper, thin_) - tern::axis(spec().boundary.lower, thin_);
+    const double height = tern::axis(box().upper, thin_) - tern::axis(box().lower, thin_);
     const Range range = clip(v, thin_);
     const double left = range.upper - range.lower;
     return height < 1e-9 ? left > -1e-9 : left > 1e-9;
@@ -175,7 +213,9 @@ class Slab {
   }
 
   int thin_;
+  tern::GridSpec thin_spec_;  ///< of a grid whose boundary is the slab
   OwnedGrid owned_;
+  std::vector<tern::Halfspace> fence_;
   std::vector<tern::Voxel> obstacles_;
   std::vector<int> part_;
   std::vector<tern::Voxel> free_;

@@ -8,6 +8,8 @@
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
+#include "grid/stencil.hpp"
+#include "inflation/patch_maker.hpp"
 
 namespace tern {
 namespace {
@@ -16,6 +18,9 @@ namespace {
 constexpr std::uint32_t kPlaneEffort = 300;
 constexpr std::uint32_t kCutEffort = 70;
 constexpr std::uint32_t kNormalEffort = 250;
+/// Of making a plane anew, besides its patch: the stencil, and a row.
+constexpr std::uint32_t kStencilEffort = 8000;
+constexpr std::uint32_t kRowEffort = 40;
 
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
@@ -94,6 +99,20 @@ IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
           ceil_index(layer.clear[2 * a].offset / cell + 1.0, 0, count)};
 }
 
+/// Makes plane z of the blocked layer from the obstacles, within the view's boundary.
+std::uint32_t make_plane(FenceLayer& layer, const Grid& view, std::int32_t z) {
+  const Stencil stencil(view.spec());
+  const PatchMaker maker(view, stencil, layer.words);
+  const Voxel& dims = view.spec().dims;
+  for (std::int32_t y = 0; y < dims.y; ++y) block_run(layer, view, y, z, {0, dims.x});
+  const std::uint32_t effort = kStencilEffort + effort_of(kRowEffort, dims.y);
+  if (!contains(maker.planes_inside(), z)) return effort;
+  const IndexRange x = inside_boundary(view, 0);
+  const Patch patch{z, maker.rows_inside(), {x.begin >> 6, words_for(x.end)}};
+  maker.make(patch);
+  return effort + maker.make_effort(patch);
+}
+
 }  // namespace
 
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
@@ -102,12 +121,14 @@ Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
   const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
   view = GridView::with_blocked(grid, layer.words);
+  layer.narrowed = false;
   return Status::kOk;
 }
 
 std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept {
   const Voxel& dims = view.spec().dims;
   const double cell = view.spec().cell;
+  const std::uint32_t made = layer.narrowed ? make_plane(layer, view, z) : 0;
   for (std::int32_t y = 0; y < dims.y; ++y) {
     for (int p = 0; p < fences.keep_in_count; ++p) {
       const Halfspace& plane = fences.keep_in[p];
@@ -116,7 +137,7 @@ std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid&
       block_run(layer, view, y, z, run);
     }
   }
-  return kPlaneEffort + effort_of(kCutEffort, dims.y * fences.keep_in_count);
+  return made + kPlaneEffort + effort_of(kCutEffort, dims.y * fences.keep_in_count);
 }
 
 std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,

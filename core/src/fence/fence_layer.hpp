@@ -21,6 +21,7 @@ constexpr int kMaxFenceNormals = 6 + kMaxFencePlanes + kMaxFencePlanes * (kMaxFe
 /// Room for a blocked layer, and scratch. Plain data.
 struct FenceLayer {
   std::uint64_t words[kMaxFenceWords];
+  bool narrowed;  ///< by narrow_boundary(): the view's boundary is not the grid's
   std::int32_t clear_count;
   Halfspace clear[kMaxFenceNormals];  ///< normal . p >= offset is clear of the current keep-out,
   IndexRange planes;                  ///< which reaches these planes and rows
@@ -30,8 +31,8 @@ struct FenceLayer {
 /// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kFenceLayerFull.
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept;
 
-/// Blocks each voxel in plane z of the view whose closed cube is not inside every keep-in. Returns what it took, in
-/// instructions (see Work).
+/// Blocks each voxel in plane z of the view whose closed cube is not inside every keep-in. In a view that was narrowed,
+/// first makes the plane anew within its boundary. Returns what it took, in instructions (see Work).
 std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;
 
 /// Blocks the voxels that the keep-out, grown by the radius, may reach: prepare_keep_out() once, then plane by plane. A

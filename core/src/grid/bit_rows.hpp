@@ -120,6 +120,9 @@ struct GridView {
     return view;
   }
 
+  /// The same layers within another boundary, local frame and inside the grid's. The blocked layer stays as it was.
+  static void set_boundary(Grid& view, const Box& local) noexcept { view.local_boundary_ = local; }
+
   /// A grid with the same origin and boundary whose voxels are smaller by `halvings` factors of two, to work with
   /// voxels of that size; it has no layers. False where such a grid cannot be bound.
   static bool halved(const Grid& grid, int halvings, Grid& fine) noexcept {

@@ -56,11 +56,11 @@ void Plan::begin_way() noexcept {
 
 /// Both ends of the current leg, local frame.
 Vec3 Plan::leg_from() const noexcept {
-  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(*grid_, memory_->mission.vias[leg_ - 1].position);
+  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(world(), memory_->mission.vias[leg_ - 1].position);
 }
 
 Vec3 Plan::leg_to() const noexcept {
-  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(*grid_, memory_->mission.vias[leg_].position);
+  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(world(), memory_->mission.vias[leg_].position);
 }
 
 /// Without vias, the path's only leg is the path.
@@ -95,7 +95,7 @@ Status Plan::status_of_leg(Status status) const noexcept {
 void Plan::note_narrowness() noexcept {
   const SearchStage& search = memory_->stage.search;
   if (!is_too_narrow(search.status) || escapes_ > 0 || memory_->previous.tries > 0) return;
-  const Voxel home = grid_->voxel_of(search.finer.point);
+  const Voxel home = world().voxel_of(search.finer.point);
   report_.finer_cell = search.finer.cell;
   const bool is_fenced = has_fences_ && grid_->free(home);
   const double radius = grid_->spec().clearance();
@@ -120,7 +120,7 @@ void Plan::make_holds() noexcept {
   Mission& mission = memory_->mission;
   for (std::int32_t v = 0; v < mission.marks.count; ++v) {
     const Via& via = mission.vias[v];
-    const bool free = world().free(world().voxel_of(to_local(*grid_, via.position)));
+    const bool free = world().free(world().voxel_of(to_local(world(), via.position)));
     mission.holds[v] = hold_of(via, asked_.start.position, mission.marks.polyhedron[v], free ? reach_of(via) : 0.0);
   }
 }

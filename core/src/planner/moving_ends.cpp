@@ -78,7 +78,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   if (!work.take()) return Progress::kMore;
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
-                     take_detour(world(), fences(), to_local(*grid_, asked_), limits_, memory_->path, lines);
+                     take_detour(world(), fences(), to_local(world(), asked_), limits_, memory_->path, lines);
   work.effort += kDetourEffort + lines * kDetourLineEffort;
   count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {

@@ -5,6 +5,7 @@
 #include "base/math.hpp"
 #include "base/too_narrow.hpp"
 #include "base/work.hpp"
+#include "fence/narrow_boundary.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
@@ -109,9 +110,22 @@ Status Plan::accept_fences(const Request& request) noexcept {
   if (!keeps_fences(memory.ends.goal_in_grid)) give_up_goal();
   effort_ += static_cast<std::uint32_t>(2 * GridView::layer_words(*grid_));
   const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
-  if (copied == Status::kOk) return Status::kRunning;
+  if (copied == Status::kOk) {
+    memory.fence_layer.narrowed = narrow_boundary(memory.fences, memory.fenced);
+    place_ends();
+    return Status::kRunning;
+  }
   if (report_.field == Field::kGoalPosition) return refuse(Status::kGoalFenced, Field::kGoalPosition);
   return refuse(copied, Field::kFences);
+}
+
+/// Puts both ends of the request into the grid.
+void Plan::place_ends() noexcept {
+  const Request local = to_local(world(), asked_);
+  FlightEnds& ends = memory_->ends;
+  ends.start_in_grid = local.start.position;
+  ends.goal_in_grid = local.goal.position;
+  ends.origin_in_grid = local.start.position;
 }
 
 /// The plan's frame has its origin in the start, in world coordinates as they were given.
@@ -123,11 +137,8 @@ void Plan::begin_attempt() noexcept {
   stop_and_go_ = false;
   failed_status_ = Status::kOk;
   report_.detours = 0;
-  const Request local = to_local(*grid_, asked_);
+  place_ends();
   FlightEnds& ends = memory_->ends;
-  ends.start_in_grid = local.start.position;
-  ends.goal_in_grid = local.goal.position;
-  ends.origin_in_grid = local.start.position;
   ends.start = asked_.start;
   ends.goal = asked_.goal;
   ends.start.position = {0.0, 0.0, 0.0};
@@ -143,6 +154,7 @@ void Plan::begin_attempt() noexcept {
 Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   report_ = Report{};
   report_.timing_known = clock_ != nullptr;
+  has_fences_ = false;
   has_path_ = false;
   has_corridor_ = false;
   searched_again_ = 0;

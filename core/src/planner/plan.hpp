@@ -55,6 +55,7 @@ class Plan {
   // plan.cpp: the calls.
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
+  void place_ends() noexcept;
   void begin_attempt() noexcept;
   void give_up_goal() noexcept;
   Status accept_vias(const Request& request) noexcept;

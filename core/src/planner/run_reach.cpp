@@ -36,7 +36,7 @@ void Plan::give_up() noexcept {
 
 /// Near the goal itself, not the point from which the last attempt was to arrive there.
 void Plan::begin_reach() noexcept {
-  const Request local = to_local(*grid_, asked_);
+  const Request local = to_local(world(), asked_);
   const Vec3 target = leg_ == via_count() ? local.goal.position : leg_to();
   reach_begin(memory_->stage.reach, world(),
               {local.start.position, target, expansions_left(), fences(), !at_rest(asked_.start)});
@@ -67,7 +67,7 @@ Progress Plan::run_reach(Work& work) noexcept {
 /// The voxel's centre in the world; the start, where it rests in that voxel already.
 Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
   const Grid& grid = world();
-  const Vec3 start = to_local(*grid_, asked_).start.position;
+  const Vec3 start = to_local(world(), asked_).start.position;
   const bool stays = at_rest(asked_.start) && same(grid.voxel_of(start), voxel);
   return stays ? asked_.start.position : free_point(grid, voxel) + grid.spec().origin;
 }

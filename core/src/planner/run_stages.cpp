@@ -274,7 +274,7 @@ Progress Plan::run_check(Work& work) noexcept {
   query.vias = memory.mission.vias;
   query.joints = memory.mission.joint;
   query.via_count = via_count();
-  const Progress progress = check_advance(stage, world(), memory.corridor, memory.trajectory, query, work);
+  const Progress progress = check_advance(stage, *grid_, memory.corridor, memory.trajectory, query, work);
   count(Stage::kCheck, stage.units, kNoBudget, checks() * kCheckBound);
   if (progress == Progress::kMore) return progress;
   if (tries_rest_) return end_trial(progress == Progress::kDone);

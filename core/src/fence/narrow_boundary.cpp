@@ -1,0 +1,65 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fence/narrow_boundary.hpp"
+
+#include "base/math.hpp"
+#include "grid/lattice.hpp"
+
+namespace tern {
+namespace {
+
+/// A unit normal with other components than this one no larger than that stands across the axis: that is the rounding
+/// of a sine, and over the whole map it moves the plane by less than the rounding of its offset may.
+constexpr double kAcross = 1e-14;
+
+bool stands_across(const Vec3& normal, int a) {
+  for (int other = 0; other < 3; ++other) {
+    if (other != a && !(absolute(axis(normal, other)) <= kAcross)) return false;
+  }
+  return true;
+}
+
+/// The boundary within the planes of keep-ins across an axis. Faces that rounding leaves in the wrong order meet.
+Box within_keep_ins(const Fences& fences, Box boundary, int a) {
+  double& lower = axis(boundary.lower, a);
+  double& upper = axis(boundary.upper, a);
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    const Halfspace& plane = fences.keep_in[p];
+    if (!stands_across(plane.normal, a)) continue;
+    if (axis(plane.normal, a) > 0.0) upper = smaller(upper, plane.offset);
+    if (axis(plane.normal, a) < 0.0) lower = larger(lower, -plane.offset);
+  }
+  if (lower > upper) lower = upper = 0.5 * (lower + upper);
+  return boundary;
+}
+
+/// False if there are none.
+bool drop_keep_ins(Fences& fences, int a) {
+  std::int32_t kept = 0;
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    if (stands_across(fences.keep_in[p].normal, a)) continue;
+    fences.keep_in_index[kept] = fences.keep_in_index[p];
+    fences.keep_in[kept++] = fences.keep_in[p];
+  }
+  const bool any = kept < fences.keep_in_count;
+  fences.keep_in_count = kept;
+  return any;
+}
+
+}  // namespace
+
+bool narrow_boundary(Fences& fences, Grid& view) noexcept {
+  bool narrowed = false;
+  for (int a = 0; a < 3; ++a) {
+    const Box whole = view.local_boundary();
+    GridView::set_boundary(view, within_keep_ins(fences, whole, a));
+    if (is_thin(view, a) && drop_keep_ins(fences, a)) {
+      narrowed = true;
+    } else {
+      GridView::set_boundary(view, whole);
+    }
+  }
+  return narrowed;
+}
+
+}  // namespace tern

@@ -1,0 +1,19 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TERN_FENCE_NARROW_BOUNDARY_HPP
+#define TERN_FENCE_NARROW_BOUNDARY_HPP
+
+#include "fence/fences.hpp"
+#include "tern/grid.hpp"
+
+namespace tern {
+
+/// Reads keep-ins that are thinner than voxels as a thin boundary (docs/grid.md). Where keep-ins with planes across an
+/// axis leave no whole voxel of the boundary on it, these planes leave `fences` and become faces of the view's
+/// boundary. Some point must obey the fences and the boundary, but for rounding. True if the boundary changed: the
+/// view's blocked layer is then that of another boundary.
+bool narrow_boundary(Fences& fences, Grid& view) noexcept;
+
+}  // namespace tern
+
+#endif
