@@ -53,5 +53,28 @@ TEST_F(TinyVias, AWayOfTooManyLegsIsFull) {
   EXPECT_EQ(plane.plan(), Status::kOk);
 }
 
+/// A dwell takes a segment of its own, and the optimised plan has none left for it. Nor has stop-and-go, and past a via
+/// in motion there is no stop-and-go.
+TEST_F(TinyVias, ADwellForWhichNoSegmentIsLeftIsFull) {
+  World plane({20, 12, 1}, 0.25, 0.0);
+  plane.block({0.0, 1.25, 0.0}, {2.5, 1.5, 0.25}).from({4.375, 0.375, 0.125}).to({0.375, 1.625, 0.125});
+  vias_[0].position = {0.375, 0.375, 0.125};
+  vias_[1].position = {3.375, 1.375, 0.125};  // from which the last leg bends around the wall's end
+  vias_[0].stop = true;
+  vias_[1].velocity = {-0.1, 0.2, 0.0};
+  plane.request.vias = vias_;
+  plane.request.via_count = tern::kMaxVias;
+  for (const bool moves : {false, true}) {
+    vias_[1].has_velocity = moves;
+    vias_[0].dwell = 0.0;
+    EXPECT_EQ(plane.plan(), Status::kOk);
+    EXPECT_EQ(plane.trajectory.count, tern::kMaxSegments);
+    vias_[0].dwell = 1.0;
+    EXPECT_EQ(plane.plan(), Status::kSegmentsFull);
+    EXPECT_EQ(plane.report.high_water.segments, tern::kMaxSegments);
+    EXPECT_TRUE(plane.trajectory_untouched());
+  }
+}
+
 }  // namespace
 }  // namespace tern_test

@@ -130,7 +130,9 @@ TEST(StopAndGo, NeedsSegmentsForBraking) {
   const State start{corridor->polyhedra[0].from, {0.1, 0, 0}, {0, 0, 0}};
   const State goal = resting(corridor->polyhedra[kMaxSegments - 1].to);
   Trajectory plan{};
-  EXPECT_EQ(stop_and_go(*corridor, start, goal, kTwo, plan), Status::kNoTrajectory);
+  plan.count = 77;
+  EXPECT_EQ(stop_and_go(*corridor, start, goal, kTwo, plan), Status::kSegmentsFull);
+  EXPECT_EQ(plan.count, 77);
   EXPECT_EQ(stop_and_go(*corridor, resting(start.position), goal, kTwo, plan), Status::kOk);
 }
 

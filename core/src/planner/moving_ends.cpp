@@ -82,7 +82,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   work.effort += kDetourEffort + lines * kDetourLineEffort;
   count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
-    fail(Stage::kTrajectory, Status::kNoTrajectory);
+    fail(Stage::kTrajectory, undetoured_);
     return Progress::kFailed;
   }
   report_.detours = kDetoured;
@@ -93,7 +93,7 @@ Progress Plan::run_detour(Work& work) noexcept {
 
 /// True if coming to rest first may help: an end is in motion, and the failure depends on that motion or on the place
 /// where the path begins.
-bool Plan::escape_may_help(Status status) const noexcept {
+bool Plan::escape_may_help(Stage stage, Status status) const noexcept {
   if (rests() || escapes_ == kEscapeTries) return false;
   switch (status) {
     case Status::kNoTrajectory:
@@ -103,8 +103,9 @@ bool Plan::escape_may_help(Status status) const noexcept {
       return !at_rest(asked_.start);
     case Status::kGoalTooNarrow:
       return !at_rest(asked_.goal);
-    case Status::kNoPath:
     case Status::kSegmentsFull:
+      return escapes_ > 0 || stage == Stage::kTrajectory;  // a stop that was made first needs none of its segments
+    case Status::kNoPath:
     case Status::kCheckFailed:
       return escapes_ > 0;  // from another stop there may be a path, or a shorter one
     default:
@@ -116,6 +117,7 @@ bool Plan::escape_may_help(Status status) const noexcept {
 /// that of the first failure, which describes the request as it was given. But if a later attempt lacked only capacity
 /// or budget, that is the status: with more of it there may be a plan.
 void Plan::fail(Stage stage, Status status) noexcept {
+  if (status == Status::kSegmentsFull) raise(report_.high_water.segments, kMaxSegments);
   if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
     failed_status_ = status;
@@ -123,7 +125,7 @@ void Plan::fail(Stage stage, Status status) noexcept {
   }
   if (previous_may_help(status)) {
     enter(Stage::kPrevious);
-  } else if (escape_may_help(status)) {
+  } else if (escape_may_help(stage, status)) {
     enter(Stage::kEscape);
   } else {
     give_up();

@@ -113,7 +113,7 @@ class Plan {
   // moving_ends.cpp: further attempts if an end is in motion.
   void fail(Stage stage, Status status) noexcept;
   Progress run_detour(Work& work) noexcept;
-  bool escape_may_help(Status status) const noexcept;
+  bool escape_may_help(Stage stage, Status status) const noexcept;
   void begin_escape() noexcept;
   void count_escape() noexcept;
   void fly(Quality quality, std::int32_t detours) noexcept;
@@ -169,6 +169,7 @@ class Plan {
   std::uint32_t searched_again_ = 0;        // 1: by the optimal search, as the fast path had too many segments
   bool stop_and_go_ = false;                // the optimiser's plan was refused...
   Status refused_ = Status::kOk;            // ...with this status
+  Status undetoured_ = Status::kOk;         // why there is no trajectory without a detour
   Stage failed_stage_ = Stage::kRequest;
   Status failed_status_ = Status::kOk;
   bool tries_rest_ = false;        // before anything new is looked for

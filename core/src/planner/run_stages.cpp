@@ -169,9 +169,8 @@ Progress Plan::run_corridor(Work& work) noexcept {
 }
 
 void Plan::fail_corridor(Status status) noexcept {
-  if (status == Status::kSegmentsFull) report_.high_water.segments = kMaxSegments;
-  // If the detour has no corridor, the reason is still that the path's own corridor has no trajectory.
-  if (report_.detours == kDetoured) return fail(Stage::kTrajectory, Status::kNoTrajectory);
+  // If the detour has no corridor, the reason is still why the path's own corridor has no trajectory.
+  if (report_.detours == kDetoured) return fail(Stage::kTrajectory, undetoured_);
   fail(Stage::kCorridor, status);
 }
 
@@ -223,24 +222,24 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   report_trajectory();
   if (progress == Progress::kDone) {
     end_trajectory();
-  } else if (stage.status == Status::kNoTrajectory && report_.detours == 0 && via_count() == 0) {
+  } else if (report_.detours == 0 && via_count() == 0) {
+    undetoured_ = stage.status;
     enter(Stage::kDetour);
   } else {
-    // Where dwells left too little room and stop-and-go has none either, room is what is missing.
-    const bool lacks_room = via_count() > 0 && stop_and_go_ && refused_ == Status::kSegmentsFull;
-    fail(Stage::kTrajectory, lacks_room ? Status::kSegmentsFull : stage.status);
+    fail(Stage::kTrajectory, stage.status);
   }
   return progress;
 }
 
-/// Adds the escapes at both ends and the dwells at the vias to the trajectory, and passes it to the check.
+/// Adds the escapes at both ends and the dwells at the vias to the trajectory, and passes it to the check. A chain that
+/// has to pass a via in motion has no stop-and-go to fall back to.
 void Plan::end_trajectory() noexcept {
   Layout& memory = *memory_;
   memory.trajectory.origin = asked_.start.position;
   if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory) && add_dwells()) {
     raise(report_.high_water.segments, memory.trajectory.count);
     enter(Stage::kCheck);
-  } else if (stop_and_go_) {
+  } else if (stop_and_go_ || hurries(memory.stage.trajectory.stage.chain)) {
     fail(Stage::kTrajectory, Status::kSegmentsFull);
   } else {
     fall_back(Status::kSegmentsFull);

@@ -65,7 +65,7 @@ Status stop_and_go(const Corridor& corridor, const State& start, const State& go
   const Vec3 from = brakes ? stopping_point(brake) : start.position;
   const Vec3 to = launches ? stopping_point(launch) : goal.position;
   const int count = count_legs(corridor, from, to) + kBrakeSegments * ((brakes ? 1 : 0) + (launches ? 1 : 0));
-  if (is_full(count > kMaxSegments)) return Status::kNoTrajectory;
+  if (is_full(count > kMaxSegments)) return Status::kSegmentsFull;
   out.count = 0;
   if (brakes) append_brake(brake, out);
   append_legs(corridor, from, to, limits, out);

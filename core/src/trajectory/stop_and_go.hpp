@@ -18,8 +18,8 @@ namespace tern {
 /// How long a plan lasts whose start is its goal, seconds.
 constexpr double kHoverDuration = 1.0;
 
-/// kOk, or kNoTrajectory with `out` untouched: no room to brake or accelerate, or no segment left for it. Fills count
-/// and segments of `out`. Legs of no length are left out.
+/// kOk, which fills count and segments of `out`. Otherwise `out` is untouched: kNoTrajectory if there is no room to
+/// brake or accelerate, kSegmentsFull if there are too few segments for that. Legs of no length are left out.
 Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const MotionLimits& limits,
                    Trajectory& out) noexcept;
 

@@ -84,9 +84,9 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
                       const Chain& chain) noexcept;
 
 /// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kDone
-/// with count and segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory with `out` untouched,
-/// only from a moving start or to a moving goal. Segments name their polyhedron; there may be more segments than
-/// polyhedra.
+/// with count and segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory or kSegmentsFull with
+/// `out` untouched, only from a moving start, to a moving goal or past a via with a velocity. Segments name their
+/// polyhedron; there may be more segments than polyhedra.
 Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
 
 }  // namespace tern
