@@ -20,6 +20,8 @@ constexpr std::uint32_t kPyramidEffort = 11;
 constexpr std::uint32_t kMissedEffort = 200;
 constexpr std::uint32_t kBlockEffort = 4000;
 constexpr std::uint32_t kEnteredEffort = 150;
+/// The cubes of a block of which a scan's view carves the first half.
+constexpr CubeBits kFirstHalf = 0x0f;
 /// Largest tangent of a ray.
 constexpr double kMaxTangent = 100.0;
 
@@ -240,12 +242,17 @@ std::uint32_t MapState::enter_block(const VoxelBox& block) noexcept {
 std::uint32_t MapState::carve_block(std::int64_t index) noexcept {
   const VoxelBox block = block_at(index);
   if (block.x.begin >= block.x.end) return kMissedEffort;
-  if (frame.view == 0) want_block(block);
-  const Voxel first{block.x.begin, block.y.begin, block.z.begin};
-  const int view = frame.view++;
-  const std::uint32_t effort = carve(frame.views[view], frame.projectors[view], first, frame.wanted, frame.free);
-  if (frame.view < frame.view_count) return effort;
-  frame.view = 0;
+  if (frame.part == 0) want_block(block);
+  const int parts = frame.parts_of_view();
+  const int view = frame.part / parts;
+  const bool begins = frame.part == view * parts;
+  const CarvePart part{begins, begins && parts > 1 ? kFirstHalf : kAllCubes};
+  const std::uint32_t effort =
+      carve(frame.views[view], frame.projectors[view], {block.x.begin, block.y.begin, block.z.begin}, frame.wanted,
+            frame.free, part, frame.left);
+  frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // most views see nothing of a block
+  if (frame.part < frame.view_count * parts) return effort;
+  frame.part = 0;
   return effort + enter_block(block);
 }
 

@@ -51,10 +51,13 @@ struct Frame {
   int view_count;
   VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
-  // The block at hand, which one view after the other carves.
-  int view;           ///< the next one; 0 before the first
+  // The block at hand, which one view after the other carves; those of a scan in two parts, because they take longer.
+  int part;           ///< the next one of all views; 0 before the first
+  CubeBits left;      ///< cubes for the view's second part
   BlockWords wanted;  ///< voxels that a miss would change,
   BlockWords free;    ///< and those that the views so far see whole
+
+  int parts_of_view() const noexcept { return view_count > 1 ? 2 : 1; }
 };
 
 /// The slide that is being made: voxel v of the new window is voxel v + by of the old one.

@@ -76,6 +76,13 @@ std::uint32_t slide_price(const MapState& state) {
   return plane_units(state) + units(prior, kUnitWords);
 }
 
+/// Units of the next part of a block; its parts share those of the block.
+std::uint32_t part_price(const Frame& frame) {
+  const int parts = frame.view_count * frame.parts_of_view();
+  const int before = kBlock * kBlock * frame.part / parts;
+  return static_cast<std::uint32_t>(kBlock * kBlock * (frame.part + 1) / parts - before);
+}
+
 /// Units of all blocks, both inflations and one slide.
 std::uint32_t grids_work(const MapState& state) {
   const std::uint32_t planes =
@@ -136,13 +143,13 @@ void MapState::begin(Task first) noexcept {
   task = first;
   piece = 0;
   paid = 0;
-  frame.view = 0;
+  frame.part = 0;
   for (int skipped = 0; skipped < kTasks && task != Task::kIdle && pieces() == 0; ++skipped) task = task_after(task);
 }
 
 std::uint32_t MapState::advance() noexcept {
   const std::uint32_t effort = do_piece();
-  if (frame.view > 0) return effort;  // the block is not done yet
+  if (frame.part > 0) return effort;  // the block is not done yet
   if (++piece >= pieces()) begin(task_after(task));
   return effort;
 }
@@ -159,8 +166,7 @@ std::uint32_t MapState::price() const noexcept {
     case Task::kCloseFaces:
       return units(static_cast<std::size_t>(face), 64);
     case Task::kBlocks:
-      if (frame.view > 0) return 0;
-      return touches(block_at(piece)) ? kBlock * kBlock : 1;
+      return frame.part > 0 || touches(block_at(piece)) ? part_price(frame) : 1;
     case Task::kInflateRoute:
     case Task::kInflateSafe:
       return inflation_price(*this);
@@ -177,10 +183,11 @@ Status RollingMap::step(uint32_t work) noexcept {
   MapState& state = *state_;
   Work slice{work};
   while (state.task != Task::kIdle) {
-    const std::uint32_t given = least(slice.left, state.price() - state.paid);
+    const std::uint32_t price = state.price();
+    const std::uint32_t given = least(slice.left, price - state.paid);
     slice.left -= given;
     state.paid += given;
-    if (state.paid < state.price()) return Status::kRunning;
+    if (state.paid < price) return Status::kRunning;
     state.paid = 0;
     state.advance();
   }

@@ -66,13 +66,13 @@ bool clear(const View& view, const Footprints& feet, int k) {
   return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
-/// A block and the view that carves it.
-struct Carving {
+/// Carves cubes of a block, and counts what that takes.
+struct Carver {
   const View& view;
   const Projector& projector;
   const BlockWords& wanted;
   BlockWords& free;
-  std::uint32_t& effort;
+  std::uint32_t effort;
 
   /// Marks the cubes of eight that may have a wanted voxel which is seen whole.
   template <std::int32_t kSize>
@@ -88,48 +88,58 @@ struct Carving {
     return one;
   }
 
-  /// Decides eight cubes, or divides them into eight each.
+  /// Decides eight cubes. Returns those that must be divided.
   template <std::int32_t kSize>
-  void decide(const Centers& centers, const Cube* cubes) const {
+  CubeBits decide(const Centers& centers, const Cube* cubes) {
     bool chosen[8];
     const bool around = view.reach > 0.0;
     effort += kSize > 1 ? kChooseEffort + (around ? kChooseAroundEffort : 0) : kLeastEffort;
-    if (!choose<kSize>(centers, cubes, chosen)) return;
+    if (!choose<kSize>(centers, cubes, chosen)) return 0;
     effort += kDecideEffort + (around ? kDecideAroundEffort : 0);
     const Footprints feet = projector.footprints(centers, kSize);
+    unsigned left = 0;
     for (int k = 0; k < 8; ++k) {
       if (!chosen[k]) continue;
       if (clear(view, feet, k)) {
         add<kSize>(free, cubes[k]);
-      } else if constexpr (kSize > 1) {
-        divide<kSize>(centers.at(k), cubes[k]);
+      } else {
+        left |= 1u << k;
       }
     }
+    return static_cast<CubeBits>(left);
   }
 
+  /// Divides those of eight cubes into eight each, and decides these.
   template <std::int32_t kSize>
-  void divide(const Point& center, const Cube& cube) const {
+  void divide(const Centers& centers, const Cube* cubes, CubeBits which) {
     constexpr std::int32_t kHalf = kSize / 2;
-    Cube cubes[8];
-    for (int k = 0; k < 8; ++k) {
-      cubes[k] = {cube.x + (k & 1) * kHalf, cube.y + (k >> 1 & 1) * kHalf, cube.z + (k >> 2) * kHalf};
+    for (unsigned left = which; left != 0; left &= left - 1) {
+      const int k = __builtin_ctz(left);
+      Cube parts[8];
+      for (int i = 0; i < 8; ++i) {
+        parts[i] = {cubes[k].x + (i & 1) * kHalf, cubes[k].y + (i >> 1 & 1) * kHalf, cubes[k].z + (i >> 2) * kHalf};
+      }
+      const Centers centers_of_parts = projector.parts(centers.at(k), kHalf);
+      const CubeBits finer = decide<kHalf>(centers_of_parts, parts);
+      if constexpr (kHalf > 1) divide<kHalf>(centers_of_parts, parts, finer);
     }
-    decide<kHalf>(projector.parts(center, kHalf), cubes);
   }
 };
 
 }  // namespace
 
 std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
-                    BlockWords& free) noexcept {
-  std::uint32_t effort = 0;
+                    BlockWords& free, const CarvePart& part, CubeBits& left) noexcept {
   const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
   const Centers centers =
       projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
   Cube cubes[8];
   for (int k = 0; k < 8; ++k) cubes[k] = {kBlock * k, 0, 0};
-  Carving{view, projector, wanted, free, effort}.decide<kBlock>(centers, cubes);
-  return effort;
+  Carver carver{view, projector, wanted, free, 0};
+  if (part.begins) left = carver.decide<kBlock>(centers, cubes);
+  carver.divide<kBlock>(centers, cubes, left & part.cubes);
+  left = static_cast<CubeBits>(left & ~part.cubes);
+  return carver.effort;
 }
 
 }  // namespace tern

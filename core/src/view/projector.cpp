@@ -33,6 +33,11 @@ Four smaller(Four a, Four b) {
   return a < b ? a : b;
 }
 
+/// Of a depth, but of no depth that is not projected.
+Four inverse(Four depth) {
+  return 1.0f / (depth > kNearest ? depth : all(kNearest));
+}
+
 Four distance(Four x, Four y, Four z) {
   return square_root(x * x + y * y + z * z);
 }
@@ -124,6 +129,20 @@ Projector::Image Projector::project_bent(const Axis& axis, Four center, Four hal
   return image_of(axis, from, to);
 }
 
+inline void Projector::put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept {
+  out.u0[n] = u.first;
+  out.u1[n] = u.last;
+  out.v0[n] = v.first;
+  out.v1[n] = v.last;
+}
+
+inline void Projector::put(Cores& out, int n, const Image& u, const Image& v, const Span& span) noexcept {
+  put(out.pixels, n, u, v);
+  out.far[n] = whole(clamp(span.units, 0.0f, kMostUnits));
+  out.ahead[n] = span.near > kNearest;
+  out.beside[n] = (span.far <= 0.0f) | (span.units >= kMostUnits) | (out.ahead[n] & (u.beside | v.beside));
+}
+
 Footprints Projector::footprints(const Centers& centers, float size) const noexcept {
   if (reach_ > 0.0f) return footprints_around(centers, size);
   Footprints out;
@@ -133,14 +152,11 @@ Footprints Projector::footprints(const Centers& centers, float size) const noexc
     const Four far = deepest + grown;
     const Four near = centers.z[n] - size * half_.z - grown;
     const FourInts ahead = near > kNearest;
-    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
-    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Four by_near = inverse(near);
+    const Four by_far = inverse(far);
     const Image u = project_axis(u_, centers.x[n], size * half_.x + grown, by_near, by_far);
     const Image v = project_axis(v_, centers.y[n], size * half_.y + grown, by_near, by_far);
-    out.pixels.u0[n] = u.first;
-    out.pixels.u1[n] = u.last;
-    out.pixels.v0[n] = v.first;
-    out.pixels.v1[n] = v.last;
+    put(out.pixels, n, u, v);
     out.far[n] = whole(clamp(far * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & u.within & v.within;
   }
@@ -157,16 +173,13 @@ Footprints Projector::footprints_around(const Centers& centers, float size) cons
     const Four near = centers.z[n] - size * half_.z - grown;
     const Four far = centers.z[n] + size * half_.z + grown;
     const FourInts ahead = near > kNearest;
-    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
-    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Four by_near = inverse(near);
+    const Four by_far = inverse(far);
     const Four reach = reach_ * farthest * by_near;
     const Four bounded = smaller(reach, all(kMostReach));
     const Image u = project_bent(u_, centers.x[n], size * half_.x + grown, by_near, by_far, bounded);
     const Image v = project_bent(v_, centers.y[n], size * half_.y + grown, by_near, by_far, bounded);
-    out.pixels.u0[n] = u.first;
-    out.pixels.u1[n] = u.last;
-    out.pixels.v0[n] = v.first;
-    out.pixels.v1[n] = v.last;
+    put(out.pixels, n, u, v);
     out.far[n] = whole(clamp(farthest * units_ + 0.05f, 0.0f, kMostUnits)) + 1;
     out.inside[n] = ahead & (reach < kMostReach) & u.within & v.within;
   }
@@ -180,19 +193,13 @@ Cores Projector::cores(const Centers& centers, float size) const noexcept {
   for (int n = 0; n < 2; ++n) {
     const Four near = centers.z[n] - between * half_.z;
     const Four far = centers.z[n] + between * half_.z;
-    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
-    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Four by_near = inverse(near);
+    const Four by_far = inverse(far);
     const Image u = project_axis(u_, centers.x[n], all(between * half_.x), by_near, by_far);
     const Image v = project_axis(v_, centers.y[n], all(between * half_.y), by_near, by_far);
     const Four deepest = near + half_.z;
     const Four units = (deepest + (growth_ + growth_ahead_ * deepest)) * units_;
-    out.pixels.u0[n] = u.first;
-    out.pixels.u1[n] = u.last;
-    out.pixels.v0[n] = v.first;
-    out.pixels.v1[n] = v.last;
-    out.far[n] = whole(clamp(units, 0.0f, kMostUnits));
-    out.ahead[n] = near > kNearest;
-    out.beside[n] = (far <= 0.0f) | (units >= kMostUnits) | (out.ahead[n] & (u.beside | v.beside));
+    put(out, n, u, v, {near, far, units});
   }
   return out;
 }
@@ -209,21 +216,15 @@ Cores Projector::cores_around(const Centers& centers, float size) const noexcept
     const Four half_z = all(between * half_.z);
     const Four near = centers.z[n] - half_z;
     const Four far = centers.z[n] + half_z;
-    const Four by_near = 1.0f / (near > kNearest ? near : all(kNearest));
-    const Four by_far = 1.0f / (far > kNearest ? far : all(kNearest));
+    const Four by_near = inverse(near);
+    const Four by_far = inverse(far);
     const Image u = project_bent(u_, centers.x[n], half_x, by_near, by_far, all(0.0f));
     const Image v = project_bent(v_, centers.y[n], half_y, by_near, by_far, all(0.0f));
     const Four corner =
         distance(least_off(centers.x[n], half_x), least_off(centers.y[n], half_y), least_off(centers.z[n], half_z)) +
         half_.z;
     const Four units = (corner + (growth_ + growth_ahead_ * corner)) * units_;
-    out.pixels.u0[n] = u.first;
-    out.pixels.u1[n] = u.last;
-    out.pixels.v0[n] = v.first;
-    out.pixels.v1[n] = v.last;
-    out.far[n] = whole(clamp(units, 0.0f, kMostUnits));
-    out.ahead[n] = near > kNearest;
-    out.beside[n] = (far <= 0.0f) | (units >= kMostUnits) | (out.ahead[n] & (u.beside | v.beside));
+    put(out, n, u, v, {near, far, units});
   }
   return out;
 }

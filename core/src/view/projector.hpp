@@ -71,6 +71,12 @@ class Projector {
   struct Image {
     FourInts first, last, beside, within;
   };
+  /// The least and the greatest depth of four boxes of centres, and how far a voxel of theirs reaches, in units.
+  struct Span {
+    Four near, far, units;
+  };
+  static void put(PixelBoxes& out, int n, const Image& u, const Image& v) noexcept;
+  static void put(Cores& out, int n, const Image& u, const Image& v, const Span& span) noexcept;
   static Image image_of(const Axis& axis, Four from, Four to) noexcept;
   static Image project_axis(const Axis& axis, Four center, Four half, Four by_near, Four by_far) noexcept;
   static Image project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far, Four reach) noexcept;
