@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/flight/ray_fan.hpp"
+#include "host/flight/pixel_columns.hpp"
 #include "host/flight/speckle_filter.hpp"
 
 namespace tern_host {
@@ -43,33 +43,18 @@ float range_of(double length, double sensor_range) {
   return static_cast<float>(length);
 }
 
-/// Distances along the beams' borders, (columns + 1) x (rows + 1).
-std::vector<double> border_distances(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
-                                     double far) {
-  const FlightWorld near = nearby(world, eye, far);
-  std::vector<double> distances;
-  for (int c = 0; c <= beams.columns; ++c) {
-    const double azimuth = beams.azimuth(c);
-    const RayFan fan(near, eye, far, std::cos(azimuth), std::sin(azimuth));
-    for (int r = 0; r <= beams.rows; ++r) {
-      const double elevation = beams.elevation(r);
-      distances.push_back(fan.distance(-std::tan(elevation)) / std::cos(elevation));
-    }
-  }
-  return distances;
-}
-
-/// What the beams measure, row by row. A beam shows what is nearest in its part of the view.
+/// What the beams measure, row by row. A beam shows what is nearest in its part of the view, between upright planes and
+/// two falls for each metre along the middle between these.
 std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
                                      Noise& noise) {
   const FlightSettings& s = world.settings;
   const double far = kFarther * s.sensor_range;
-  const std::vector<double> borders = border_distances(world, beams, eye, far);
-  const auto border = [&](int c, int r) { return borders[static_cast<std::size_t>(c * (beams.rows + 1) + r)]; };
+  const double aside = std::tan(0.5 * kTurn / beams.columns);
   std::vector<double> lengths(beams.count());
   for (int c = 0; c < beams.columns; ++c) {
+    const PixelColumns column(world, eye, beams.azimuth(c + 0.5), far, {-aside, aside});
     for (int r = 0; r < beams.rows; ++r) {
-      double length = std::min({border(c, r), border(c, r + 1), border(c + 1, r), border(c + 1, r + 1)});
+      double length = column.distance(0, -std::tan(beams.elevation(r + 1)), -std::tan(beams.elevation(r)));
       if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
       if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestOutlier, far);
       lengths[beams.index(c, r)] = length;

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "host/flight/ray_fan.hpp"
-
 namespace tern_host {
 namespace {
 
@@ -33,6 +31,25 @@ struct Range {
 struct GroundPoint {
   double ahead, right;
 };
+
+/// What is nearer than `reach` along the ground, and so may be seen: most of a world is not. Blocks, cylinders and
+/// boundary alone.
+FlightWorld nearby(const FlightWorld& world, const tern::Vec3& eye, double reach) {
+  FlightWorld near;
+  near.boundary = world.boundary;
+  for (const tern::Box& b : world.blocks) {
+    const double x = std::max({b.lower.x - eye.x, eye.x - b.upper.x, 0.0});
+    const double y = std::max({b.lower.y - eye.y, eye.y - b.upper.y, 0.0});
+    if (x * x + y * y < reach * reach) near.blocks.push_back(b);
+  }
+  for (const Cylinder& c : world.cylinders) {
+    const double x = c.x - eye.x;
+    const double y = c.y - eye.y;
+    const double most = reach + c.radius;
+    if (x * x + y * y < most * most) near.cylinders.push_back(c);
+  }
+  return near;
+}
 
 /// Cuts the range down to where from + t along lies between two planes.
 void cut(double from, double along, double lower, double upper, Range& range) {
@@ -174,10 +191,38 @@ double PixelColumns::depth(int column, double upper, double lower) const {
   double best = std::max(0.0, inside.leave);
   for (const DepthRange& thing : things_[static_cast<std::size_t>(column)]) {
     if (thing.enter >= best) break;
-    Range range{thing.enter, thing.leave};
-    keep_below(upper, height_ - thing.bottom, range);
-    keep_below(-lower, thing.top - height_, range);
-    if (range.enter <= range.leave) best = std::min(best, range.enter);
+    best = std::min(best, depth_of(thing, upper, lower));
+  }
+  return best;
+}
+
+double PixelColumns::depth_of(const DepthRange& thing, double upper, double lower) const {
+  Range range{thing.enter, thing.leave};
+  keep_below(upper, height_ - thing.bottom, range);
+  keep_below(-lower, thing.top - height_, range);
+  return range.enter <= range.leave ? range.enter : kInfinity;
+}
+
+/// Of what is in the area at one depth, the nearest is nearest to the eye's height. That is no nearer at a greater
+/// depth: so the nearest point of all has the least depth.
+double PixelColumns::distance_of(const DepthRange& thing, double upper, double lower) const {
+  const double ahead = depth_of(thing, upper, lower);
+  if (!(ahead < kInfinity)) return kInfinity;
+  const double least = std::max(height_ - thing.top, upper * ahead);
+  const double most = std::min(height_ - thing.bottom, lower * ahead);
+  return std::hypot(ahead, std::max({0.0, least, -most}));
+}
+
+double PixelColumns::distance(int column, double upper, double lower) const {
+  const auto at = static_cast<std::size_t>(column);
+  const DepthRange beyond[3] = {{walls_[at], kInfinity, -kInfinity, kInfinity},
+                                {0.0, kInfinity, -kInfinity, bottom_},
+                                {0.0, kInfinity, top_, kInfinity}};
+  double best = kInfinity;
+  for (const DepthRange& side : beyond) best = std::min(best, distance_of(side, upper, lower));
+  for (const DepthRange& thing : things_[at]) {
+    if (thing.enter >= best) break;
+    best = std::min(best, distance_of(thing, upper, lower));
   }
   return best;
 }

@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a level camera sees: the nearest thing in the whole area of a pixel, and not only at its corners. Everything in
-// a world stands upright, so a column of pixels cuts a thing to a range of depths, and a pixel's upper and lower border
-// cut that further.
+// What a level camera or lidar sees: the nearest thing in the whole area of a pixel or a beam, and not only at its
+// corners. Everything in a world stands upright, so a column of pixels cuts a thing to a range of depths, and a pixel's
+// upper and lower border cut that further.
 #ifndef TERN_HOST_FLIGHT_PIXEL_COLUMNS_HPP
 #define TERN_HOST_FLIGHT_PIXEL_COLUMNS_HPP
 
@@ -29,12 +29,17 @@ class PixelColumns {
   /// rays that fall by `upper` and by `lower` for each metre ahead, upper < lower. A thing that only touches the area
   /// counts.
   double depth(int column, double upper, double lower) const;
+  /// The same, but how far that point is from the eye.
+  double distance(int column, double upper, double lower) const;
 
  private:
   struct View;
 
   template <typename Thing>
   void add(const Thing& thing, const View& view);
+
+  double depth_of(const DepthRange& thing, double upper, double lower) const;
+  double distance_of(const DepthRange& thing, double upper, double lower) const;
 
   double height_;
   double bottom_, top_;                          ///< of the boundary
