@@ -68,7 +68,6 @@ void add_options(CLI::App& app, Arguments& a) {
   app.add_option("--family", a.family, "Only cases of this family");
   app.add_option("--jobs", options.jobs, "Processes at a time; 0: one a core")->capture_default_str();
   app.add_option("--folder", options.folder, "Where state and tables go; without it a run cannot be resumed");
-  app.add_option("--core", options.core, "Which core this is, for the state")->group("");
   app.add_option("--seconds-a-case", options.seconds_a_case, "A case that takes longer is a violation")
       ->capture_default_str();
   app.add_option("--needed-of", a.needed_of,

@@ -26,7 +26,6 @@ struct Options {
   double seconds_a_case = 60.0;
   bool quiet = false;                                   ///< no progress line
   std::string folder;                                   ///< for state and tables; empty: none are kept
-  std::string core = "unknown";                         ///< which core this is, for the state
   void (*before_case)(std::uint64_t number) = nullptr;  ///< called in the case's process; for tests of this runner
 };
 

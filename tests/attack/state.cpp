@@ -78,7 +78,7 @@ void save_state(const Options& options, const Progress& progress) {
   const std::string path = state_path(options) + ".state";
   {
     std::ofstream out(path + ".new");
-    out << "program " << own_hash() << "\ncore " << options.core << "\nseconds " << progress.seconds << '\n';
+    out << "program " << own_hash() << "\nseconds " << progress.seconds << '\n';
     out << "families";
     for (int f = 0; f < kFamilies; ++f) out << ' ' << family_name(static_cast<Family>(f));
     out << '\n';

@@ -5,6 +5,7 @@
 same ones in the same order."""
 import pathlib
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from expectations import expect, status  # noqa: E402
@@ -20,6 +21,14 @@ def texts(line):
     path = "core/src/x.cpp"
     return {mutants.apply(mutants.Mutant("", path, 1, column, kind, before, after), line)
             for column, kind, before, after in mutants.changes_of(line)}
+
+
+def names_of(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "core/src/x.cpp")
+        path.parent.mkdir(parents=True)
+        path.write_text(text)
+        return {mutant.id for mutant in mutants.all_of(pathlib.Path(folder))}
 
 
 def main():
@@ -38,6 +47,9 @@ def main():
     expect("another seed gives another", first != mutants.chosen(SOURCE, 8, "core/src/path/")[:200])
     every = mutants.all_of(SOURCE)
     expect("names are unique", len({m.id for m in every}) == len(every))
+    names = [names_of("int f(int a) {\n  return a + 1;  // One.\n}\n"),
+             names_of("// Two.\nint f(int a) {\n\n  return a + 1;\n}\n")]
+    expect("and do not depend on comments or the places of lines", len(names[0]) == 3 and names[0] == names[1])
     fits = True
     for mutant in first:
         text = (SOURCE / mutant.path).read_text()

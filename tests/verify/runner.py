@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""runner.py CAMPAIGN FOLDER: the campaign of proofs with a program in place of `tern`: a killed run goes on, what is not
-proven is kept and named, the same table comes out, and the totals go to a file."""
+"""runner.py CAMPAIGN FOLDER: the campaign of proofs with a program in place of `tern`: a killed run goes on, and what is
+not proven is kept and named."""
 import pathlib
 import shutil
 import subprocess
@@ -11,9 +11,6 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from expectations import expect, status  # noqa: E402
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/quality"))
-import proof_rows  # noqa: E402
 
 PRETENDER = """#!/bin/sh
 if [ "$1" = plan ]; then
@@ -70,26 +67,12 @@ def main():
            refuted.stdout.splitlines()[-4:] and len((folder / "calls").read_text().split()) == 5)
     expect("the table has the least margin", "| boxes | 4 | 3 | 2 |" in refuted.stdout and "-0.1" in refuted.stdout)
 
-    def fly(*words):
-        return subprocess.run([sys.executable, campaign, "--flights", "17", "--seed", "3", "--tern", str(program),
-                               "--folder", str(folder), "--proofs", str(folder / "proofs.csv"), *words],
-                              capture_output=True, text=True)
-
-    flown = fly("--record")
+    flown = subprocess.run([sys.executable, campaign, "--flights", "17", "--seed", "3", "--set", "tracking=quadrotor",
+                            "--tern", str(program), "--folder", str(folder)], capture_output=True, text=True)
     expect("flights are proven", flown.returncode == 0 and "17 flights, 34 claims, 0 not proven" in flown.stdout)
-    given = (folder / "flights").read_text()
-    expect("against their worlds, with their settings", "P36:4 --set depth_noise=0.01 --set outliers=0.01 --brief" in given)
+    expect("against their worlds, with their settings", "P36:4 --set depth_noise=0.01 --set outliers=0.01 --set "
+           "tracking=quadrotor --brief" in (folder / "flights").read_text())
     expect("into a table", "| P36 | 2 | 2 | 140 | 2 | -1e-09 (0.001 %) | 3 |" in flown.stdout)
-    fly("--record", "--set", "tracking=quadrotor")
-    fly("--record")
-    rows = proof_rows.rows_of(folder / "proofs.csv")
-    expect("a run of other settings gets a row of its own", [row["settings"].split()[2:] for row in rows] ==
-           [[], ["tracking=quadrotor"]])
-    expect("with counts and margins", [rows[0][column] for column in ("seeds", "flights", "proven", "claims", "body")] ==
-           ["3 to 4", "17", "17", "34", "3"])
-    text = proof_rows.section(lambda columns, body: f"{columns}{body[-1]}", folder / "proofs.csv")
-    expect("which the evidence sums up", "'34', '34', '2380'" in text and "'-1e-09', '3'" in text)
-    expect("and leaves out without results", proof_rows.section(None, folder / "none.csv") == "")
     return status()
 
 

@@ -25,8 +25,6 @@ import shutil
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "quality"))
-import core_id  # noqa: E402
 import kinds
 import minimise
 import pool
@@ -174,8 +172,7 @@ def make(arguments, kind, executor, width):
         return 2
     program = hashlib.sha256(pathlib.Path(kind.program).read_bytes()).hexdigest()[:16]
     seed = f", seed {arguments.seed}" if kind.name == "attack" else ""
-    core = core_id.built_from(kind.program)
-    identity = f"{kind.name} program {program}, core {core}, settings {' '.join(arguments.settings)}{seed}"
+    identity = f"{kind.name} program {program}, settings {' '.join(arguments.settings)}{seed}"
     words = " ".join([kind.name, *arguments.rows, *arguments.settings])
     stem = pathlib.Path(arguments.folder, arguments.name or hashlib.sha256(words.encode()).hexdigest()[:8])
     stem.parent.mkdir(parents=True, exist_ok=True)

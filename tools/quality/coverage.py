@@ -4,12 +4,12 @@
 """Runs the tests with a core whose branches are counted, and lists the branches of core/src that none takes.
 
 tests/coverage/exceptions.txt names branches that are left out, one a line: FILE | SOURCE LINE | REASON. The source line
-stands for its place, so that other lines may move. A line there that no untaken branch needs any more is an error."""
+stands for its place, without its comment, so that other lines and comments may change. A line there that no untaken
+branch needs any more is an error."""
 import argparse
 import collections
 import concurrent.futures
 import csv
-import datetime
 import json
 import os
 import pathlib
@@ -18,12 +18,11 @@ import subprocess
 import sys
 import time
 
-import core_id
+import mutants
 import suite
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXCEPTIONS = ROOT / "tests/coverage/exceptions.txt"
-TABLE = ROOT / "docs/measurements/coverage.csv"
 
 
 def parse_arguments():
@@ -32,6 +31,7 @@ def parse_arguments():
     parser.add_argument("--files", default="", metavar="REGEX", help="list only files whose path matches")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="tests at a time (default: one a core)")
     parser.add_argument("--report-only", action="store_true", help="run nothing; read the counts of the last run")
+    parser.add_argument("--results", default="", metavar="FILE", help="write the table there, too")
     parser.add_argument("--tests", default=str(ROOT / "build/quality"), help=argparse.SUPPRESS)
     parser.add_argument("--core", default=str(ROOT / "build/coverage"), help=argparse.SUPPRESS)
     return parser.parse_args()
@@ -59,13 +59,18 @@ def branches(core):
                            "--gcov-ignore-parse-errors", str(core)],
                           capture_output=True, text=True, cwd=ROOT)
     if done.returncode != 0:
-        sys.exit(f"tools/coverage: gcovr failed: {done.stderr.strip()[-500:]}")
+        print(f"tools/coverage: gcovr failed: {done.stderr.strip()[-500:]}", file=sys.stderr)
+        sys.exit(2)
     found = {}
     for file in json.loads(done.stdout)["files"]:
         for line in file["lines"]:
             if line["branches"]:
                 found[file["file"], line["line_number"]] = [branch["count"] > 0 for branch in line["branches"]]
     return found
+
+
+def code(line):
+    return mutants.code_of(line).strip()
 
 
 def read_exceptions():
@@ -75,8 +80,9 @@ def read_exceptions():
             continue
         parts = line.split(" | ")
         if len(parts) < 3 or not all(parts):
-            sys.exit(f"{EXCEPTIONS}:{number}: must be FILE | SOURCE LINE | REASON")
-        exceptions[parts[0], " | ".join(parts[1:-1])] = parts[-1]  # a source line may have a bar of its own
+            print(f"{EXCEPTIONS}:{number}: must be FILE | SOURCE LINE | REASON", file=sys.stderr)
+            sys.exit(2)
+        exceptions[parts[0], code(" | ".join(parts[1:-1]))] = parts[-1]  # a source line may have a bar of its own
     return exceptions
 
 
@@ -84,20 +90,19 @@ def main():
     arguments = parse_arguments()
     core = pathlib.Path(arguments.core)
     programs = suite.programs(pathlib.Path(arguments.tests))
-    measured = core / "measured.core"
     failed = []
     if not arguments.report_only:
         failed = run_tests(programs, core, arguments.jobs)
-        measured.write_text(core_id.present())
     for name in failed:
         print(f"{name} fails with the counted core")
     exceptions, used, totals = read_exceptions(), set(), collections.defaultdict(lambda: [0, 0, 0])
     listed = 0
     for (path, line), taken in sorted(branches(core).items()):
         source = (ROOT / path).read_text().splitlines()[line - 1].strip()
+        named = path, code(source)
         missing = taken.count(False)
-        is_named = missing > 0 and (path, source) in exceptions
-        used |= {(path, source)} if is_named else set()
+        is_named = missing > 0 and named in exceptions
+        used |= {named} if is_named else set()
         for key in ("/".join(path.split("/")[:3]), "all"):
             totals[key][0] += len(taken)
             totals[key][1] += len(taken) - missing
@@ -108,19 +113,19 @@ def main():
     unused = sorted(set(exceptions) - used) if not arguments.files else []
     for path, source in unused:
         print(f"{EXCEPTIONS.relative_to(ROOT)}: not needed any more: {path} | {source}")
-    write_table(totals, len(programs), measured.read_text())
+    if arguments.results:
+        write_table(pathlib.Path(arguments.results), totals)
     everything = totals["all"]
     print(f"{everything[1]} of {everything[0]} branches taken, {everything[2]} named as exceptions, "
           f"{everything[0] - everything[1] - everything[2]} not")
     return 1 if listed or unused or failed else 0
 
 
-def write_table(totals, count, core):
-    with TABLE.open("w", newline="") as file:
+def write_table(path, totals):
+    with path.open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["stage", "branches", "taken", "named", "date", "tests", "core"])
-        for key, (all_of_them, taken, excepted) in sorted(totals.items(), key=lambda item: (item[0] == "all", item[0])):
-            writer.writerow([key, all_of_them, taken, excepted, datetime.date.today().isoformat(), count, core])
+        writer.writerow(["stage", "branches", "taken", "named"])
+        writer.writerows([key, *counts] for key, counts in sorted(totals.items()))
 
 
 if __name__ == "__main__":

@@ -1,287 +1,194 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes docs/measurements/evidence.md from the results that the other tools left in docs/measurements: campaigns.csv,
-proofs.csv, capacities.csv, coverage.csv, mutation.csv and fuzz.csv. What has no results has no rows. Says of each table
-whether it was measured on the present core.
+"""Makes the evidence for a release: runs the commands that look for failures, one after the other, and writes one page,
+docs/measurements/evidence.md (docs/evidence.md).
 
-  add NAME [FOLDER]   first adds the table of a campaign of build/campaign, or a state of build/attack, or of FOLDER.
-                      Other seeds of the same family and settings add up if the core is the same. Runs of an earlier core
-                      stay until there are as many of this one; --replace: drops them
-  check               writes nothing; exit status 1 where the page is not what its tables say"""
-import csv
+  release  runs what is not done yet, and writes the page
+  page     only writes the page, from what there is so far
+
+Results are kept in build/evidence/CORE/, where CORE is a hash of the code under core/. So the same command goes on
+where a killed one was, and another core begins anew. More hours make the runs longer and keep what was run.
+
+Exit status: 0; 1 where a step found something or failed, which is said at the end; 2 for wrong usage."""
+import argparse
+import collections
+import datetime
+import fcntl
+import json
+import os
 import pathlib
 import re
+import shlex
+import signal
+import subprocess
 import sys
+import time
+
+import core_id
+import evidence_page
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/campaigns"))
-import bounds  # noqa: E402
-import campaign_rows  # noqa: E402
-import core_id  # noqa: E402
+FLOWN = ["P49@3", "P49@5", "P49@8", "P49@12", "P36@3", "P36@5", "P36@8", "P36@12", "P25@3", "P25@5", "P25@8", "P25@12",
+         "S05", "S10", "S20", "C@4", "C@6", "C@8", "B", "O", "M", "L", "G", "I", "D"]
+RIGID = ["P49@3", "P49@5", "P36@3", "P36@5", "P25@3", "P25@5", "S05", "S10", "S20"]
+PLANNED = ["P25", "P12", "S20", "O", "M", "L"]
+ATTACKED = ["noise", "boxes", "slots", "maze", "corners", "stairs", "tunnels", "far", "fences", "changes"]
+COVERAGE = 0.5  # hours, with its builds, whatever was asked for
 
-FOLDER = ROOT / "docs/measurements"
-PAGE = FOLDER / "evidence.md"
-# Of each kind, the columns of a campaign's table, with titles of their own where a campaign's say too little.
-SHOWN = {
-    "plan": {"family": "", "runs": "plans", "success": "status ok", "contacts": "", "invariants broken": "crashes",
-             "units a plan": ""},
-    "fly": {"family": "", "runs": "flights", "success": "reached", "contacts": "", "invariants broken": "",
-            "time over full knowledge, mean": "", "plans": "", "units a plan": ""},
-    "attack": {"family": "", "runs": "cases", "plans": "", "success": "plans with status ok", "contacts": "",
-               "invariants broken": "other violations", "units a plan": ""},
-}
-FAILED = {"plan": "no plan (seed, reason)", "fly": "not reached (seed, reason)", "attack": "violations (case, kind)"}
-# What the rate of a kind counts.
-RATED = {"plan": ("runs", "plans/s"), "fly": ("runs", "flights/s"), "attack": ("plans", "plans/s")}
-
-HEAD = """# Evidence
-
-How often failures were looked for, and how many were found. `tools/evidence` writes this page from the results of the
-commands below; [how it is measured](../evidence.md) explains them.
-
-Written for the core `{core}`, a hash of the sources under `core/`. What was measured on an earlier core says so.
-"""
-HEAD_CORE = re.compile(r"^Written for the core `(\w+)`", re.M)
+Step = collections.namedtuple("Step", "name hours words")
 
 
-class Page:
-    """The page for one core, and what it says of each table."""
+def steps(hours, folder, core):
+    """What is run, in this order. Lengths are for so many hours of two cores of the README's computer. The seeds are the
+    core's own: no test and no earlier release has had these worlds."""
+    seed = 1 + int(core[:5], 16)
 
-    def __init__(self, core):
-        self.core, self.said, self.campaigns = core, [], campaign_rows.totals(parts())
+    def step(name, share, an_hour, *words):
+        """`an_hour` is the length of a step for each hour of the whole; it stands for N among the words."""
+        length = str(max(1, round(an_hour * hours)))
+        return Step(name, share * hours, [length if word == "N" else str(word) for word in words])
 
-    def age(self, what, cores):
-        """Notes which cores a table is of, and says so: in one sentence."""
-        cores = set(cores)
-        old = cores - {self.core}
-        text = "measured on this core" if not old else \
-            "measured on an earlier core" if self.core not in cores else "measured in part on an earlier core"
-        self.said.append(f"{what}: {text}")
-        return f"{text[0].upper()}{text[1:]}."
+    def campaign(name, share, an_hour, kind, rows, *more):
+        return step(name, share, an_hour, "tools/campaign", kind, *rows, "--runs", "N", "--seed", seed,
+                    "--folder", folder, "--name", name, *more)
 
-    def label(self, core):
-        return "this" if core == self.core else "earlier"
+    def proofs(name, share, an_hour, what):
+        return step(name, share, an_hour, "tools/prove", what, "N", "--seed", seed,
+                    "--folder", folder, "--name", name)
 
-    def text(self):
-        self.said = []
-        parts_of_page = (in_all, campaigns, proofs, capacities, coverage, mutation, fuzzers)
-        return HEAD.format(core=self.core) + "".join(part(self) for part in parts_of_page)
-
-
-def read(name):
-    path = FOLDER / name
-    lines = path.read_text().splitlines() if path.exists() else []
-    return list(csv.DictReader(line for line in lines if not line.startswith("#")))
-
-
-def table(columns, rows):
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines)
+    return [step("capacities", 0.03, 10, "tools/capacities", "N", f"{folder}/capacities.csv"),
+            campaign("plans", 0.04, 350, "plan", PLANNED),
+            proofs("proven-plans", 0.04, 2500, "--runs"),
+            proofs("proven-flights", 0.04, 15, "--flights"),
+            campaign("attack", 0.20, 32000, "attack", ATTACKED),
+            campaign("flights", 0.27, 60, "fly", FLOWN),
+            campaign("rigid", 0.08, 35, "fly", RIGID, "--set", "tracking=quadrotor"),
+            campaign("faults", 0.04, 5, "faults", ["P25@5"]),
+            Step("coverage", COVERAGE, ["tools/coverage", "--results", f"{folder}/coverage.csv"]),
+            step("fuzzers", 0.10, 144, "tools/fuzz", "N", "--in-all", "--results", f"{folder}/fuzz.csv"),
+            step("mutants", 0.16, 20, "tools/mutate", "--runs", "N", "--seed", seed,
+                 "--results", f"{folder}/mutants.csv")]
 
 
-def percent(part, whole):
-    return f"{100.0 * part / whole:.1f} %" if whole else "-"
+def version():
+    """The project's version, and whether the changelog has changes since."""
+    number = re.search(r"^project\(\w+ VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.M).group(1)
+    since = re.search(r"^## \[Unreleased\]\n(.*?)^## \[", (ROOT / "CHANGELOG.md").read_text(), re.M | re.S)
+    return number + (" with unreleased changes" if since and since.group(1).strip() else "")
 
 
-# ---- campaigns
-
-def parts():
-    """The rows of campaigns.csv. The first ones did not say of which core they are."""
-    return [{column: row.get(column) or "" for column in campaign_rows.COLUMNS} for row in read("campaigns.csv")]
+def machine():
+    found = re.search(r"^model name\s*: (.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.M)
+    return f"{os.cpu_count()} cores of {found.group(1) if found else os.uname().machine}"
 
 
-def rate(row, kind):
-    hours = row["core hours"]
-    return f"{int(row[RATED[kind][0]]) / (3600.0 * hours):.3g}" if hours else ""
+def spoken(hours):
+    minutes = round(60.0 * hours)
+    return f"{minutes // 60} h {minutes % 60:02d} min" if minutes >= 60 else f"{minutes} min"
 
 
-def campaigns(page):
-    text = ""
-    for kind, title in (("plan", "Plans"), ("fly", "Flights"), ("attack", "The attack")):
-        chosen = [row for row in page.campaigns if row["kind"] == kind]
-        if not chosen:
-            continue
-        shown = SHOWN[kind]
-        number = lambda column: sum(int(row[column] or 0) for row in chosen)
-        body = [[row["date"], page.label(row["core"]), row["seeds"], row["settings"], *(row[column] for column in shown),
-                 rate(row, kind), row["failed"]] for row in chosen]
-        body.append(["all", "", "", "",
-                     *(number(column) if column in campaign_rows.SUMMED else "" for column in shown), "", ""])
-        runs, contacts = number("runs"), number("contacts")
-        text += (f"\n## {title}\n\n`tools/campaign {kind}` ([campaigns](../campaigns.md)). "
-                 f"{page.age(title, (row['core'] for row in chosen))} Rates are those of one "
-                 "process; several may have shared a core.\n\n" +
-                 table(["date", "core", "seeds", "settings", *(title or column for column, title in shown.items()),
-                        RATED[kind][1], FAILED[kind]], body) +
-                 f"\n{contacts} contacts in {runs} {shown['runs']}: with 95 % confidence less than 1 in "
-                 f"{1.0 / bounds.upper(contacts, runs):.0f} of such {shown['runs']}.\n")
-    return text
+def say(text):
+    print(f"evidence: {text}", file=sys.stderr, flush=True)
 
 
-def in_all(page):
-    """What was run: sums over all campaigns and fuzzers, on this core and on all."""
-    fuzzed = read("fuzz.csv")
+class Journal:
+    """Which steps are done: how they ended, how long they took in all, and with which words."""
 
-    def sums(is_meant):
-        here = [row for row in page.campaigns if is_meant(row)]
-        number = lambda column, *chosen: sum(int(row[column] or 0) for row in here if row["kind"] in chosen)
-        inputs = [row for row in fuzzed if is_meant(row)]
-        flown = number("plans", "fly")
-        plans = flown + number("runs", "plan") + number("plans", "attack")
-        return [f"{plans}, of them {flown} in flights", number("runs", "fly"), number("runs", "attack"),
-                f"{sum(row['core hours'] or 0 for row in here):.1f}", number("contacts", *SHOWN),
-                number("invariants broken", *SHOWN),
-                f"{sum(int(row['inputs']) for row in inputs)} in "
-                f"{sum(int(row['seconds']) for row in inputs) / 3600.0:.1f} hours"]
+    def __init__(self, folder):
+        self.path = folder / "steps.json"
+        self.steps = json.loads(self.path.read_text()) if self.path.exists() else {}
 
-    what = ["random plans", "random flights", "cases of the attack", "hours of these campaigns' processes", "contacts",
-            "other broken promises", "fuzzed inputs"]
-    rows = zip(what, sums(lambda row: row.get("core") == page.core), sums(lambda row: True))
-    return "\n## In all\n\n" + table(["what", "on this core", "with the runs on earlier cores"], rows)
+    def has_run(self, step):
+        """With any length. A status of 1 says that something was found."""
+        return self.steps.get(step.name, {}).get("status") in (0, 1)
 
+    def is_done(self, step):
+        return self.has_run(step) and self.steps[step.name]["words"] == step.words
 
-# ---- exact proofs
-
-def proofs(page):
-    """The columns of proofs.csv as they are; its `core` says of which core they are."""
-    rows = read("proofs.csv")
-    if not rows:
-        return ""
-    columns = [column for column in rows[0] if column != "core"]
-    body = [[page.label(row.get("core")), *(row[column] for column in columns)] for row in rows]
-    return (f"\n## Exact proofs\n\n`tern verify`, in rational numbers ([verification](../verify.md)). "
-            f"{page.age('Exact proofs', (row.get('core') for row in rows))}\n\n" + table(["core", *columns], body))
+    def note(self, step, status, seconds):
+        before = self.steps.get(step.name, {}).get("seconds", 0.0)
+        self.steps[step.name] = {"words": step.words, "status": status, "seconds": round(before + seconds, 1),
+                                 "date": datetime.date.today().isoformat(), "machine": machine()}
+        fresh = self.path.with_suffix(".new")
+        fresh.write_text(json.dumps(self.steps, indent=1) + "\n")
+        fresh.rename(self.path)
 
 
-# ---- statuses and capacities
-
-def capacities(page):
-    rows = read("capacities.csv")
-    if not rows:
-        return ""
-    return (f"\n## Statuses and capacities\n\n`tools/capacities`, {rows[0]['date']}, in the tiny profile. "
-            f"{page.age('Statuses and capacities', (row['core'] for row in rows))}\n\n" +
-            table(["what", "number", "failed"], [[row["what"], row["number"], row["failed"]] for row in rows]))
-
-
-# ---- branches
-
-def coverage(page):
-    rows = read("coverage.csv")
-    if not rows:
-        return ""
-    body = []
-    for row in rows:
-        total, taken, named = (int(row[column]) for column in ("branches", "taken", "named"))
-        body.append([row["stage"], total, taken, percent(taken, total), named, total - taken - named])
-    return (f"\n## Branches\n\n`tools/coverage`, {rows[0]['date']}: {rows[0]['tests']} test programs. "
-            f"{page.age('Branches', (row.get('core') for row in rows))} Named exceptions stand in "
-            "`tests/coverage/exceptions.txt`.\n\n" +
-            table(["stage", "branches", "taken", "share", "named exceptions", "not taken"], body))
+def run(step, folder, journal, lock):
+    """The step's progress is shown; what it prints goes to a file. It holds the lock, too, and ends with this process
+    unless that is killed outright."""
+    began, status = time.monotonic(), None
+    with (folder / f"{step.name}.log").open("a") as log:
+        log.write(f"{shlex.join(step.words)}\n")
+        log.flush()
+        process = subprocess.Popen(step.words, cwd=ROOT, stdout=log, pass_fds=[lock], start_new_session=True)
+        try:
+            status = process.wait()
+        finally:
+            if status is None:
+                os.killpg(process.pid, signal.SIGTERM)
+                process.wait()
+            journal.note(step, status, time.monotonic() - began)
+    return status
 
 
-# ---- mutants
-
-def mutants_row(name, rows, named):
-    count = lambda result: sum(row["result"] == result for row in rows)
-    killed, survived = count("killed"), count("survived")
-    known = sum(row["result"] == "survived" and row["id"] in named for row in rows)
-    matter = killed + survived
-    least = f"{100.0 * bounds.lower(killed, matter):.1f} %" if matter else "-"
-    return [name, len(rows), killed, survived, known, count("equivalent"), count("not built"),
-            percent(killed, matter), least]
-
-
-def mutation(page):
-    path = FOLDER / "mutation.csv"
-    rows = list({row["id"]: row for row in read("mutation.csv")}.values())  # one that was tried again counts once
-    if not rows:
-        return ""
-    survivors = ROOT / "tests/mutation/survivors.txt"
-    named = {line.split()[0] for line in survivors.read_text().splitlines() if line and not line.startswith("#")}
-    columns = ["tried", "killed", "survived", "of them named", "no result changed", "not built", "killed share",
-               "at least"]
-    stage = lambda row: row["path"].split("/")[2]
-    of_kind = [mutants_row(kind, [row for row in rows if row["kind"] == kind], named)
-               for kind in sorted({row["kind"] for row in rows})]
-    of_stage = [mutants_row(name, [row for row in rows if stage(row) == name], named)
-                for name in sorted({stage(row) for row in rows})]
-    whole = mutants_row("all", rows, named)
-    seeds = ", ".join(sorted({row["seed"] for row in rows}, key=int))
-    core = path.read_text().split("\n", 1)[0].removeprefix("# core ")
-    return (f"\n## Mutants\n\n`tools/mutate`, seeds {seeds}, {max(row['date'] for row in rows)}. "
-            f"{page.age('Mutants', [core])} Killed share: of those that change a result; at least: its lower bound with "
-            "95 % confidence (exact binomial). Named survivors stand in `tests/mutation/survivors.txt`.\n\n" +
-            table(["change", *columns], [*of_kind, whole]) + "\n" + table(["stage", *columns], [*of_stage, whole]))
+def release(hours, core, folder):
+    lock = os.open(folder / "lock", os.O_CREAT | os.O_RDWR)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        say(f"{folder} is in use: another run, or what a killed one left running, has to end first")
+        return 2
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: sys.exit("evidence: stopped; the same command goes on from here"))
+    began, journal, wanted = time.monotonic(), Journal(folder), steps(hours, str(folder.relative_to(ROOT)), core)
+    todo = [step for step in wanted if not journal.is_done(step)]
+    say(f"Tern {version()}, core {core}: {len(wanted) - len(todo)} of {len(wanted)} steps are done, the rest takes "
+        f"about {spoken(sum(step.hours for step in todo))} on two cores, besides builds; results: "
+        f"{folder.relative_to(ROOT)}")
+    for step in todo:
+        say(f"[{wanted.index(step) + 1} of {len(wanted)}] {step.name}, about {spoken(step.hours)}; "
+            f"{spoken((time.monotonic() - began) / 3600.0)} so far: {shlex.join(step.words)}")
+        status = run(step, folder, journal, lock)
+        if core_id.present(ROOT) != core:
+            journal.note(step, None, 0.0)
+            say("the core has changed: its evidence begins anew with the same command")
+            return 1
+        if status:
+            say(f"{step.name} ended with status {status}: {folder.relative_to(ROOT)}/{step.name}.log")
+    write_page(core, folder, journal, wanted)
+    failed = [step for step in wanted if journal.steps[step.name]["status"] != 0]
+    for step in failed:
+        say(f"{step.name} {'found something' if journal.has_run(step) else 'did not run to its end'}: "
+            f"{folder.relative_to(ROOT)}/{step.name}.log")
+    return 1 if failed else 0
 
 
-# ---- fuzzers
-
-def fuzzers(page):
-    rows = read("fuzz.csv")
-    if not rows:
-        return ""
-    body = []
-    for entry in dict.fromkeys(row["entry"] for row in rows):
-        chosen = [row for row in rows if row["entry"] == entry]
-        total = lambda column, some: sum(int(row[column]) for row in some)
-        seconds, inputs = total("seconds", chosen), total("inputs", chosen)
-        recent = total("seconds", (row for row in chosen if row.get("core") == page.core))
-        body.append([entry, chosen[-1]["date"], len(chosen), f"{seconds / 3600.0:.2f}", f"{recent / 3600.0:.2f}", inputs,
-                     f"{inputs / max(1, seconds):.0f}", max(int(row["coverage edges"]) for row in chosen),
-                     total("found wrong", chosen)])
-    return (f"\n## Fuzzers\n\n`tools/fuzz`: libFuzzer with address and undefined-behaviour sanitizers. "
-            f"{page.age('Fuzzers', (row.get('core') for row in rows))}\n\n" +
-            table(["entry", "last run", "runs", "hours", "of them on this core", "inputs", "inputs/s", "edges",
-                   "found wrong"], body))
-
-
-# ---- the command
-
-def state_of(name, folder):
-    """The state of a campaign or of tools/attack; None where there is none."""
-    folders = [pathlib.Path(folder)] if folder else [ROOT / "build/campaign", ROOT / "build/attack"]
-    found = [path for place in folders for path in (place / f"{name}.csv", place / f"{name}.state") if path.exists()]
-    if not found:
-        print(f"tools/evidence: no {name}.csv or {name}.state in {' or '.join(map(str, folders))}", file=sys.stderr)
-    return found[0] if found else None
-
-
-def add(words, replaces):
-    path = state_of(words[0], words[1] if len(words) == 2 else "")
-    return 1 if path is None else campaign_rows.add(path, FOLDER / "campaigns.csv", parts(), replaces)
-
-
-def check():
-    """The page may be of an earlier core, which it then says; but it must be what its tables say."""
-    text = PAGE.read_text() if PAGE.exists() else ""
-    found = HEAD_CORE.search(text)
-    page = Page(found.group(1) if found else core_id.present())
-    if page.text() != text:
-        print(f"{PAGE} is not what tools/evidence writes: run it")
-        return 1
-    if page.core != core_id.present():
-        print(f"as it would be written, but the core has changed since: it was {page.core}")
-        page = Page(core_id.present())
-        page.text()
-    print("\n".join(page.said))
-    return 0
+def write_page(core, folder, journal, wanted):
+    missing = [step.name for step in wanted if not journal.has_run(step)]
+    page = ROOT / "docs/measurements/evidence.md"
+    page.write_text(evidence_page.text(version(), core, folder, journal.steps, missing))
+    say(f"{page.relative_to(ROOT)} is written" + (f", without {', '.join(missing)}" if missing else ""))
 
 
 def main():
-    words = [word for word in sys.argv[1:] if word != "--replace"]
-    if words == ["check"]:
-        return check()
-    if words[:1] == ["add"] and len(words) in (2, 3):
-        if add(words[1:], "--replace" in sys.argv):
-            return 1
-    elif words:
-        print(__doc__, file=sys.stderr)
+    parser = argparse.ArgumentParser(prog="tools/evidence", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("command", choices=["release", "page"])
+    parser.add_argument("--hours", type=float, default=12.0, metavar="H", help="length of all runs (default 12)")
+    arguments = parser.parse_args()
+    if not 0.0 < arguments.hours < 10000.0:
+        parser.error("--hours must be above 0 and below 10000")
+    core = core_id.present(ROOT)
+    folder = ROOT / "build/evidence" / core
+    if arguments.command == "release":
+        folder.mkdir(parents=True, exist_ok=True)
+        return release(arguments.hours, core, folder)
+    if not (folder / "steps.json").exists():
+        say(f"nothing was run for the core {core} yet: tools/evidence release")
         return 2
-    page = Page(core_id.present())
-    PAGE.write_text(page.text())
-    print("\n".join([*page.said, f"{PAGE.relative_to(ROOT)} is written"]))
+    write_page(core, folder, Journal(folder), steps(arguments.hours, folder, core))
     return 0
 
 

@@ -15,12 +15,9 @@ import shutil
 import subprocess
 import sys
 
-import core_id
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ENTRIES = ["scenario", "solve", "depth", "record", "request"]
-TABLE = ROOT / "docs/measurements/fuzz.csv"
-COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong", "core"]
+COLUMNS = ["entry", "date", "seed", "seconds", "inputs", "coverage edges", "corpus", "found wrong"]
 LONGEST = 4096  # bytes of an input
 KEPT = 40       # files that a merge chooses for a corpus, at most
 CHOSEN = re.compile("[0-9a-f]{16}")  # names that a merge gives; others were given by hand
@@ -34,6 +31,9 @@ def parse_arguments():
                         help="of the mutations (default: the number of the entry's run)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="entries at a time (default: one a core)")
     parser.add_argument("--merge", action="store_true", help="choose the corpora anew from what was found; fuzz nothing")
+    parser.add_argument("--results", type=pathlib.Path, default=ROOT / "build/fuzz/runs.csv", metavar="FILE",
+                        help="a line a run is added there (default build/fuzz/runs.csv)")
+    parser.add_argument("--in-all", action="store_true", help="the runs in --results count as a part of SECONDS")
     parser.add_argument("--build", default=str(ROOT / "build/fuzz"), help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     unknown = set(arguments.entries) - set(ENTRIES)
@@ -51,8 +51,15 @@ def fuzzer_of(arguments, entry):
     return pathlib.Path(arguments.build, "tests/fuzz", f"{entry}_fuzzer")
 
 
-def rows_before():
-    return list(csv.DictReader(TABLE.read_text().splitlines())) if TABLE.exists() else []
+def rows_before(arguments, entry):
+    path = arguments.results
+    rows = list(csv.DictReader(path.read_text().splitlines())) if path.exists() else []
+    return [row for row in rows if row["entry"] == entry]
+
+
+def seconds_left(arguments, entry):
+    spent = sum(int(row["seconds"]) for row in rows_before(arguments, entry)) if arguments.in_all else 0
+    return max(0, arguments.seconds - spent)
 
 
 def last(pattern, text):
@@ -60,12 +67,12 @@ def last(pattern, text):
     return int(found[-1]) if found else 0
 
 
-def fuzz(arguments, entry, core):
+def fuzz(arguments, entry):
     """One run. Returns its row, and what the fuzzer said where it found something wrong."""
     found = pathlib.Path(arguments.build, "found", entry)
     found.mkdir(parents=True, exist_ok=True)
-    seed = arguments.seed or 1 + sum(row["entry"] == entry for row in rows_before())
-    words = [fuzzer_of(arguments, entry), found, corpus_of(entry), f"-max_total_time={arguments.seconds}",
+    seed = arguments.seed or 1 + len(rows_before(arguments, entry))
+    words = [fuzzer_of(arguments, entry), found, corpus_of(entry), f"-max_total_time={seconds_left(arguments, entry)}",
              f"-seed={seed}", f"-max_len={LONGEST}", "-print_final_stats=1", "-timeout=60", "-rss_limit_mb=4096",
              f"-artifact_prefix={arguments.build}/{entry}-"]
     began = datetime.datetime.now()
@@ -74,27 +81,25 @@ def fuzz(arguments, entry, core):
     seconds = round((datetime.datetime.now() - began).total_seconds())
     row = [entry, began.date().isoformat(), seed, seconds,
            last(r"stat::number_of_executed_units: (\d+)", text) or last(r"#(\d+)", text), last(r"cov: (\d+)", text),
-           len(list(found.iterdir())), int(done.returncode != 0), core]
+           len(list(found.iterdir())), int(done.returncode != 0)]
     return row, text[-3000:] if done.returncode != 0 else ""
 
 
-def note(row):
+def note(path, row):
     """A run is noted when it ends, so that a killed command loses those under way alone."""
-    before = rows_before()
-    with TABLE.open("w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows([*before, dict(zip(COLUMNS, row))])
+    is_new = not path.exists()
+    with path.open("a", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([COLUMNS, row] if is_new else [row])
 
 
 def fuzz_all(arguments):
     """The exit status: 1 where an entry found something wrong."""
-    core, wrong = core_id.present(), 0
+    wrong, entries = 0, [entry for entry in arguments.entries if seconds_left(arguments, entry)]
     with concurrent.futures.ThreadPoolExecutor(max(1, arguments.jobs)) as pool:
-        runs = [pool.submit(fuzz, arguments, entry, core) for entry in arguments.entries]
+        runs = [pool.submit(fuzz, arguments, entry) for entry in entries]
         for run in concurrent.futures.as_completed(runs):
             row, text = run.result()
-            note(row)
+            note(arguments.results, row)
             wrong |= bool(text)
             print(", ".join(f"{name} {value}" for name, value in zip(COLUMNS, row)), text, sep="\n" if text else "",
                   flush=True)

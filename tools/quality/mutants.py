@@ -58,14 +58,18 @@ def changes_of(line):
         yield match.start(2), "dropped statement", line[match.start(2):], ";"
 
 
-def all_of(root):
+def all_of(root, pattern=""):
+    """All mutants of files whose path matches."""
     mutants, seen = [], collections.Counter()
     for path in sorted(root.glob("core/src/**/*.cpp")):
         name = str(path.relative_to(root))
+        if not re.search(pattern, name):
+            continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             for column, kind, before, after in changes_of(line):
-                words = f"{name} {line.strip()} {column - len(line) + len(line.lstrip())} {kind} {after}"
-                seen[words] += 1  # equal lines of a file are told apart by their order
+                # A name stays if other lines or comments change. Equal lines of a file are told apart by their order.
+                words = f"{name} {code_of(line).strip()} {column - len(line) + len(line.lstrip())} {kind} {after}"
+                seen[words] += 1
                 identity = hashlib.sha256(f"{words} {seen[words]}".encode()).hexdigest()[:10]
                 mutants.append(Mutant(identity, name, number, column, kind, before, after))
     return mutants
@@ -76,9 +80,8 @@ def chosen(root, seed, pattern):
     which are many, are not nearly all."""
     rng = random.Random(seed)
     by_kind = collections.defaultdict(list)
-    for mutant in all_of(root):
-        if re.search(pattern, mutant.path):
-            by_kind[mutant.kind].append(mutant)
+    for mutant in all_of(root, pattern):
+        by_kind[mutant.kind].append(mutant)
     for mutants in by_kind.values():
         rng.shuffle(mutants)
     order = []

@@ -10,12 +10,11 @@ the change and passes without; one that takes far longer than before counts as f
 of plans and flights tell survivors apart: a mutant that changes no result of them is `equivalent`, any other has
 `survived`.
 
-Results are kept in docs/measurements/mutation.csv, so that the same command goes on where a killed one was; another
-core begins anew. Survivors named in tests/mutation/survivors.txt with a reason are `named`. Exit status: 0; 1 where a mutant
-survived that is not named; 2 for wrong usage."""
+Results are kept in build/mutate/results.csv, so that the same command goes on where a killed one was; another core
+begins anew. Survivors named in tests/mutation/survivors.txt with a reason are `named`. Exit status: 0; 1 where a mutant
+survived that is not named; 2 for wrong usage, or where the sources do not build without a change."""
 import argparse
 import csv
-import datetime
 import pathlib
 import re
 import shutil
@@ -28,7 +27,7 @@ import mutants
 import suite
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FIELDS = ["id", "path", "line", "kind", "before", "after", "result", "by", "seconds", "seed", "date"]
+FIELDS = ["id", "path", "kind", "before", "after", "result", "by", "seconds", "seed"]
 COPIED = ["CMakeLists.txt", "CMakePresets.json", "bench", "core", "docs", "port", "tests", "toolchains", "tools"]
 LIBRARIES = ["tern", "tern_tiny", "tern_mcu"]
 # Tests of hashes and of the golden corpus, and tests that see none of the core's results. The records of the golden
@@ -49,7 +48,7 @@ def parse_arguments():
     parser.add_argument("--only", default="", metavar="ID", help="try this mutant alone, and again")
     parser.add_argument("--seconds", type=float, default=0.0, help="begin no mutant after this time; 0: try all")
     parser.add_argument("--list", action="store_true", help="print the mutants and try none")
-    parser.add_argument("--results", default=str(ROOT / "docs/measurements/mutation.csv"), help=argparse.SUPPRESS)
+    parser.add_argument("--results", default=str(ROOT / "build/mutate/results.csv"), help=argparse.SUPPRESS)
     parser.add_argument("--tests", default=str(ROOT / "build/quality"), help=argparse.SUPPRESS)
     parser.add_argument("--folder", default=str(ROOT / "build/mutate"), help=argparse.SUPPRESS)
     return parser.parse_args()
@@ -70,7 +69,9 @@ class Bench:
         done = subprocess.run(words, cwd=self.source, capture_output=True, text=True)
         print("building the core", file=sys.stderr, flush=True)
         if done.returncode != 0 or not self.make():
-            sys.exit(f"tools/mutate: the sources do not build without a change: {done.stderr.strip()[-300:]}")
+            print(f"tools/mutate: the sources do not build without a change: {done.stderr.strip()[-300:]}",
+                  file=sys.stderr)
+            sys.exit(2)
         self.reference = self.results(self.programs)
 
     def copy(self):
@@ -149,10 +150,12 @@ class Bench:
 class Results:
     def __init__(self, path, identity):
         self.done = {}
-        lines = path.read_text().splitlines() if path.exists() else []
+        text = path.read_text() if path.exists() else ""
+        lines = text[:text.rfind("\n") + 1].splitlines()  # without one that was cut off
         kept = lines[:1] == [f"# {identity}"]
         if kept:
-            self.done = {row["id"]: row for row in csv.DictReader(lines[1:]) if row["date"]}
+            self.done = {row["id"]: row for row in csv.DictReader(lines[1:])}
+            path.write_text("".join(f"{line}\n" for line in lines))
         path.parent.mkdir(parents=True, exist_ok=True)
         self.file = path.open("a" if kept else "w", newline="")
         self.writer = csv.DictWriter(self.file, FIELDS, lineterminator="\n")
@@ -204,10 +207,10 @@ def main():
         began = time.monotonic()
         result, by = bench.judge(m)
         found = {**m._asdict(), "result": result, "by": by, "seconds": f"{time.monotonic() - began:.1f}",
-                 "seed": arguments.seed, "date": datetime.date.today().isoformat()}
+                 "seed": arguments.seed}
         results.add({field: found[field] for field in FIELDS})
         print(f"{number} of {len(missing)}: {m.id} {m.path}:{m.line}: {m.kind}: {m.before} -> {m.after}: {result} {by}",
-              flush=True)
+              file=sys.stderr, flush=True)
     rows, reasons = [results.done[m.id] for m in order if m.id in results.done], named()
     print_table(rows, reasons)
     return 1 if any(row["result"] == "survived" and row["id"] not in reasons for row in rows) else 0

@@ -11,8 +11,6 @@ program begins anew. What is not proven is kept in FOLDER/NAME/. The table goes 
 Exit status: 0; 1 where a plan or a flight is not proven, or a program failed; 2 for wrong usage."""
 import argparse
 import concurrent.futures
-import csv
-import datetime
 import hashlib
 import json
 import os
@@ -25,10 +23,9 @@ import threading
 import time
 
 sys.dont_write_bytecode = True  # no compiled copies in the source tree
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "quality"))
-import core_id  # noqa: E402
-import proof_rows  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "campaigns"))
 from scenarios import FAMILIES, scenario  # noqa: E402
+from state import State  # noqa: E402
 from subjects import Flights, Plans, columns_of, least, summary_of  # noqa: E402
 
 
@@ -44,13 +41,10 @@ def parse_arguments():
     parser.add_argument("--name", default="", help="of state and table (default: from families, seed and settings)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time (default: one a core)")
     parser.add_argument("--fresh", action="store_true", help="forget what was run before")
-    parser.add_argument("--record", action="store_true",
-                        help="write the totals into docs/measurements/proofs.csv, for tools/evidence")
     parser.add_argument("--print", metavar="FAMILY:SEED", dest="shown", help="only print this scenario")
     parser.add_argument("--tern", default="build/host/tools/tern", help=argparse.SUPPRESS)
     parser.add_argument("--maps", default="bench/maps", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--folder", default="build/prove", type=pathlib.Path, help=argparse.SUPPRESS)
-    parser.add_argument("--proofs", default=proof_rows.FILE, type=pathlib.Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     kind = Plans if arguments.flights is None else Flights
     for family in arguments.family or []:
@@ -61,7 +55,7 @@ def parse_arguments():
 
 def run_one(arguments, kind, family, seed):
     began = time.monotonic()
-    row = {"family": family, "seed": seed}
+    row = {"row": family, "seed": seed}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         subject, proof = kind.make(family, seed, folder, row), folder / "proof.json"
@@ -84,38 +78,6 @@ def keep(arguments, name, folder, proof):
     shutil.copytree(folder, kept)
     (kept / "proof.txt").write_text(proof)
     print(f"not proven: {kept}\n{proof}", flush=True)
-
-
-class State:
-    """Finished runs in a file, one line each, written as they finish."""
-
-    def __init__(self, path, identity, fields):
-        self.runs = {}
-        kept = self.load(path, identity)
-        self.file = path.open("a" if kept else "w", newline="")
-        self.writer = csv.DictWriter(self.file, fields)
-        if not kept:
-            self.file.write(f"# {identity}\n")
-            self.writer.writeheader()
-            self.file.flush()
-
-    def load(self, path, identity):
-        """False where there is nothing to go on with. A line that was cut off does not count."""
-        if not path.exists():
-            return False
-        text = path.read_text()
-        whole = text[:text.rfind("\n") + 1]
-        path.write_text(whole)
-        lines = whole.splitlines()
-        if len(lines) < 2 or lines[0] != f"# {identity}":
-            return False
-        self.runs = {(row["family"], int(row["seed"])): row for row in csv.DictReader(lines[1:])}
-        return True
-
-    def add(self, row):
-        self.writer.writerow(row)
-        self.file.flush()
-        self.runs[row["family"], row["seed"]] = {key: str(value) for key, value in row.items()}
 
 
 def run_all(arguments, kind, wanted, state):
@@ -150,8 +112,8 @@ def table_of(kind, runs):
     columns = [column for column in columns_of(kind) if least(runs, column) is not None]
     lines = [["family", *kind.counts([]), "proven", *columns]]
     lines.append(["---"] * len(lines[0]))
-    for family in [*dict.fromkeys(run["family"] for run in runs), "all"]:
-        rows = [run for run in runs if family in (run["family"], "all")]
+    for family in [*dict.fromkeys(run["row"] for run in runs), "all"]:
+        rows = [run for run in runs if family in (run["row"], "all")]
         cells = [family, *kind.counts(rows).values(), proven_of(rows)]
         for column in columns:
             margin = least(rows, column)
@@ -160,18 +122,6 @@ def table_of(kind, runs):
             cells.append("" if margin is None else f"{number(margin)}{share}")
         lines.append(cells)
     return "".join("| " + " | ".join(map(str, cells)) + " |\n" for cells in lines)
-
-
-def totals_of(arguments, kind, runs, seeds):
-    """The row of docs/measurements/proofs.csv."""
-    row = {"kind": kind.name, "date": datetime.date.today().isoformat(), "core": core_id.present(),
-           "families": " ".join(arguments.family or ["all"]), "seeds": f"{min(seeds)} to {max(seeds)}", "settings": " ".join(kind.settings), **kind.counts(runs),
-           "proven": proven_of(runs), "claims": sum(int(run["claims"]) for run in runs if run.get("claims"))}
-    for column in columns_of(kind):
-        margin = least(runs, column)
-        if margin is not None:
-            row[column] = number(margin)
-    return row
 
 
 def main():
@@ -189,7 +139,7 @@ def main():
         path.unlink(missing_ok=True)
     program = hashlib.sha256(pathlib.Path(arguments.tern).read_bytes()).hexdigest()[:16]
     columns = columns_of(kind)
-    fields = ["family", "seed", "status", "flight", "commits", "claims", *columns, *(f"{name} used" for name in columns),
+    fields = ["row", "seed", "status", "flight", "commits", "claims", *columns, *(f"{name} used" for name in columns),
               "seconds"]
     state = State(path, " ".join([f"program {program}", kind.name, *kind.settings]), fields)
     count = arguments.runs if kind.name == "plans" else arguments.flights
@@ -199,10 +149,9 @@ def main():
     table = table_of(kind, runs)
     (arguments.folder / f"{arguments.name}-table.md").write_text(table)
     print(table, end="")
-    totals = totals_of(arguments, kind, runs, [seed for _, seed in wanted])
-    print(f"{totals[kind.name]} {kind.name}, {totals['claims']} claims, {totals[kind.name] - totals['proven']} not proven")
-    if arguments.record:
-        proof_rows.add(totals, arguments.proofs)
+    made = kind.counts(runs)[kind.name]
+    claims = sum(int(run["claims"]) for run in runs if run.get("claims"))
+    print(f"{made} {kind.name}, {claims} claims, {made - proven_of(runs)} not proven")
     return 1 if any(run["status"] in ("REFUTED", "OPEN", "FAILED") for run in runs) else 0
 
 
