@@ -176,6 +176,20 @@ def check_flight(tab, program, folder):
     check(all(0 < a < b for pair in zip(known, known[1:]) for a, b in zip(*pair)), f"what is known grows: {known}")
 
 
+def check_blocked(tab, program, folder):
+    """What is in the way at the end of a flight has a mark that can be hidden."""
+    page = folder / "blocked.html"
+    done = subprocess.run([program, "fly", "O:1", "--set", "time_limit=2", "--html", page],
+                          capture_output=True, text=True)
+    words = re.search("in the way: .* at (.*)", done.stdout).group(1).split()
+    look(tab, page, folder, "blocked", width=1280, height=800)
+    check(tab.run("page.runs[0].blocked.map((x) => x.toFixed(2))") == words, f"the page has the point {words}")
+    places = tab.run("page.views[0].layers.blocked.children.slice(0, 1).map((cube) => cube.position.toArray())")
+    check([f"{x:.2f}" for x in places[0]] == words, f"the mark is there: {places}")
+    tab.run("document.querySelector('[data-layer=blocked]').click()")
+    tab.wait("!page.views[0].layers.blocked.visible")
+
+
 def check_no_plan(tab, program, root, folder):
     """A scenario without a plan has a page all the same; a name like markup does not spoil it."""
     page = folder / "none.html"
@@ -216,6 +230,7 @@ def main():
         for part in (check_plan, check_table, check_no_plan):
             part(tab, program, root, folder)
         check_flight(tab, program, folder)
+        check_blocked(tab, program, folder)
         check(not tab.faults, f"errors in the browser: {tab.faults}")
     with browser.Browser(path, flags=["--disable-3d-apis"]) as tab:
         check_without_webgl(tab, folder)

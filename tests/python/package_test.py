@@ -206,6 +206,8 @@ class Flights(unittest.TestCase):
         with self.assertRaises(tern.TernError) as raised:
             tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0)
         self.assertEqual(raised.exception.status, "start_occupied")
+        self.assertIn("seen free yet is 0.00 m away, at ", str(raised.exception))
+        self.assertIn("it must be 0.35 m", str(raised.exception))
         rolling_map.assume_free((0, 0, 1.5), 6.0)
         with self.assertRaisesRegex(tern.TernError, r"\(flight: fences, fence 0\)"):
             tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0, fences=[tern.Fence([(0, 0, 0)], [1])])
@@ -219,6 +221,7 @@ class Flights(unittest.TestCase):
                 break
             now += flight.tick_ns
         self.assertTrue(tick.arrived)
+        self.assertEqual((tick.blocked_by, tick.blocked_fence), ("nothing", -1))
         self.assertIn("fly", modes)
         np.testing.assert_allclose(flight.command(now).position, [3, 1, 1.5], atol=1e-9)
         with self.assertRaises(tern.TernError) as raised:
@@ -226,6 +229,16 @@ class Flights(unittest.TestCase):
         self.assertEqual(raised.exception.status, "clock_behind")
         flight.set_clock(0)
         self.assertTrue(flight.tick(0).arrived)
+
+    def test_a_fence_in_the_way_is_named(self):
+        rolling_map = tern.RollingMap((-12.8, -7.5, -0.4), 0.2, (128, 75, 20), 0.35)
+        rolling_map.assume_free((0, 0, 1.5), 6.0)
+        fences = [tern.Fence.box((20, 20, 20), (21, 21, 21), keep_out=True),
+                  tern.Fence.box((2, -20, -20), (2.5, 20, 20), keep_out=True)]
+        flight = tern.Flight(LIMITS, rolling_map, tern.Planner(), (0, 0, 1.5), t=0, fences=fences)
+        flight.set_goal((2.25, 0.0, 1.5))
+        ticks = [flight.tick(k * flight.tick_ns) for k in range(100)]
+        self.assertEqual({(tick.blocked_by, tick.blocked_fence) for tick in ticks}, {("fence", 1)})
 
     def test_a_scan_shows_what_is_free(self):
         rolling_map = tern.RollingMap((-5, -5, -2), 0.2, (50, 50, 20), 0.3, range=4.0, scan_pixel=0.05)

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/flight/flight_world.hpp"
+#include "host/picture/flight_picture.hpp"
 
 namespace {
 
@@ -31,6 +32,18 @@ class FlightFilmTest : public testing::Test {
 
 TEST_F(FlightFilmTest, TheFilmChangesNothing) {
   EXPECT_EQ(tern_host::simulate_flight(world_).commands_hash, result_.commands_hash);
+}
+
+TEST_F(FlightFilmTest, WhatIsInTheWayAtTheEndIsMarked) {
+  EXPECT_TRUE(run_.at("blocked").is_null());
+  result_.blocked_by = tern::BlockedBy::kUnseen;
+  result_.blocked_at = {1.25, -2.5, 1.5};
+  EXPECT_EQ(Json::parse(film_.run(result_)).at("blocked"), Json({1.25, -2.5, 1.5}));
+  const std::string mark = ">in the way at the end<";
+  EXPECT_NE(tern_host::flight_svg(world_, result_).find(mark), std::string::npos);
+  result_.status = "reached";
+  EXPECT_TRUE(Json::parse(film_.run(result_)).at("blocked").is_null());
+  EXPECT_EQ(tern_host::flight_svg(world_, result_).find(mark), std::string::npos);
 }
 
 TEST_F(FlightFilmTest, TheMotionIsTheTrack) {

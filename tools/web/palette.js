@@ -35,6 +35,7 @@ const LAYERS = [
   ["plan", "committed plan", "commit", "line", true],
   ["brake", "brake", "brake", "line", true],
   ["dropped", "dropped plan", "dropped", "dashes", true],
+  ["blocked", "in the way at the end", "fence", "block", true],
   ["path", "path", "ink", "line", false],
   ["sensor", "sensor", "sensor", "volume", true],
   ["flown", "flown", null, "scale", true],

@@ -54,8 +54,9 @@ class RunView {
     const sky = new THREE.HemisphereLight(0xffffff, 0xc8cdd6, 0.81);
     sky.position.set(0, 0, 1);
     this.scene.add(this.root, sun, sky);
-    this.root.add(floorAndFrame(run, palette),
-      endsAndVias(run, palette, Math.max(0.6 * run.radius, 0.005 * this.size)));
+    const mark = Math.max(0.6 * run.radius, 0.005 * this.size);
+    this.root.add(floorAndFrame(run, palette), endsAndVias(run, palette, mark));
+    if (run.blocked) this.addLayer("blocked", blockedMark(run, palette, 0.7 * mark));
     if (run.film) this.addFilm(palette); else this.addLayer("known", knownObstacles(run, palette, this.shared));
     if (run.fences.length + run.keepout.length > 0) this.addLayer("fences", fences(run, palette));
     if (run.path) this.addLayer("path", this.paths(palette));

@@ -83,6 +83,23 @@ function fences(run, palette) {
   return group;
 }
 
+/** Where a flight was blocked at its end: a cube of this size on a pole from the floor, through whatever hides it. */
+function blockedMark(run, palette, size) {
+  const [x, y, z] = run.blocked;
+  const around = [x - size, y - size, z - size, x + size, y + size, z + size];
+  const cube = new THREE.Mesh(new THREE.BoxBufferGeometry(2 * size, 2 * size, 2 * size),
+    new THREE.MeshBasicMaterial({color: palette.fence, transparent: true, opacity: 0.4, depthTest: false,
+      depthWrite: false}));
+  cube.position.set(x, y, z);
+  const pole = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(x, y, run.boundary[2]), cube.position]);
+  const lines = [outlines({boxes: around, cylinders: []}, palette.fence, 1),
+    new THREE.LineSegments(pole, lineMaterial(palette.fence, 0.8))];
+  for (const line of lines) line.material.depthTest = false;
+  const group = new THREE.Group();
+  group.add(cube, ...lines);
+  return group;
+}
+
 /** A pole from the floor, with a ball at the start and a pin's head at the goal; vias with their tolerances. */
 function endsAndVias(run, palette, size) {
   const group = new THREE.Group();

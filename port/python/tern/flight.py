@@ -103,7 +103,12 @@ def _is_running(status):
 def _reason(refusal):
     """What a refused start is about, for people."""
     field = ffi.string(lib.tern_field_name(refusal.field)).decode()
-    return f"flight: {field}" + (f", fence {refusal.fence}" if refusal.fence >= 0 else "")
+    text = f"flight: {field}" + (f", fence {refusal.fence}" if refusal.fence >= 0 else "")
+    if refusal.blocked_by == lib.TERN_BLOCKED_BY_NOTHING:
+        return text
+    what = ffi.string(lib.tern_blocked_by_text(refusal.blocked_by)).decode()
+    place = " ".join(f"{x:.2f}" for x in triple(refusal.blocked_at))
+    return f"{text}: {what} is {refusal.distance:.2f} m away, at {place}; it must be {refusal.needed:.2f} m"
 
 
 @dataclass(frozen=True)
@@ -121,7 +126,7 @@ class Command:
 class Tick:
     """What one tick did: mode ("rest", "look", "fly", "stop", "threat"), why it rests, counts of plans, for how many
     nanoseconds no frame was entered into the map, and what is in the way ("nothing", "unseen", "obstacle", "window",
-    "fence") and where (world frame, metres)."""
+    "fence"), where (world frame, metres), and for a fence its index among the flight's, otherwise -1."""
     mode: str
     reason: str
     arrived: bool
@@ -134,6 +139,7 @@ class Tick:
     frame_age: int
     blocked_by: str
     blocked_at: np.ndarray
+    blocked_fence: int
 
 
 class Flight:
@@ -176,7 +182,8 @@ class Flight:
         reason = ffi.string(lib.tern_flight_reason_text(report.reason)).decode()
         return Tick(_MODES[report.mode], reason, report.reason == lib.TERN_FLIGHT_ARRIVED, report.asked,
                     report.committed, report.dropped, report.failed, report.work, bool(report.map_stale),
-                    report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)))
+                    report.frame_age, _BLOCKERS[report.blocked_by], np.array(triple(report.blocked_at)),
+                    report.blocked_fence)
 
     def set_clock(self, t: int) -> None:
         """The clock was set, back or ahead, and shows `t` now: one tick after the last one."""

@@ -88,6 +88,8 @@ struct FlightResult {
   /// In words; empty for nothing.
   std::string blocked() const;
   bool reached() const { return status == "reached"; }
+  /// Something was in the way of the goal at the end.
+  bool is_blocked() const { return !reached() && blocked_by != tern::BlockedBy::kNothing; }
 };
 
 /// What an onlooker sees in each tick, after the flight has done its part of it.

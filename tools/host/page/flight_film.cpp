@@ -111,7 +111,7 @@ RunJson FlightFilm::facts(const FlightResult& result) const {
   const auto add = [&](const char* label, const std::string& text) { facts.push_back({label, text}); };
   add("status", result.status);
   if (!result.reached()) add("why", result.reason);
-  if (!result.reached() && !result.blocked().empty()) add("in the way", result.blocked());
+  if (result.is_blocked()) add("in the way", result.blocked());
   add("duration", fixed(result.time, 2) + " s");
   add("length", fixed(result.length, 2) + " m");
   add("least clearance",
@@ -151,6 +151,7 @@ std::string FlightFilm::run(const FlightResult& result) const {
       {"start", rounded(world_.start)},
       {"goal", rounded(world_.goal)},
       {"vias", vias_json(world_.vias)},
+      {"blocked", result.is_blocked() ? rounded(result.blocked_at) : nullptr},
       {"limits",
        {{"v", s.v_max}, {"a", s.a_max}, {"j", s.j_max > 0.0 ? RunJson(s.j_max) : nullptr}, {"work", s.work_per_tick}}},
       {"motion", motion_.json(static_cast<double>(stride_) / s.tick_hz)},

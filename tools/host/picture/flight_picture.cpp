@@ -24,6 +24,8 @@ constexpr double kStep = 3.0;          // pixels between the points drawn
 constexpr double kFull = 0.85;         // opacity of what fills a view's depth, and of what fills none of it
 constexpr double kFaint = 0.35;
 constexpr const char* kCommit = "class=\"waypoint\"";
+constexpr const char* kBlocked = "fill=\"none\" stroke=\"#c22b1a\" stroke-width=\"2.5\"";
+constexpr double kBlockedRadius = 6.0;
 
 std::string block_style(double depth_part) {
   return "class=\"block\" opacity=\"" + fixed(kFaint + (kFull - kFaint) * std::clamp(depth_part, 0.0, 1.0), 2) + "\"";
@@ -110,6 +112,7 @@ void draw_view(Canvas& canvas, const Axes& axes, const Projection& view, const F
   draw_frame(canvas, axes, axis_name(view.horizontal), axis_name(view.vertical));
   const std::vector<Pixel> way = draw_way(canvas, axes, view, result, fastest);
   draw_commits(canvas, axes, view, result);
+  if (result.is_blocked()) canvas.circle(project(axes, view, result.blocked_at), kBlockedRadius, kBlocked);
   std::vector<Pixel> vias;
   for (const tern::Via& via : world.vias) vias.push_back(project(axes, view, via.position));
   draw_via_marks(canvas, axes.frame, vias);
@@ -137,6 +140,7 @@ double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r
   std::vector<LegendEntry> legend{area_entry("obstacle of the true world", "class=\"block\" opacity=\"0.85\""),
                                   speed_entry("way flown, speed from 0 to " + fixed(fastest, 1) + " m/s"),
                                   dot_entry("where a plan was committed", 2.6, kCommit)};
+  if (r.is_blocked()) legend.push_back(dot_entry("in the way at the end", kBlockedRadius, kBlocked));
   if (has_fence(world.fences, tern::FenceKind::kKeepOut)) legend.push_back(keepout_entry());
   if (has_fence(world.fences, tern::FenceKind::kKeepIn)) legend.push_back(keepin_entry());
   draw_legend(canvas, legend, {kPageMargin, y}, kWidth);
