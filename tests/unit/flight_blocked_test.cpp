@@ -119,6 +119,24 @@ TEST(FlightBlocked, GoalInAKeepOut) {
   EXPECT_EQ(room.report.blocked_fence, 0);
 }
 
+/// The second fence is a wall from end to end: no way leads on, though nothing unseen or solid is near.
+TEST(FlightBlocked, GoalBeyondAFence) {
+  Halfspace planes[2][kBoxPlanes];
+  box_planes({{-30.0, -30.0, -30.0}, {30.0, 30.0, 30.0}}, planes[0]);
+  box_planes({{4.0, -30.0, -30.0}, {4.5, 30.0, 30.0}}, planes[1]);
+  const Fence fences[2] = {{planes[0], kBoxPlanes, FenceKind::kKeepIn}, {planes[1], kBoxPlanes, FenceKind::kKeepOut}};
+  FlightSpec spec = FlightRoom::flight_spec();
+  spec.fences = fences;
+  spec.fence_count = 2;
+  FlightRoom room(spec);
+  ASSERT_EQ(room.flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
+  EXPECT_EQ(room.fly(6000), FlightReason::kNearest);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kFence);
+  EXPECT_EQ(room.report.blocked_fence, 1);
+  EXPECT_GT(room.report.blocked_at.x, 4.0 - FlightRoom::kRadius);
+  EXPECT_LT(room.report.blocked_at.x, 4.5);
+}
+
 /// A ball is known, and no sensor shows more: the first unseen voxel beside the way, just outside the ball.
 TEST(FlightBlocked, SpaceThatNobodySaw) {
   const Vec3 start{0.125, 0.125, 1.125};

@@ -8,12 +8,15 @@
 #include "flight/flight_state.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
+#include "proof/fence_clear.hpp"
 
 namespace tern {
 namespace {
 
 /// Instructions of a row or word of a search for a solid voxel.
 constexpr std::uint32_t kSolidEffort = 40;
+/// Instructions of comparing two faces of a fence with a place.
+constexpr std::uint32_t kFenceEffort = 100;
 /// Voxels beyond the radius in which that voxel is looked for.
 constexpr double kBeyondRadius = 2.0;
 
@@ -102,12 +105,21 @@ void FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept 
   if (solid.found) block = block_at(solid.voxel);
 }
 
-/// No way leads on from the point nearest to the goal: what comes next on the straight line.
+/// No way leads on from the point nearest to the goal: what comes next on the straight line. A fence does not go away,
+/// whatever is seen there.
 void FlightState::note_block_beyond(const Vec3& reachable) noexcept {
   const Vec3 way = goal - reachable;
   const double far = length(way);
   if (!(far > 0.0)) return;
-  note_block_near(reachable + (smaller(far, map.safe().spec().clearance()) / far) * way, map.safe());
+  const double clearance = map.safe().spec().clearance();
+  const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
+  for (std::int32_t k = 0; k < spec.fence_count; ++k) {
+    owed += kFenceEffort * static_cast<std::uint32_t>(spec.fences[k].count * spec.fences[k].count);
+    if (fence_clear(spec.fences[k], {place, clearance, 0.0}, &kZero, 1)) continue;
+    block = {BlockedBy::kFence, place, k};
+    return;
+  }
+  note_block_near(place, map.safe());
 }
 
 /// There is no plan: what is in its way, unless a proof told before.
