@@ -19,7 +19,7 @@ import bounds  # noqa: E402
 import core_id  # noqa: E402
 
 RELEASE = "import pathlib, sys, evidence; evidence.ROOT = pathlib.Path(sys.argv.pop(1)); sys.exit(evidence.main())"
-ENVIRONMENT = {"PYTHONPATH": str(QUALITY), "PATH": "/bin:/usr/bin"}
+ENVIRONMENT = {"PYTHONPATH": str(QUALITY), "PATH": "/bin:/usr/bin", "PYTHONDONTWRITEBYTECODE": "1"}
 FLOWN = """# fly program 1, settings tracking_margin=0.1
 row,seed,status,reason,time_s,full_knowledge_s,tracking_max,asked
 P25@5,7,reached,,12,10,0.1,300
