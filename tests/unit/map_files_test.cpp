@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "host/closed_way.hpp"
 #include "host/map/cloud_file.hpp"
 #include "host/map/known_space.hpp"
 #include "host/map/octomap_file.hpp"
@@ -200,6 +201,16 @@ TEST(MapFiles, FaultsNameTheRecordAndTheFile) {
   EXPECT_TRUE(contains(scenario_reason("cloud two words\n"), "needs one file name"));
   EXPECT_TRUE(contains(scenario_reason("cloud points_text.pcd\nunknown solid\n"), "room.txt:6: 'unknown solid' needs"));
   EXPECT_TRUE(contains(scenario_reason("unknown maybe\n"), "'unknown' is 'free' or 'solid'"));
+}
+
+/// Around the wall, the way leads through the part that was never seen.
+TEST(MapFiles, SaysThatUnknownSpaceClosesTheWay) {
+  const std::string wall = "octomap room.bt\nblock 3 0 0 3.1 2 2\n";
+  tern_host::Session session;
+  EXPECT_TRUE(session.plan(parse(wall)).ok());
+  const Scenario scenario = parse(wall + "unknown solid\n");
+  EXPECT_EQ(session.plan(scenario).report.status, tern::Status::kNoPath);
+  EXPECT_TRUE(contains(tern_host::describe_closed_way(scenario), "space that the map does not know"));
 }
 
 TEST(MapPicture, ShowsSlicesAndTheUnknown) {

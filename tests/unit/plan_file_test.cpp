@@ -14,8 +14,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "host/closed_way.hpp"
 #include "host/figures.hpp"
 #include "host/finding_text.hpp"
 #include "host/peaks.hpp"
@@ -169,6 +171,29 @@ TEST(PlanFile, SaysHowNearItComesToAGoalThatCannotBePlannedTo) {
   EXPECT_EQ(nearest["goal_missed"], "no_path");
   EXPECT_EQ(nearest["reachable"], exact["reachable"]);
   EXPECT_EQ(nearest["detail"].get<std::string>().rfind("not at the goal but at (2.65, 1.05, 1.05)", 0), 0u);
+}
+
+/// A wall with a slit, the robot's radius 0.25 m: of 0.54 m, which voxels of 0.1 m close, of 0.43 m, or none; or a
+/// fence.
+TEST(PlanFile, SaysWhatWouldOpenAClosedWay) {
+  const std::string ends = "boundary 0 0 0 6 4 2\nstart 1 2 1\ngoal 5 2 1\nradius 0.25\n";
+  const std::string wall = ends + "block 2.9 0 0 3.1 1.77 2\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {wall + "block 2.9 2.31 0 3.1 4 2\n", "a resolution of 0.025 m opens it"},
+      {wall + "block 2.9 2.2 0 3.1 4 2\n", "radius and tracking margin together may be 0.099 m"},
+      {wall + "block 2.9 1.77 0 3.1 4 2\n", "close every way at this resolution, even for a point"},
+      {ends + "keepout_halfspaces 1 0 0 3.1 -1 0 0 -2.9\n", "without the geofences there is a way"}};
+  tern_host::Session session;
+  for (const auto& [text, says] : cases) {
+    const tern_host::Scenario scenario = tern_host::parse_scenario(text, "closed");
+    PlanResult result = session.plan(scenario);
+    ASSERT_EQ(result.report.status, Status::kNoPath) << text;
+    result.closed_way = tern_host::describe_closed_way(scenario);
+    const std::string detail = json::parse(tern_host::plan_json(result))["detail"];
+    EXPECT_NE(detail.find(says), std::string::npos) << detail;
+  }
+  const std::string finer = cases[0].first + "resolution 0.025\n";
+  EXPECT_TRUE(session.plan(tern_host::parse_scenario(finer, "open")).ok());
 }
 
 TEST(PlanFile, HasTheViasAndTheirPassages) {

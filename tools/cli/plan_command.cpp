@@ -10,6 +10,7 @@
 #include "cli/summary.hpp"
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
+#include "host/closed_way.hpp"
 #include "host/map/map_files.hpp"
 #include "host/number.hpp"
 #include "host/page/page.hpp"
@@ -55,7 +56,11 @@ int plan(const PlanOptions& options) {
   check_output_paths(tern_host::input_paths(scenario),
                      {options.json, options.csv, options.svg, options.html, options.record});
   tern_host::Session session;
-  const tern_host::PlanResult result = session.plan(scenario);
+  tern_host::PlanResult result = session.plan(scenario);
+  const tern::Report& report = result.report;
+  if (report.status == tern::Status::kNoPath || report.goal_missed == tern::Status::kNoPath) {
+    result.closed_way = tern_host::describe_closed_way(scenario);
+  }
   write_outputs(options, session, result);
   if (result.ok()) {
     std::fputs(plan_summary(result).c_str(), stdout);

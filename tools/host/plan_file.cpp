@@ -185,7 +185,7 @@ std::string describe_failure(const PlanResult& result) {
   if (report.field != tern::Field::kNone) text += std::string("; field: ") + tern::field_name(report.field);
   if (report.via != tern::kNoVia) text += "; via: number " + std::to_string(report.via + 1) + " of the request";
   if (report.fence != tern::kNoFence) text += "; fence: number " + std::to_string(report.fence + 1) + " of the request";
-  text += describe_occupied(result);
+  text += describe_occupied(result) + result.closed_way;
   if (report.has_reachable) text += "; a path comes as near as " + point_text(report.reachable);
   if (report.has_nearest_free) text += "; the nearest free voxel is at " + point_text(report.nearest_free);
   return text + finding_text(report.check);
@@ -198,7 +198,7 @@ std::string describe_status(const PlanResult& result) {
   if (report.status != tern::Status::kOk) return describe_failure(result);
   if (report.goal_missed != tern::Status::kOk) {
     return std::string("not at the goal but at ") + point_text(report.reachable) +
-           ", as near as a path comes: " + tern::status_meaning(report.goal_missed);
+           ", as near as a path comes: " + tern::status_meaning(report.goal_missed) + result.closed_way;
   }
   const std::string reason = std::string(tern::status_name(report.optimiser)) + ", " +
                              tern::status_meaning(report.optimiser) + finding_text(report.check);

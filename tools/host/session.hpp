@@ -42,6 +42,7 @@ struct PlanResult {
   std::unique_ptr<tern::Path> path;          ///< grid frame; null where the stage was not reached
   std::unique_ptr<tern::Corridor> corridor;  ///< likewise
   tern::Trajectory trajectory{};             ///< empty unless ok()
+  std::string closed_way{};                  ///< what would open a way, in words, if somebody asked (closed_way.hpp)
   /// Null unless the scenario wants one; yaw_status says why not where it does.
   std::unique_ptr<tern::YawPlan> yaw;
   tern::Status yaw_status = tern::Status::kOk;
