@@ -142,8 +142,8 @@ void check_reachable(const World& world, const Map& map, const Ask& ask, const t
   const tern::Grid& grid = world.grid;
   const tern::Vec3 goal = grid.to_local(ask.request.goal.position);
   const tern::Voxel home = grid.voxel_of(grid.to_local(ask.request.start.position));
-  const tern::Voxel there = grid.voxel_of(grid.to_local(answer.reachable));
-  if (!grid.free(there)) return report(findings, "near", "its voxel is not free");
+  const tern::Voxel there = free_voxel_at(world, answer.reachable);
+  if (there.x < 0) return report(findings, "near", "its voxel is not free");
   if (!ask.fences.empty() || !grid.free(home)) return;
   const int own = map.component[static_cast<std::size_t>(world.index(home.x, home.y, home.z))];
   const Real places = 4 * kUlp * (largest(point(world.spec.origin)) + largest(point(ask.request.goal.position)));
@@ -158,7 +158,8 @@ void check_reachable(const World& world, const Map& map, const Ask& ask, const t
   }
 }
 
-/// A goal that cannot be planned to, as near as possible: there is a plan to the nearest point, if the start rests.
+}  // namespace
+
 void go_near(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& ask) {
   ask.request.goal_mode = tern::GoalMode::kNearest;
   tern::Report answer;
@@ -177,8 +178,12 @@ void go_near(Context& context, tern::Planner& planner, const World& world, const
   }
 }
 
+namespace {
+
 /// Part of the cases whose request is asked again with vias.
 constexpr double kMissions = 0.3;
+/// Part of the cases that make one more world, with a boundary or a keep-in thinner than a voxel.
+constexpr double kFlat = 0.25;
 
 /// The same request through vias. `own`: what is left of the case draws nothing from it.
 void run_mission(Context& context, Rng& own, tern::Planner& planner, const World& world, const Map& map,
@@ -213,6 +218,7 @@ void run_plans(Context& context) {
                       status == Status::kGoalTooNarrow || status == Status::kGoalFenced;
   if (missed) go_near(context, planner, world, map, ask);
   if (own.chance(context.family == Family::kFences ? 0.5 : 0.05)) attack_fences(context, own, planner, world, ask);
+  if (own.chance(kFlat)) attack_flat(context, own);
 }
 
 }  // namespace

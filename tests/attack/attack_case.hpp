@@ -71,6 +71,11 @@ void compare_kept(Context& context, tern::Planner& planner, const World& world, 
                   tern::Status status);
 /// Plans from states along the plan in bench.trajectory.
 void replan(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask);
+/// A goal that cannot be planned to, as near as possible: there is a plan to the nearest point, if the start rests.
+void go_near(Context& context, tern::Planner& planner, const World& world, const Map& map, Ask& ask);
+/// A world of its own whose boundary holds no whole voxel on an axis, and the same with a keep-in in its place. `own`:
+/// what is left of the case draws nothing from it.
+void attack_flat(Context& context, Rng& own);
 /// Grids copied, rebound and changed between calls and between slices.
 void run_changes(Context& context);
 

@@ -103,7 +103,7 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
   const bool occupied = is_occupied(status) || is_narrow(status);
   if (r.has_nearest_free && !occupied)
     report(f, "report", "%s: a nearest free voxel for %s", what, tern::status_name(status));
-  if (r.has_nearest_free && !world.grid.free(world.grid.voxel_of(world.grid.to_local(r.nearest_free)))) {
+  if (r.has_nearest_free && free_voxel_at(world, r.nearest_free).x < 0) {
     report(f, "report", "%s: the nearest free voxel is not free", what);
   }
   if (r.finer_cell > 0.0 && (!is_narrow(status) || r.finer_cell > 0.5 * world.spec.cell)) {

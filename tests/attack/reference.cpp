@@ -30,14 +30,24 @@ void pass(const World& world, int along, int reach, std::vector<int>& gaps) {
   }
 }
 
-/// True where voxel index `i` lies within the boundary along one axis; a face is on the lattice but for rounding.
-bool within(const World& world, int a, int i) {
+/// For each voxel index along one axis, whether it lies within the boundary; a face is on the lattice but for rounding.
+/// Where none does, the voxels that the boundary meets count, and those on both sides of a plane (docs/grid.md).
+std::vector<bool> within(const World& world, int a) {
   const Real cell = world.spec.cell;
   const Real origin = axis(world.spec.origin, a);
   const Real lower = (axis(world.spec.boundary.lower, a) - origin) / cell;
   const Real upper = (axis(world.spec.boundary.upper, a) - origin) / cell;
   const Real slack = 1e-9L + 4 * kUlp * (std::fabs(origin) / cell + axis(world.spec.dims, a));
-  return i >= lower - slack && i + 1 <= upper + slack;
+  const auto holding = [&](const auto& counts) {
+    std::vector<bool> found;
+    for (int i = 0; i < axis(world.spec.dims, a); ++i) found.push_back(counts(i));
+    return found;
+  };
+  const auto none = [](const std::vector<bool>& found) { return std::count(found.begin(), found.end(), true) == 0; };
+  std::vector<bool> found = holding([&](int i) { return i >= lower - slack && i + 1 <= upper + slack; });
+  if (none(found)) found = holding([&](int i) { return i + 1 > lower + slack && i < upper - slack; });
+  if (none(found)) found = holding([&](int i) { return i + 1 >= lower - slack && i <= upper + slack; });
+  return found;
 }
 
 Space judge(int square_gap, Real square_radius) {
@@ -54,14 +64,13 @@ std::vector<Space> blocked_layer(const World& world) {
   for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = world.solid[i] != 0 ? 0 : kFarAway;
   const int reach = static_cast<int>(std::floor(cells)) + 2;
   for (int a = 0; a < 3 && touching; ++a) pass(world, a, reach, gaps);
-  bool inside[3][1024];
-  for (int a = 0; a < 3; ++a) {
-    for (int i = 0; i < axis(world.spec.dims, a); ++i) inside[a][i] = within(world, a, i);
-  }
+  const std::vector<bool> inside[3] = {within(world, 0), within(world, 1), within(world, 2)};
   std::vector<Space> layer(gaps.size(), Space::kBlocked);
   for (int i = 0; i < world.count(); ++i) {
     const tern::Voxel v = world.voxel(i);
-    if (!inside[0][v.x] || !inside[1][v.y] || !inside[2][v.z]) continue;
+    bool may_be_free = true;
+    for (int a = 0; a < 3; ++a) may_be_free = may_be_free && inside[a][static_cast<std::size_t>(axis(v, a))];
+    if (!may_be_free) continue;
     const auto at = static_cast<std::size_t>(i);
     layer[at] = touching ? judge(gaps[at], cells * cells) : (gaps[at] == 0 ? Space::kBlocked : Space::kFree);
   }
@@ -124,9 +133,25 @@ bool holds(const std::vector<int>& numbers, int number) {
   return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
+/// The centre, or the point of a thin boundary nearest to it.
 Point center(const World& world, const tern::Voxel& v) {
-  const Real cell = world.spec.cell;
-  return {{(v.x + 0.5L) * cell, (v.y + 0.5L) * cell, (v.z + 0.5L) * cell}};
+  Point p;
+  for (int a = 0; a < 3; ++a) {
+    const Real origin = axis(world.spec.origin, a);
+    const Real lower = axis(world.spec.boundary.lower, a) - origin;
+    const Real upper = axis(world.spec.boundary.upper, a) - origin;
+    p[a] = std::max(lower, std::min(upper, (axis(v, a) + 0.5L) * world.spec.cell));
+  }
+  return p;
+}
+
+bool is_thin(const World& world) {
+  bool thin = false;
+  for (int a = 0; a < 3; ++a) {
+    const double across = axis(world.spec.boundary.upper, a) - axis(world.spec.boundary.lower, a);
+    thin = thin || across < 2.0 * world.spec.cell;
+  }
+  return thin;
 }
 
 int number_of(const World& world, const std::vector<int>& component, const tern::Voxel& v) {
@@ -138,6 +163,8 @@ std::vector<int> reachable_from(const World& world, const std::vector<int>& comp
   const int own = number_of(world, component, home);
   if (own >= 0) return {own};
   std::vector<int> numbers;
+  // Along a face between two solids there is no way, but each of the two is no nearer than 0.
+  if (!(world.radius() > 0) && is_thin(world)) return numbers;
   // The grid calls a line clear to 1e-9 m; a tenth of that is beyond doubt.
   const Real least = world.radius() - 1e-10L + 16 * kUlp * largest(p);
   for (int k = 0; k < 125; ++k) {
@@ -150,6 +177,23 @@ std::vector<int> reachable_from(const World& world, const std::vector<int>& comp
 }
 
 }  // namespace
+
+tern::Voxel free_voxel_at(const World& world, const tern::Vec3& at) {
+  const tern::Voxel own = world.grid.voxel_of(world.grid.to_local(at));
+  if (world.grid.free(own)) return own;
+  const Point p = world.local(at);
+  for (int k = 0; k < 8; ++k) {
+    tern::Voxel v{};
+    for (int a = 0; a < 3; ++a) {
+      const Real cells = p[a] / static_cast<Real>(world.spec.cell);
+      const Real slack =
+          1e-8L + 16 * kUlp * (std::fabs(axis(world.spec.origin, a)) / world.spec.cell + std::fabs(cells));
+      axis(v, a) = static_cast<int>(std::floor((k >> a & 1) != 0 ? cells + slack : cells - slack));
+    }
+    if (world.grid.free(v)) return v;
+  }
+  return {-1, -1, -1};
+}
 
 std::vector<int> reachable(const World& world, const std::vector<int>& component, const Point& p) {
   std::vector<int> common;

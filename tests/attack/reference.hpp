@@ -27,6 +27,10 @@ std::vector<int> components(const World& world, const std::vector<std::uint8_t>&
 /// to the voxel above, on the boundary's upper face to the last one; several where the plane is met but for rounding.
 std::vector<tern::Voxel> homes(const World& world, const Point& p);
 
+/// The grid's own voxel of a world point, or if that is not free one that holds the point in a face; {-1, -1, -1} if
+/// none is free. Across a thin boundary, paths may lead through either side.
+tern::Voxel free_voxel_at(const World& world, const tern::Vec3& at);
+
 /// Numbers of the components that a search from the exact point `p` (local frame) is bound to reach (docs/search.md):
 /// its own voxel's where that is free; else those of the free voxels up to two away whose straight line from the point
 /// keeps the radius. What holds for all homes.

@@ -57,6 +57,26 @@ TEST(BlockedLayer, TheBoundaryBlocksWhatItCuts) {
   EXPECT_EQ(at(world, layer, 1, 3, 1), Space::kBlocked);
 }
 
+/// Where no whole voxel fits, those that it meets count; of a plane, those on both sides.
+TEST(BlockedLayer, AThinBoundaryOpensTheLayersThatItMeets) {
+  const struct {
+    double lower, upper;
+    int first, last;
+  } cases[] = {{0.5, 0.5, 0, 1},   {0.75, 0.75, 1, 1}, {0.5, 0.9, 1, 1},
+               {0.75, 1.25, 1, 2}, {0.0, 0.0, 0, 0},   {2.0, 2.0, 3, 3}};
+  for (const auto& thin : cases) {
+    World world;
+    make_hand_world(world, {4, 4, 4}, 0.5, 0.0);
+    world.spec.boundary.lower.z = thin.lower;
+    world.spec.boundary.upper.z = thin.upper;
+    const std::vector<Space> layer = blocked_layer(world);
+    for (int z = 0; z < 4; ++z) {
+      const bool open = z >= thin.first && z <= thin.last;
+      EXPECT_EQ(at(world, layer, 1, 1, z), open ? Space::kFree : Space::kBlocked) << thin.lower << ' ' << z;
+    }
+  }
+}
+
 /// The definition, pair by pair, on worlds of every family.
 TEST(BlockedLayer, EqualsTheDefinition) {
   for (std::uint64_t number = 0; number < 40; ++number) {
