@@ -102,6 +102,62 @@ TEST(FlightBlocked, HemmedIn) {
   EXPECT_LT(distance_to_cube(p, room.report.blocked_at, FlightRoom::kCell), FlightRoom::kRadius);
 }
 
+/// Something appears beside a vehicle that rests, and stays there: a threat for 0.3 s, and again if it comes
+/// nearer. After that the report only says what it is.
+TEST(FlightBlocked, WhatStaysBesideTheVehicleIsAThreatForAWhile) {
+  FlightRoom room;
+  const Vec3& p = room.start;
+  room.tick();
+  EXPECT_EQ(room.report.mode, FlightMode::kRest);
+  const auto ticks_of_threat = [&](double gap) {
+    room.mark({{p.x + gap, p.y - 0.1, p.z - 0.1}, {p.x + 1.0, p.y + 0.1, p.z + 0.1}});
+    int ticks = 0;
+    for (int k = 0; k < 200; ++k) {
+      room.tick();
+      ticks += room.report.mode == FlightMode::kThreat ? 1 : 0;
+      EXPECT_EQ(room.report.contact_speed, 0.0);
+    }
+    EXPECT_EQ(room.report.mode, FlightMode::kRest);
+    EXPECT_EQ(room.report.reason, FlightReason::kNoGoal);
+    EXPECT_EQ(room.report.contact_time, 0);
+    return ticks;
+  };
+  EXPECT_EQ(ticks_of_threat(0.7), 0);  // further than the radius
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kNothing);
+  EXPECT_EQ(ticks_of_threat(0.4), 31);
+  EXPECT_EQ(room.report.blocked_by, BlockedBy::kObstacle);
+  EXPECT_DOUBLE_EQ(room.report.blocked_at.x, 0.625);
+  EXPECT_EQ(ticks_of_threat(0.4), 0);
+  EXPECT_EQ(ticks_of_threat(0.2), 31);
+  EXPECT_DOUBLE_EQ(room.report.blocked_at.x, 0.375);
+}
+
+/// No way leads out: it looks around, says all the while what is too near, and gives up.
+TEST(FlightBlocked, HemmedInItLooksAround) {
+  FlightRoom room;
+  const Vec3& p = room.start;
+  room.mark({{p.x - 0.6, p.y - 0.6, p.z - 0.6}, {p.x + 0.6, p.y + 0.6, p.z - 0.4}});
+  room.mark({{p.x - 0.6, p.y - 0.6, p.z + 0.4}, {p.x + 0.6, p.y + 0.6, p.z + 0.6}});
+  for (const double side : {-0.6, 0.4}) {
+    room.mark({{p.x + side, p.y - 0.6, p.z - 0.6}, {p.x + side + 0.2, p.y + 0.6, p.z + 0.6}});
+    room.mark({{p.x - 0.6, p.y + side, p.z - 0.6}, {p.x + 0.6, p.y + side + 0.2, p.z + 0.6}});
+  }
+  ASSERT_EQ(room.flight.set_goal({8.0, 0.0, 1.125}), Status::kOk);
+  int threats = 0;
+  int looks = 0;
+  while (room.time < 20000000000 && room.report.reason != FlightReason::kHemmedIn) {
+    room.tick();
+    threats += room.report.mode == FlightMode::kThreat ? 1 : 0;
+    looks += room.report.mode == FlightMode::kLook ? 1 : 0;
+    if (room.report.mode != FlightMode::kLook) continue;
+    ASSERT_EQ(room.report.blocked_by, BlockedBy::kObstacle);
+    ASSERT_LT(distance_to_cube(p, room.report.blocked_at, FlightRoom::kCell), FlightRoom::kRadius);
+  }
+  EXPECT_EQ(room.report.mode, FlightMode::kRest);
+  EXPECT_LE(threats, 40);
+  EXPECT_GT(looks, 700);  // 13 directions of 0.614 s
+}
+
 TEST(FlightBlocked, GoalInAKeepOut) {
   Halfspace planes[kBoxPlanes];
   box_planes({{4.0, -2.0, -3.0}, {6.0, 2.0, 5.0}}, planes);

@@ -33,12 +33,12 @@ struct Wall {
   }
 
   /// What the watch says of two seconds, with the reports of `mode` and of contacts.
-  std::string watch(const std::function<tern::FlightReport(std::int64_t)>& report) {
+  std::string watch(const std::function<tern::FlightReport(std::int64_t)>& report, int ticks = 200) {
     const tern_host::Rooms rooms(world, map);
     const tern_host::FlownCommands commands{[](std::int64_t t) { return command(t); }, [] { return tern::Vec3{}; }};
     tern_host::ThreatWatch watch(world.settings, spec, map, rooms, commands);
-    for (std::int64_t t = 0; t < 200 * kTick && watch.broken().empty(); t += kTick) {
-      if (t == kAppears) map.mark_box({{5.0, -2.0, 0.0}, {5.5, 2.0, 4.0}});
+    for (std::int64_t t = 0; t < ticks * kTick && watch.broken().empty(); t += kTick) {
+      if (t == kAppears) map.mark_box({{5.0, -2.0, 0.0}, {6.5, 2.0, 4.0}});
       watch.look(t, report(t));
     }
     return watch.broken();
@@ -59,7 +59,7 @@ struct Wall {
     if (t < kAppears) return report;
     report.mode = FlightMode::kThreat;
     report.contact_time = std::max(t, std::int64_t{2325000000});
-    report.contact_speed = 2.0;
+    report.contact_speed = command(report.contact_time).velocity.x;
     return report;
   }
 
@@ -80,6 +80,24 @@ TEST(ThreatWatch, IsContentWithAnHonestFlight) {
 
 TEST(ThreatWatch, NoticesAFlightThatSaysNothing) {
   EXPECT_TRUE(says(Wall().watch([](std::int64_t) { return tern::FlightReport{}; }), "does not say so"));
+}
+
+/// After three seconds the vehicle rests in the wall. It need not call that a threat for ever, but must say what is in
+/// the way.
+TEST(ThreatWatch, LetsAFlightRestBesideWhatItSaid) {
+  const auto silent_from = [](std::int64_t from, tern::BlockedBy by) {
+    return Wall().watch(
+        [=](std::int64_t t) {
+          tern::FlightReport report{};
+          report.blocked_by = by;
+          return t < from ? Wall::honest(t) : report;
+        },
+        400);
+  };
+  EXPECT_EQ(silent_from(310 * kTick, tern::BlockedBy::kObstacle), "");
+  EXPECT_TRUE(says(silent_from(310 * kTick, tern::BlockedBy::kNothing), "does not say so"));
+  EXPECT_TRUE(says(silent_from(250 * kTick, tern::BlockedBy::kObstacle), "does not say so"));
+  EXPECT_TRUE(says(silent_from(kAppears, tern::BlockedBy::kObstacle), "does not say so"));
 }
 
 /// Some ticks are left to it.

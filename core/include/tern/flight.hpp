@@ -93,7 +93,8 @@ enum class FlightMode : uint8_t {
   kLook,      ///< hovering, and turning the sensor to where space is unknown
   kFly,       ///< on the way
   kStop,      ///< on the brake that ends the committed plan; a new plan may still take over
-  kThreat,    ///< the committed plan is no longer proven on the map as it is now
+  kThreat,    ///< the committed plan is no longer proven on the map as it is now. At rest only for 0.3 s after
+              ///< something came nearer than the radius, or nearer than before; then FlightReport::blocked_by says what
 };
 
 /// Why the vehicle rests, or does not go on.
@@ -181,7 +182,8 @@ struct FlightReport {
   /// Nanoseconds since a tick last found that a frame or scan was begun; since start(), if there was none.
   int64_t frame_age;
   /// What ended the proof of the last plan, or what is in the way of one, if none was found. kNothing where the last
-  /// plan was proven to its end, at the goal, and without one. It explains, and decides nothing.
+  /// plan was proven to its end, at the goal, and without one. While the vehicle rests with something nearer than the
+  /// radius, with a goal or without: the nearest of that. It explains, and decides nothing.
   BlockedBy blocked_by;
   /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence the place
   /// on the way. Zero for kNothing.

@@ -77,9 +77,10 @@ NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) no
   return best;
 }
 
-/// What ended the proof of the plan at hand. After the flight gave up, what made it do so stands.
+/// What ended the proof of the plan at hand. After the flight gave up, what made it do so stands; so does what is too
+/// near to where the vehicle rests.
 void FlightState::note_unproven() noexcept {
-  if (parked) return;
+  if (parked || is_beside()) return;
   const ProofReport& found = proof.report();
   const Vec3 place = evaluate(draft.wished, found.until).position;
   block = kNoBlockage;
@@ -95,14 +96,16 @@ Blockage FlightState::block_at(const Voxel& voxel) const noexcept {
   return {is_seen ? BlockedBy::kObstacle : BlockedBy::kUnseen, safe.spec().origin + safe.center(voxel), kNoFence};
 }
 
-/// What of the safe grid, or of what was seen, is too near to a place. Nothing is known of the map while it slides.
-void FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept {
-  if (!grid.bound()) return;
+/// What of the safe grid, or of what was seen, is too near to a place, and how far it is from there; further than the
+/// radius if there is nothing. Nothing is known of the map while it slides.
+double FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept {
+  if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
   const double reach = window.clearance() + kBeyondRadius * window.cell;
   const NearestSolid solid = nearest_solid(grid, grid.to_local(place), reach);
   owed += kSolidEffort * solid.words;
   if (solid.found) block = block_at(solid.voxel);
+  return solid.distance;
 }
 
 /// No way leads on from the point nearest to the goal: what comes next on the straight line. A fence does not go away,

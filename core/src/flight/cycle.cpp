@@ -21,8 +21,6 @@ constexpr double kEarlier = 1e-6;
 constexpr int kAttempts = 3;
 constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
-/// Metres: further than any window is wide.
-constexpr double kAnywhere = 1e9;
 /// Ticks from the beginning of a plan to the instant when it takes over: twice as many for each plan that was dropped
 /// before.
 std::int64_t lead_ticks(const FlightSpec& spec, int late) {

@@ -76,9 +76,11 @@ void FlightState::take_over() noexcept {
   has_next = meets_before = false;
 }
 
+/// At rest, what is too near and comes no nearer is a threat for a while alone: nothing can be done about it but to
+/// leave, or to say why not.
 FlightMode FlightState::mode() const noexcept {
-  const bool gave_up = parked && rests();
-  if (alarmed || ((threat || meets_before) && !gave_up)) return FlightMode::kThreat;
+  const bool is_told = rests() && time - alarm_time > kTold;
+  if (alarmed || ((threat || meets_before) && !is_told)) return FlightMode::kThreat;
   if (hovers()) return is_looking ? FlightMode::kLook : FlightMode::kRest;
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
@@ -115,7 +117,7 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.leg = itinerary.leg;
   report.passed = count_points(itinerary, PointState::kPassed);
   report.skipped = count_points(itinerary, PointState::kSkipped);
-  const bool has_block = reason != FlightReason::kNoGoal && reason != FlightReason::kArrived;
+  const bool has_block = is_beside() || (reason != FlightReason::kNoGoal && reason != FlightReason::kArrived);
   const Blockage& what = has_block ? block : kNoBlockage;
   report.blocked_by = what.by;
   report.blocked_at = what.at;
@@ -147,6 +149,7 @@ Status Flight::tick(int64_t t) noexcept {
   Work work = state.begin_work();
   state.step_map(work);
   state.run_watch(work);
+  state.note_beside();
   state.turn_nose(work);
   state.advance(work);
   state.finish_report(state.spec.work_per_tick - work.left);

@@ -36,6 +36,11 @@ constexpr double kAimVoxels = 2.0;
 constexpr int kFruitless = 150;
 constexpr std::uint64_t kLearned = 64;
 constexpr int kWandering = 1500;
+/// Nanoseconds for which the report calls something a threat that is too near to where the vehicle rests, and comes no
+/// nearer.
+constexpr std::int64_t kTold = 300000000;
+/// Metres: further than any window is wide.
+constexpr double kAnywhere = 1e9;
 /// Points of a way that are so near are the same, metres.
 constexpr double kSamePlace = 1e-6;
 
@@ -119,12 +124,14 @@ class FlightState {
   bool watch_all;         ///< of what is flown, not only what is near to what was added
   std::uint64_t watched;  ///< the safe grid's revision then
   bool threat;
-  bool alarmed;       ///< in this tick
-  bool evaded;        ///< it was tried on this map
-  int missed;         ///< evasions that were dropped, one after the other
-  Contact contact;    ///< of the threat, along what was flown when it was found
-  bool meets_before;  ///< what comes before the takeover is not proven; what takes over is,
-  Contact before;     ///< or has a later contact than this one
+  bool alarmed;             ///< in this tick
+  std::int64_t alarm_time;  ///< of the last such tick
+  double beside;            ///< at rest under a threat: how near the nearest thing was, metres
+  bool evaded;              ///< it was tried on this map
+  int missed;               ///< evasions that were dropped, one after the other
+  Contact contact;          ///< of the threat, along what was flown when it was found
+  bool meets_before;        ///< what comes before the takeover is not proven; what takes over is,
+  Contact before;           ///< or has a later contact than this one
   bool has_alarm;
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
@@ -159,6 +166,8 @@ class FlightState {
   const Commitment& latest() const noexcept { return has_next ? next : now; }
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
+  /// Something is nearer than the radius to where the vehicle rests.
+  bool is_beside() const noexcept { return threat && rests(); }
   /// Also before the takeover of what was committed at rest, and on what start() begins with.
   bool hovers() const noexcept { return time >= rest_begins() || !(duration(now.flown) > kMinDuration); }
   /// Where nothing new takes over before; two ticks more or less do not matter.
@@ -201,7 +210,7 @@ class FlightState {
   // blocked.cpp: what the report says is in the way
   void note_unproven() noexcept;
   void note_no_plan(const Report& found) noexcept;
-  void note_block_near(const Vec3& place, const Grid& grid) noexcept;
+  double note_block_near(const Vec3& place, const Grid& grid) noexcept;
   void note_block_beyond(const Vec3& reachable) noexcept;
   Blockage block_at(const Voxel& voxel) const noexcept;
 
@@ -307,6 +316,8 @@ class FlightState {
   void begin_watch() noexcept;
   void watch_part(Watched which) noexcept;
   void end_part() noexcept;
+  void note_beside() noexcept;
+  bool is_news() noexcept;
   void note_threat() noexcept;
   Contact watched_contact() const noexcept;
   void note_added() noexcept;

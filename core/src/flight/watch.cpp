@@ -83,8 +83,26 @@ void FlightState::end_part() noexcept {
   }
 }
 
+/// What is too near to where the vehicle rests, once: it may have come to rest after that was found.
+void FlightState::note_beside() noexcept {
+  if (is_beside() && !(beside < kAnywhere)) beside = note_block_near(sample_at(time).position, map.safe());
+}
+
+/// At rest, only what is nearer than before: it comes towards the vehicle.
+bool FlightState::is_news() noexcept {
+  const double gap_before = is_beside() ? beside : kAnywhere;
+  beside = rests() ? note_block_near(sample_at(time).position, map.safe()) : kAnywhere;
+  const bool comes_nearer = beside < gap_before;
+  beside = smaller(beside, gap_before);
+  return comes_nearer || !is_beside();
+}
+
 void FlightState::note_threat() noexcept {
-  threat = alarmed = true;
+  if (is_news()) {
+    alarmed = true;
+    alarm_time = time;
+  }
+  threat = true;
   evaded = known = false;
   contact = watched_contact();
   if (has_next && !next.evades) {

@@ -85,7 +85,7 @@ void ThreatWatch::look(std::int64_t t, const tern::FlightReport& report) {
   const bool is_over = unproven_ >= 0 && unproven_ < t;
   if (reports || is_over || map_.revision() != revision_ || report.committed != last_.committed) follow(t);
   if (reports && unproven_ >= 0) check_report(t, report);
-  count_disagreement(threat, t);
+  count_disagreement(report, t);
   last_ = report;
 }
 
@@ -94,17 +94,21 @@ std::int64_t ThreatWatch::notice_ticks() const {
 }
 
 /// The flight looks at whole frames, and needs some ticks for a proof. An alarm in which nothing is in the way is one
-/// of a plan that was taken back, and over soon; or the vehicle rests beside something and may stay.
-void ThreatWatch::count_disagreement(bool threat, std::int64_t t) {
+/// of a plan that was taken back, and over soon; or the vehicle rests beside something and may stay. What it said there
+/// once, it need not say for ever, but what is in the way.
+void ThreatWatch::count_disagreement(const tern::FlightReport& report, std::int64_t t) {
   const std::int64_t most = notice_ticks();
-  unnoticed_ = shown_ >= 0 && !threat ? unnoticed_ + 1 : 0;
+  const bool threat = report.mode == tern::FlightMode::kThreat;
+  said_ = threat || (said_ && shown_ >= 0);
+  const bool is_told = said_ && rests(commands_.at(t)) && report.blocked_by != tern::BlockedBy::kNothing;
+  unnoticed_ = shown_ >= 0 && !threat && !is_told ? unnoticed_ + 1 : 0;
   unfounded_ = unproven_ < 0 && threat && !rooms_.leaves() && !map_.busy() ? unfounded_ + 1 : 0;
   if (unnoticed_ > most) fail("something is in the way, and the flight does not say so", t);
   if (unfounded_ > most) fail("the flight says that something is in the way, and there is not", t);
 }
 
 /// The instant and the speed of a contact that is announced. A brake that is committed answers for the time from its
-/// beginning on.
+/// beginning on. A plan that begins at rest hardly moves at first, and may be too near by nanometres for a while.
 void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report) {
   const double speed = length(commands_.at(report.contact_time).velocity);
   if (std::abs(speed - report.contact_speed) > kSpeedError) {
@@ -117,7 +121,9 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
   const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - 100 * kMicrosecond;
   const std::int64_t begun = t + kLongestLead * spec_.tick;
   const std::int64_t latest = unproven_ <= begun ? std::max(begun, first_unproven(begun)) : unproven_;
-  if (report.contact_time < earliest || report.contact_time > latest + kMicrosecond) {
+  const bool is_early =
+      report.contact_time < earliest && rooms_.from_solid(commands_.at(report.contact_time).position) > kLeastWay;
+  if (is_early || report.contact_time > latest + kMicrosecond) {
     fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
              ", but what is commanded is too near at t = " + fixed(1e-9 * static_cast<double>(unproven_), 4),
          t);

@@ -47,7 +47,7 @@ class ThreatWatch {
   void check_report(std::int64_t t, const tern::FlightReport& report);
   void check_past(std::int64_t t, const tern::FlightReport& report);
   std::int64_t notice_ticks() const;
-  void count_disagreement(bool threat, std::int64_t t);
+  void count_disagreement(const tern::FlightReport& report, std::int64_t t);
   double brake_speed(const std::vector<Appearance>& things, double near) const;
   bool is_clear(const BrakeWay& way, const std::vector<Appearance>& things) const;
 
@@ -60,6 +60,7 @@ class ThreatWatch {
   std::int64_t unproven_ = -1;  ///< when what is commanded comes too near to what the map shows; negative: never
   std::int64_t shown_ = -1;     ///< since when that is so
   std::vector<tern::Sample> shown_way_;         ///< what was commanded then, a millisecond apart, up to the rest
+  bool said_ = false;                           ///< the flight said that something is in the way since it is
   std::int64_t unnoticed_ = 0, unfounded_ = 0;  ///< ticks in a row in which flight and watch do not agree
   tern::FlightReport last_{};
   std::string broken_;
