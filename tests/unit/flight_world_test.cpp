@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -54,6 +55,33 @@ TEST(AssumedBall, HoldsNothingOfAnObstacle) {
   EXPECT_EQ(assumed_beside({}, {{2.5, 0.1, -1.0, 1.0, 0.35}}), 1.55);
   // The start's own voxel.
   EXPECT_NEAR(assumed_beside({{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}}, {}), std::sqrt(0.03) - 1e-6, 1e-9);
+}
+
+/// Where the ball at the start holds what the sensor needs, it is the only one. In a corridor there are more along it,
+/// and all of them lie in it.
+TEST(AssumedBall, CorridorsHaveMoreAlongThem) {
+  tern::GridSpec grid{};
+  grid.cell = 0.1;
+  grid.radius = 0.35;
+  FlightWorld world;
+  world.start = {0.0, 0.0, 0.0};
+  world.boundary = {{-5.0, -0.95, -1.0}, {5.0, 0.95, 1.0}};
+  grid.origin = {-6.0, -2.0, -2.0};
+  ASSERT_EQ(tern_host::assumed_balls(world, grid).size(), 1u);
+  for (const bool along_y : {false, true}) {
+    world.boundary = {{-5.0, -0.6, -2.0}, {5.0, 0.6, 2.0}};
+    if (along_y) world.boundary = {{-0.6, -5.0, -2.0}, {0.6, 5.0, 2.0}};
+    double least = 0.0;
+    double most = 0.0;
+    for (const tern_host::AssumedBall& ball : tern_host::assumed_balls(world, grid)) {
+      EXPECT_LT(ball.radius, std::sqrt(0.51));  // the nearest voxel beyond a wall
+      EXPECT_GE(clearance(world, ball.center), 0.35);
+      least = std::min(least, along_y ? ball.center.y : ball.center.x);
+      most = std::max(most, along_y ? ball.center.y : ball.center.x);
+    }
+    EXPECT_LT(least, -0.7);
+    EXPECT_GT(most, 0.7);
+  }
 }
 
 TEST(WorldFamily, NamesSayFamilySpeedAndSeed) {

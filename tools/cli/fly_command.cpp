@@ -59,6 +59,7 @@ void print(const tern_host::FlightWorld& world, const tern_host::FlightResult& r
               mean);
   if (!result.reached()) std::printf("why: %s\n", result.reason.c_str());
   if (result.blocked_by != tern::BlockedBy::kNothing) std::printf("in the way: %s\n", result.blocked().c_str());
+  if (result.narrow.axis != 0) std::printf("too narrow: %s\n", result.narrow.text().c_str());
   if (!world.vias.empty()) print_mission(result);
   if (result.view_wait > 0.0) std::printf("the field of view slowed the flight for %.2f s\n", result.view_wait);
   std::printf("least clearance %.3f m\n", result.min_clearance);

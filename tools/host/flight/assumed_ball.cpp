@@ -11,8 +11,13 @@ namespace {
 using tern::Box;
 using tern::Vec3;
 
-constexpr double kRounding = 1e-9;  // metres: voxels that only touch something hold nothing of it
-constexpr double kShort = 1e-6;     // metres short of the first voxel that is not free
+constexpr double kRounding = 1e-9;   // metres: voxels that only touch something hold nothing of it
+constexpr double kShort = 1e-6;      // metres short of the first voxel that is not free
+constexpr double kMostVoxels = 6.0;  // that the operator knows beyond the radius, if they are free
+constexpr double kKeptVoxels = 2.0;  // and that a vehicle needs beyond it to leave the ball
+constexpr double kStepVoxels = 2.0;  // from one ball to the next
+constexpr int kDirections = 16;
+constexpr double kTurn = 6.28318530717958648;
 
 bool overlap(const Box& a, const Box& b) {
   return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y &&
@@ -62,6 +67,24 @@ double assumed_radius(const FlightWorld& world, const tern::GridSpec& grid, doub
     if (reached < nearest && !is_free(world, {in, {in.x + size, in.y + size, in.z + size}})) nearest = reached;
   }
   return std::min(most, nearest - kShort);
+}
+
+std::vector<AssumedBall> assumed_balls(const FlightWorld& world, const tern::GridSpec& grid) {
+  const double most = grid.clearance() + kMostVoxels * grid.cell;
+  const double seen_from = (grid.clearance() + kKeptVoxels * grid.cell) / std::sin(0.5 * world.settings.fov_vertical);
+  const double enough = std::min(most, seen_from);
+  std::vector<AssumedBall> balls{{world.start, assumed_radius(world, grid, most)}};
+  if (balls.front().radius >= enough) return balls;
+  FlightWorld carried = world;
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = kTurn * k / kDirections;
+    for (double way = kStepVoxels * grid.cell; way <= enough; way += kStepVoxels * grid.cell) {
+      carried.start = {world.start.x + way * std::cos(angle), world.start.y + way * std::sin(angle), world.start.z};
+      if (clearance(world, carried.start) < grid.clearance()) break;
+      balls.push_back({carried.start, assumed_radius(carried, grid, most)});
+    }
+  }
+  return balls;
 }
 
 }  // namespace tern_host

@@ -94,6 +94,10 @@ Json blocked_json(const FlightResult& result) {
   const tern::Vec3& at = result.blocked_at;
   Json blocked = {{"by", tern::blocked_by_text(result.blocked_by)}, {"at", {at.x, at.y, at.z}}};
   if (result.blocked_fence != tern::kNoFence) blocked["fence"] = result.blocked_fence;
+  const NarrowPlace& narrow = result.narrow;
+  if (narrow.axis != 0) {
+    blocked["narrow"] = {{"along", std::string(1, narrow.axis)}, {"free", narrow.free}, {"needed", narrow.plan}};
+  }
   return blocked;
 }
 

@@ -31,8 +31,6 @@
 namespace tern_host {
 namespace {
 
-constexpr double kAssumedVoxels = 6.0;  ///< that the operator knows beyond the radius, if they are free
-
 class Simulation {
  public:
   Simulation(const FlightWorld& world, const FlightOnlooker& onlooker, std::string* record)
@@ -69,6 +67,7 @@ class Simulation {
     result.blocked_by = report_.blocked_by;
     result.blocked_at = report_.blocked_at;
     result.blocked_fence = report_.blocked_fence;
+    result.narrow = narrow_place(map_.safe(), report_, flight_.rest_position());
     result.view_wait = static_cast<double>(view_waits_) / world_.settings.tick_hz;
     const WatchCounts& counts = watch_->counts();
     result.mission = mission_->points();
@@ -100,9 +99,9 @@ class Simulation {
     tern::FlightRecorder& record = tape_.recorder();
     record.bind(map_spec_, bound);
     check_world(world_, spec_, map_spec_);
-    const double most = radius_of(world_.settings) + kAssumedVoxels * map_spec_.cell;
-    const double free = assumed_radius(world_, map_.safe().spec(), most);
-    record.assume_free(world_.start, free, map_.assume_free(world_.start, free));
+    for (const AssumedBall& ball : assumed_balls(world_, map_.safe().spec())) {
+      record.assume_free(ball.center, ball.radius, map_.assume_free(ball.center, ball.radius));
+    }
     tern::FlightRefusal refusal;
     const tern::Status begun =
         flight_.start(spec_, map_, planner_, words_.data(), words_.size(), world_.start, 0, &refusal);
@@ -213,8 +212,8 @@ class Simulation {
   }
 
   FlightErrors errors() const {
-    const FlightSettings& s = world_.settings;
-    return {recorder_.tracking_max(), s.tracking_margin, recorder_.pose_max(), s.pose_margin};
+    return {recorder_.tracking_max(), world_.settings.tracking_margin, recorder_.pose_max(),
+            world_.settings.pose_margin};
   }
 
   bool touches() const { return recorder_.clearance_now() < world_.settings.body_radius; }

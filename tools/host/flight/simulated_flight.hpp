@@ -13,6 +13,7 @@
 
 #include "host/flight/flight_contact.hpp"
 #include "host/flight/flight_world.hpp"
+#include "host/flight/narrow_place.hpp"
 #include "host/vehicle/vehicle.hpp"
 #include "tern/flight.hpp"
 
@@ -64,7 +65,8 @@ struct FlightResult {
   tern::BlockedBy blocked_by = tern::BlockedBy::kNothing;  ///< at the end, as tern::FlightReport says,
   tern::Vec3 blocked_at{};                                 ///< and where
   std::int32_t blocked_fence = tern::kNoFence;
-  double time = 0.0;  ///< seconds
+  NarrowPlace narrow;  ///< beside a voxel that is in the way
+  double time = 0.0;   ///< seconds
   double length = 0.0;
   double min_clearance = 0.0;
   double tracking_max = 0.0, tracking_rms = 0.0;  ///< of where the vehicle believes to be, off the command, metres
