@@ -14,44 +14,53 @@
 static const tern_box room = {{-2, -4, 0}, {10, 4, 3}};
 static const tern_box walls[2] = {{{4, -4, 0}, {4.4, 1, 3}}, {{4, 3, 0}, {4.4, 4, 3}}};
 
-/* Along a ray p + t d, where it enters a box and where it leaves it; enter > leave where it misses. */
-static void cross(const double p[3], const double d[3], const tern_box* box, double* enter, double* leave) {
-  const double low[3] = {box->lower.x, box->lower.y, box->lower.z};
-  const double high[3] = {box->upper.x, box->upper.y, box->upper.z};
-  *enter = 0;
-  *leave = 1e9;
+/* The rays of a pixel of the level camera that looks along `yaw`: along each axis, the least and the largest way at a
+ * depth of 1. */
+static void rays_of(int u, int v, double yaw, double rays[3][2]) {
+  for (int corner = 0; corner < 4; ++corner) {
+    const double right = (u + (corner % 2) - 0.5 * WIDTH) / FOCAL;
+    const double down = (v + (corner / 2) - 0.5 * HEIGHT) / FOCAL;
+    const double ray[3] = {cos(yaw) + right * sin(yaw), sin(yaw) - right * cos(yaw), -down};
+    for (int a = 0; a < 3; ++a) {
+      rays[a][0] = corner == 0 ? ray[a] : fmin(rays[a][0], ray[a]);
+      rays[a][1] = corner == 0 ? ray[a] : fmax(rays[a][1], ray[a]);
+    }
+  }
+}
+
+/* 1 / depth of what a pixel shows of a box from p, at least that of the nearest point; 0 if the pixel shows nothing of
+ * it. At a depth of 1 / w, rays are between the box's faces along an axis if low w <= largest and high w >= least. */
+static double box_in(const double p[3], double rays[3][2], const tern_box* box) {
+  const double low[3] = {box->lower.x - p[0], box->lower.y - p[1], box->lower.z - p[2]};
+  const double high[3] = {box->upper.x - p[0], box->upper.y - p[1], box->upper.z - p[2]};
+  double least = 0, most = 1e9;
   for (int a = 0; a < 3; ++a) {
-    const double rate = fabs(d[a]) > 1e-9 ? d[a] : 1e-9;
-    const double one = (low[a] - p[a]) / rate;
-    const double other = (high[a] - p[a]) / rate;
-    *enter = fmax(*enter, fmin(one, other));
-    *leave = fmin(*leave, fmax(one, other));
+    if (low[a] > 0) most = fmin(most, rays[a][1] / low[a]);
+    if (low[a] < 0) least = fmax(least, rays[a][1] / low[a]);
+    if (high[a] > 0) least = fmax(least, rays[a][0] / high[a]);
+    if (high[a] < 0) most = fmin(most, rays[a][0] / high[a]);
   }
+  return least <= most ? most : 0;
 }
 
-/* Depth of a ray of the level camera at p that looks along `yaw`; (right, down) at a depth of 1. */
-static double depth_along(const double p[3], double yaw, double right, double down) {
-  const double d[3] = {cos(yaw) + right * sin(yaw), sin(yaw) - right * cos(yaw), -down};
-  double enter, leave, depth;
-  cross(p, d, &room, &enter, &depth);
-  for (int k = 0; k < 2; ++k) {
-    cross(p, d, &walls[k], &enter, &leave);
-    if (enter <= leave) depth = fmin(depth, enter);
-  }
-  return depth;
+/* The same of the room's faces, from inside. */
+static double room_in(const double p[3], double rays[3][2]) {
+  const double low[3] = {room.lower.x - p[0], room.lower.y - p[1], room.lower.z - p[2]};
+  const double high[3] = {room.upper.x - p[0], room.upper.y - p[1], room.upper.z - p[2]};
+  double most = 0;
+  for (int a = 0; a < 3; ++a) most = fmax(most, fmax(rays[a][1] / high[a], rays[a][0] / low[a]));
+  return most;
 }
 
-/* In place of your camera. A pixel shows what is nearest in it, so the least depth of its corners. */
+/* In place of your camera. A pixel shows the nearest thing in the whole of it, not only along one ray. */
 static void take_image(const double p[3], double yaw, float* image) {
   for (int v = 0; v < HEIGHT; ++v) {
     for (int u = 0; u < WIDTH; ++u) {
-      double depth = 1e9;
-      for (int corner = 0; corner < 4; ++corner) {
-        const double right = (u + (corner % 2) - 0.5 * WIDTH) / FOCAL;
-        const double down = (v + (corner / 2) - 0.5 * HEIGHT) / FOCAL;
-        depth = fmin(depth, depth_along(p, yaw, right, down));
-      }
-      image[v * WIDTH + u] = (float)depth;
+      double rays[3][2];
+      rays_of(u, v, yaw, rays);
+      double nearest = room_in(p, rays);
+      for (int k = 0; k < 2; ++k) nearest = fmax(nearest, box_in(p, rays, &walls[k]));
+      image[v * WIDTH + u] = (float)(1 / nearest);
     }
   }
 }
@@ -116,7 +125,7 @@ int main(void) {
   void* workspace = malloc(bytes);
   const int good = map_words && words && workspace && tern_planner_init(&planner, workspace, bytes) == TERN_OK &&
                    tern_map_bind(&map, &map_spec, map_words, map_count, NULL) == TERN_OK &&
-                   tern_map_assume_free(&map, &start, 1) == TERN_OK &&
+                   tern_map_assume_free(&map, &start, 1.2) == TERN_OK &&
                    tern_flight_start(&flight, &spec, &map, &planner, words, count, &start, 0) == TERN_OK &&
                    tern_flight_set_goal(&flight, &goal) == TERN_OK && fly(&flight, &map, spec.tick, &report);
 

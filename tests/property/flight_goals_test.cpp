@@ -83,6 +83,37 @@ TEST(FlightGoals, GoalsBeyondTheWindowAreReached) {
   }
 }
 
+/// A room of 12 x 8 x 3 m that a wall with a doorway parts.
+Scene parted_room() {
+  Scene scene;
+  scene.boxes = {{{-3.0, -5.0, 3.0}, {11.0, 5.0, 4.0}}, {{-3.0, -5.0, 0.0}, {-2.0, 5.0, 3.0}},
+                 {{10.0, -5.0, 0.0}, {11.0, 5.0, 3.0}}, {{-2.0, -5.0, 0.0}, {10.0, -4.0, 3.0}},
+                 {{-2.0, 4.0, 0.0}, {10.0, 5.0, 3.0}},  {{4.0, -4.0, 0.0}, {4.4, 1.0, 3.0}},
+                 {{4.0, 3.0, 0.0}, {4.4, 4.0, 3.0}}};
+  return scene;
+}
+
+/// Goals anywhere in the room, from a radius and a voxel away from its faces on, many of them right above the floor or
+/// below the ceiling. What is next to a face is seen whole only along flat lines of sight, since the pose may be wrong.
+TEST(FlightGoals, GoalsAnywhereInARoomAreReached) {
+  FlightSettings settings;
+  settings.radius = 0.3;
+  settings.pose_margin = 0.05;
+  settings.window = {128, 64, 20};
+  Random random(44);
+  for (int k = 0; k < tern_test::scaled(9); ++k) {
+    const bool is_beyond = k % 3 > 0;
+    const double x = is_beyond ? random.real(4.92, 9.48) : random.real(-1.48, 3.48);
+    const double heights[] = {0.52, random.real(0.52, 2.48), 2.48};
+    const Vec3 goal{x, random.real(-3.48, 3.48), heights[k / 3 % 3]};
+    Flown flown(parted_room(), settings);
+    EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
+    EXPECT_EQ(flown.fly(90.0), FlightReason::kArrived)
+        << goal.x << " " << goal.y << " " << goal.z << ": " << story(flown);
+    EXPECT_LT(from_goal(flown, goal), 0.01);
+  }
+}
+
 /// Below the floor, above the window, and further away than anything is flown: the vehicle rests with a reason and then
 /// reaches a goal that it can.
 TEST(FlightGoals, GoalsOutOfReachEndWithAReason) {

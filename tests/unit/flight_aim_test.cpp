@@ -106,29 +106,6 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
   expect_same(look(above, {{p.x - 0.1, p.y - 0.1, p.z + 0.4}, {p.x + 0.1, p.y + 0.1, p.z + 0.6}}), old);
 }
 
-/// Something straight ahead along x is too near to be seen: two metres back, which are four radii, and then an eighth
-/// of a turn to either side of that, and a quarter.
-TEST(FlightAim, RetreatsLeadBackAndAside) {
-  FlightRoom room;
-  FlightState& state = room.state();
-  const Vec3& p = room.start;
-  state.look_at = {p.x + 1.0, p.y, p.z + 0.75};
-  const double diagonal = 2.0 * 0.70710678118654752;
-  const Vec3 offsets[] = {
-      {-2.0, 0.0, 0.0}, {-diagonal, -diagonal, 0.0}, {-diagonal, diagonal, 0.0}, {0.0, -2.0, 0.0}, {0.0, 2.0, 0.0},
-      {-2.0, 0.0, 0.0}};
-  for (state.retreat = 1; state.retreat <= 6; ++state.retreat) {
-    state.aims_at_goal = true;
-    state.choose_retreat(p);
-    expect_same(state.aim, p + offsets[state.retreat - 1]);
-    EXPECT_FALSE(state.aims_at_goal);
-  }
-  state.retreat = 1;
-  state.look_at = {p.x, p.y, p.z + 0.75};  // straight above: any direction will do
-  state.choose_retreat(p);
-  expect_same(state.aim, {p.x + 2.0, p.y, p.z});
-}
-
 /// No way leads to the aim: the nearest point that one leads to takes its place, if nothing unseen was solid. Where the
 /// vehicle rests there already, the goal is cut off.
 TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {

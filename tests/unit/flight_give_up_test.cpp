@@ -16,31 +16,54 @@ using namespace tern;
 using tern_test::expect_same;
 using tern_test::FlightRoom;
 
-/// No plan leads anywhere: the vehicle looks around, then tries each of five places twice, and gives up. Where
-/// something is within its radius, or after three retreats that led no nearer, it gives up at once.
-TEST(FlightGivesUp, RetreatsAreTriedBeforeItGivesUp) {
-  const auto cycles_until_parked = [](bool leaves, int retreats) {
-    FlightRoom room;
-    room.flight.set_goal({8.125, 0.125, 1.125});
-    FlightState& state = room.state();
-    state.time = 2000000000;
-    EXPECT_TRUE(state.rests());
-    state.leaves = leaves;
-    state.retreats = retreats;
-    for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
-    EXPECT_TRUE(state.is_looking);
-    state.note_idle();
-    EXPECT_EQ(state.retreat, 0);
-    state.time += 9000000000;  // 13 directions of 0.614 s
-    int cycles = 0;
-    for (; cycles < 100 && !state.parked; ++cycles) state.note_idle();
-    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
-    return cycles;
-  };
-  EXPECT_EQ(cycles_until_parked(false, 0), 11);
-  EXPECT_EQ(cycles_until_parked(false, 2), 11);
-  EXPECT_EQ(cycles_until_parked(false, 3), 1);
-  EXPECT_EQ(cycles_until_parked(true, 0), 1);
+/// No plan leads anywhere because of a voxel that was not seen: the vehicle flies to two places from where it may see
+/// it, looks around, flies to some more and straight away, and gives up.
+TEST(FlightGivesUp, WhatBlocksTheWayIsLookedAtBeforeItGivesUp) {
+  FlightRoom room;
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  FlightState& state = room.state();
+  state.time = 2000000000;
+  EXPECT_TRUE(state.rests());
+  state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
+  for (int k = 1; k < kIdleCycles; ++k) state.note_idle();
+  EXPECT_FALSE(state.seeks);
+  state.note_idle();
+  EXPECT_TRUE(state.seeks);
+  EXPECT_FALSE(state.is_looking);
+  state.lookouts = 2;
+  state.note_idle();
+  EXPECT_FALSE(state.seeks);
+  EXPECT_TRUE(state.is_looking);
+  state.note_idle();
+  EXPECT_TRUE(state.is_looking);
+  state.time += 9000000000;  // 13 directions of 0.614 s
+  state.note_idle();
+  EXPECT_TRUE(state.seeks);
+  EXPECT_FALSE(state.goes_away());
+  state.sought = kAround;
+  state.note_idle();
+  EXPECT_TRUE(state.goes_away());
+  EXPECT_FALSE(state.parked);
+  state.note_idle();
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+}
+
+/// Something is within the radius: after a look around the vehicle gives up.
+TEST(FlightGivesUp, HemmedInItLooksForNoPlaceToLookFrom) {
+  FlightRoom room;
+  room.flight.set_goal({8.125, 0.125, 1.125});
+  FlightState& state = room.state();
+  state.time = 2000000000;
+  state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
+  state.leaves = true;
+  for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
+  EXPECT_TRUE(state.is_looking);
+  state.time += 9000000000;  // 13 directions of 0.614 s
+  state.note_idle();
+  EXPECT_FALSE(state.seeks);
+  EXPECT_TRUE(state.parked);
+  EXPECT_EQ(state.reason, FlightReason::kHemmedIn);
 }
 
 /// No way leads on to a point of a mission: the next one is the goal now.
@@ -73,7 +96,7 @@ TEST(FlightGivesUp, AGoalThatIsCutOffIsNotRetreatedFrom) {
     state.time += 9000000000;  // 13 directions of 0.614 s
     state.note_idle();
     EXPECT_TRUE(state.parked);
-    EXPECT_EQ(state.retreat, 0);
+    EXPECT_FALSE(state.seeks);
     EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
   }
 }
@@ -95,28 +118,6 @@ TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
     EXPECT_EQ(state.parked, is_near);
     EXPECT_EQ(state.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
   }
-}
-
-/// The plan of a retreat leads to its place alone, past no point of the mission. It counts until the vehicle comes
-/// nearer.
-TEST(FlightGivesUp, RetreatsAreFlownAndCounted) {
-  FlightRoom room;
-  Via points[2];
-  points[0].position = {5.0, 0.0, 1.125};
-  points[1].position = {8.0, 0.0, 1.125};
-  ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
-  FlightState& state = room.state();
-  state.nearest = 1.0;
-  state.retreat = 4;
-  state.retreats = 1;
-  state.look_at = {room.start.x + 1.0, room.start.y, room.start.z};
-  ASSERT_TRUE(room.tick_until([&] { return room.report.committed == 1; }));
-  expect_same(room.flight.rest_position(), {room.start.x, room.start.y - 2.0, room.start.z});
-  EXPECT_EQ(state.retreat, 0);
-  EXPECT_EQ(state.retreats, 2);
-  state.nearest = 20.0;
-  state.note_progress();
-  EXPECT_EQ(state.retreats, 0);
 }
 
 /// A point of a mission likewise, that the plan would end at: the mission ends, or goes on without it.

@@ -70,12 +70,14 @@ TEST(FlightStale, AFlightThatGivesUpWithoutFramesSaysSo) {
     ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
     FlightState& state = room.state();
     state.time = 2000000000;
+    state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
+    state.lookouts = 2;
     for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
     EXPECT_TRUE(state.is_looking);
     state.time += 9000000000;  // 13 directions of 0.614 s
     state.note_idle();
     EXPECT_EQ(state.parked, stale);
-    EXPECT_EQ(state.retreat, stale ? 0 : 1);
+    EXPECT_EQ(state.seeks, !stale);
     if (!stale) continue;
     EXPECT_EQ(state.reason, FlightReason::kMapStale);
     EXPECT_EQ(state.itinerary.leg, 0);

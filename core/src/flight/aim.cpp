@@ -16,13 +16,6 @@ namespace {
 constexpr double kAimRest = 0.6;
 /// Voxels around the vehicle that are looked at for a way out, along each axis and direction.
 constexpr std::int32_t kMaxWayOut = 8;
-/// How far a retreat leads, in radii: from there, a camera sees what is a radius and a voxel above or below the blocked
-/// place.
-constexpr double kRetreatRadii = 4.0;
-/// Retreats to try before the vehicle gives up, and how often each place is tried: the copies of the route differ.
-constexpr int kRetreats = 3;
-constexpr int kRetreatPlaces = 5;
-constexpr int kRetreatRounds = 2;
 /// Radii from a goal in an obstacle, besides some voxels, within which a vehicle that finds no plan is before it.
 constexpr double kBeforeRadii = 2.0;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
@@ -49,12 +42,12 @@ double reach_along(const Trajectory& plan, double t, const Vec3& center, int a) 
   return reach;
 }
 
-Vec3 offset_of(int direction) {
+}  // namespace
+
+Vec3 offset_of(int direction) noexcept {
   constexpr double kCosines[kDirections] = {1.0, kHalfRoot, 0.0, -kHalfRoot, -1.0, -kHalfRoot, 0.0, kHalfRoot};
   return {kCosines[direction], kCosines[(direction + 6) % kDirections], 0.0};
 }
-
-}  // namespace
 
 /// The target, or the point on the straight line to it that is at most so far away and within the window.
 void FlightState::choose_aim(const Vec3& from, double most) noexcept {
@@ -94,21 +87,10 @@ void FlightState::choose_way_out(const Vec3& from) noexcept {
   aims_at_goal = false;
 }
 
-/// Back from what ended the last proof, which may be too near to be seen, or to either side.
-void FlightState::choose_retreat(const Vec3& from) noexcept {
-  constexpr int kEighths[kRetreatPlaces] = {0, 1, 7, 2, 6};
-  Vec3 back = from - look_at;
-  const double size = square_root(back.x * back.x + back.y * back.y);
-  back = size > 0.0 ? (1.0 / size) * back : Vec3{1.0, 0.0, 0.0};
-  const Vec3 turn = offset_of(kEighths[(retreat - 1) % kRetreatPlaces]);
-  const Vec3 way{turn.x * back.x - turn.y * back.y, turn.y * back.x + turn.x * back.y, 0.0};
-  aim = from + (kRetreatRadii * map.safe().spec().clearance()) * way;
-  aims_at_goal = false;
-}
-
 /// A plan keeps its aim until little of the way is left, so that plans are compared by their times.
 bool FlightState::keeps_aim(const Vec3& from) const noexcept {
-  return (now.to_goal && now.target == itinerary.last()) || way_length(from, now.aim) > kAimRest * spec.horizon;
+  return now.looks_out || (now.to_goal && now.target == itinerary.last()) ||
+         way_length(from, now.aim) > kAimRest * spec.horizon;
 }
 
 /// The window follows the vehicle only as far as it must: what leaves it is forgotten, and may be the only way to the
@@ -162,27 +144,29 @@ void FlightState::look_at_obstacle() noexcept {
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-/// A cycle ended without a commit. At rest the vehicle then looks around, once. Where the goal is still cut off, it is
-/// as near as it gets; otherwise it goes back a little, to see what is too near to be seen from here, unless no frames
-/// come. If that does not help, it gives up.
+/// A cycle ended without a commit. At rest the vehicle then goes to see what blocks its way, and looks around, once.
+/// Where the goal is still cut off, it is as near as it gets. If nothing helps, it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
   if (idle_cycles < kIdleCycles) return;
   if (report.plan == Status::kGoalFenced && aims_at_goal && !leaves) return park(FlightReason::kNoProgress);
-  if (!is_looking) {
-    is_looking = true;
-    look_since = time;
-    if (is_before_goal()) look_since -= nanoseconds((kDirections + 1) * seconds_per_direction()) + 1;
-  } else if (sector_at(time) > kDirections + kStares) {
-    if ((cut_off || is_before_goal()) && !leaves) {
-      park(FlightReason::kNearest);
-    } else if (!leaves && !is_stale() && retreats < kRetreats && retreat < kRetreatRounds * kRetreatPlaces) {
-      ++retreat;
-    } else {
-      park(leaves ? FlightReason::kHemmedIn : FlightReason::kNoProgress);
-    }
+  note_place();
+  if (is_looking) {
+    if (sector_at(time) <= kDirections + kStares) return;
+    is_looking = false;
+    turned = true;
+    sought = 0;
   }
+  const bool is_nearest_place = (cut_off || is_before_goal()) && !leaves;
+  if (!is_nearest_place && seek_lookout()) return;
+  if (turned) {
+    const FlightReason why = is_nearest_place ? FlightReason::kNearest : FlightReason::kNoProgress;
+    return park(leaves ? FlightReason::kHemmedIn : why);
+  }
+  is_looking = true;
+  look_since = time;
+  if (is_before_goal()) look_since -= nanoseconds((kDirections + 1) * seconds_per_direction()) + 1;
 }
 
 /// The goal is in an obstacle that was seen, and the vehicle is right before it: a look around would show no way. A
@@ -268,7 +252,7 @@ void FlightState::note_progress() noexcept {
   const bool comes_nearer = nearest < 0.0 || left < nearest - map.safe().spec().cell;
   if (comes_nearer) {
     nearest = left;
-    retreats = 0;
+    forget_lookouts();
   }
   wandering = comes_nearer ? 0 : wandering + 1;
   const bool learns = map.learned() - learned >= kLearned;

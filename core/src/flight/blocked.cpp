@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What keeps the flight from going on, for its report. No command depends on it.
+// What keeps the flight from going on, for its report and for lookouts.
 #include "flight/blocked.hpp"
 
 #include "base/math.hpp"

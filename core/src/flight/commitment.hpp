@@ -30,6 +30,8 @@ struct Commitment {
   bool evades;  ///< a brake that was made for a threat, proven or not
   bool leaves;  ///< it begins at rest with something within the radius of this place, world frame
   Vec3 left;
+  bool looks_out;  ///< it leads to where this may be seen, world frame
+  Vec3 hidden;
 };
 
 /// The first instant at which what is flown is not proven.

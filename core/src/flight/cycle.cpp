@@ -50,7 +50,8 @@ void FlightState::begin_cycle() noexcept {
   if ((reaches_goal() || ends_at_dwell()) && rests_at_takeover()) return;
   ++report.asked;
   const GridSpec& window = map.route().spec();
-  const int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
+  const int usual = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
+  const int attempt = seeks ? (goes_away() ? 1 : 0) : usual;
   const double near = attempt < 2 ? spec.near : 0.0;
   all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
@@ -93,6 +94,7 @@ Progress FlightState::run_job(Work& work) noexcept {
     case Job::kIdle: return Progress::kMore;
     case Job::kCopy: return run_copy(work);
     case Job::kKeep: return run_keep(work);
+    case Job::kLookout: return run_lookout(work);
     case Job::kRoute: return run_route(work);
     case Job::kPlan: return run_plan(work);
     case Job::kWait: return run_wait();
@@ -139,13 +141,16 @@ void FlightState::begin_plan() noexcept {
   if (keeps && keeps_aim(start.d[0])) {
     aim = now.aim;
     aims_at_goal = now.to_goal;
+    looks_out = now.looks_out;
     return ask_planner();
   }
-  const bool leads_out = retreat > 0 || (leaves && idle_cycles % 2 == 1);
+  looks_out = seeks;
+  const bool leads_out = leaves && idle_cycles % 2 == 1;
   choose_points(start.d[0]);
-  if (leads_out) ask_for_first(0);
+  if (leads_out || seeks) ask_for_first(0);
   choose_aim(place_before_target(start.d[0]), leads_out ? spec.horizon : kAnywhere);
-  if (leads_out) retreat > 0 ? choose_retreat(start.d[0]) : choose_way_out(start.d[0]);
+  if (seeks) return begin_lookout();
+  if (leads_out) choose_way_out(start.d[0]);
   way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
 }
 
@@ -271,6 +276,8 @@ void FlightState::compose() noexcept {
   draft.evades = false;
   draft.leaves = leaves;
   draft.left = start.d[0];
+  draft.looks_out = looks_out;
+  draft.hidden = seeks ? block.at : now.hidden;
 }
 
 }  // namespace tern

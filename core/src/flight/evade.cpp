@@ -78,6 +78,7 @@ bool FlightState::make_evasion() noexcept {
   draft.passages = 0;
   draft.to_goal = draft.beside_goal = false;
   draft.evades = threat;
+  draft.looks_out = false;
   draft.leaves = commitment.leaves;
   draft.left = commitment.left;
   draft.flown.count = 0;

@@ -41,6 +41,9 @@ constexpr int kWandering = 1500;
 constexpr std::int64_t kTold = 300000000;
 /// Metres: further than any window is wide.
 constexpr double kAnywhere = 1e9;
+/// Bits of directions from which lookouts were sought: all of a full turn, and straight away from what is to be seen.
+constexpr std::uint32_t kAround = (1u << kDirections) - 1;
+constexpr std::uint32_t kAway = 1u << kDirections;
 /// Points of a way that are so near are the same, metres.
 constexpr double kSamePlace = 1e-6;
 
@@ -52,6 +55,13 @@ struct Blockage {
 };
 
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
+
+/// A place from where something may be seen.
+struct Lookout {
+  Vec3 place;              ///< world frame
+  double drop;             ///< of the line of sight across a voxel, in voxels
+  std::int32_t direction;  ///< of the place from what is seen; negative: none
+};
 
 class FlightState {
  public:
@@ -103,6 +113,7 @@ class FlightState {
   bool all_free;      ///< the route has nothing unseen that is solid
   bool to_reachable;  ///< on it no way leads to the aim, and the nearest point to it that one leads to took its place
   bool cut_off;       ///< the vehicle rests as near as that to the target
+  bool looks_out;     ///< it is a lookout
   bool leaves;        ///< something is within the radius of where the vehicle rests
   bool keeps;         ///< the rest of the plan that is flown is free on the route
   bool extends;       ///< `draft` goes on along the plan that is flown
@@ -136,7 +147,7 @@ class FlightState {
   Alarm alarm;  ///< what became solid since what is flown was proven
   bool known;   ///< what is flown is clear of everything but the alarm
 
-  Blockage block;  ///< for the report
+  Blockage block;  ///< what ended the last proof or plan to the goal
 
   Nose nose;
 
@@ -152,9 +163,14 @@ class FlightState {
   double nearest;         ///< metres to the goal; negative: not known yet
   bool is_looking;
   std::int64_t look_since;
-  int retreat;   ///< number of the place to go back to, from 1 on; 0: none
-  int retreats;  ///< since the vehicle came nearer to the goal
-  Vec3 look_at;  ///< what the next plan needs to know
+  Vec3 stuck_at;          ///< where the vehicle rested when it began to look for a way on,
+  bool turned;            ///< and whether it looked around there
+  bool seeks;             ///< the next plan leads to a lookout
+  int lookouts;           ///< that were flown to since the vehicle came nearer to the goal
+  std::uint32_t sought;   ///< directions from which one was sought, bit by bit
+  std::int32_t searched;  ///< directions and ranges of the search at hand
+  Lookout lookout;        ///< the best one so far
+  Vec3 look_at;           ///< what the next plan needs to know
   FlightReport report;
 
   // flight.cpp
@@ -191,7 +207,6 @@ class FlightState {
   // aim.cpp: where to, and where to look.
   void choose_aim(const Vec3& from, double most) noexcept;
   void choose_way_out(const Vec3& from) noexcept;
-  void choose_retreat(const Vec3& from) noexcept;
   bool keeps_aim(const Vec3& from) const noexcept;
   void follow_window() noexcept;
   Vec3 looking_at(std::int64_t t) const noexcept;
@@ -206,6 +221,19 @@ class FlightState {
   bool move_to_reachable(const Report& found) noexcept;
   bool reaches_goal() const noexcept;
   void note_rest() noexcept;
+
+  // lookout.cpp: from where to see what blocks the way
+  void forget_lookouts() noexcept;
+  void note_place() noexcept;
+  bool seek_lookout() noexcept;
+  bool goes_away() const noexcept { return seeks && (sought & kAway) != 0; }
+  void begin_lookout() noexcept;
+  Progress run_lookout(Work& work) noexcept;
+  void look_from(std::int32_t direction, int radii) noexcept;
+  void go_away() noexcept;
+  void end_lookout() noexcept;
+  void note_lookout() noexcept;
+  Vec3 place_to_see() const noexcept;
 
   // blocked.cpp: what the report says is in the way
   void note_unproven() noexcept;
@@ -324,6 +352,9 @@ class FlightState {
   const Commitment& watched_commitment() const noexcept { return watched_part == Watched::kBefore ? now : latest(); }
   void run_watch(Work& work) noexcept;
 };
+
+/// Unit vectors of a full turn, level.
+Vec3 offset_of(int direction) noexcept;
 
 /// What is wrong with a mission; kOk where nothing is.
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;

@@ -46,6 +46,7 @@ enum class Job : std::uint8_t {
   kIdle,
   kCopy,     ///< the route grid
   kKeep,     ///< is the rest of the plan that is flown still free on the route?
+  kLookout,  ///< a place from where what blocks the way may be seen
   kRoute,    ///< the way to the goal, of which the plan is the first part
   kPlan,     ///< the planner
   kWait,     ///< for the window to be done with its slide

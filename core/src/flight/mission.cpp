@@ -32,8 +32,9 @@ void FlightState::begin_mission(const Via* points, std::int32_t count, ViaPolicy
 
 /// Whatever made the vehicle give up is forgotten.
 void FlightState::try_anew() noexcept {
-  parked = is_looking = cut_off = false;
-  idle_cycles = fruitless = wandering = retreat = retreats = 0;
+  parked = is_looking = cut_off = seeks = false;
+  idle_cycles = fruitless = wandering = 0;
+  forget_lookouts();
   nearest = -1.0;
   block = kNoBlockage;
   reason = FlightReason::kNone;

@@ -124,8 +124,9 @@ NoseWish FlightState::nose_wish(std::int64_t t) const noexcept {
   const Trajectory& flown = latest().flown;
   const Vec3 end = flown.origin + flown.segments[flown.count - 1].points[kDegree];
   const bool ends_soon = distance(sample_at(t).position, end) < kSeekPart * spec.horizon;
-  const bool seeks = has_goal && !parked && !reaches_goal() && (rests() || (ends_soon && waits_for_view()));
-  if (!seeks && wish.mode != FlightYawMode::kTowardsUnseen) return wish;
+  const bool looks = rests() || latest().looks_out || (ends_soon && waits_for_view());
+  const bool turns_there = has_goal && !parked && !reaches_goal() && looks;
+  if (!turns_there && wish.mode != FlightYawMode::kTowardsUnseen) return wish;
   wish.mode = FlightYawMode::kTowardsPoint;
   wish.point = looking_at(t);
   return wish;

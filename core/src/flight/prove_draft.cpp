@@ -45,10 +45,10 @@ double FlightState::start_of_proof() const noexcept {
 Progress FlightState::run_reach(Work& work) noexcept {
   if (prove(work) == Progress::kMore) return Progress::kMore;
   reached = proof.report().until;
-  look_at = evaluate(draft.wished, reached).position;
-  note_unproven();
+  look_at = place_to_see();
   note_view();
-  if (rests_at_takeover() && proof.report().end == ProofEnd::kObstacle) look_at_obstacle();
+  if (!draft.looks_out) note_unproven();
+  if (!draft.looks_out && rests_at_takeover() && proof.report().end == ProofEnd::kObstacle) look_at_obstacle();
   if (proof.report().end == ProofEnd::kProven) {
     draft.flown = draft.wished;
     draft.branch = reached;
@@ -140,11 +140,11 @@ bool FlightState::joins_what_is_flown() noexcept {
 /// An extension is the same curve up to the branch that is flown, and so replaces it in place. A new plan takes over at
 /// its beginning. A contact before it begins stays one.
 void FlightState::enter_draft() noexcept {
-  if (!extends && job != Job::kEvade) note_progress();
+  if (!extends && job != Job::kEvade && !draft.looks_out) note_progress();
   job = Job::kIdle;
   if (changes_what_is_flown()) ++report.committed;
-  retreats += retreat > 0 ? 1 : 0;
-  idle_cycles = retreat = 0;
+  note_lookout();
+  idle_cycles = 0;
   is_looking = false;
   if (watching) watch_all = true;
   const bool meets = threat && contact.time < takeover;
