@@ -104,7 +104,9 @@ class Journal:
         return self.steps.get(step.name, {}).get("status") in (0, 1)
 
     def is_done(self, step):
-        return self.has_run(step) and self.steps[step.name]["words"] == step.words
+        """What found something runs again, because a command that broke ends with 1, too."""
+        noted = self.steps.get(step.name, {})
+        return noted.get("status") == 0 and noted["words"] == step.words
 
     def note(self, step, status, seconds):
         before = self.steps.get(step.name, {}).get("seconds", 0.0)
@@ -158,9 +160,9 @@ def release(hours, core, folder):
         if status:
             say(f"{step.name} ended with status {status}: {folder.relative_to(ROOT)}/{step.name}.log")
     write_page(core, folder, journal, wanted)
-    failed = [step for step in wanted if journal.steps[step.name]["status"] != 0]
+    failed = [step for step in wanted if not journal.is_done(step)]
     for step in failed:
-        say(f"{step.name} {'found something' if journal.has_run(step) else 'did not run to its end'}: "
+        say(f"{step.name} {'found something or broke' if journal.has_run(step) else 'did not run to its end'}: "
             f"{folder.relative_to(ROOT)}/{step.name}.log")
     return 1 if failed else 0
 
