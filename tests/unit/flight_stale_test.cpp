@@ -71,7 +71,6 @@ TEST(FlightStale, AFlightThatGivesUpWithoutFramesSaysSo) {
     FlightState& state = room.state();
     state.time = 2000000000;
     state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-    state.lookouts = 2;
     for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
     EXPECT_TRUE(state.is_looking);
     state.time += 9000000000;  // 13 directions of 0.614 s

@@ -144,7 +144,7 @@ void FlightState::look_at_obstacle() noexcept {
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-/// A cycle ended without a commit. At rest the vehicle then goes to see what blocks its way, and looks around, once.
+/// A cycle ended without a commit. At rest the vehicle then looks around, once, and goes to see what blocks its way.
 /// Where the goal is still cut off, it is as near as it gets. If nothing helps, it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;

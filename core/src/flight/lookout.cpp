@@ -10,8 +10,7 @@
 namespace tern {
 namespace {
 
-/// Lookouts to fly to before the vehicle looks around, and before it gives up.
-constexpr int kFirstLookouts = 2;
+/// Lookouts to fly to before the vehicle gives up.
 constexpr int kLookouts = 8;
 /// How far a lookout is from what is to be seen, and how far the vehicle goes away from that, in radii.
 constexpr int kMostRadii = 10;
@@ -50,13 +49,13 @@ void FlightState::note_place() noexcept {
   turned = false;
 }
 
-/// True where the next plan leads to a lookout. What was seen in the way is worth a second look only after the first.
+/// True where the next plan leads to a lookout. A look around comes first: it shows more, sooner.
 bool FlightState::seek_lookout() noexcept {
   seeks = false;
-  const bool is_hidden = block.by == BlockedBy::kUnseen || (turned && block.by == BlockedBy::kObstacle);
-  if (leaves || is_stale() || !is_hidden || lookouts >= (turned ? kLookouts : kFirstLookouts)) return false;
+  const bool is_voxel = block.by == BlockedBy::kUnseen || block.by == BlockedBy::kObstacle;
+  if (!turned || leaves || is_stale() || !is_voxel || lookouts >= kLookouts) return false;
   if ((sought & kAround) == kAround) {
-    if (!turned || (sought & kAway) != 0) return false;
+    if ((sought & kAway) != 0) return false;
     sought |= kAway;
   }
   seeks = true;
