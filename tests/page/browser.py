@@ -8,6 +8,7 @@ import os
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -20,6 +21,27 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-sc
 def find():
     """The browser's path, or None."""
     return next((path for path in map(shutil.which, NAMES) if path), None)
+
+
+def needed():
+    """The browser's path. Ends the test as skipped where there is none, or where a container lacks what one needs."""
+    path = find()
+    if path is None:
+        print("SKIPPED: there is no Chromium; tools/setup installs it")
+        sys.exit(SKIPPED)
+    try:
+        tried = subprocess.run([path, *FLAGS[:-1], "--dump-dom", "about:blank"], capture_output=True, text=True,
+                               timeout=120)
+        why = "" if "<html>" in tried.stdout else tried.stderr.strip()[-300:] or "it shows no page"
+    except subprocess.TimeoutExpired:
+        why = "it does not answer"
+    if why:
+        print(f"SKIPPED: {path} does not start here: {why}")
+        sys.exit(SKIPPED)
+    return path
+
+
+SKIPPED = 77  # the exit status of a test that cannot run here
 
 
 class Browser:

@@ -8,7 +8,6 @@ import sys
 
 import browser
 
-SKIPPED = 77
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Where a point of the world is on the screen.
 ON_SCREEN = """((x, y, z) => {
@@ -75,10 +74,7 @@ def check_thread(tab):
 
 def main():
     demo, folder = map(pathlib.Path, sys.argv[1:])
-    path = browser.find()
-    if path is None:
-        print("SKIPPED: there is no Chromium; tools/setup installs it")
-        sys.exit(SKIPPED)
+    path = browser.needed()
     with browser.Browser(path) as tab:
         tab.screen(width=1280, height=800)
         tab.open(demo.as_uri(), "window.demo && demo.run")

@@ -13,7 +13,6 @@ import sys
 
 import browser
 
-SKIPPED = 77
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Colours on the canvas: a scene that is drawn has many.
 COLOURS = """(() => {
@@ -222,10 +221,7 @@ def check_without_webgl(tab, folder):
 
 def main():
     program, root, folder = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
-    path = browser.find()
-    if path is None:
-        print("SKIPPED: there is no Chromium; tools/setup installs it")
-        sys.exit(SKIPPED)
+    path = browser.needed()
     with browser.Browser(path) as tab:
         for part in (check_plan, check_table, check_no_plan):
             part(tab, program, root, folder)

@@ -32,8 +32,8 @@ COPIED = ["CMakeLists.txt", "CMakePresets.json", "bench", "core", "docs", "port"
 LIBRARIES = ["tern", "tern_tiny", "tern_mcu"]
 # Tests of hashes and of the golden corpus, and tests that see none of the core's results. The records of the golden
 # flight are compared with what the same core flies, so they run.
-LEFT_OUT = ("tern_golden", "golden_flight_replay_test", "golden_mcu_flight_replay_test", "golden_replans_test",
-            "golden_flown_test", "attack_runner_test", "baselines_")
+LEFT_OUT = ("tern_golden", "golden_flight_test", "golden_mcu_test", "golden_replans_test", "golden_flown_test",
+            "baselines_")
 CASES = ["table", "P25:1", "P12:2", "S20:3", "O:4", "M:5", "L:6", "G:7", "B:8", "I:9", "D:10",
          *(f"bench/maps/map{k}.txt" for k in range(1, 7)), "docs/missions.txt", "docs/yaw.txt", "--repeat", "1"]
 FLIGHTS = ["P49@3:1", "O:2"]
@@ -98,10 +98,9 @@ class Bench:
         return self.sound[words[0]]
 
     def place(self, words, stage):
-        """Where a test comes in the order: those of the stage first, then fast ones; unit tests are fast."""
+        """Where a test comes in the order: that of the stage first, then fast ones."""
         name = words[0].name
-        usual = 1.0 if name.startswith("unit_") else 5.0 if name.startswith("fault_") else 20.0
-        return stage not in name, self.seconds.get(words[0], usual), name
+        return name != f"{stage}_test", self.seconds.get(words[0], 5.0), name
 
     def killer(self, mutant):
         """The first test that fails, and does not without the change; empty where none does."""
