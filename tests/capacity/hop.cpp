@@ -69,7 +69,8 @@ std::string Hop::fly(bool may_touch) {
     if (flight_.tick(t, report) != Status::kOk) return "a tick is refused";
     if (report.work > spec_.work_per_tick) return "a tick works too much";
     const tern::Sample now = flight_.command(t + spec_.tick).sample;
-    const bool is_excused = may_touch && report.mode == tern::FlightMode::kThreat;
+    const bool is_said = report.mode == tern::FlightMode::kThreat || report.blocked_by == tern::BlockedBy::kObstacle;
+    const bool is_excused = may_touch && is_said;
     const std::string wrong = is_excused ? wrong_with(last, now) : wrong_place(now) + wrong_with(last, now);
     if (!wrong.empty()) return wrong + " at tick " + std::to_string(k);
     hash_ = hash_after(hash_, now);

@@ -29,7 +29,7 @@ class Hop {
   /// What start() answered.
   tern::Status started() const { return status_; }
   /// What is wrong with the flight; empty where nothing is. With `may_touch`, it may come near to an obstacle if it
-  /// reports a threat.
+  /// reports a threat or, at rest, an obstacle in its way.
   std::string fly(bool may_touch = false);
   tern::FlightReason reason() const { return reason_; }
   /// Of the flight so far.

@@ -3,11 +3,12 @@
 //
 // The proof that a keep-out lies beyond a plane, where nearly parallel half-spaces lead the simplex method astray: what
 // it says is proven is so, whatever the way there.
+#include "check/solid.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "check/solid.hpp"
 #include "support/random.hpp"
 
 namespace tern_test {

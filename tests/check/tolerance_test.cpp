@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The tolerances by hand: what a map of 100 m and one 10 000 km from the world's origin are forgiven.
+#include "check/tolerance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "check/tolerance.hpp"
 
 namespace {
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One polyhedron at a time: known answers, and each degenerate geometry by name.
+#include "corridor/grow.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <memory>
 
-#include "corridor/grow.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/proven_clear.hpp"
 #include "support/random.hpp"

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Larger polyhedra around the same segment, where the largest is known.
+#include "corridor/improve.hpp"
+
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "corridor/improve.hpp"
 #include "support/corridor_reference.hpp"
 
 namespace tern_test {

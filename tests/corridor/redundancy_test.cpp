@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which half-spaces bound a polyhedron: by hand, and at random against a list of corners.
+#include "corridor/redundancy.hpp"
+
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "base/facet.hpp"
-#include "corridor/redundancy.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "corridor/separation.hpp"
+
 #include <gtest/gtest.h>
 
-#include "corridor/separation.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

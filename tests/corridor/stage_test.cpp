@@ -1,13 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "corridor/corridor_stage.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <initializer_list>
 #include <memory>
 
+#include "corridor/corridor_stage.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 #include "support/same.hpp"

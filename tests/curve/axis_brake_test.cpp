@@ -1,12 +1,13 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "curve/axis_brake.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/math.hpp"
-#include "curve/axis_brake.hpp"
 #include "support/box_corridor.hpp"
 
 namespace {

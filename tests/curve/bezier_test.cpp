@@ -1,10 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "curve/bezier.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "curve/bezier.hpp"
 #include "support/arc_curve.hpp"
 #include "support/random.hpp"
 

@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "curve/brake.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/bounds.hpp"
-#include "curve/brake.hpp"
 #include "curve/hermite.hpp"
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"

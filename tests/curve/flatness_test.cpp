@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Flat outputs against hand-computed attitudes, against differences over time, and at their singularities.
+#include "tern/flatness.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 
 #include "base/math.hpp"
 #include "support/random.hpp"
-#include "tern/flatness.hpp"
 
 namespace {
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every stop that is accepted is one, by sampling: within the limits, smooth, from the state to rest.
+#include "curve/stopping.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cstring>
 
 #include "base/math.hpp"
-#include "curve/stopping.hpp"
 #include "support/box_corridor.hpp"
 
 namespace {

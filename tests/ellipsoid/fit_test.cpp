@@ -1,13 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ellipsoid/ellipsoid_fit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "base/linear.hpp"
 #include "ellipsoid/barrier_ellipsoid.hpp"
+#include "ellipsoid/ellipsoid_fit.hpp"
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "grid/touching.hpp"
 #include "support/corridor_reference.hpp"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the report says is in the way of a flight that does not arrive.
+#include "flight/blocked.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <vector>
 
 #include "base/math.hpp"
-#include "flight/blocked.hpp"
 #include "support/flight_room.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What committed plans are made of: first parts and brakes.
+#include "flight/branch.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "base/math.hpp"
 #include "curve/brake.hpp"
-#include "flight/branch.hpp"
 
 namespace {
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The sharpest brake straight ahead: within its limits, continuous, and no longer than any other.
+#include "flight/sharp_stop.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
-#include "flight/sharp_stop.hpp"
 #include "support/random.hpp"
 
 namespace {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Braking along a plan's own path.
+#include "flight/slow_down.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
-#include "flight/slow_down.hpp"
 #include "tern/proof.hpp"
 
 namespace {

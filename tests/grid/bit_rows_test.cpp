@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid/bit_rows.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "grid/bit_rows.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {

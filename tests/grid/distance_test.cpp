@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid/distance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "grid/distance.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {

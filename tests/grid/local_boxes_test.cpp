@@ -1,12 +1,13 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "grid/local_boxes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <memory>
 #include <vector>
 
-#include "grid/local_boxes.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The numbers that tell the contents of the blocked layer's regions apart.
+#include "grid/regions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "grid/regions.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"
 

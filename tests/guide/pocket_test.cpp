@@ -3,12 +3,13 @@
 //
 // Floods around an end, against a plain A*: they say that there is no path where there is none, and nothing else. And
 // the fast search, which uses them where its guide does not see that an end is walled in.
+#include "guide/pocket.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <memory>
 
-#include "guide/pocket.hpp"
 #include "guide/voxel_search.hpp"
 #include "support/path_world.hpp"
 #include "support/reference_search.hpp"

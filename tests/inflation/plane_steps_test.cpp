@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "inflation/plane_steps.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "inflation/plane_steps.hpp"
 #include "support/grid_storage.hpp"
 
 namespace {

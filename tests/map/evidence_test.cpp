@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Hits and misses on words of voxels, against a voxel with plain numbers.
+#include "map/evidence.hpp"
+
 #include <gtest/gtest.h>
 
-#include "map/evidence.hpp"
 #include "support/random.hpp"
 
 namespace {

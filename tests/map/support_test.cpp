@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Pixels that no pixel around them agrees with: by hand, and against images that were filtered pixel by pixel.
+#include "map/support.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "map/support.hpp"
 #include "support/owned_map.hpp"
 
 namespace {

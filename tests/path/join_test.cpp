@@ -3,6 +3,8 @@
 //
 // How a point joins the grid, against a plain second version: a list of all candidates, sorted, and sets of voxels. The
 // sequence of voxels that are joined one after the other, as if no search from them found a path, must be the same.
+#include "path/join.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 
 #include "fence/fences.hpp"
 #include "grid/distance.hpp"
-#include "path/join.hpp"
 #include "support/random.hpp"
 
 namespace {

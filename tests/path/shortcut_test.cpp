@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Chains of visible waypoints against every subset.
+#include "path/shortcut.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "path/shortcut.hpp"
 #include "path/sight.hpp"
 #include "support/path_world.hpp"
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lines of sight against an independent slab test of every blocked voxel.
+#include "path/sight.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "path/sight.hpp"
 #include "support/path_world.hpp"
 
 namespace {

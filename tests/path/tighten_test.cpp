@@ -3,6 +3,8 @@
 //
 // Pulling paths tight: never longer, never more waypoints, always in sight; and at single corners and edges as long as
 // geometry says.
+#include "path/tighten.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <memory>
 
 #include "path/sight.hpp"
-#include "path/tighten.hpp"
 #include "support/path_world.hpp"
 
 namespace {

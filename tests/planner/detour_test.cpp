@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "planner/detour.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -7,7 +9,6 @@
 
 #include "curve/brake.hpp"
 #include "curve/rest.hpp"
-#include "planner/detour.hpp"
 #include "support/world.hpp"
 #include "trajectory/stop_and_go.hpp"
 

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "planner/escape.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include "base/math.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
-#include "planner/escape.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {

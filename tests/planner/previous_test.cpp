@@ -3,6 +3,8 @@
 //
 // Where nothing new is found, the rest of the previous plan is flown. A search that may not expand a node finds
 // nothing.
+#include "planner/previous.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@
 #include <limits>
 
 #include "base/math.hpp"
-#include "planner/previous.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Faults of the world: F06 to F08, F10, through the whole planner.
-#include "support/world.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
 
 #include "support/random.hpp"
+#include "support/world.hpp"
 
 namespace {
 

@@ -3,8 +3,6 @@
 //
 // What a recorder of flights refuses: null pointers, and counts and sizes that cannot be. A call that is refused leaves
 // the record as it was.
-#include "tern/flight_record.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "record/envelope.hpp"
+#include "tern/flight_record.hpp"
 #include "tern/record.hpp"
 
 namespace {

@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "search/dominance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <memory>
 
-#include "search/dominance.hpp"
 #include "support/path_world.hpp"
 
 namespace {

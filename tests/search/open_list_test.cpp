@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The open list and the node store against the standard library, and the bound on the units of a search.
+#include "search/open_list.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include <memory>
 #include <vector>
 
-#include "search/open_list.hpp"
 #include "search/search.hpp"
 #include "support/path_world.hpp"
 #include "support/random.hpp"

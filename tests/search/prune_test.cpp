@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The pruning rules against their definition: every way through the 27 cells around a voxel is tried.
+#include "search/prune.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <vector>
 
 #include "search/neighbourhood.hpp"
-#include "search/prune.hpp"
 #include "support/path_world.hpp"
 #include "support/random.hpp"
 

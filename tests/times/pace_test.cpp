@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "times/pace.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tern/trajectory.hpp"
-#include "times/pace.hpp"
 
 namespace tern_test {
 namespace {

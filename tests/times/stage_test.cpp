@@ -1,11 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "times/times_stage.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
+
+#include "times/times_stage.hpp"
 
 namespace tern_test {
 namespace {

@@ -1,11 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "times/trapezoid.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/random.hpp"
-#include "times/trapezoid.hpp"
 
 namespace {
 

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/curvature.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -7,8 +9,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-
-#include "trajectory/curvature.hpp"
 
 namespace {
 

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/programme.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@
 #include "support/chain.hpp"
 #include "tern/trajectory.hpp"
 #include "trajectory/hodograph_rows.hpp"
-#include "trajectory/programme.hpp"
 
 namespace {
 

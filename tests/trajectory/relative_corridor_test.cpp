@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/relative_corridor.hpp"
+
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -8,7 +10,6 @@
 #include "support/box_corridor.hpp"
 #include "support/random.hpp"
 #include "support/same.hpp"
-#include "trajectory/relative_corridor.hpp"
 
 namespace {
 

@@ -1,7 +1,5 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trajectory/trajectory_stage.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "support/box_corridor.hpp"
 #include "support/chain.hpp"
 #include "trajectory/stop_and_go.hpp"
+#include "trajectory/trajectory_stage.hpp"
 
 namespace {
 

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/stop_and_go.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "curve/motion_limits.hpp"
 #include "curve/rest.hpp"
 #include "support/box_corridor.hpp"
-#include "trajectory/stop_and_go.hpp"
 
 namespace {
 

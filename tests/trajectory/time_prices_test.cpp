@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The prices of time against differences of solved programmes.
+#include "trajectory/time_prices.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "qp/solver.hpp"
 #include "support/box_corridor.hpp"
 #include "support/chain.hpp"
-#include "trajectory/time_prices.hpp"
 
 namespace {
 

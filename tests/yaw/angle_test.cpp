@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The core's own angles against the C library's in long double.
+#include "yaw/angle.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "support/random.hpp"
-#include "yaw/angle.hpp"
 
 namespace {
 

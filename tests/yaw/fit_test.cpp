@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The fit of yaw plans against a lower bound: the dual of the same programme, by coordinate ascent over dense matrices.
-#include "yaw/yaw_fit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -11,6 +9,7 @@
 #include <memory>
 
 #include "support/yaw_case.hpp"
+#include "yaw/yaw_fit.hpp"
 
 namespace {
 
