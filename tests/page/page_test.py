@@ -222,6 +222,7 @@ def check_without_webgl(tab, folder):
 def main():
     program, root, folder = sys.argv[1], *map(pathlib.Path, sys.argv[2:])
     path = browser.needed()
+    folder.mkdir(parents=True, exist_ok=True)
     with browser.Browser(path) as tab:
         for part in (check_plan, check_table, check_no_plan):
             part(tab, program, root, folder)
