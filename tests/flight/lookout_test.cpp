@@ -26,6 +26,7 @@ struct Stuck : FlightRoom {
     flight.set_goal({8.125, 0.125, 1.125});
     state().time = 2000000000;
     state().start.d[0] = start;
+    state().takeover = state().time;
     state().block = {BlockedBy::kUnseen, kHidden, kNoFence};
     state().turned = true;
   }
@@ -35,6 +36,8 @@ struct Stuck : FlightRoom {
     state().begin_lookout();
     Work work{100000};
     while (state().job == Job::kLookout) EXPECT_EQ(state().run_lookout(work), Progress::kDone);
+    EXPECT_EQ(state().job, Job::kCopy);
+    state().aim_at_lookout();
     return state().aim;
   }
 };
@@ -62,12 +65,21 @@ TEST(FlightLookout, IsAsFlatAsThereIsRoom) {
 /// Behind a wall nothing is seen of the voxel, and in a wall there is no place.
 TEST(FlightLookout, SeesTheVoxelPastWhatIsKnown) {
   Stuck room(std::vector<Box>{{{1.25, -15.0, -2.0}, {1.5, 15.0, 4.0}}, {{2.75, -15.0, -2.0}, {3.0, 15.0, 4.0}}});
-  EXPECT_TRUE(room.state().seek_lookout());
-  room.state().begin_lookout();
-  Work work{100000};
-  EXPECT_EQ(room.state().run_lookout(work), Progress::kDone);
+  EXPECT_DOUBLE_EQ(room.choose().x, kHidden.x);
   EXPECT_EQ(room.state().lookout.direction, 2);  // between the walls, a radius from each
-  EXPECT_DOUBLE_EQ(room.state().aim.x, kHidden.x);
+  EXPECT_FALSE(room.state().lookout.is_straight);
+}
+
+/// The vehicle rests below a slab and the hidden voxel is above it. A place to which a straight way is free comes
+/// before level ones above the slab.
+TEST(FlightLookout, IsAtTheEndOfAStraightFreeWay) {
+  Stuck room(std::vector<Box>{{{-15.0, -15.0, 2.25}, {3.0, 15.0, 2.5}}});
+  room.state().block.at.z = 3.125;
+  const Vec3 place = room.choose();
+  EXPECT_TRUE(room.state().lookout.is_straight);
+  EXPECT_GT(room.state().lookout.drop, 0.0);
+  EXPECT_GT(place.x, 3.0);
+  EXPECT_LT(place.z, 3.125);
 }
 
 /// None: the next step is another one.
@@ -78,7 +90,8 @@ TEST(FlightLookout, WhereThereIsNoneAllDirectionsWereTried) {
   Work work{100000};
   EXPECT_EQ(room.state().run_lookout(work), Progress::kDone);
   EXPECT_EQ(room.state().sought, kAround);
-  EXPECT_EQ(room.state().job, Job::kIdle);
+  EXPECT_FALSE(room.state().seeks);
+  EXPECT_EQ(room.state().job, Job::kCopy);
 }
 
 /// A search goes on in the next tick where it does not fit into one.
@@ -94,6 +107,7 @@ TEST(FlightLookout, IsSoughtInSlices) {
     sliced.state().run_lookout(work);
   }
   EXPECT_GT(slices, 2);
+  sliced.state().aim_at_lookout();
   expect_same(sliced.state().aim, place);
 }
 
@@ -103,8 +117,7 @@ TEST(FlightLookout, TheWayAwayIsStraight) {
   room.state().sought = kAround;
   const auto away = [&] {
     EXPECT_TRUE(room.state().goes_away() || room.state().seek_lookout());
-    Work work{100000};
-    room.state().run_lookout(work);
+    room.state().aim_at_lookout();
     return room.state().aim;
   };
   EXPECT_NEAR(away().x, room.start.x - 5.0, 1e-9);

@@ -45,7 +45,21 @@ TEST(HullClear, FarPointsMeetNothing) {
   EXPECT_EQ(found.x, -7);
   for (const double near : {6.3, -0.3}) {
     EXPECT_FALSE(room.clear({near, 3.0, 2.0}, {near, 3.0, 2.0}, clearance, found)) << near;
-    EXPECT_EQ(found.x, near > 0.0 ? 58 : 0);  // where the run begins that comes within the distance
+    EXPECT_EQ(found.x, near > 0.0 ? 59 : 0);  // the run's end that is nearest
+  }
+}
+
+/// Of a run whose ends keep the distance, a voxel that does not is named.
+TEST(HullClear, NamesTheVoxelThatIsTooNear) {
+  Room room;
+  room.mark_run(5, 55);
+  const Clearance clearance{0.4, nullptr, 1e-9, {}};
+  Voxel found{};
+  for (const double x : {1.05, 3.05, 5.05}) {
+    EXPECT_FALSE(room.clear({x - 0.01, 3.05, 2.05}, {x + 0.01, 3.05, 2.05}, clearance, found));
+    EXPECT_EQ(found.x, static_cast<int>(10.0 * x));
+    EXPECT_EQ(found.y, 34);
+    EXPECT_EQ(found.z, 20);
   }
 }
 
@@ -70,7 +84,7 @@ TEST(HullClear, RunsBesideThePlaceThatIsLeftKeepTheirDistance) {
     room.mark_run(x, x + 3);
     Voxel found{};
     EXPECT_FALSE(room.clear(kPlace, {0.1 * x, 3.05, 2.05}, leaving, found));
-    EXPECT_EQ(found.x, x);
+    EXPECT_TRUE(found.x >= x && found.x < x + 3) << found.x;
     EXPECT_TRUE(room.clear(kPlace, {0.1 * x, 2.99, 2.05}, leaving, found));
   }
 }

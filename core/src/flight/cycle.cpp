@@ -49,15 +49,21 @@ void FlightState::begin_cycle() noexcept {
   deadline = takeover - spec.tick;
   if ((reaches_goal() || ends_at_dwell()) && rests_at_takeover()) return;
   ++report.asked;
+  leaves = is_hemmed_in();
+  keeps = false;
+  seeks && !goes_away() ? begin_lookout() : begin_copy();
+}
+
+/// A straight way to a lookout needs no route around what was not seen, which may leave the vehicle no voxel to begin
+/// at.
+void FlightState::begin_copy() noexcept {
   const GridSpec& window = map.route().spec();
-  const int usual = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
-  const int attempt = seeks ? (goes_away() ? 1 : 0) : usual;
+  int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
+  if (seeks) attempt = goes_away() ? 1 : (lookout.is_straight ? 2 : 0);
   const double near = attempt < 2 ? spec.near : 0.0;
   all_free = !(near > 0.0);
   const double hole = attempt == 1 ? window.clearance() + kHoleVoxels * window.cell : 0.0;
-  leaves = is_hemmed_in();
   route.begin(map, sample_at(takeover).position, near, hole, leaves ? window.clearance() : 0.0);
-  keeps = false;
   job = Job::kCopy;
 }
 
@@ -149,7 +155,7 @@ void FlightState::begin_plan() noexcept {
   choose_points(start.d[0]);
   if (leads_out || seeks) ask_for_first(0);
   choose_aim(place_before_target(start.d[0]), leads_out ? spec.horizon : kAnywhere);
-  if (seeks) return begin_lookout();
+  if (seeks) aim_at_lookout();
   if (leads_out) choose_way_out(start.d[0]);
   way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
 }

@@ -61,6 +61,7 @@ struct Lookout {
   Vec3 place;              ///< world frame
   double drop;             ///< of the line of sight across a voxel, in voxels
   std::int32_t direction;  ///< of the place from what is seen; negative: none
+  bool is_straight;        ///< the straight way there is known to be free
 };
 
 class FlightState {
@@ -229,9 +230,10 @@ class FlightState {
   bool goes_away() const noexcept { return seeks && (sought & kAway) != 0; }
   void begin_lookout() noexcept;
   Progress run_lookout(Work& work) noexcept;
-  void look_from(std::int32_t direction, int radii) noexcept;
-  void go_away() noexcept;
+  void look_from(std::int32_t direction, int radii, int height) noexcept;
   void end_lookout() noexcept;
+  void aim_at_lookout() noexcept;
+  Vec3 place_away() noexcept;
   void note_lookout() noexcept;
   Vec3 place_to_see() const noexcept;
 
@@ -285,6 +287,7 @@ class FlightState {
   // cycle.cpp: a plan
   bool is_hemmed_in() const noexcept;
   void begin_cycle() noexcept;
+  void begin_copy() noexcept;
   void advance(Work& work) noexcept;
   Progress run_job(Work& work) noexcept;
   Progress run_copy(Work& work) noexcept;

@@ -22,14 +22,27 @@ constexpr int kHeights = 21;
 constexpr double kSamePlaceRadii = 4.0;
 /// The steepest line of sight: how far it drops or climbs across a voxel, in voxels.
 constexpr double kSteepest = 1.0;
-/// Instructions of a row of voxels around a place, and of a line of sight.
+/// Instructions of a row of voxels near a way.
 constexpr std::uint32_t kRowEffort = 60;
-constexpr std::uint32_t kSightEffort = 4000;
+/// Times that the rows are read if a line of sight is checked: gaps of width zero between obstacles are none.
+constexpr int kSightPasses = 4;
 
-/// Instructions of finding out whether the vehicle may rest at a place.
-std::uint32_t rest_effort(const GridSpec& window) {
-  const int rows = 2 * static_cast<int>(window.clearance() / window.cell) + 2;
-  return effort_of(kRowEffort, rows * rows);
+/// Instructions of finding out whether a straight way is free with a radius around it.
+std::uint32_t way_effort(const GridSpec& window, const Vec3& way, double radius) {
+  const int rows = static_cast<int>((absolute(way.y) + 2.0 * radius) / window.cell) + 2;
+  const int planes = static_cast<int>((absolute(way.z) + 2.0 * radius) / window.cell) + 2;
+  return effort_of(kRowEffort, rows * planes);
+}
+
+/// Is a lookout better than another one for a vehicle that rests here? A straight free way there counts most, because
+/// it can be flown wherever the vehicle rests. Next a flat line of sight, because what is right below or above a voxel
+/// hides it from steep ones; and one along the grid's axes, which crosses the voxel on the shortest way. Of equal ones,
+/// the one nearest to the vehicle.
+bool is_better(const Lookout& one, const Lookout& other, const Vec3& at) {
+  if (other.direction < 0) return true;
+  if (one.is_straight != other.is_straight) return one.is_straight;
+  if (one.drop < other.drop || one.drop > other.drop) return one.drop < other.drop;
+  return distance(at, one.place) < distance(at, other.place);
 }
 
 }  // namespace
@@ -64,60 +77,56 @@ bool FlightState::seek_lookout() noexcept {
 
 void FlightState::begin_lookout() noexcept {
   searched = 0;
-  lookout = {kZero, kSteepest, -1};
+  lookout = {kZero, 0.0, -1, false};
   job = Job::kLookout;
 }
 
+/// Nothing is known of the map while it slides.
 Progress FlightState::run_lookout(Work& work) noexcept {
-  if (goes_away()) {
-    go_away();
-    return Progress::kDone;
-  }
-  for (; searched < kDirections * kRanges; ++searched) {
+  if (!map.safe().bound()) return Progress::kMore;
+  for (; searched < kDirections * kRanges * kHeights; ++searched) {
     if (work.left == 0) return Progress::kMore;
-    look_from(searched / kRanges, kMostRadii - searched % kRanges);
-    owe(0, work);
+    const std::int32_t ring = searched / kHeights;
+    look_from(ring / kRanges, kMostRadii - ring % kRanges, searched % kHeights);
+    owe(kRowEffort, work);
   }
   end_lookout();
   return Progress::kDone;
 }
 
-/// Looks for a lookout in a direction from what is to be seen. A flat line of sight is best, because what is right
-/// below or above a voxel hides it from steep ones; and one along the grid's axes, which crosses the voxel on the
-/// shortest way. Of equal ones, the one nearest to the vehicle.
-void FlightState::look_from(std::int32_t direction, int radii) noexcept {
-  if ((sought >> direction & 1) != 0) return;
+/// Is the best lookout so far at a place in a direction from what is to be seen?
+void FlightState::look_from(std::int32_t direction, int radii, int height) noexcept {
   const Grid& safe = map.safe();
   const double radius = safe.spec().clearance();
+  const Vec3 at = sample_at(takeover).position;
   const Vec3 way = offset_of(direction);
-  const double across = absolute(way.x) + absolute(way.y);
-  for (int n = 0; n < kHeights; ++n) {
-    const int steps = (n + 1) / 2;
-    const double up = 0.5 * steps * radius;
-    const double drop = across * up / (radii * radius);
-    if (drop > lookout.drop) return;
-    const Vec3 place = block.at + (radii * radius) * way + Vec3{0.0, 0.0, n % 2 == 0 ? up : -up};
-    const double far = distance(start.d[0], place);
-    const bool is_better = drop < lookout.drop || (lookout.direction >= 0 && far < distance(start.d[0], lookout.place));
-    if (!is_better || far < radius) continue;
-    owed += rest_effort(safe.spec());
-    if (!point_clear(safe, safe.to_local(place), radius)) continue;
-    owed += kSightEffort;
-    if (!segment_clear(map.route(), safe.to_local(place), safe.to_local(block.at), 0.0)) continue;
-    lookout = {place, drop, direction};
-    return;
-  }
+  const double up = 0.5 * ((height + 1) / 2) * radius;
+  const double drop = (absolute(way.x) + absolute(way.y)) * up / (radii * radius);
+  const Vec3 sight = (radii * radius) * way + Vec3{0.0, 0.0, height % 2 == 0 ? up : -up};
+  const Vec3 place = block.at + sight;
+  Lookout found{place, drop, direction, true};
+  const bool was_sought = (sought >> direction & 1) != 0;
+  if (was_sought || drop >= kSteepest || distance(at, place) < radius || !is_better(found, lookout, at)) return;
+  owed += way_effort(safe.spec(), kZero, radius);
+  if (!point_clear(safe, safe.to_local(place), radius)) return;
+  owed += way_effort(safe.spec(), place - at, radius);
+  found.is_straight = segment_clear(safe, safe.to_local(at), safe.to_local(place), radius);
+  if (!is_better(found, lookout, at)) return;
+  owed += kSightPasses * way_effort(safe.spec(), sight, 0.0);
+  if (segment_clear(map.route(), safe.to_local(place), safe.to_local(block.at), 0.0)) lookout = found;
 }
 
+/// Where there is none, the plan leads to the goal as ever.
 void FlightState::end_lookout() noexcept {
-  if (lookout.direction < 0) {
-    sought |= kAround;
-    return choose_draft(false);
-  }
-  sought |= 1u << lookout.direction;
-  aim = lookout.place;
+  seeks = lookout.direction >= 0;
+  sought |= seeks ? 1u << lookout.direction : kAround;
+  begin_copy();
+}
+
+/// The next plan does not lead to the goal.
+void FlightState::aim_at_lookout() noexcept {
   aims_at_goal = false;
-  way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
+  aim = goes_away() ? place_away() : lookout.place;
 }
 
 /// A plan is committed. One that leads straight away is the first part of the way to a lookout.
@@ -141,16 +150,17 @@ Vec3 FlightState::place_to_see() const noexcept {
 
 /// Straight away, as far as that is known to be free: where the vehicle touches what it cannot see, no plan may lead
 /// elsewhere.
-void FlightState::go_away() noexcept {
+Vec3 FlightState::place_away() noexcept {
   const Grid& safe = map.safe();
   const double radius = safe.spec().clearance();
   const Vec3 away = start.d[0] - block.at;
   const Vec3 step = (0.5 * radius / larger(kSamePlace, length(away))) * away;
-  aim = start.d[0];
-  aims_at_goal = false;
-  owed += effort_of(rest_effort(safe.spec()), 2 * kMostRadii);
-  for (int n = 0; n < 2 * kMostRadii && point_clear(safe, safe.to_local(aim + step), radius); ++n) aim = aim + step;
-  ask_planner();
+  Vec3 place = start.d[0];
+  owed += 2 * kMostRadii * way_effort(safe.spec(), kZero, radius);
+  for (int n = 0; n < 2 * kMostRadii && point_clear(safe, safe.to_local(place + step), radius); ++n) {
+    place = place + step;
+  }
+  return place;
 }
 
 }  // namespace tern

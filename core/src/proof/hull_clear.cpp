@@ -129,6 +129,13 @@ std::int32_t end_of_box(const Row& row, const IndexRange& xs, const IndexRange& 
   return x < alone.begin && alone.begin < end ? alone.begin : end;
 }
 
+/// Of the voxels of a box of obstacles, one that is nearest to the middle of the hull: the others may be clear of it.
+std::int32_t nearest_voxel(const Hull& hull, const IndexRange& xs, double cell) {
+  const double at = 0.5 * (hull.box.lower.x + hull.box.upper.x) / cell;
+  if (!(at > xs.begin)) return xs.begin;
+  return at < xs.end ? static_cast<std::int32_t>(at) : xs.end - 1;
+}
+
 bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::int32_t y, std::int32_t z, Voxel& found,
                std::uint32_t& effort) {
   effort += kRowEffort;
@@ -143,7 +150,7 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     effort += apart ? kBoxEffort : kBoxEffort + kPlaneEffort;
     apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
-      found = {x, y, z};
+      found = {nearest_voxel(hull, {x, end}, cell), y, z};
       return false;
     }
     x = find_bit(row, {end, xs.end}, true);

@@ -30,9 +30,9 @@ struct Clearance {
   Pardon pardon;
 };
 
-/// True only where the hull of the points keeps the clearance from all obstacle cubes. `found` gets the first voxel for
-/// which it is false. The answer may be false although the hull keeps it, but hardly where the points lie nearly on a
-/// line. Reads the voxels within the distance of the hull's box. `effort` grows by what that took (see Work).
+/// True only where the hull of the points keeps the clearance from all obstacle cubes. `found` gets a voxel for which
+/// it is false. The answer may be false although the hull keeps it, but hardly where the points lie nearly on a line.
+/// Reads the voxels within the distance of the hull's box. `effort` grows by what that took (see Work).
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
                 std::uint32_t& effort) noexcept;
 
