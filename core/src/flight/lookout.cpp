@@ -100,7 +100,8 @@ void FlightState::look_from(std::int32_t direction, int radii, int height) noexc
   const double radius = safe.spec().clearance();
   const Vec3 at = sample_at(takeover).position;
   const Vec3 way = offset_of(direction);
-  const double up = 0.5 * ((height + 1) / 2) * radius;
+  const int steps = (height + 1) / 2;
+  const double up = 0.5 * steps * radius;
   const double drop = (absolute(way.x) + absolute(way.y)) * up / (radii * radius);
   const Vec3 sight = (radii * radius) * way + Vec3{0.0, 0.0, height % 2 == 0 ? up : -up};
   const Vec3 place = block.at + sight;
