@@ -77,8 +77,8 @@ NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) no
   return best;
 }
 
-/// What ended the proof of the plan at hand. After the flight gave up, what made it do so stands; so does what is too
-/// near to where the vehicle rests.
+/// Reports what ended the proof of the draft. If the flight gave up, its reason is kept. If something is too near to
+/// where the vehicle rests, that is kept.
 void FlightState::note_unproven() noexcept {
   if (parked || is_beside()) return;
   const ProofReport& found = proof.report();

@@ -169,7 +169,7 @@ class FlightState {
   bool seeks;             ///< the next plan leads to a lookout
   int lookouts;           ///< that were flown to since the vehicle came nearer to the goal
   std::uint32_t sought;   ///< directions from which one was sought, bit by bit
-  std::int32_t searched;  ///< directions and ranges of the search at hand
+  std::int32_t searched;  ///< places that the search for a lookout has looked at
   Lookout lookout;        ///< the best one so far
   Vec3 look_at;           ///< what the next plan needs to know
   FlightReport report;

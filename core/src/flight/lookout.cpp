@@ -140,8 +140,8 @@ void FlightState::note_lookout() noexcept {
   turned = false;
 }
 
-/// What the sensor should see next: what a lookout is for; after one, the voxel that ended the proof at hand; and
-/// otherwise the point where it ended.
+/// What the sensor should see next. On the way to a lookout: what it is for. After a lookout: the voxel that ended the
+/// last proof. Otherwise: the point where that proof ended.
 Vec3 FlightState::place_to_see() const noexcept {
   if (draft.looks_out) return draft.hidden;
   const Grid& safe = map.safe();

@@ -51,7 +51,7 @@ struct Frame {
   int view_count;
   VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
-  // The block at hand, which one view after the other carves; those of a scan in two parts, because they take longer.
+  // The block that is being carved, by one view after the other. Those of a scan take longer and have two parts.
   int part;           ///< the next one of all views; 0 before the first
   CubeBits left;      ///< cubes for the view's second part
   BlockWords wanted;  ///< voxels that a miss would change,

@@ -94,8 +94,8 @@ std::int64_t ThreatWatch::notice_ticks() const {
 }
 
 /// The flight looks at whole frames, and needs some ticks for a proof. An alarm in which nothing is in the way is one
-/// of a plan that was taken back, and over soon; or the vehicle rests beside something and may stay. What it said there
-/// once, it need not say for ever, but what is in the way.
+/// of a plan that was taken back, and over soon; or the vehicle rests beside something and may stay. At rest, one alarm
+/// is enough; after it, the report must name what is in the way.
 void ThreatWatch::count_disagreement(const tern::FlightReport& report, std::int64_t t) {
   const std::int64_t most = notice_ticks();
   const bool threat = report.mode == tern::FlightMode::kThreat;
