@@ -149,8 +149,6 @@ void attack_flat(Context& context, Rng& own) {
   World thin;
   make_world(own, context.family, thin);
   flatten(own, thin);
-  // Without a radius, the only way in a flat boundary may touch an oblique keep-out (docs/fences.md).
-  if (context.family == Family::kFences && !(thin.radius() > 0)) thin.spec.radius = 0.5 * thin.spec.cell;
   World whole;
   widen(own, thin, whole);
   for (World* world : {&thin, &whole}) {

@@ -51,13 +51,14 @@ std::vector<Plane> planes_of(const World& world, const tern::Fence& fence) {
 }
 
 Solid::Solid(const World& world, const tern::Fence& fence) : planes_(planes_of(world, fence)) {
-  const Real radius = world.spec.radius;
+  // A voxel more than what can be too near: in a flat boundary without a radius, a keep-out needs an inside.
+  const Real reach = static_cast<Real>(world.spec.radius) + world.spec.cell;
   for (int a = 0; a < 3; ++a) {
     Point up{{0, 0, 0}};
     up[a] = 1;
     const Real origin = axis(world.spec.origin, a);
-    planes_.push_back({up, axis(world.spec.boundary.upper, a) - origin + radius});
-    planes_.push_back({-1.0L * up, origin - axis(world.spec.boundary.lower, a) + radius});
+    planes_.push_back({up, axis(world.spec.boundary.upper, a) - origin + reach});
+    planes_.push_back({-1.0L * up, origin - axis(world.spec.boundary.lower, a) + reach});
   }
   find_edges();
   find_corners();

@@ -18,7 +18,7 @@ struct Plane {
 
 std::vector<Plane> planes_of(const World& world, const tern::Fence& fence);
 
-/// A keep-out as far as it lies in the boundary grown by the radius.
+/// A keep-out as far as it lies in the boundary grown by the radius and a voxel.
 class Solid {
  public:
   Solid(const World& world, const tern::Fence& fence);

@@ -55,6 +55,45 @@ TEST_F(CheckFences, ObliqueKeepOutBesideAPolyhedron) {
                               stage_));  // (0.995, 0.995): 0.205 m away
 }
 
+/// The edge of a prism climbs towards the first polyhedron, y <= 2. It is the radius away where z = 1.7.
+TEST_F(CheckFences, AKeepOutCountsAsFarAsTheRadiusAroundAKeepIn) {
+  const auto fences = std::make_unique<tern::AskedFences>();
+  const Halfspace prism[] = {{{1.0, -1.0, -1.0}, 1.0 - 2.2 - 1.7}, {{-1.0, -1.0, -1.0}, -1.0 - 2.2 - 1.7}};
+  const auto clear_within = [&](const Halfspace& keep_in) {
+    const tern::Fence list[] = {{prism, 2, tern::FenceKind::kKeepOut}, {&keep_in, 1, tern::FenceKind::kKeepIn}};
+    EXPECT_TRUE(copy_fences(list, 2, *fences));
+    return keep_outs_clear(grid_, corridor_->polyhedra[0], *fences, stage_.scratch, stage_);
+  };
+  EXPECT_FALSE(clear_within({{0.0, 0.0, 1.0}, 2.0})) << "all of the map";
+  EXPECT_FALSE(clear_within({{0.0, 0.0, 2.0}, 2.0 * (1.5 + 2e-9)}));
+  EXPECT_TRUE(clear_within({{0.0, 0.0, 2.0}, 2.0 * 1.5}));
+  EXPECT_TRUE(clear_within({{0.0, 0.0, 1.0}, 0.0})) << "a keep-in of the floor alone";
+  EXPECT_TRUE(clear_within({{0.0, 0.0, 1.0}, -1e300})) << "a keep-in that leaves no place";
+}
+
+/// Without a radius, too: the polyhedron's own faces cut nothing off that it holds.
+TEST_F(CheckFences, AKeepOutHasAnInsideInAFlatBoundaryAndAFlatKeepIn) {
+  const auto fences = std::make_unique<tern::AskedFences>();
+  const Halfspace slab[] = {{{1.0, 0.0, 0.0}, 3.0}, {{-1.0, 0.0, 0.0}, -1.0}};
+  const Halfspace level[] = {{{0.0, 0.0, 1.0}, 1.0}, {{0.0, 0.0, -1.0}, -1.0}};
+  const tern::Fence list[] = {{slab, 2, tern::FenceKind::kKeepOut}, {level, 2, tern::FenceKind::kKeepIn}};
+  tern::GridSpec spec = grid_.spec();
+  spec.radius = 0.0;
+  for (const bool in_boundary : {true, false}) {
+    if (in_boundary) spec.boundary = {{0.0, 0.0, 1.0}, {4.0, 2.0, 1.0}};
+    if (!in_boundary) spec.boundary = {{0.0, 0.0, 0.0}, {4.0, 2.0, 2.0}};
+    ASSERT_EQ(grid_.bind(spec, words_.data(), words_.size()), Status::kOk);
+    ASSERT_TRUE(copy_fences(list, in_boundary ? 1 : 2, *fences));
+    const auto clear_of = [&](double from) {
+      const tern::Polyhedron flat = box_polyhedron({from, 0.0, 1.0}, {4.0, 2.0, 1.0});
+      return keep_outs_clear(grid_, flat, *fences, stage_.scratch, stage_);
+    };
+    EXPECT_FALSE(clear_of(0.0));
+    EXPECT_FALSE(clear_of(2.9));
+    EXPECT_TRUE(clear_of(3.0)) << "it may touch";
+  }
+}
+
 TEST_F(CheckFences, ControlPointOutsideAKeepIn) {
   const auto fences = std::make_unique<tern::AskedFences>();
   query_.fences = fences.get();

@@ -106,6 +106,55 @@ TEST_F(FencesTest, KeepInsAreClosed) {
   EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.0001, 1.0, 1.0}, 0.2));
 }
 
+TEST_F(FencesTest, AKeepInCutsKeepOutsShortAsABoundaryDoes) {
+  const Halfspace all{{1.0, 0.0, 0.0}, 10.0};  // holds the whole map
+  const Fence out{&all, 1, FenceKind::kKeepOut};
+  const Box room{{1.0, 1.5, 0.5}, {2.0, 1.5, 0.55}};
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes(room, planes);
+  planes[5] = {{0.0, 1e-16, -3.0}, -1.5};  // of any length, and across an axis but for rounding
+  const Fence in{planes, 6, FenceKind::kKeepIn};
+  const Halfspace beyond{{0.0, -1.0, 0.0}, 1e300};
+  const Fence map{&beyond, 1, FenceKind::kKeepIn};
+  for (const std::vector<Fence>& list : {std::vector<Fence>{out, map, in}, std::vector<Fence>{in, out}}) {
+    ASSERT_EQ(load(list), Status::kOk);
+    ASSERT_EQ(fences_->keep_out_count, 1);
+    EXPECT_EQ(fences_->keep_out[0].corners, 8);
+    const tern::Hull hull = hull_of(*fences_, fences_->keep_out[0]);
+    for (int a = 0; a < 3; ++a) {
+      Vec3 up{};
+      tern::axis(up, a) = 1.0;
+      EXPECT_NEAR(hull_support(up, hull), tern::axis(room.lower, a) - 0.2, 1e-12);
+      EXPECT_NEAR(hull_reach(up, hull), tern::axis(room.upper, a) + 0.2, 1e-12);
+    }
+  }
+}
+
+TEST_F(FencesTest, AKeepInOfOnePointLosesNoKeepOutAboutIt) {
+  const World world({40, 40, 20}, 0.1, 0.0);
+  const Vec3 point{1.0, 1.5, 0.5};
+  Halfspace planes[tern::kBoxPlanes];
+  box_planes({point, point}, planes);
+  for (const double face : {1.0, 1.2}) {
+    const Halfspace half{{1.0, 0.0, 0.0}, face};
+    const Fence list[] = {{planes, 6, FenceKind::kKeepIn}, {&half, 1, FenceKind::kKeepOut}};
+    ASSERT_EQ(load_fences(world.grid, list, 2, *fences_).status, Status::kOk);
+    ASSERT_EQ(fences_->keep_out_count, 1);
+    EXPECT_EQ(fences_clear(*fences_, point, point, 0.0), face < 1.1) << "it may touch";
+  }
+}
+
+/// They miss each other by less than the map's size lets count, however small a keep-in is.
+TEST_F(FencesTest, AFlatKeepOutStillCountsInASmallKeepIn) {
+  const Halfspace plate[] = {{{1.0, 0.0, 0.0}, 1.0}, {{-1.0, 0.0, 0.0}, -1.0 - 2e-13}};
+  const Halfspace small[] = {{{1.0, 0.0, 0.0}, 1.01},  {{-1.0, 0.0, 0.0}, -0.99}, {{0.0, 1.0, 0.0}, 1.01},
+                             {{0.0, -1.0, 0.0}, -1.0}, {{0.0, 0.0, 1.0}, 1.01},   {{0.0, 0.0, -1.0}, -1.0}};
+  const World world({40, 40, 20}, 0.1, 0.0);
+  const Fence list[] = {{plate, 2, FenceKind::kKeepOut}, {small, 6, FenceKind::kKeepIn}};
+  ASSERT_EQ(load_fences(world.grid, list, 2, *fences_).status, Status::kOk);
+  EXPECT_EQ(fences_->keep_out_count, 1);
+}
+
 TEST_F(FencesTest, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
   for (const double far : {50.0, 1e300}) {
     ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{2.0, 0.0, 0.0}, far}}), Status::kOk);

@@ -139,31 +139,107 @@ TEST_P(FlatPlans, AGoalThatIsCutOffIsApproachedInsideTheBoundary) {
   EXPECT_GE(missed, scaled(10) / 4);
 }
 
-/// Bit for bit, also where the boundary cuts the voxels of the keep-in.
+/// Half-spaces about a point near the slab, at any angle.
+std::vector<tern::Halfspace> oblique(Random& random, const Slab& slab) {
+  Vec3 middle{};
+  for (int a = 0; a < 3; ++a) {
+    tern::axis(middle, a) = random.real(tern::axis(slab.box().lower, a), tern::axis(slab.box().upper, a));
+  }
+  std::vector<tern::Halfspace> planes;
+  for (int k = random.integer(1, 6); k > 0; --k) {
+    const Vec3 n{random.real(-1.0, 1.0), random.real(-1.0, 1.0), random.real(-1.0, 1.0)};
+    planes.push_back({n, tern::dot(n, middle) + random.real(0.0, 0.4)});
+  }
+  return planes;
+}
+
+/// The blocked layer of a grid with fences.
+class FencedLayer {
+ public:
+  void make(const tern::Grid& grid, const std::vector<tern::Fence>& list) {
+    const auto count = static_cast<std::int32_t>(list.size());
+    ASSERT_EQ(load_fences(grid, list.data(), count, *fences_).status, Status::kOk);
+    ASSERT_EQ(copy_blocked(grid, *layer_, view), Status::kOk);
+    layer_->narrowed = narrow_boundary(*fences_, view);
+    const int planes = grid.spec().dims.z;
+    for (int z = 0; z < planes; ++z) block_outside(*fences_, *layer_, view, z);
+    for (int k = 0; k < fences_->keep_out_count; ++k) {
+      prepare_keep_out(*fences_, fences_->keep_out[k], *layer_, view);
+      for (int z = 0; z < planes; ++z) block_keep_out(*layer_, view, z);
+    }
+  }
+  bool narrowed() const { return layer_->narrowed; }
+
+  tern::Grid view;
+
+ private:
+  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
+  std::unique_ptr<tern::FenceLayer> layer_ = std::make_unique<tern::FenceLayer>();
+};
+
+/// Bit for bit, also where the boundary cuts the voxels of the keep-in, and where a keep-out is near.
 TEST(FlatKeepIn, BlocksWhatABoundaryOfItsSizeDoes) {
   Random random(4023);
-  const auto fences = std::make_unique<tern::Fences>();
-  const auto layer = std::make_unique<tern::FenceLayer>();
+  FencedLayer layer;
+  FencedLayer expected;
+  int freed = 0;
   for (int i = 0; i < scaled(200); ++i) {
     const Slab slab(random, ThinBy::kKeepIn);
     tern::GridSpec spec = slab.spec();
     spec.boundary = slab.box();
     OwnedGrid thin(spec);
     copy_obstacles(slab.grid(), thin.grid);
-    const tern::Fence fence = slab.fence();
-    ASSERT_EQ(load_fences(slab.grid(), &fence, 1, *fences).status, Status::kOk);
-    tern::Grid view;
-    ASSERT_EQ(copy_blocked(slab.grid(), *layer, view), Status::kOk);
-    layer->narrowed = narrow_boundary(*fences, view);
-    EXPECT_TRUE(layer->narrowed);
+    const std::vector<tern::Halfspace> planes = oblique(random, slab);
+    std::vector<tern::Fence> fences;
+    if (i % 2 != 0) fences.push_back({planes.data(), static_cast<int>(planes.size()), tern::FenceKind::kKeepOut});
+    expected.make(thin.grid, fences);
+    fences.push_back(slab.fence());
+    layer.make(slab.grid(), fences);
+    if (HasFatalFailure()) return;
+    EXPECT_TRUE(layer.narrowed());
     for (int z = 0; z < spec.dims.z; ++z) {
-      block_outside(*fences, *layer, view, z);
       for (int y = 0; y < spec.dims.y; ++y) {
         for (int x = 0; x < spec.dims.x; ++x) {
-          ASSERT_EQ(view.free({x, y, z}), thin.grid.free({x, y, z})) << i << ": " << x << " " << y << " " << z;
+          const bool free = layer.view.free({x, y, z});
+          ASSERT_EQ(free, expected.view.free({x, y, z})) << i << ": " << x << " " << y << " " << z;
+          freed += free && i % 2 != 0 ? 1 : 0;
         }
       }
     }
+  }
+  EXPECT_GE(freed, scaled(200) * 20);
+}
+
+/// A keep-out slants across a flat boundary, or a flat keep-in, with a gap at one end or none.
+TEST_P(FlatPlans, AKeepOutIsNoWayThroughWithoutARadius) {
+  for (const double height : {0.0, 1e-10, 0.03}) {
+    tern::GridSpec spec = whole_grid({40, 40, 10}, 0.1, 0.0, {0.0, 0.0, 0.0});
+    const tern::Box thin{{0.0, 0.0, 0.5}, {4.0, 4.0, 0.5 + height}};
+    if (GetParam() == ThinBy::kBoundary) spec.boundary = thin;
+    OwnedGrid owned(spec);
+    owned.grid.inflate();
+    tern::Halfspace faces[tern::kBoxPlanes];
+    tern::box_planes(thin, faces);
+    tern::Halfspace across[] = {{{1.0, 0.1, 0.0}, 2.5}, {{-1.0, -0.1, 0.0}, -1.5}, {{0.0, 1.0, 0.0}, 9.0}};
+    const tern::Fence list[] = {{across, 3, tern::FenceKind::kKeepOut}, {faces, 6, tern::FenceKind::kKeepIn}};
+    request_ = {};
+    request_.limits = {{2.0, 2.0, 1.0}, {4.0, 4.0, 2.0}};
+    request_.fences = list;
+    request_.fence_count = GetParam() == ThinBy::kKeepIn ? 2 : 1;
+    request_.start.position = {0.55, 1.05, 0.5};
+    request_.goal.position = {3.55, 1.05, 0.5};
+    const auto answer = [&] { return planner_.plan(owned.grid, request_, plan_, report_); };
+    EXPECT_EQ(answer(), Status::kNoPath) << height;
+    across[2].offset = 3.0;
+    ASSERT_EQ(answer(), Status::kOk) << height;
+    EXPECT_EQ(report_.quality, tern::Quality::kOptimised);
+    for (int k = 0; k <= 200; ++k) {
+      const Vec3 p = tern::evaluate(plan_, tern::duration(plan_) * k / 200).position;
+      const double along = p.x + 0.1 * p.y;
+      EXPECT_TRUE(along < 1.5 + 1e-8 || along > 2.5 - 1e-8 || p.y > 3.0 - 1e-8) << height;
+    }
+    request_.start.position = {2.05, 1.05, 0.5};
+    EXPECT_EQ(answer(), Status::kStartFenced) << height;
   }
 }
 

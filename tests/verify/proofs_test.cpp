@@ -236,6 +236,33 @@ TEST(Proofs, Fences) {
   expect_refuted("fence 1", straight_plan(), problem_of("keepout_halfspaces 1 1 0 6.50000001 -1 1 0 -3.49999999\n"));
 }
 
+TEST(Proofs, AKeepOutCountsAsFarAsTheRadiusAroundAKeepIn) {
+  // A prism whose edge climbs over the way. It is the radius below the way where z = 2.625.
+  const std::string prism = "keepout_halfspaces 4 1 -1 18.875 -4 1 -1 -21.125\n";
+  expect_refuted("fence 1", straight_plan(), problem_of(prism));
+  EXPECT_EQ(verdict_of(prove(problem_of(prism + "keepin 0 0 0 10 4 2.125\n"), straight_plan())), Verdict::kProven);
+  EXPECT_EQ(verdict_of(prove(problem_of(prism + "keepin_halfspaces 0 0 3 6.375\n"), straight_plan())),
+            Verdict::kProven);
+  expect_refuted("fence 1", straight_plan(), problem_of(prism + "keepin 0 0 0 10 4 2.12500001\n"));
+  const std::string slanted = prism + "keepin_halfspaces 0 -0.28 0.96 ";
+  EXPECT_EQ(verdict_of(prove(problem_of(slanted + "1.6\n"), straight_plan())), Verdict::kProven);
+  expect_refuted("fence 1", straight_plan(), problem_of(slanted + "1.60000001\n"));
+}
+
+TEST(Proofs, AKeepOutHasAnInsideInAFlatBoundaryAndAFlatKeepIn) {
+  const std::string slab = "keepout_halfspaces 1 0 0 6 -1 0 0 -5\n";
+  Plan plan = straight_plan();
+  plan.corridor[0][4].offset = 2;
+  plan.corridor[0][5].offset = -2;
+  Problem problem = problem_of(slab);
+  problem.clearance = 0;
+  problem.boundary.lower[2] = problem.boundary.upper[2] = 2;
+  expect_refuted("fence 1", plan, problem);
+  problem = problem_of(slab + "keepin 0 0 2 10 4 2\n");
+  problem.clearance = 0;
+  expect_refuted("fence 1", plan, problem);
+}
+
 TEST(Proofs, ThePlanMustStayInTheBoundary) {
   Problem problem = problem_of();
   problem.boundary.lower[1] = 2 + decimal(1, 8);

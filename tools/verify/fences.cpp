@@ -39,6 +39,35 @@ Rational keep_out_margin(const Polygon<3>& hull, const std::vector<HalfSpace>& p
   return best ? *best : Rational(-clearance - 1);
 }
 
+/// The half-space cuts the box if its normal is along an axis; else false.
+bool cut_box(const HalfSpace& plane, Box& box) {
+  if (std::count(plane.normal.begin(), plane.normal.end(), Rational(0)) != 2) return false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Rational& along = plane.normal[a];
+    if (along > 0) box.upper[a] = std::min<Rational>(box.upper[a], plane.offset / along);
+    if (along < 0) box.lower[a] = std::max<Rational>(box.lower[a], plane.offset / along);
+  }
+  return true;
+}
+
+/// What of a keep-out can be too near to a place inside the boundary and all keep-ins. It reaches a voxel beyond them
+/// at least: in a flat boundary without a radius, a keep-out would have no inside, and the way through it would touch
+/// it.
+std::vector<HalfSpace> part_that_matters(const Problem& problem, const Fence& keep_out) {
+  const Rational reach = std::max<Rational>(problem.clearance, problem.cell);
+  Box box = problem.boundary;
+  std::vector<HalfSpace> planes = keep_out.planes;
+  for (const Fence& fence : problem.fences) {
+    if (!fence.keep_in) continue;
+    for (const HalfSpace& plane : fence.planes) {
+      if (cut_box(plane, box)) continue;
+      const Rational out = reach * root_above(dot(plane.normal, plane.normal));
+      planes.push_back({plane.normal, plane.offset + out});
+    }
+  }
+  return cut_to(box, reach, planes);
+}
+
 void prove_keep_in(const Subject& subject, const Fence& fence, Tightest& tightest) {
   for (std::size_t s = 0; s < subject.plan.segments.size(); ++s) {
     for (const Point& point : subject.world_points(s)) {
@@ -55,7 +84,7 @@ void prove_keep_in(const Subject& subject, const Fence& fence, Tightest& tightes
 void prove_keep_out(const Subject& subject, const Fence& fence, Tightest& tightest) {
   const Rational tolerance = subject.tolerance.fence + subject.tolerance.point;
   const Rational& clearance = subject.problem.clearance;
-  const std::vector<HalfSpace> planes = cut_to(subject.problem.boundary, clearance, fence.planes);
+  const std::vector<HalfSpace> planes = part_that_matters(subject.problem, fence);
   for (std::size_t s = 0; s < subject.plan.segments.size(); ++s) {
     const std::vector<HalfSpace>& polyhedron = subject.plan.corridor[subject.plan.segments[s].polyhedron];
     const std::vector<Point> directions = directions_of(fence, polyhedron);

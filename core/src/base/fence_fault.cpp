@@ -20,9 +20,10 @@ struct Around {
   double scale;
 };
 
+/// The whole grid: how flat is flat must not depend on its boundary, or on keep-ins.
 Around around(const GridSpec& grid) {
-  const Box& box = grid.boundary;
-  return {0.5 * (box.lower + box.upper), distance(box.lower, box.upper) + grid.clearance()};
+  const Vec3 size{grid.dims.x * grid.cell, grid.dims.y * grid.cell, grid.dims.z * grid.cell};
+  return {grid.origin + 0.5 * size, length(size) + grid.clearance()};
 }
 
 CommonPoint anywhere(const Around& map) {

@@ -11,10 +11,17 @@ namespace {
 
 /// An offset so great is beyond any map, whose coordinates are below 1e19; its products would overflow.
 constexpr double kBeyondAnyMap = 1e100;
-/// Parts by which the box around a keep-out is taken larger: more than the rounding of its own size.
+/// Parts by which the box around a keep-out, and the distance by which keep-ins grow, are taken larger: more than the
+/// rounding of their own size.
 constexpr double kHair = 1e-14;
 
-/// The boundary grown by the radius, local frame. Nothing beyond it can be too near.
+/// How far around the places of the centre a keep-out is looked at. What is beyond the radius cannot be too near. It is
+/// a voxel at least: without a radius, a keep-out in a flat boundary would be flat, and any line in it touches it only.
+double reach_of(const GridSpec& spec) {
+  return (1.0 + kHair) * larger(spec.clearance(), spec.cell);
+}
+
+/// The boundary grown by that, local frame.
 struct Surroundings {
   Vec3 center;
   Vec3 half;
@@ -26,7 +33,7 @@ Surroundings surroundings_of(const Grid& grid) {
   for (int a = 0; a < 3; ++a) {
     const double across =
         larger(axis(boundary.upper, a) - axis(around.center, a), axis(around.center, a) - axis(boundary.lower, a));
-    axis(around.half, a) = (1.0 + kHair) * (across + grid.spec().clearance());
+    axis(around.half, a) = (1.0 + kHair) * across + reach_of(grid.spec());
   }
   return around;
 }
@@ -57,15 +64,33 @@ Plane<DoubleDouble> plane_about(const Halfspace& world, const Vec3& frame, const
           DoubleDouble(scale) * offset};
 }
 
-/// Adds the half-space; one that holds all of the box says nothing, one that holds none of it leaves nothing.
-void add_plane(const Halfspace& world, const Vec3& frame, const Vec3& center, Solid<DoubleDouble>& solid) {
+/// Adds the half-space, moved out by `out` metres; one that holds all of the box says nothing, one that holds none of
+/// it leaves nothing.
+void add_plane(const Halfspace& world, const Vec3& frame, const Vec3& center, double out, Solid<DoubleDouble>& solid) {
   if (absolute(world.offset) > kBeyondAnyMap) {
     solid.empty = solid.empty || world.offset < 0.0;
     return;
   }
-  const Plane<DoubleDouble> plane = plane_about(world, frame, center);
+  Plane<DoubleDouble> plane = plane_about(world, frame, center);
+  plane.offset = plane.offset + DoubleDouble(out);
   if (plane.offset.high < -solid.reach) solid.empty = true;
   if (absolute(plane.offset.high) <= solid.reach) solid.planes[solid.count++] = plane;
+}
+
+/// What of a keep-out can be too near to a centre inside the boundary and all keep-ins.
+void find_solid(const Grid& grid, const AskedFences& fences, int keep_out, const Surroundings& around,
+                Solid<DoubleDouble>& solid) {
+  const double grown = reach_of(grid.spec());
+  begin_solid(around, solid);
+  for (int k = 0; k < fences.count; ++k) {
+    const AskedFence& fence = fences.fence[k];
+    const bool keeps_in = fence.kind == FenceKind::kKeepIn;
+    if (!keeps_in && k != keep_out) continue;
+    for (int p = 0; p < fence.count; ++p) {
+      add_plane(fences.planes[fence.first + p], grid.spec().origin, around.center, keeps_in ? grown : 0.0, solid);
+    }
+  }
+  add_faces(solid);
 }
 
 Plane<double> rounded(const Plane<DoubleDouble>& plane) {
@@ -140,13 +165,8 @@ bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const Asked
   const Surroundings around = surroundings_of(grid);
   const Asked asked{grid.spec().clearance(), fence_tolerance(grid)};
   for (int k = 0; k < fences.count; ++k) {
-    const AskedFence& fence = fences.fence[k];
-    if (fence.kind != FenceKind::kKeepOut) continue;
-    begin_solid(around, scratch.exact);
-    for (int p = 0; p < fence.count; ++p) {
-      add_plane(fences.planes[fence.first + p], grid.spec().origin, around.center, scratch.exact);
-    }
-    add_faces(scratch.exact);
+    if (fences.fence[k].kind != FenceKind::kKeepOut) continue;
+    find_solid(grid, fences, k, around, scratch.exact);
     if (some_plane_cuts_off(polyhedron, around.center, asked, scratch, found)) continue;
     found.fence = k;
     return false;

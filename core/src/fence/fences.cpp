@@ -6,6 +6,7 @@
 #include "base/double_double.hpp"
 #include "base/facet.hpp"
 #include "base/math.hpp"
+#include "fence/narrow_boundary.hpp"
 #include "grid/distance.hpp"
 
 namespace tern {
@@ -31,24 +32,32 @@ constexpr int kTrials = 7;
 /// An offset this large lies beyond every map: coordinates of maps are below 1e19.
 constexpr double kBeyondAnyMap = 1e100;
 
-/// The region where the robot's centre may be, grown by the radius. Nothing beyond it matters.
+/// The region where the robot's centre may be, grown by the radius: the boundary within keep-ins along the axes.
+/// Nothing beyond it matters. A keep-in therefore cuts keep-outs short just as a boundary of its size does. The region
+/// grows by a voxel at least: in one without height, a keep-out would have no inside, and a path through it would touch
+/// it.
 struct Surroundings {
   Vec3 center;
   double reach;  ///< radius of a ball about the centre that contains the box
-  double scale;  ///< the largest coordinate involved; rounding is proportional to it
+  double scale;  ///< the largest coordinate that a grid of this size may involve; rounding is proportional to it
   Halfspace faces[kBoxPlanes];
 };
 
-Surroundings surroundings_of(const Grid& grid) {
-  const double radius = grid.spec().clearance();
+Box grown(const Box& box, double all_round) {
+  const Vec3 more{all_round, all_round, all_round};
+  return {box.lower - more, box.upper + more};
+}
+
+Surroundings surroundings_of(const Grid& grid, const Fences& fences) {
+  const GridSpec& spec = grid.spec();
+  const double all_round = larger(spec.clearance(), spec.cell);
+  const Box whole =
+      grown({{0.0, 0.0, 0.0}, {spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell}}, all_round);
   Box box = grid.local_boundary();
-  for (int a = 0; a < 3; ++a) {
-    axis(box.lower, a) = axis(box.lower, a) - radius;
-    axis(box.upper, a) = axis(box.upper, a) + radius;
-  }
+  for (int a = 0; a < 3; ++a) box = within_keep_ins(fences, box, a);
+  box = grown(box, all_round);
   const Vec3 center = 0.5 * (box.lower + box.upper);
-  const double reach = distance(box.lower, box.upper);
-  Surroundings around{center, reach, larger(reach, length(center)), {}};
+  Surroundings around{center, distance(box.lower, box.upper), distance(whole.lower, whole.upper), {}};
   box_planes({box.lower - around.center, box.upper - around.center}, around.faces);
   return around;
 }
@@ -172,15 +181,14 @@ FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, 
   fences.keep_out_count = 0;
   fences.plane_count = 0;
   fences.corner_count = 0;
-  const Surroundings around = surroundings_of(grid);
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn) load_keep_in(grid, list[i], i, fences);
+  }
+  const Surroundings around = surroundings_of(grid, fences);
   fences.touching = contact_tolerance(grid.spec()) + kHair * around.scale;
   for (std::int32_t i = 0; i < count; ++i) {
-    Status status = Status::kOk;
-    if (list[i].kind == FenceKind::kKeepIn) {
-      load_keep_in(grid, list[i], i, fences);
-    } else {
-      status = load_keep_out(grid, around, list[i], i, fences);
-    }
+    if (list[i].kind == FenceKind::kKeepIn) continue;
+    const Status status = load_keep_out(grid, around, list[i], i, fences);
     if (status != Status::kOk) return {status, i};
   }
   return fault;

@@ -19,7 +19,8 @@ namespace tern {
 /// A polyhedron with n facets has at most 2 n - 4 corners. Each keep-out has six more facets from the box that cuts it.
 constexpr int kMaxFenceCorners = 2 * kMaxFencePlanes + 8 * kMaxFences;
 
-/// One keep-out: its half-spaces, and the corners of that part of it that lies within the radius of the boundary.
+/// One keep-out: its half-spaces, and the corners of that part of it that matters. The part lies within the radius of
+/// the boundary, and of each keep-in's half-space across an axis.
 struct KeepOut {
   std::int32_t first_plane;
   std::int32_t planes;
@@ -46,9 +47,9 @@ inline Hull hull_of(const Fences& fences, const KeepOut& fence) noexcept {
   return {fences.corners + fence.first_corner, fence.corners};
 }
 
-/// Reads `count` fences (world frame) for planning on `grid`. A keep-out that cannot come within the radius of the
-/// boundary is left out. kOk; what find_fence_fault() says; kFencePlanesFull where the corners of a keep-out do not
-/// fit. `fences` is undefined unless kOk.
+/// Reads `count` fences (world frame) for planning on `grid`. A keep-out without a part that matters is left out. kOk;
+/// what find_fence_fault() says; kFencePlanesFull where the corners of a keep-out do not fit. `fences` is undefined
+/// unless kOk.
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
 
 /// True if the segment (local frame; equal ends make a point) lies inside every keep-in and keeps `radius` from every

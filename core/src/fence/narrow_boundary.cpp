@@ -19,20 +19,6 @@ bool stands_across(const Vec3& normal, int a) {
   return true;
 }
 
-/// The boundary within the planes of keep-ins across an axis. Faces that rounding leaves in the wrong order meet.
-Box within_keep_ins(const Fences& fences, Box boundary, int a) {
-  double& lower = axis(boundary.lower, a);
-  double& upper = axis(boundary.upper, a);
-  for (int p = 0; p < fences.keep_in_count; ++p) {
-    const Halfspace& plane = fences.keep_in[p];
-    if (!stands_across(plane.normal, a)) continue;
-    if (axis(plane.normal, a) > 0.0) upper = smaller(upper, plane.offset);
-    if (axis(plane.normal, a) < 0.0) lower = larger(lower, -plane.offset);
-  }
-  if (lower > upper) lower = upper = 0.5 * (lower + upper);
-  return boundary;
-}
-
 /// False if there are none.
 bool drop_keep_ins(Fences& fences, int a) {
   std::int32_t kept = 0;
@@ -47,6 +33,20 @@ bool drop_keep_ins(Fences& fences, int a) {
 }
 
 }  // namespace
+
+Box within_keep_ins(const Fences& fences, const Box& boundary, int a) noexcept {
+  Box left = boundary;
+  double& lower = axis(left.lower, a);
+  double& upper = axis(left.upper, a);
+  for (int p = 0; p < fences.keep_in_count; ++p) {
+    const Halfspace& plane = fences.keep_in[p];
+    if (!stands_across(plane.normal, a)) continue;
+    if (axis(plane.normal, a) > 0.0) upper = larger(smaller(upper, plane.offset), axis(boundary.lower, a));
+    if (axis(plane.normal, a) < 0.0) lower = smaller(larger(lower, -plane.offset), axis(boundary.upper, a));
+  }
+  if (lower > upper) lower = upper = 0.5 * (lower + upper);
+  return left;
+}
 
 bool narrow_boundary(Fences& fences, Grid& view) noexcept {
   bool narrowed = false;

@@ -8,6 +8,10 @@
 
 namespace tern {
 
+/// The boundary (local frame) within those planes of keep-ins that stand across axis `a`. A plane beyond the opposite
+/// face of the boundary counts as on it. Faces that rounding leaves in the wrong order meet.
+Box within_keep_ins(const Fences& fences, const Box& boundary, int a) noexcept;
+
 /// Reads keep-ins that are thinner than voxels as a thin boundary (docs/grid.md). Where keep-ins with planes across an
 /// axis leave no whole voxel of the boundary on it, these planes leave `fences` and become faces of the view's
 /// boundary. Some point must obey the fences and the boundary, but for rounding. True if the boundary changed: the
