@@ -125,6 +125,22 @@ TEST(ExportCrazyflie, AnEmptyYawPlanIsYawZeroAndASegmentWithoutDurationIsRefused
   }
 }
 
+/// After a first polynomial that rests at 0, the spline swings to and fro. Halves of the piece would be too short.
+TEST(ExportCrazyflie, AYawTooFastForItsPieceIsWithinTheErrorThatSaysSo) {
+  const YawPlan yaw{9, 0.01, {}, 0.02, {0.0, 0.0, 0.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 0.0, 0.0, 0.0}};
+  Poly4d pieces[2];
+  std::int32_t count = 0;
+  ExportError error{};
+  ASSERT_EQ(crazyflie_raw(tern_test::hover(0.19), &yaw, {}, pieces, 2, count, error), Status::kOk);
+  EXPECT_EQ(count, 1);
+  double most = 0.0;
+  for (double t = 0.0; t < 0.19; t += 0.001) {
+    most = std::fmax(most, std::abs(firmware_at(pieces, 1, t).yaw - evaluate(yaw, t).angle));
+  }
+  EXPECT_GT(most, kCrazyflieYaw);
+  EXPECT_LE(most, error.yaw);
+}
+
 /// Far from the origin, floats are coarse: the error says so.
 TEST(ExportCrazyflie, TheErrorShowsCoordinatesThatAreTooLarge) {
   Random random(4);
@@ -241,8 +257,10 @@ TEST(ExportCrazyflie, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(crazyflie_compressed(far, nullptr, {}, bytes, sizeof bytes, used, error), Status::kInvalidArgument);
   EXPECT_EQ(crazyflie_compressed(tern_test::hover(0.0004), nullptr, {}, bytes, sizeof bytes, used, error),
             Status::kInvalidArgument);
-  EXPECT_EQ(crazyflie_compressed(tern_test::hover(66.0), nullptr, {}, bytes, sizeof bytes, used, error),
-            Status::kInvalidArgument);
+  for (const double longer : {66.0, 3e6}) {
+    EXPECT_EQ(crazyflie_compressed(tern_test::hover(longer), nullptr, {}, bytes, sizeof bytes, used, error),
+              Status::kInvalidArgument);
+  }
   EXPECT_EQ(crazyflie_compressed(tern_test::hover(1.0), nullptr, {}, bytes, sizeof bytes - 1, used, error),
             Status::kInvalidArgument);
   EXPECT_EQ(crazyflie_compressed(Trajectory{}, nullptr, {}, bytes, sizeof bytes, used, error),

@@ -221,6 +221,9 @@ TEST(ExportMavlink, WhatIsNotANumberIsMaskedAndWhatIsInfiniteRefused) {
   std::uint8_t frame[kMavlinkSetpointBytes];
   part.yaw_rate = -HUGE_VALF;
   EXPECT_EQ(mavlink_setpoint(part, {255, 190, 1, 1, 0, 0}, frame), 0);
+  part = whole;
+  part.position[0] = HUGE_VALF;  // finite numbers after it do not mend that
+  EXPECT_EQ(mavlink_setpoint(part, {255, 190, 1, 1, 0, 0}, frame), 0);
 }
 
 TEST(ExportLimits, AreBelowTheParameters) {

@@ -15,6 +15,7 @@
 #include "support/flight_room.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"
+#include "support/yaw_case.hpp"
 
 namespace {
 
@@ -216,6 +217,38 @@ TEST(FlightBlocked, SpaceThatNobodySaw) {
   const double far = std::hypot(away.x, away.y, away.z);
   EXPECT_GT(far, kKnown - 2.0 * FlightRoom::kCell);
   EXPECT_LT(far, kKnown + 2.0 * FlightRoom::kCell);
+}
+
+/// A plan straight through a fence at 2 m/s: its proof ends a radius before it.
+TEST(FlightBlocked, ProofThatEndsAtAFence) {
+  Halfspace planes[kBoxPlanes];
+  box_planes({{4.0, -30.0, -30.0}, {4.5, 30.0, 30.0}}, planes);
+  const Fence fence{planes, kBoxPlanes, FenceKind::kKeepOut};
+  FlightSpec spec = FlightRoom::flight_spec();
+  spec.fences = &fence;
+  spec.fence_count = 1;
+  FlightRoom room(spec);
+  FlightState& state = room.state();
+  state.draft.wished = tern_test::polyline({room.start, {8.125, 0.125, 1.125}}, 4.0);
+  ASSERT_EQ(state.begin_proof(state.draft.wished, 0.0), Status::kRunning);
+  Work work{100000};
+  ASSERT_EQ(state.prove(work), Progress::kDone);
+  state.note_unproven();
+  EXPECT_EQ(state.block.fence, 0);
+  EXPECT_NEAR(state.block.at.x, 3.4, 0.1);
+}
+
+/// A goal that is reached, and a plan of which nobody knows how near it could come.
+TEST(FlightBlocked, NothingIsBeyond) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  state.block = {BlockedBy::kWindow, state.goal, kNoFence};
+  state.note_block_beyond(state.goal);
+  EXPECT_EQ(state.block.by, BlockedBy::kWindow);
+  Report found{};
+  found.status = Status::kNoPath;
+  state.note_no_plan(found);
+  EXPECT_EQ(state.block.by, BlockedBy::kNothing);
 }
 
 /// Where the vehicle may not begin: in a ball of 1.5 m, beside a block and below the window's face.

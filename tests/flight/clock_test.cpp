@@ -240,6 +240,21 @@ TEST(FlightClock, TicksAndStalenessOutOfRangeAreRefused) {
   }
 }
 
+/// A contact after the last number that the clock has, and a plan that ends after the farthest time.
+TEST(FlightClock, WhatComesLaterIsShownAsTheLastNumber) {
+  FlightRoom room;
+  ASSERT_EQ(start_at(room, kLast - kSecond), Status::kOk);
+  FlightState& state = room.state();
+  state.threat = true;
+  for (const std::int64_t beyond : {-1, 0, 1}) {
+    state.contact = {kSecond + beyond, 1.0};
+    state.finish_report(0);
+    EXPECT_EQ(state.report.contact_time, beyond < 0 ? kLast - 1 : kLast) << beyond;
+  }
+  state.now.flown.segments[0].duration = 1e12;
+  EXPECT_EQ(state.rest_begins(), state.now.begin + kFarthest + 1);
+}
+
 /// The longest tick, the least work and the largest plan together, late in the longest flight.
 TEST(FlightClock, LargestLeadsFitIntoTheLargestTimes) {
   FlightRoom room;

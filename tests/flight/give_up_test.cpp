@@ -195,6 +195,43 @@ TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
   EXPECT_FALSE(state.parked);
 }
 
+/// A fence stays where it is. But there may be a way around it to a goal behind, and out of an obstacle.
+TEST(FlightGivesUp, OnlyAtAFencedGoalWithoutALook) {
+  const auto looks = [](bool aims_at_goal, bool leaves) {
+    FlightRoom room;
+    FlightState& state = room.state();
+    room.flight.set_goal({8.0, 0.0, 1.125});
+    state.time = 1000000000;
+    state.report.plan = Status::kGoalFenced;
+    state.aims_at_goal = aims_at_goal;
+    state.leaves = leaves;
+    state.idle_cycles = kIdleCycles - 1;
+    state.note_idle();
+    EXPECT_NE(state.is_looking, state.parked);
+    return state.is_looking;
+  };
+  EXPECT_FALSE(looks(true, false));
+  EXPECT_TRUE(looks(false, false));
+  EXPECT_TRUE(looks(true, true));
+}
+
+/// Beside a goal in an obstacle; not beside one beyond the window's face, or while the map slides.
+TEST(FlightGivesUp, BeforeAGoalThatIsKnownToBeOccupied) {
+  FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -1.0, 0.0}, {1.25, 1.0, 4.0}}});
+  FlightState& state = room.state();
+  const auto is_before = [&](const Vec3& goal) {
+    EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
+    return state.is_before_goal();
+  };
+  EXPECT_TRUE(is_before({1.125, 0.125, 1.125}));
+  EXPECT_FALSE(is_before({-1.125, 0.125, 1.125}));
+  state.now.flown.origin.z = 3.25;
+  EXPECT_TRUE(is_before({0.625, 0.125, 3.875}));
+  EXPECT_FALSE(is_before({0.625, 0.125, 4.125}));
+  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
+  EXPECT_FALSE(is_before({0.625, 0.125, 3.875}));
+}
+
 /// Learning something alone keeps no vehicle on the way for ever.
 TEST(FlightGivesUp, WanderingEnds) {
   FlightRoom room;

@@ -111,6 +111,42 @@ TEST(FlightLookout, IsSoughtInSlices) {
   expect_same(sliced.state().aim, place);
 }
 
+/// While the map slides, nothing is known of it: the search waits, and nothing new is said to be in the way.
+TEST(FlightLookout, IsSoughtOnceTheMapIsThere) {
+  Stuck room;
+  FlightState& state = room.state();
+  room.mark({{0.5, -0.5, 0.5}, {0.75, 0.5, 1.5}});
+  EXPECT_TRUE(state.seek_lookout());
+  state.begin_lookout();
+  ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
+  Work work{100000};
+  EXPECT_EQ(state.run_lookout(work), Progress::kMore);
+  EXPECT_EQ(work.left, 100000u);
+  EXPECT_EQ(state.job, Job::kLookout);
+  EXPECT_EQ(state.searched, 0);
+  EXPECT_EQ(state.note_block_near(room.start, state.map.safe()), kAnywhere);
+  expect_same(state.block.at, kHidden);
+}
+
+/// Plans that go on along what is flown, or to the same place, lead to no other lookout.
+TEST(FlightLookout, CountsOnceOnTheWayThere) {
+  Stuck room;
+  FlightState& state = room.state();
+  state.seeks = true;
+  state.draft.aim = {5.0, 0.0, 1.0};
+  const auto counts_after = [&](bool extends, const Vec3& aim_before) {
+    state.extends = extends;
+    state.now.aim = aim_before;
+    state.note_lookout();
+    return state.lookouts;
+  };
+  EXPECT_EQ(counts_after(true, room.start), 0);
+  EXPECT_EQ(counts_after(false, state.draft.aim), 0);
+  EXPECT_TRUE(state.seeks);
+  EXPECT_EQ(counts_after(false, room.start), 1);
+  EXPECT_FALSE(state.seeks);
+}
+
 /// Straight away from the voxel, ten radii or up to what is in the way.
 TEST(FlightLookout, TheWayAwayIsStraight) {
   Stuck room;

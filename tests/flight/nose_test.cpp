@@ -116,6 +116,30 @@ TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
   EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
 }
 
+/// Also on the way to a place from where something is to be seen.
+TEST(FlightNose, VehiclesOnTheWayToALookoutLookAtWhatItIsFor) {
+  Flying room;
+  FlightState& state = room.state();
+  ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
+  state.now.to_goal = false;
+  state.look_at = {3.0, -4.0, 1.0};
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+  state.now.looks_out = true;
+  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kTowardsPoint);
+  EXPECT_EQ(state.nose_wish(room.time).point.y, -4.0);
+}
+
+TEST(FlightNose, YawPlansInWorkAreDroppedIfTheyTurnTooSharplyNow) {
+  for (const double acceleration : {4.99, 5.0}) {
+    FlightRoom room(turning(2.5, 400));
+    ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, 5.0)), Status::kOk);
+    room.tick();
+    ASSERT_TRUE(room.state().nose.busy);
+    ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, acceleration)), Status::kOk);
+    EXPECT_EQ(room.state().nose.busy, acceleration >= 5.0);
+  }
+}
+
 /// A nose that takes minutes for a turn has as many pieces as there may be.
 TEST(FlightNose, SlowNosesTakeAllPieces) {
   const auto pieces = [](double rate, double acceleration) {

@@ -270,6 +270,7 @@ TEST(MapRefused, ScansWhereNoneAreExpected) {
   spec.scan_pixel = 0.0;
   OwnedMap owned(spec);
   EXPECT_EQ(owned.map.begin_scan(nullptr, 0, kLevel.position, 0), Status::kInvalidArgument);
+  EXPECT_EQ(owned.map.begin_scan({nullptr, nullptr, 0, 0.1, 9.0}, kLevel.position, 0), Status::kInvalidArgument);
 }
 
 }  // namespace

@@ -31,6 +31,15 @@ struct NarrowRoom {
   std::vector<tern::Halfspace> planes;
   Vec3 point{};
 
+  /// Nothing but a slab with the point in its middle, askew along the axes but for one. Its width is in cells.
+  NarrowRoom(const tern::GridSpec& grid, int level, double width) : spec(grid) {
+    point = spec.origin + spec.cell * Vec3{8.1, 8.1, 8.1};
+    Vec3 normal{1.0, 1.0, 1.0};
+    tern::axis(normal, level) = 0.0;
+    const double middle = tern::dot(normal, point);
+    const double half = 0.5 * width * spec.cell * tern::length(normal);
+    planes = {{normal, middle + half}, {-1.0 * normal, half - middle}};
+  }
   explicit NarrowRoom(Random& random) : spec(whole_grid({16, 16, 16}, 0.25, 0.0, {-1.0, 3.0, 0.5})) {
     spec.radius = random.chance(0.3) ? 0.25 * random.integer(1, 2) : random.real(0.1, 0.6);
     const Vec3 middle = spec.origin + Vec3{random.real(1.8, 2.2), random.real(1.8, 2.2), random.real(1.8, 2.2)};
@@ -76,7 +85,7 @@ tern::Report answer(tern::Planner& planner, const NarrowRoom& room, double cell)
   tern::Request request{};
   request.limits = {{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
   request.start.position = room.point;
-  request.goal.position = room.point + Vec3{1e-4, 0.0, 0.0};
+  request.goal.position = room.point + Vec3{4e-4 * room.spec.cell, 0.0, 0.0};
   request.fences = &fence;
   request.fence_count = room.planes.empty() ? 0 : 1;
   tern::Trajectory plan{};
@@ -110,6 +119,33 @@ TEST(PathNarrow, TheResolutionThatIsNamedWouldDo) {
   EXPECT_GT(narrow, scaled(300));
   EXPECT_GT(named, scaled(200));
   EXPECT_GT(fenced, scaled(100));
+}
+
+/// Voxels may not be smaller than a micrometre, nor so small that the radius is wider than any grid or that doubles do
+/// not tell them apart. If a voxel of a 64th of the size would not do, none is named.
+TEST(PathNarrow, NoResolutionIsNamedThatNoGridCanHave) {
+  std::unique_ptr<unsigned char[]> memory(new unsigned char[tern::kWorkspaceBytes]);
+  tern::Planner planner(memory.get(), tern::kWorkspaceBytes);
+  constexpr double kWidth = 0.6;
+  const auto named = [&](double cell, double radius, const Vec3& origin, int level, double width) {
+    const tern::GridSpec spec = whole_grid({16, 16, 16}, cell, radius, origin);
+    const tern::Report report = answer(planner, NarrowRoom(spec, level, width), cell);
+    EXPECT_EQ(report.status, Status::kStartTooNarrow) << report.finer_cell;
+    return report.finer_cell;
+  };
+  EXPECT_GT(named(0.25, 0.1, {}, 0, kWidth), 0.0);
+  EXPECT_EQ(named(0.25, 0.1, {}, 0, 1e-3), 0.0);
+  EXPECT_GT(named(0.25, 0.25 * tern::kMaxDimension / 8.0, {}, 0, kWidth), 0.0);
+  EXPECT_EQ(named(0.25, 0.26 * tern::kMaxDimension / 2.0, {}, 0, kWidth), 0.0);
+  EXPECT_GT(named(8e-6, 1e-6, {}, 0, kWidth), 0.0);
+  EXPECT_EQ(named(1.9e-6, 1e-6, {}, 0, kWidth), 0.0);
+  for (int a = 0; a < 3; ++a) {
+    Vec3 origin{};
+    tern::axis(origin, a) = 1e11;
+    EXPECT_GT(named(0.25, 0.1, origin, a, kWidth), 0.0) << a;
+    tern::axis(origin, a) = 8e11;
+    EXPECT_EQ(named(0.25, 0.1, origin, a, kWidth), 0.0) << a;
+  }
 }
 
 }  // namespace

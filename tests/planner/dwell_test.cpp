@@ -77,6 +77,11 @@ TEST_F(Dwell, HoldsAtEveryStopAndAtBothEnds) {
   expect_rests();
   EXPECT_GE(arrival(2), arrival(1) + 0.5);
   EXPECT_GE(tern::duration(world_.trajectory), arrival(4) + 3.0 - 1e-9);
+  world_.request.budget.iterations = 0;
+  ASSERT_EQ(plan(), Status::kOk);
+  EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
+  expect_rests();
+  EXPECT_NEAR(tern::duration(world_.trajectory), arrival(4) + 3.0, 1e-9);
 }
 
 TEST_F(Dwell, HoldsInStopAndGoAndAfterAStartInMotion) {

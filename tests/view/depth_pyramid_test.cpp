@@ -58,4 +58,13 @@ TEST(DepthPyramid, LargeImagesHaveElevenLevels) {
   EXPECT_EQ(large.pyramid.level_for(whole), kPyramidLevels);  // no answer
 }
 
+/// A row of 7 pixels has one level: 6 of them are few enough to be looked at, 7 are not.
+TEST(DepthPyramid, AsksForAsManyEntriesAsAreClose) {
+  OwnedPyramid row(7, 1);
+  row.pyramid.row(0)[6] = 7;
+  EXPECT_EQ(row.pyramid.least_closely({0, 5, 0, 0}), 1000);
+  EXPECT_EQ(row.pyramid.least_closely({1, 6, 0, 0}), 7);
+  EXPECT_EQ(row.pyramid.least_closely({0, 6, 0, 0}), 0);  // no answer
+}
+
 }  // namespace

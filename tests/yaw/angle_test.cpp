@@ -72,6 +72,7 @@ TEST(YawAngle, WhatIsNoAngleCountsAsZero) {
   EXPECT_EQ(wrapped(std::numeric_limits<double>::quiet_NaN()), 0.0);
   EXPECT_EQ(wrapped(1.5e6), 0.0);
   EXPECT_NE(wrapped(1e6), 0.0);
+  EXPECT_EQ(tern::whole_turns(1.5e6), 0.0);
 }
 
 }  // namespace

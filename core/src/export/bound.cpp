@@ -77,11 +77,11 @@ int32_t pieces_of(const YawPlan& plan) {
   return plan.count < 1 || plan.count > kMaxYawPieces ? 0 : plan.count;
 }
 
-/// The first knot of the plan after time t: of a uniform spline behind a first polynomial.
-double next_knot(const YawPlan& plan, double t, int32_t& piece) {
-  if (t < plan.lead) return plan.lead;
-  while (piece < pieces_of(plan) && !(plan.lead + (piece + 1) * plan.step > t)) ++piece;  // at most kMaxYawPieces
-  return plan.lead + (piece + 1) * plan.step;
+/// The first knot of the plan in (t, end), or the end: of a uniform spline behind a first polynomial. `knot` is the
+/// number of one no later than that.
+double next_knot(const YawPlan& plan, double t, double end, int32_t& knot) {
+  while (knot <= pieces_of(plan) && !(plan.lead + knot * plan.step > t)) ++knot;  // at most kMaxYawPieces + 1
+  return knot <= pieces_of(plan) ? smaller(plan.lead + knot * plan.step, end) : end;
 }
 
 double rate_bound(const YawPlan& plan) {
@@ -123,10 +123,9 @@ void widen_by_yaw(const YawPlan* plan, const double (&points)[kControlPoints], d
   for (int i = 0; i < kControlPoints; ++i) flown.c[i] = {points[i], 0.0, 0.0};
   const double end = begin + duration;
   double t = begin;
-  int32_t piece = 0;
+  int32_t knot = 0;
   for (int turn = 0; turn < kMaxYawPieces + 3 && t < end; ++turn) {
-    const double knot = next_knot(*plan, t, piece);
-    const double stop = knot > t && knot < end && piece < pieces_of(*plan) ? knot : end;
+    const double stop = next_knot(*plan, t, end, knot);
     Curve part = flown;
     keep_part(part, (t - begin) / duration, (stop - begin) / duration);
     widen_by_cubic(*plan, t, stop - t, part, error);

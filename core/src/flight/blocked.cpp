@@ -128,14 +128,12 @@ void FlightState::note_block_beyond(const Vec3& reachable) noexcept {
 /// There is no plan: what is in its way, unless a proof told before.
 void FlightState::note_no_plan(const Report& found) noexcept {
   const Grid& safe = map.safe();
-  if (!safe.bound() || is_outdated()) return;
+  if (!safe.bound()) return;
   const bool is_voxel = block.by == BlockedBy::kObstacle || block.by == BlockedBy::kUnseen;
   if (is_voxel && safe.obstacle(safe.voxel_of(safe.to_local(block.at)))) return;
   block = kNoBlockage;
   if (found.status == Status::kGoalFenced) block = {BlockedBy::kFence, aim, found.fence};
-  if (found.status == Status::kViaFenced && found.via != kNoVia) {
-    block = {BlockedBy::kFence, asked[found.via].position, found.fence};
-  }
+  if (found.status == Status::kViaFenced) block = {BlockedBy::kFence, asked[found.via].position, found.fence};
   if (found.status == Status::kGoalOccupied) note_block_near(aim, safe);
   if (found.status == Status::kStartOccupied) note_block_near(start.d[0], safe);
   if (found.status == Status::kNoPath && found.has_reachable) note_block_beyond(found.reachable);

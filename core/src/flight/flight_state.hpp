@@ -227,7 +227,8 @@ class FlightState {
   void forget_lookouts() noexcept;
   void note_place() noexcept;
   bool seek_lookout() noexcept;
-  bool goes_away() const noexcept { return seeks && (sought & kAway) != 0; }
+  /// The lookout that is sought is straight away from what is to be seen.
+  bool goes_away() const noexcept { return (sought & kAway) != 0; }
   void begin_lookout() noexcept;
   Progress run_lookout(Work& work) noexcept;
   void look_from(std::int32_t direction, int radii, int height) noexcept;

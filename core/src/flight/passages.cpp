@@ -39,7 +39,7 @@ std::int32_t FlightState::leg_at(std::int64_t t) const noexcept {
 /// What is flown ends at a point where the vehicle has to stay for a while, and that while is not over.
 bool FlightState::ends_at_dwell() const noexcept {
   if (!now.to_goal || now.goal != goal_number || now.branch < duration(now.wished)) return false;
-  return now.target == itinerary.leg && now.target != itinerary.last() && itinerary.points[now.target].dwell > 0.0;
+  return now.target == itinerary.leg && itinerary.points[now.target].dwell > 0.0;
 }
 
 /// Notes what was passed until now: what the plan that is flown says, and a point that is within its tolerance.
@@ -47,10 +47,10 @@ void FlightState::pass_points() noexcept {
   if (!has_goal) return;
   const std::int32_t leg = leg_at(has_next && next.begin < time ? next.begin : time);
   while (itinerary.leg != leg) pass_point();
-  const Via& point = itinerary.points[itinerary.leg];
+  const Via& point = itinerary.points[itinerary.leg];  // the goal has no tolerance
   const bool is_near =
       point.tolerance > 0.0 && !point.stop && distance(sample_at(time).position, point.position) <= point.tolerance;
-  if (is_near && itinerary.leg != itinerary.last()) pass_point();
+  if (is_near) pass_point();
 }
 
 void FlightState::pass_point() noexcept {

@@ -123,10 +123,9 @@ size_t flight_words(const Voxel& dims) noexcept {
 
 /// The vehicle may stay where it is: kOk, or why not.
 Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
-  const Status begun = proof.begin_accepted(map.safe(), now.flown, 0.0, nullptr, Beyond::kSolid, grounds_of(now));
-  const bool ended = begun == Status::kRunning && proof.step(2 * kProofPieces) == Status::kOk;
+  proof.begin_accepted(map.safe(), now.flown, 0.0, nullptr, Beyond::kSolid, grounds_of(now));
   const ProofReport& found = proof.report();
-  if (ended && found.end == ProofEnd::kProven) return Status::kOk;
+  if (proof.step(2 * kProofPieces) == Status::kOk && found.end == ProofEnd::kProven) return Status::kOk;
   refusal.field = Field::kStartPosition;
   refusal.fence = found.fence;
   if (found.end == ProofEnd::kFence) return Status::kStartFenced;

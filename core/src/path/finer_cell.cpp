@@ -31,7 +31,6 @@ IndexRange coarse_within(std::int32_t fine, std::int32_t reach, std::int32_t par
 }
 
 bool row_has_obstacle(const std::uint64_t* row, const IndexRange& range) {
-  if (range.begin >= range.end) return false;
   for (std::int32_t k = range.begin >> 6; k <= (range.end - 1) >> 6; ++k) {
     if ((row[k] & bits_within(range, k)) != 0) return true;
   }

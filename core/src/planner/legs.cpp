@@ -94,7 +94,7 @@ Status Plan::status_of_leg(Status status) const noexcept {
 /// fence takes its own voxel if obstacles and boundary leave it.
 void Plan::note_narrowness() noexcept {
   const SearchStage& search = memory_->stage.search;
-  if (!is_too_narrow(search.status) || escapes_ > 0 || memory_->previous.tries > 0) return;
+  if (!is_too_narrow(search.status) || escapes_ > 0) return;  // what follows the previous plan ends in an escape
   const Voxel home = world().voxel_of(search.finer.point);
   report_.finer_cell = search.finer.cell;
   const bool is_fenced = has_fences_ && grid_->free(home);

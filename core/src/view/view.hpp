@@ -22,8 +22,9 @@ constexpr double kFaceTangent = 1.5;
 /// angles. On the face itself, they are 0.66 to 1.19 times as wide as in its middle; those of a pinhole, 0.33 to 1.
 constexpr double kFaceBend = 0.4142;
 
+/// Of a tangent that is not negative.
 inline double bent(double tangent) noexcept {
-  return tangent / (1.0 + kFaceBend * (tangent < 0.0 ? -tangent : tangent));
+  return tangent / (1.0 + kFaceBend * tangent);
 }
 
 /// A camera with axes x, y across and z ahead. All lengths in metres; `steps` and `corner` in the camera's frame.
