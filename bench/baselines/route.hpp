@@ -26,7 +26,7 @@ inline double distance(const tern::Vec3& a, const tern::Vec3& b) {
 /// Metres along a chain of points; 0 for fewer than two.
 inline double length(const std::vector<tern::Vec3>& points) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) sum += distance(points[i - 1], points[i]);
+  for (std::size_t i = 1; i < points.size(); ++i) sum += tern_bench::distance(points[i - 1], points[i]);
   return sum;
 }
 

@@ -39,11 +39,11 @@ TEST_P(EveryCapacity, IsExceeded) {
   EXPECT_STREQ(tern::status_name(GetParam().beyond()), tern::status_name(GetParam().status));
 }
 
-std::string name_of(const testing::TestParamInfo<Exceeded>& test) {
+std::string capacity_name(const testing::TestParamInfo<Exceeded>& test) {
   return std::regex_replace(test.param.name, std::regex("[^A-Za-z0-9_]"), "_");
 }
 
-INSTANTIATE_TEST_SUITE_P(Capacities, EveryCapacity, testing::ValuesIn(exceeded_capacities()), name_of);
+INSTANTIATE_TEST_SUITE_P(Capacities, EveryCapacity, testing::ValuesIn(exceeded_capacities()), capacity_name);
 
 }  // namespace
 }  // namespace tern_capacity

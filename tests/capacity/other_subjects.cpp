@@ -22,7 +22,7 @@ std::string bits_of(const void* data, std::size_t bytes) {
   return std::string(static_cast<const char*>(data), bytes);
 }
 
-tern::MapSpec map_spec() {
+tern::MapSpec small_map() {
   tern::MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 16, 16}, 0.2);
   spec.pixels = 2048;
   return spec;
@@ -31,7 +31,7 @@ tern::MapSpec map_spec() {
 class MapSubject : public Subject {
  public:
   Outcome run() override {
-    const tern::MapSpec spec = map_spec();
+    const tern::MapSpec spec = small_map();
     std::vector<std::uint64_t> words(100000);
     tern::RollingMap map;
     const Status status = map.bind(spec, words.data(), words.size());
@@ -42,7 +42,7 @@ class MapSubject : public Subject {
 /// A frame that is refused leaves the map as it was.
 class FrameSubject : public Subject {
  public:
-  FrameSubject() : map_(map_spec()), image_(32, 24, 16.0) {
+  FrameSubject() : map_(small_map()), image_(32, 24, 16.0) {
     for (float& z : image_.z) z = 2.0f;
   }
   Outcome run() override {
@@ -138,7 +138,7 @@ class RecordSubject : public Subject {
 /// After it was full once, a flight's record takes nothing more, and can be closed.
 class FlightRecordSubject : public Subject {
  public:
-  FlightRecordSubject() : map_(map_spec()) {}
+  FlightRecordSubject() : map_(small_map()) {}
   Outcome run() override {
     std::vector<std::uint8_t> bytes(4096);
     tern::FlightRecorder recorder;
@@ -149,7 +149,7 @@ class FlightRecordSubject : public Subject {
       if (status == Status::kRecordFull && answer != Status::kRecordFull) wrong = "it goes on with a gap";
       if (status == Status::kOk) status = answer;
     };
-    note(recorder.bind(map_spec(), Status::kOk));
+    note(recorder.bind(small_map(), Status::kOk));
     for (int k = 0; k < 4; ++k) note(recorder.assume_free({1.0, 1.0, 1.0}, 0.5, Status::kOk));
     std::size_t used = 0;
     const Status closed = recorder.close(&used);
@@ -163,9 +163,9 @@ class FlightRecordSubject : public Subject {
 
 class MissionSubject : public Subject {
  public:
-  MissionSubject() : map_(map_spec()), memory_(new tern::Workspace), planner_(memory_.get(), sizeof *memory_) {
+  MissionSubject() : map_(small_map()), memory_(new tern::Workspace), planner_(memory_.get(), sizeof *memory_) {
     map_.map.assume_free({3.2, 0.8, 0.8}, 10.0);
-    words_.resize(tern::flight_words(map_spec().dims));
+    words_.resize(tern::flight_words(small_map().dims));
     tern::FlightSpec spec = tern::flight_spec({{2.0, 2.0, 2.0}, {4.0, 4.0, 4.0}});
     spec.horizon = 3.0;
     started_ = flight_.start(spec, map_.map, planner_, words_.data(), words_.size(), {1.0, 0.8, 0.8}, 0);

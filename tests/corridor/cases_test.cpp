@@ -52,7 +52,7 @@ void expect_case_solved(const CorridorCase& c, Random& random, std::size_t strid
   const tern::Voxel dims{static_cast<int>(std::lround(c.boundary.upper.x / cell)),
                          static_cast<int>(std::lround(c.boundary.upper.y / cell)),
                          static_cast<int>(std::lround(c.boundary.upper.z / cell))};
-  World world(dims, cell, 0.0, c.boundary);
+  MarkedWorld world(dims, cell, 0.0, c.boundary);
   for (const Box& block : c.blocks) ASSERT_EQ(world.grid.mark_box(block), Status::kOk);
   const std::vector<std::array<Vec3, 2>> segments = all_segments(c);
   for (std::size_t i = 0; i < segments.size(); i += stride) {

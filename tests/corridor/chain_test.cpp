@@ -37,7 +37,8 @@ static_assert(tern::kSightMargin >= kBall, "docs/corridor.md states the radius o
 static_assert(tern::kTightenMargin * tern::kMarginShare >= kTightenedBall - 1e-12, "as above");
 
 /// Extends a path through random points while its legs keep `clearance` from the cubes and the boundary's faces.
-void random_path(Random& random, const World& world, const std::vector<Box>& cubes, double clearance, Path& path) {
+void random_path(Random& random, const MarkedWorld& world, const std::vector<Box>& cubes, double clearance,
+                 Path& path) {
   const Box b = world.grid.local_boundary();
   path.count = 0;
   for (int tries = 0; tries < 40 && path.count < 6; ++tries) {
@@ -51,10 +52,10 @@ void random_path(Random& random, const World& world, const std::vector<Box>& cub
   }
 }
 
-World random_cuboids(Random& random) {
+MarkedWorld random_cuboids(Random& random) {
   const double cell = random.chance(0.5) ? 0.1 : 0.25;
   const double radius = random.chance(0.3) ? 0.0 : random.real(0.0, 0.3);
-  World world({random.integer(10, 60), random.integer(10, 40), random.integer(8, 20)}, cell, radius);
+  MarkedWorld world({random.integer(10, 60), random.integer(10, 40), random.integer(8, 20)}, cell, radius);
   const Voxel dims = world.grid.spec().dims;
   const int obstacles = random.integer(0, 40);
   for (int k = 0; k < obstacles; ++k) {
@@ -128,7 +129,7 @@ TEST_F(CorridorChain, NeighboursShareABallAroundTheirPoint) {
   int joints = 0;
   int shared = 0;
   for (int i = 0; i < scaled(2000); ++i) {
-    const World world = random_cuboids(random_);
+    const MarkedWorld world = random_cuboids(random_);
     const std::vector<Box> cubes = obstacle_cubes(world.grid);
     const double ball = kBall * world.grid.spec().cell;
     random_path(random_, world, cubes, ball, *path_);

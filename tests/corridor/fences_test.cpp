@@ -49,7 +49,7 @@ class CorridorFences : public ::testing::Test {
     return {faces_.back().at, tern::kBoxPlanes, FenceKind::kKeepOut};
   }
 
-  World world_;
+  MarkedWorld world_;
   struct Faces {
     Halfspace at[tern::kBoxPlanes];
   };
@@ -112,7 +112,7 @@ TEST_F(CorridorFences, APipeOfTooManyFacesIsFull) {
 }
 
 TEST(CorridorWithoutALeg, IsFull) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   const auto stage = std::make_unique<tern::CorridorStage>();
   const auto path = std::make_unique<tern::Path>();
   const auto corridor = std::make_unique<tern::Corridor>();

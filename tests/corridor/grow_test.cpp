@@ -24,13 +24,13 @@ using tern::Vec3;
 
 class CorridorGrow : public ::testing::Test {
  protected:
-  Status grow(const World& world, const Vec3& from, const Vec3& to) {
+  Status grow(const MarkedWorld& world, const Vec3& from, const Vec3& to) {
     reset_counters(*scratch_);
     return grow_polyhedron(world.grid, from, to, *scratch_, polyhedron_);
   }
 
   /// Grows and holds the result against brute force.
-  void expect_good(const World& world, const Vec3& from, const Vec3& to) {
+  void expect_good(const MarkedWorld& world, const Vec3& from, const Vec3& to) {
     ASSERT_EQ(grow(world, from, to), Status::kOk);
     const std::vector<Box> cubes = obstacle_cubes(world.grid);
     const double clearance = segment_clearance(from, to, cubes, 1e9);
@@ -62,7 +62,7 @@ class CorridorGrow : public ::testing::Test {
 };
 
 TEST_F(CorridorGrow, FreeSpaceIsTheLocalBox) {
-  const World world({100, 100, 100}, 0.1, 0.25);
+  const MarkedWorld world({100, 100, 100}, 0.1, 0.25);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {4.0, 5.0, 5.0}, {6.0, 5.0, 5.0}));
   EXPECT_EQ(polyhedron_.count, 6);
   EXPECT_DOUBLE_EQ(polyhedron_.planes[0].offset, 8.0);
@@ -73,7 +73,7 @@ TEST_F(CorridorGrow, FreeSpaceIsTheLocalBox) {
 }
 
 TEST_F(CorridorGrow, TheBoundaryCutsTheLocalBoxWhereItIs) {
-  const World world({100, 100, 30}, 0.1, 0.25, {{0.03, 0.0, 0.04}, {10.0, 10.0, 2.97}});
+  const MarkedWorld world({100, 100, 30}, 0.1, 0.25, {{0.03, 0.0, 0.04}, {10.0, 10.0, 2.97}});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 5.0, 1.5}, {3.0, 5.0, 1.5}));
   EXPECT_EQ(polyhedron_.planes[1].offset, -0.03);
   EXPECT_EQ(polyhedron_.planes[4].offset, 2.97);
@@ -81,7 +81,7 @@ TEST_F(CorridorGrow, TheBoundaryCutsTheLocalBoxWhereItIs) {
 }
 
 TEST_F(CorridorGrow, AWallGivesItsFaceLessTheRadius) {
-  World world({100, 100, 30}, 0.1, 0.25);
+  MarkedWorld world({100, 100, 30}, 0.1, 0.25);
   world.fill({0, 60, 0}, {100, 65, 30});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {3.0, 5.0, 1.5}, {6.0, 5.0, 1.5}));
   EXPECT_EQ(polyhedron_.count, 6);  // in place of the local box's own face, which is redundant now
@@ -90,28 +90,28 @@ TEST_F(CorridorGrow, AWallGivesItsFaceLessTheRadius) {
 }
 
 TEST_F(CorridorGrow, AnObstacleBeyondTheBoxByLessThanTheRadiusCounts) {
-  World world({100, 100, 30}, 0.1, 0.5);
+  MarkedWorld world({100, 100, 30}, 0.1, 0.5);
   world.fill({0, 72, 0}, {100, 75, 30});  // from 7.2, the local box ends at 7.0
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {3.0, 5.0, 1.5}, {6.0, 5.0, 1.5}));
   EXPECT_NEAR(extent({0.0, 1.0, 0.0}), 6.7, 1e-9);
 }
 
 TEST_F(CorridorGrow, HoverIsAPolyhedronAroundAPoint) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.fill({25, 0, 0}, {30, 40, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}));
   EXPECT_NEAR(extent({1.0, 0.0, 0.0}), 2.3, 1e-9);
 }
 
 TEST_F(CorridorGrow, AlmostAPoint) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.fill({25, 0, 0}, {30, 40, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.0, 2.0, 2.0}, {2.0, 2.0 + 1e-9, 2.0}));
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.0, 2.0, 2.0}, {2.0, 2.0 + 1e-5, 2.0}));
 }
 
 TEST_F(CorridorGrow, AOneVoxelTunnelIsFilled) {
-  World world({40, 20, 20}, 0.1, 0.0);
+  MarkedWorld world({40, 20, 20}, 0.1, 0.0);
   world.fill({0, 0, 0}, {40, 20, 20});
   for (int x = 0; x < 40; ++x) world.clear(x, 10, 10);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 1.05, 1.05}, {3.5, 1.05, 1.05}));
@@ -119,7 +119,7 @@ TEST_F(CorridorGrow, AOneVoxelTunnelIsFilled) {
 }
 
 TEST_F(CorridorGrow, AnObliqueLineThroughAOneVoxelTunnel) {
-  World world({40, 20, 20}, 0.1, 0.0);
+  MarkedWorld world({40, 20, 20}, 0.1, 0.0);
   world.fill({0, 0, 0}, {40, 20, 20});
   for (int x = 0; x < 40; ++x) world.clear(x, 10, 10);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 1.005, 1.005}, {3.5, 1.095, 1.095}));
@@ -128,7 +128,7 @@ TEST_F(CorridorGrow, AnObliqueLineThroughAOneVoxelTunnel) {
 }
 
 TEST_F(CorridorGrow, AHoverInAPocketOfOneVoxel) {
-  World world({20, 20, 20}, 0.1, 0.0);
+  MarkedWorld world({20, 20, 20}, 0.1, 0.0);
   world.fill({0, 0, 0}, {20, 20, 20});
   world.clear(10, 10, 10);
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.05, 1.05, 1.05}, {1.05, 1.05, 1.05}));
@@ -136,14 +136,14 @@ TEST_F(CorridorGrow, AHoverInAPocketOfOneVoxel) {
 }
 
 TEST_F(CorridorGrow, AHoverThatTouches) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.fill({25, 0, 0}, {30, 40, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.3, 2.0, 2.0}, {2.3, 2.0, 2.0}));
   expect_box({0.3, 0.0, 0.0}, {2.3, 4.0, 4.0});
 }
 
 TEST_F(CorridorGrow, AFlatSlitOneVoxelHigh) {
-  World world({40, 40, 20}, 0.1, 0.0);
+  MarkedWorld world({40, 40, 20}, 0.1, 0.0);
   world.fill({0, 0, 0}, {40, 40, 10});
   world.fill({0, 0, 11}, {40, 40, 20});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 0.7, 1.05}, {3.1, 2.9, 1.02}));
@@ -151,7 +151,7 @@ TEST_F(CorridorGrow, AFlatSlitOneVoxelHigh) {
 }
 
 TEST_F(CorridorGrow, ASlitThatTheRadiusFillsToAHair) {
-  World world({40, 40, 20}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 20}, 0.1, 0.2);
   world.fill({0, 0, 0}, {40, 40, 8});
   world.fill({0, 0, 13}, {40, 40, 20});  // 0.5 m high: 0.1 m is left for the centre
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 0.7, 1.05}, {3.1, 2.9, 1.05}));
@@ -159,7 +159,7 @@ TEST_F(CorridorGrow, ASlitThatTheRadiusFillsToAHair) {
 }
 
 TEST_F(CorridorGrow, AlongAWallAtTheRadius) {
-  World world({60, 40, 40}, 0.1, 0.3);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.3);
   world.fill({0, 0, 0}, {60, 10, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.3, 2.0}, {5.0, 1.3, 2.0}));
   EXPECT_NEAR(extent({0.0, -1.0, 0.0}), -1.3, 1e-9);
@@ -167,14 +167,14 @@ TEST_F(CorridorGrow, AlongAWallAtTheRadius) {
 }
 
 TEST_F(CorridorGrow, AlongAWallThatTouches) {
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({0, 0, 0}, {60, 10, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 2.0}, {5.0, 1.0, 2.0}));
   expect_box({0.0, 1.0, 0.0}, {6.0, 3.0, 4.0});
 }
 
 TEST_F(CorridorGrow, AlongTheEdgeBetweenTwoWalls) {
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({0, 0, 0}, {60, 10, 40});
   world.fill({0, 0, 0}, {60, 40, 10});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 1.0}, {5.0, 1.0, 1.0}));
@@ -183,7 +183,7 @@ TEST_F(CorridorGrow, AlongTheEdgeBetweenTwoWalls) {
 
 TEST_F(CorridorGrow, AlongOneFaceOfASlit) {
   // Opposite planes a voxel apart, and no room before one of them.
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({0, 0, 0}, {60, 10, 40});
   world.fill({0, 11, 0}, {60, 40, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.0, 1.0, 2.0}, {5.0, 1.0, 2.0}));
@@ -191,14 +191,14 @@ TEST_F(CorridorGrow, AlongOneFaceOfASlit) {
 }
 
 TEST_F(CorridorGrow, AStartOnAVoxelFace) {
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({20, 20, 20}, {22, 22, 22});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.2, 2.1, 2.1}, {4.0, 2.5, 2.2}));
   EXPECT_NEAR(extent({-1.0, 0.0, 0.0}), -2.2, 1e-9);
 }
 
 TEST_F(CorridorGrow, AStartOnAVoxelCorner) {
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({20, 20, 20}, {22, 22, 22});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {2.2, 2.2, 2.2}, {4.0, 2.5, 2.3}));
   // Three faces leave no room alike; the first is taken.
@@ -208,7 +208,7 @@ TEST_F(CorridorGrow, AStartOnAVoxelCorner) {
 }
 
 TEST_F(CorridorGrow, PastAnEdgeThatTouches) {
-  World world({60, 40, 40}, 0.1, 0.0);
+  MarkedWorld world({60, 40, 40}, 0.1, 0.0);
   world.fill({20, 20, 0}, {22, 22, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.7, 2.7, 2.0}, {2.7, 1.7, 2.0}));
   EXPECT_NEAR(extent({-1.0, -1.0, 0.0}), -4.4, 1e-9) << "the plane of the edge and the segment: x + y >= 4.4";
@@ -216,7 +216,7 @@ TEST_F(CorridorGrow, PastAnEdgeThatTouches) {
 
 TEST_F(CorridorGrow, BetweenTwoCornersThatTouch) {
   // Two pillars that share an edge's line: the diagonal between them touches both along one line.
-  World world({40, 40, 20}, 0.1, 0.0);
+  MarkedWorld world({40, 40, 20}, 0.1, 0.0);
   world.fill({10, 20, 0}, {20, 30, 20});
   world.fill({20, 10, 0}, {30, 20, 20});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1.5, 1.5, 1.0}, {2.5, 2.5, 1.0}));
@@ -225,26 +225,26 @@ TEST_F(CorridorGrow, BetweenTwoCornersThatTouch) {
 }
 
 TEST_F(CorridorGrow, OnTheBoundarysFace) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.fill({30, 0, 0}, {40, 40, 40});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.5, 0.5, 0.0}, {2.0, 2.0, 0.0}));
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}));
 }
 
 TEST_F(CorridorGrow, FarFromTheOrigin) {
-  World world({2000, 8, 8}, 1000.0, 700.0);
+  MarkedWorld world({2000, 8, 8}, 1000.0, 700.0);
   world.fill({1990, 0, 0}, {2000, 8, 8});
   ASSERT_NO_FATAL_FAILURE(expect_good(world, {1980000.0, 3500.0, 3500.0}, {1985000.0, 4100.0, 3500.0}));
 }
 
 TEST_F(CorridorGrow, OutsideTheBoundary) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   EXPECT_EQ(grow(world, {-0.1, 1.0, 1.0}, {1.0, 1.0, 1.0}), Status::kOutOfMap);
   EXPECT_EQ(grow(world, {1.0, 1.0, 1.0}, {1.0, 1.0, 4.1}), Status::kOutOfMap);
 }
 
 TEST_F(CorridorGrow, BlockedByAnObstacleInside) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.mark(20, 20, 20);
   EXPECT_EQ(grow(world, {1.0, 2.05, 2.05}, {3.0, 2.05, 2.05}), Status::kCorridorBlocked);
   EXPECT_EQ(grow(world, {1.0, 2.29, 2.05}, {3.0, 2.29, 2.05}), Status::kCorridorBlocked);
@@ -253,7 +253,7 @@ TEST_F(CorridorGrow, BlockedByAnObstacleInside) {
 }
 
 TEST_F(CorridorGrow, TheBudgetIsNeverExceeded) {
-  World world({60, 60, 30}, 0.1, 0.1);
+  MarkedWorld world({60, 60, 30}, 0.1, 0.1);
   for (int i = 0; i < 60; ++i) world.mark(random_.integer(0, 59), random_.integer(0, 59), random_.integer(0, 29));
   const Vec3 from{2.0, 3.0, 1.5};
   const Vec3 to{2.3, 3.0, 1.5};
@@ -276,7 +276,7 @@ TEST_F(CorridorGrow, TheBudgetIsNeverExceeded) {
 }
 
 TEST_F(CorridorGrow, UnitsAreSmallAndSlicesChangeNoBit) {
-  World world({160, 160, 60}, 0.1, 0.1);
+  MarkedWorld world({160, 160, 60}, 0.1, 0.1);
   for (int i = 0; i < 12000; ++i) world.mark(random_.integer(0, 159), random_.integer(0, 159), random_.integer(0, 59));
   for (int x = 20; x < 110; ++x) {
     for (int y = 74; y < 87; ++y) {

@@ -56,7 +56,7 @@ Bracket distance_of(const Hull& hull, const Box& cube) {
 class HullPolyhedron : public testing::Test {
  protected:
   HullPolyhedron() { tern::reset_counters(*scratch_); }
-  Status enclose(const World& world, const Vec3* points, int count) {
+  Status enclose(const MarkedWorld& world, const Vec3* points, int count) {
     return tern::enclose_hull(world.grid, {points, count}, 0.0, *scratch_, out_);
   }
 
@@ -67,7 +67,7 @@ class HullPolyhedron : public testing::Test {
     }
   }
   /// Each cube beyond one half-space by the radius.
-  void expect_cut_off(const World& world, const std::vector<Box>& cubes) const {
+  void expect_cut_off(const MarkedWorld& world, const std::vector<Box>& cubes) const {
     for (const Box& cube : cubes) {
       double best = -1e9;
       for (int p = 0; p < out_.count; ++p) {
@@ -86,7 +86,7 @@ TEST_F(HullPolyhedron, HoldsTheHullAndCutsOffEveryObstacle) {
   Random random(81);
   int held = 0, blocked = 0, oblique = 0;
   for (int i = 0; i < scaled(600); ++i) {
-    World world({12, 10, 8}, 0.25, random.chance(0.2) ? 0.0 : random.real(0.02, 0.4));
+    MarkedWorld world({12, 10, 8}, 0.25, random.chance(0.2) ? 0.0 : random.real(0.02, 0.4));
     for (int k = random.integer(1, 40); k > 0; --k) {
       world.mark(random.integer(0, 11), random.integer(0, 9), random.integer(0, 7));
     }
@@ -132,7 +132,7 @@ TEST_F(HullPolyhedron, HoldsTheHullAndCutsOffEveryObstacle) {
 }
 
 TEST_F(HullPolyhedron, IsTheBoxAroundTheHullWhereNothingIsNear) {
-  World world({20, 20, 20}, 0.5, 0.3);
+  MarkedWorld world({20, 20, 20}, 0.5, 0.3);
   world.mark(0, 0, 0);
   world.grid.inflate();
   const Vec3 points[] = {{4, 5, 6}, {5, 4, 6.5}, {4.5, 5.5, 7}};
@@ -146,7 +146,7 @@ TEST_F(HullPolyhedron, IsTheBoxAroundTheHullWhereNothingIsNear) {
 }
 
 TEST_F(HullPolyhedron, RefusesPointsBeyondTheBoundary) {
-  World world({8, 8, 8}, 1.0, 0.3, {{1, 1, 1}, {7, 7, 7}});
+  MarkedWorld world({8, 8, 8}, 1.0, 0.3, {{1, 1, 1}, {7, 7, 7}});
   world.grid.inflate();
   for (int a = 0; a < 3; ++a) {
     for (const double side : {1.0, 7.0}) {
@@ -167,7 +167,7 @@ class Grazing : public HullPolyhedron {
     world_.fill({2, 2, 0}, {3, 3, 8});
     world_.grid.inflate();
   }
-  World world_;
+  MarkedWorld world_;
 };
 
 TEST_F(Grazing, TouchesAFace) {
@@ -209,7 +209,7 @@ TEST_F(HullPolyhedron, KeepsTheRadiusFromAnEdge) {
   // The edge (2, 3) is sqrt(1/2) away from x - y = -2.
   const Vec3 points[] = {{1, 3, 2.5}, {3, 5, 4.5}};
   for (const double radius : {0.7071, 0.7072}) {
-    World world({8, 8, 8}, 1.0, radius);
+    MarkedWorld world({8, 8, 8}, 1.0, radius);
     world.fill({2, 2, 0}, {3, 3, 8});
     world.grid.inflate();
     EXPECT_EQ(enclose(world, points, 2), radius < 0.70711 ? Status::kOk : Status::kCorridorBlocked) << radius;
@@ -230,7 +230,7 @@ class FencedHull : public HullPolyhedron {
     const Vec3 points[] = {from, to};
     return enclose(world_, points, 2);
   }
-  World world_;
+  MarkedWorld world_;
   tern::Halfspace inside_{{1, 0, 0}, 6.0};
   tern::Halfspace planes_[tern::kBoxPlanes];
   std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
@@ -252,7 +252,7 @@ TEST_F(FencedHull, KeepsTheRadiusFromAKeepOut) {
 }
 
 TEST_F(HullPolyhedron, TouchesAnObliqueFaceOfAKeepOutButForRounding) {
-  World world({8, 8, 8}, 1.0, 0.0);
+  MarkedWorld world({8, 8, 8}, 1.0, 0.0);
   world.grid.inflate();
   const Vec3 n{2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0};
   // Below the plane through (4, 4, 4), within 1 m of there on x and y.

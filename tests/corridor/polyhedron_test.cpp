@@ -21,7 +21,7 @@ using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
 
-void add_noise(World& world, Random& random, double density) {
+void add_noise(MarkedWorld& world, Random& random, double density) {
   const Voxel dims = world.grid.spec().dims;
   for (int z = 0; z < dims.z; ++z) {
     for (int y = 0; y < dims.y; ++y) {
@@ -32,7 +32,7 @@ void add_noise(World& world, Random& random, double density) {
   }
 }
 
-void add_cuboids(World& world, Random& random, int count) {
+void add_cuboids(MarkedWorld& world, Random& random, int count) {
   const Voxel dims = world.grid.spec().dims;
   for (int i = 0; i < count; ++i) {
     const Voxel lower{random.integer(0, dims.x - 1), random.integer(0, dims.y - 1), random.integer(0, dims.z - 1)};
@@ -44,7 +44,7 @@ void add_cuboids(World& world, Random& random, int count) {
 }
 
 /// Solid but for a tunnel of one to three voxels along an axis.
-void add_tunnel(World& world, Random& random) {
+void add_tunnel(MarkedWorld& world, Random& random) {
   const Voxel dims = world.grid.spec().dims;
   world.fill({0, 0, 0}, dims);
   const int along = random.integer(0, 2);
@@ -77,12 +77,12 @@ Box random_boundary(Random& random, const Voxel& dims, double cell) {
   return boundary;
 }
 
-World random_world(Random& random) {
+MarkedWorld crowded_world(Random& random) {
   const double cells[] = {0.05, 0.1, 0.3, 1.0};
   const double cell = cells[random.integer(0, 3)];
   const double radius = random.chance(0.4) ? 0.0 : random.real(0.0, 3.0) * cell;
   const Voxel dims{random.integer(4, 20), random.integer(4, 16), random.integer(4, 10)};
-  World world(dims, cell, radius, random_boundary(random, dims, cell));
+  MarkedWorld world(dims, cell, radius, random_boundary(random, dims, cell));
   const int kind = random.integer(0, 9);
   if (kind < 4) add_cuboids(world, random, random.integer(1, 12));
   if (kind >= 4 && kind < 8) add_noise(world, random, random.real(0.0, 0.05));
@@ -112,7 +112,7 @@ TEST(CorridorPolyhedron, IsClearOfEveryCubeAndHoldsItsSegment) {
   int blocked = 0;
   const int wanted = scaled(6000);
   for (int i = 0; i < wanted * 10 && grown < wanted; ++i) {
-    const World world = random_world(random);
+    const MarkedWorld world = crowded_world(random);
     const std::vector<Box> cubes = obstacle_cubes(world.grid);
     const Vec3 from = random_point(random, world.grid.local_boundary());
     const Vec3 far = random_point(random, world.grid.local_boundary());
@@ -152,7 +152,7 @@ TEST(CorridorPolyhedron, DoesNotDependOnWhatTheScratchHeld) {
   const auto first = std::make_unique<Polyhedron>();
   const auto second = std::make_unique<Polyhedron>();
   for (int i = 0; i < scaled(300); ++i) {
-    const World world = random_world(random);
+    const MarkedWorld world = crowded_world(random);
     const Vec3 from = random_point(random, world.grid.local_boundary());
     const Vec3 to = random_point(random, world.grid.local_boundary());
     std::memset(static_cast<void*>(scratch.get()), 0xA5, sizeof *scratch);

@@ -30,7 +30,7 @@ class CorridorStageTest : public ::testing::Test {
   }
 
   /// Runs in slices of `slice` units on a scratch full of `fill`.
-  Status run(const World& world, std::uint32_t slice, std::uint32_t max_planes = 0xFFFFFFFFu, int fill = 0xA5) {
+  Status run(const MarkedWorld& world, std::uint32_t slice, std::uint32_t max_planes = 0xFFFFFFFFu, int fill = 0xA5) {
     std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
     std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
     corridor_begin(*stage_, world.grid, *path_, max_planes);
@@ -71,7 +71,7 @@ class CorridorStageTest : public ::testing::Test {
 };
 
 TEST_F(CorridorStageTest, OnePolyhedronALeg) {
-  World world({80, 80, 30}, 0.1, 0.2);
+  MarkedWorld world({80, 80, 30}, 0.1, 0.2);
   world.fill({30, 0, 0}, {35, 50, 30});
   set_path({{1.0, 1.0, 1.5}, {2.5, 5.6, 1.5}, {3.9, 5.6, 1.5}, {6.0, 1.0, 1.5}});
   ASSERT_EQ(run(world, 100), Status::kOk);
@@ -83,7 +83,7 @@ TEST_F(CorridorStageTest, OnePolyhedronALeg) {
 }
 
 TEST_F(CorridorStageTest, AHoverIsOnePolyhedron) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   EXPECT_EQ(corridor_->count, 1);
@@ -91,7 +91,7 @@ TEST_F(CorridorStageTest, AHoverIsOnePolyhedron) {
 }
 
 TEST_F(CorridorStageTest, CoincidentWaypointsShareAPolyhedron) {
-  const World world({80, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({80, 40, 40}, 0.1, 0.2);
   set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {7.0, 2.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   EXPECT_EQ(corridor_->count, 2);
@@ -100,7 +100,7 @@ TEST_F(CorridorStageTest, CoincidentWaypointsShareAPolyhedron) {
 
 TEST_F(CorridorStageTest, LegsThatAPolyhedronHoldsAreNotBuilt) {
   // In free space the first polyhedron is the box of its leg and 2 m more: x from 0 to 5, y and z from 0 to 4.
-  const World world({80, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({80, 40, 40}, 0.1, 0.2);
   set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.5, 2.0}, {4.5, 3.5, 1.0}, {7.5, 3.5, 1.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   ASSERT_EQ(corridor_->count, 2);
@@ -116,7 +116,7 @@ TEST_F(CorridorStageTest, LegsThatAPolyhedronHoldsAreNotBuilt) {
 TEST_F(CorridorStageTest, LegsThatALaterPolyhedronHoldsAreDropped) {
   // Through a door of 0.2 m for the centre, then two legs. The middle one's polyhedron ends at x = 6, short of the last
   // waypoint; the last one's begins at x = 3.5 and holds both.
-  World world({100, 60, 40}, 0.1, 0.2);
+  MarkedWorld world({100, 60, 40}, 0.1, 0.2);
   world.fill({30, 0, 0}, {32, 27, 40});
   world.fill({30, 33, 0}, {32, 60, 40});
   set_path({{1.0, 3.0, 2.0}, {3.6, 3.0, 2.0}, {4.0, 3.5, 2.0}, {8.0, 3.5, 2.0}});
@@ -129,7 +129,7 @@ TEST_F(CorridorStageTest, LegsThatALaterPolyhedronHoldsAreDropped) {
 }
 
 TEST_F(CorridorStageTest, FirstAndLastPieceHaveTheirOwn) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   ASSERT_EQ(corridor_->count, 2);
@@ -140,7 +140,7 @@ TEST_F(CorridorStageTest, FirstAndLastPieceHaveTheirOwn) {
 TEST_F(CorridorStageTest, ALegIsBuiltThatEndsTooNearAFace) {
   // The first polyhedron ends at y = 4, the margin is 0.005 m: one waypoint keeps it, the other does not. Either way
   // the last polyhedron holds no leg before its own.
-  const World world({80, 80, 40}, 0.1, 0.2);
+  const MarkedWorld world({80, 80, 40}, 0.1, 0.2);
   set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {3.0, 3.994, 2.0}, {3.0, 7.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   EXPECT_EQ(corridor_->count, 2);
@@ -150,7 +150,7 @@ TEST_F(CorridorStageTest, ALegIsBuiltThatEndsTooNearAFace) {
 }
 
 TEST_F(CorridorStageTest, AWayBackKeepsItsEllipsoid) {
-  const World world({80, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({80, 40, 40}, 0.1, 0.2);
   set_path({{1.0, 2.0, 2.0}, {3.0, 2.0, 2.0}, {1.0, 2.0, 2.0}, {7.0, 2.0, 2.0}});
   ASSERT_EQ(run(world, 1), Status::kOk);
   ASSERT_EQ(corridor_->count, 2);
@@ -160,7 +160,7 @@ TEST_F(CorridorStageTest, AWayBackKeepsItsEllipsoid) {
 }
 
 TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {
-  const World world({300, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({300, 40, 40}, 0.1, 0.2);
   set_path({{28.1, 2.3, 1.7}, {0.3, 2.1, 1.9}});
   ASSERT_EQ(run(world, 100), Status::kOk);
   ASSERT_EQ(corridor_->count, 4);
@@ -172,20 +172,20 @@ TEST_F(CorridorStageTest, ALongLegIsCutIntoEqualPieces) {
 }
 
 TEST_F(CorridorStageTest, ABlockedLegSaysSo) {
-  World world({40, 40, 40}, 0.1, 0.2);
+  MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   world.mark(20, 20, 20);
   set_path({{0.5, 0.5, 0.5}, {0.5, 2.0, 2.0}, {3.5, 2.0, 2.0}});
   EXPECT_EQ(run(world, 100), Status::kCorridorBlocked);
 }
 
 TEST_F(CorridorStageTest, APathOutsideTheBoundarySaysSo) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{0.5, 0.5, 0.5}, {5.0, 2.0, 2.0}});
   EXPECT_EQ(run(world, 100), Status::kOutOfMap);
 }
 
 TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
-  const World world({40, 40, 40}, 0.1, 0.2);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{0.5, 0.5, 0.5}, {2.0, 2.0, 2.0}});
   corridor_begin(*stage_, world.grid, *path_, 100);
   for (int i = 0; i < 5; ++i) {
@@ -197,7 +197,7 @@ TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
 
 TEST_F(CorridorStageTest, SlicesChangeNoBit) {
   Random random(5);
-  World world({80, 80, 30}, 0.1, 0.1);
+  MarkedWorld world({80, 80, 30}, 0.1, 0.1);
   for (int i = 0; i < 300; ++i) world.mark(random.integer(0, 79), random.integer(0, 79), random.integer(0, 29));
   for (int x = 0; x < 80; ++x) {
     for (int y = 38; y < 43; ++y) {
@@ -221,7 +221,7 @@ TEST_F(CorridorStageTest, SlicesChangeNoBit) {
 }
 
 TEST_F(CorridorStageTest, EveryBudgetEndsInBudgetOrInTheSameCorridor) {
-  World world({80, 80, 30}, 0.1, 0.2);
+  MarkedWorld world({80, 80, 30}, 0.1, 0.2);
   world.fill({30, 0, 0}, {35, 50, 30});
   set_path({{1.0, 1.0, 1.5}, {2.5, 5.6, 1.5}, {3.9, 5.6, 1.5}, {6.0, 1.0, 1.5}});
   ASSERT_EQ(run(world, 100), Status::kOk);

@@ -8,18 +8,14 @@
 
 #include "support/arc_curve.hpp"
 #include "support/random.hpp"
+#include "support/same.hpp"
 
 namespace {
 
 using namespace tern;
+using tern_test::expect_near;
 
 constexpr Bounds kUnit{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, 0.0};
-
-void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 Vec3 bernstein(const Curve& curve, double u) {
   Vec3 sum{0.0, 0.0, 0.0};

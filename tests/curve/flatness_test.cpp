@@ -10,23 +10,20 @@
 #include <limits>
 
 #include "base/math.hpp"
+#include "support/numbers.hpp"
 #include "support/random.hpp"
+#include "support/same.hpp"
 
 namespace {
 
 using namespace tern;
+using tern_test::expect_near;
+using tern_test::kNan;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr Yaw kNorth{1.0, 0.0, 0.0};
 
 Vec3 column(const FlatState& state, int i) {
   return {state.attitude[0][i], state.attitude[1][i], state.attitude[2][i]};
-}
-
-void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
 /// Axes orthonormal and right-handed; the quaternion is unit and turns each axis to the same place.

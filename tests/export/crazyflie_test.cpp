@@ -17,14 +17,9 @@ using namespace tern;
 using tern_test::Random;
 using tern_test::scaled;
 using tern_test::tangle;
+using tern_test::tangle_at;
 
 /// A plan in motion with its origin anywhere.
-Trajectory tangle_at(Random& random, const Vec3& origin) {
-  Trajectory trajectory = tangle(random);
-  trajectory.origin = origin;
-  return trajectory;
-}
-
 /// What the firmware flies at time t after the start, by its own rule: the piece is the first that is not over.
 struct FlownState {
   Vec3 position, velocity, acceleration;

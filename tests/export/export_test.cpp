@@ -21,6 +21,7 @@ using namespace tern;
 using tern_test::Random;
 using tern_test::scaled;
 using tern_test::tangle;
+using tern_test::tangle_at;
 
 constexpr double kQuarter = 1.57079632679489661923;
 
@@ -100,12 +101,6 @@ TEST(ExportFrames, SetpointsCountYawClockwiseFromNorth) {
 }
 
 /// A plan in motion with its origin anywhere.
-Trajectory tangle_at(Random& random, const Vec3& origin) {
-  Trajectory trajectory = tangle(random);
-  trajectory.origin = origin;
-  return trajectory;
-}
-
 double apart(const SetpointNed& setpoint, const Vec3& position, const Vec3& origin) {
   const Vec3 ned = ned_from_enu({position.x - origin.x, position.y - origin.y, position.z - origin.z});
   return std::sqrt((setpoint.position[0] - ned.x) * (setpoint.position[0] - ned.x) +

@@ -64,7 +64,7 @@ class FencesTest : public ::testing::Test {
     return load({{planes.data(), static_cast<std::int32_t>(planes.size()), kind}});
   }
 
-  World world_{{40, 40, 20}, 0.1, 0.2};
+  MarkedWorld world_{{40, 40, 20}, 0.1, 0.2};
   std::unique_ptr<Fences> fences_ = std::make_unique<Fences>();
 };
 
@@ -342,7 +342,7 @@ TEST_F(FencesTest, ABoxBlocksWhatItReachesAndNoMore) {
 }
 
 TEST_F(FencesTest, AnEdgeIsRounderThanItsFaces) {
-  World world({40, 40, 20}, 0.1, 0.25);
+  MarkedWorld world({40, 40, 20}, 0.1, 0.25);
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   const Fence box{planes, 6, FenceKind::kKeepOut};

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tern;
 
-const MotionLimits kLimits{Limits{{5.0, 5.0, 5.0}, {8.0, 8.0, 8.0}}};
+const MotionLimits kFast{Limits{{5.0, 5.0, 5.0}, {8.0, 8.0, 8.0}}};
 
 /// Two segments between states in motion.
 Trajectory moving_plan() {
@@ -110,11 +110,11 @@ TEST(FlightBranch, JerkFallsToZero) {
 
 TEST(FlightBranch, JerkFallsFasterNearALimit) {
   JointState from{{kZero, kZero, {7.9, 0.0, 0.0}, {2.0, 0.0, 0.0}}};
-  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), kSettleTime);
+  EXPECT_DOUBLE_EQ(settle_time(from, kFast), kSettleTime);
   from.d[3].x = 7.0;  // 0.05 s would take the acceleration to 8.075, 0.025 s to 7.9875
-  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), 0.5 * kSettleTime);
+  EXPECT_DOUBLE_EQ(settle_time(from, kFast), 0.5 * kSettleTime);
   from.d[2].x = 8.5;
-  EXPECT_DOUBLE_EQ(settle_time(from, kLimits), kSettleTime / 32.0);
+  EXPECT_DOUBLE_EQ(settle_time(from, kFast), kSettleTime / 32.0);
 }
 
 TEST(FlightBranch, StopsJoinToJerkAndEndAtRest) {
@@ -123,7 +123,7 @@ TEST(FlightBranch, StopsJoinToJerkAndEndAtRest) {
   for (int shape = 0; shape < kStops; ++shape) {
     Trajectory part{};
     take_first_part(plan, 0.9, part);
-    ASSERT_TRUE(append_stop(joint_at(plan, 0.9, plan.origin), kLimits, shape, scratch, part));
+    ASSERT_TRUE(append_stop(joint_at(plan, 0.9, plan.origin), kFast, shape, scratch, part));
     expect_near(evaluate(part, 0.9), evaluate(plan, 0.9));
     expect_near(evaluate(part, 0.9 - 1e-9).jerk, evaluate(part, 0.9).jerk, 1e-5);
     double begin = 0.0;
@@ -164,12 +164,12 @@ TEST(FlightBranch, FullPlansAreNotContinued) {
   Trajectory plan{};
   plan.count = kMaxSegments;
   EXPECT_FALSE(append_between(moving, moving, 1.0, plan));
-  EXPECT_FALSE(append_stop(moving, kLimits, 0, scratch, plan));
+  EXPECT_FALSE(append_stop(moving, kFast, 0, scratch, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
   plan.count = kMaxSegments - kBrakeSegments;
-  EXPECT_FALSE(append_stop(moving, kLimits, 0, scratch, plan));
+  EXPECT_FALSE(append_stop(moving, kFast, 0, scratch, plan));
   plan.count = kMaxSegments - kBrakeSegments - 1;
-  EXPECT_TRUE(append_stop(moving, kLimits, 0, scratch, plan));
+  EXPECT_TRUE(append_stop(moving, kFast, 0, scratch, plan));
   EXPECT_EQ(plan.count, kMaxSegments);
 }
 

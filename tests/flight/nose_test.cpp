@@ -5,18 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "support/flight_room.hpp"
+#include "support/numbers.hpp"
 
 namespace {
 
 using namespace tern;
 using tern_test::FlightRoom;
 using tern_test::Flying;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using tern_test::kInfinity;
+using tern_test::kNan;
 
 FlightYaw yaw_of(FlightYawMode mode, double acceleration = 5.0) {
   FlightYaw yaw{};
@@ -35,7 +35,6 @@ FlightSpec turning(double rate, std::uint32_t work_per_tick = 4000) {
 
 /// The heading at rest is read once; what a mode does not read may be anything.
 TEST(FlightNose, HeadingsThatPointNowhereAreRefused) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Heading& bad : {Heading{kNan, 1.0}, Heading{1.0, kNan}, Heading{kInfinity, 1.0}, Heading{0.0, -kInfinity},
                              Heading{0.0, 0.0}, Heading{-0.0, 0.0}}) {
     FlightRoom room;

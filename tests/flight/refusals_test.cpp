@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/flight_room.hpp"
+#include "support/numbers.hpp"
 #include "support/world.hpp"
 #include "tern/proof.hpp"
 
@@ -17,10 +18,9 @@ namespace {
 
 using namespace tern;
 using tern_test::FlightRoom;
+using tern_test::kInfinity;
+using tern_test::kNan;
 using tern_test::OwnedMap;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Answer {
   Status status;

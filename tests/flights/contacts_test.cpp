@@ -11,27 +11,25 @@
 #include <string>
 #include <vector>
 
-#include "support/flown.hpp"
+#include "support/flights.hpp"
 #include "support/reference_brake.hpp"
 
 namespace {
 
 using namespace tern;
+using tern_test::fast;
 using tern_test::FlightSettings;
 using tern_test::Flown;
 using tern_test::Random;
 using tern_test::ReferenceBrake;
 using tern_test::Scene;
+using tern_test::size;
 
 constexpr double kStep = 0.001;  ///< of samples, seconds
 /// With so few units a tick, the first brake is flown that is judged, and not the best of them.
 constexpr std::uint32_t kFewUnits = 1000;
 constexpr double kFasterWithFewUnits = 0.06;  ///< m/s
 constexpr double kFaster = 0.02;              ///< m/s, than the reference, whose brakes and samples are others
-
-double size(const Vec3& v) {
-  return std::hypot(v.x, std::hypot(v.y, v.z));
-}
 
 /// The first instant that is nearer to what the map holds than the radius. Speed 0: there is none.
 struct Met {
@@ -177,13 +175,6 @@ bool find_threat(Flown& flown, Ahead& ahead) {
     if (flown.report.mode == FlightMode::kThreat) return true;
   }
   return false;
-}
-
-FlightSettings fast() {
-  FlightSettings settings;
-  settings.v = 5.0;
-  settings.a = 8.0;
-  return settings;
 }
 
 /// On the way along x, so long that all speeds occur.

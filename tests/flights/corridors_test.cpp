@@ -81,13 +81,13 @@ FlightWorld corridor(Shape shape, double width, double cell, const std::vector<s
   return world;
 }
 
-struct Flown {
+struct FlownCorridor {
   FlightResult result;
   double threat = 0.0;  ///< the longest time that the vehicle rested under a threat, seconds
 };
 
-Flown fly(const FlightWorld& world) {
-  Flown flown;
+FlownCorridor fly(const FlightWorld& world) {
+  FlownCorridor flown;
   double now = 0.0;
   flown.result = tern_host::simulate_flight(world, [&](const tern_host::FlightMoment& moment) {
     const Vec3& v = moment.command.sample.velocity;
@@ -107,7 +107,7 @@ std::string name_of(Shape shape, double width, double cell) {
 void expect_arrival(Shape shape, double width, double cell, const std::vector<std::string>& settings = {}) {
   SCOPED_TRACE(name_of(shape, width, cell));
   const FlightWorld world = corridor(shape, width, cell, settings);
-  const Flown flown = fly(world);
+  const FlownCorridor flown = fly(world);
   EXPECT_EQ(flown.result.status, "reached") << flown.result.reason << ", " << flown.result.blocked();
   EXPECT_LE(flown.threat, 1.0);
   EXPECT_GT(flown.result.min_clearance, world.settings.body_radius);
@@ -145,7 +145,7 @@ TEST(Corridors, ThatAreTooNarrowAreSaidToBe) {
                                          {Shape::kAlongX, 1.1, 0.2, 'y', 1.0},
                                          {Shape::kBlocks, 1.2, 0.2, 'y', 1.0}}) {
     SCOPED_TRACE(name_of(c.shape, c.width, c.cell));
-    const Flown flown = fly(corridor(c.shape, c.width, c.cell));
+    const FlownCorridor flown = fly(corridor(c.shape, c.width, c.cell));
     EXPECT_EQ(flown.result.status, "stuck") << flown.result.reason;
     EXPECT_LE(flown.threat, 1.0);
     EXPECT_LT(flown.result.time, 12.0);  // a look around takes 8 s

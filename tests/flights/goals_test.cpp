@@ -6,10 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <string>
 
-#include "support/flown.hpp"
+#include "support/flights.hpp"
 
 namespace {
 
@@ -18,14 +16,7 @@ using tern_test::FlightSettings;
 using tern_test::Flown;
 using tern_test::Random;
 using tern_test::Scene;
-
-std::string story(const Flown& flown) {
-  char text[200];
-  std::snprintf(text, sizeof text, "t %.2f at (%.2f %.2f %.2f), reason %d, mode %d",
-                1e-9 * static_cast<double>(flown.time), flown.position().x, flown.position().y, flown.position().z,
-                static_cast<int>(flown.report.reason), static_cast<int>(flown.report.mode));
-  return text;
-}
+using tern_test::story;
 
 double from_goal(const Flown& flown, const Vec3& goal) {
   const Vec3 p = flown.position();

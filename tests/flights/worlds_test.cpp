@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <string>
 
-#include "support/flown.hpp"
+#include "support/flights.hpp"
 
 namespace {
 
@@ -18,16 +16,7 @@ using tern_test::Flown;
 using tern_test::forest;
 using tern_test::Random;
 using tern_test::Scene;
-
-/// Says how a flight went that should have gone otherwise.
-std::string story(const Flown& flown) {
-  char text[200];
-  std::snprintf(text, sizeof text, "t %.2f at (%.2f %.2f %.2f), reason %d, mode %d, asked %u committed %u failed %u",
-                1e-9 * static_cast<double>(flown.time), flown.position().x, flown.position().y, flown.position().z,
-                static_cast<int>(flown.report.reason), static_cast<int>(flown.report.mode), flown.report.asked,
-                flown.report.committed, flown.report.failed);
-  return text;
-}
+using tern_test::story;
 
 TEST(FlightWorlds, ForestsAreCrossed) {
   for (int k = 0; k < tern_test::scaled(12); ++k) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/grid_storage.hpp"
+#include "support/numbers.hpp"
 #include "tern/grid.hpp"
 
 namespace {
@@ -17,11 +18,10 @@ using tern::Grid;
 using tern::GridSpec;
 using tern::Status;
 using tern::Voxel;
+using tern_test::kInfinity;
+using tern_test::kNan;
 using tern_test::OwnedGrid;
 using tern_test::whole_grid;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Binds a spec to storage of a fixed size and says what came of it.
 struct Outcome {

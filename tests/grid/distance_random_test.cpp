@@ -19,6 +19,7 @@ using tern::Grid;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::for_each_voxel;
 using tern_test::OwnedGrid;
 using tern_test::Random;
 using tern_test::scaled;
@@ -125,15 +126,6 @@ TEST(SegmentBoxProperty, DoesNotDependOnTheDirection) {
 
 Box cube_of(const Voxel& v, double cell) {
   return {{v.x * cell, v.y * cell, v.z * cell}, {(v.x + 1) * cell, (v.y + 1) * cell, (v.z + 1) * cell}};
-}
-
-template <class Visit>
-void for_each_voxel(const Voxel& dims, Visit visit) {
-  for (int z = 0; z < dims.z; ++z) {
-    for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) visit(Voxel{x, y, z});
-    }
-  }
 }
 
 /// The least distance of the segment from any obstacle cube; a cube's interior counts as negative.

@@ -19,6 +19,7 @@ using tern::GridSpec;
 using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
+using tern_test::for_each_voxel;
 using tern_test::OwnedGrid;
 using tern_test::Random;
 using tern_test::scaled;
@@ -39,15 +40,6 @@ Real cube_distance(const Voxel& a, const Voxel& b, Real cell) {
   const Real y = separation(a.y, b.y, cell);
   const Real z = separation(a.z, b.z, cell);
   return std::sqrt(x * x + y * y + z * z);
-}
-
-template <class Visit>
-void for_each_voxel(const Voxel& dims, Visit visit) {
-  for (int z = 0; z < dims.z; ++z) {
-    for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) visit(Voxel{x, y, z});
-    }
-  }
 }
 
 /// What a case asks for, in local coordinates, before the origin's rounding.

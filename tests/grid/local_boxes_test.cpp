@@ -24,18 +24,18 @@ struct Extraction {
   std::vector<LocalBox> boxes = std::vector<LocalBox>(tern::kMaxLocalBoxes);
   int count = 0;
 
-  void run(const World& world, const VoxelRange& range) {
+  void run(const MarkedWorld& world, const VoxelRange& range) {
     std::memset(static_cast<void*>(scratch.get()), 0xA5, sizeof *scratch);
     count = extract_local_boxes(world.grid, range, *scratch, boxes.data());
   }
 };
 
-VoxelRange whole(const World& world) {
+VoxelRange whole(const MarkedWorld& world) {
   return {{0, 0, 0}, world.grid.spec().dims};
 }
 
 TEST(CorridorBoxes, AnEmptyRangeHasNone) {
-  World world({70, 5, 5}, 0.5, 0.0);
+  MarkedWorld world({70, 5, 5}, 0.5, 0.0);
   world.fill({0, 0, 0}, {70, 5, 5});
   Extraction extraction;
   extraction.run(world, {{3, 2, 2}, {3, 4, 4}});
@@ -47,7 +47,7 @@ TEST(CorridorBoxes, AnEmptyRangeHasNone) {
 }
 
 TEST(CorridorBoxes, ACuboidAcrossAWordIsOneBox) {
-  World world({130, 8, 6}, 0.5, 0.0);
+  MarkedWorld world({130, 8, 6}, 0.5, 0.0);
   world.fill({60, 2, 1}, {129, 5, 4});
   Extraction extraction;
   extraction.run(world, whole(world));
@@ -61,7 +61,7 @@ TEST(CorridorBoxes, ACuboidAcrossAWordIsOneBox) {
 }
 
 TEST(CorridorBoxes, TheRangeCutsABox) {
-  World world({130, 8, 6}, 1.0, 0.0);
+  MarkedWorld world({130, 8, 6}, 1.0, 0.0);
   world.fill({0, 0, 0}, {130, 8, 6});
   Extraction extraction;
   extraction.run(world, {{62, 3, 2}, {66, 5, 5}});
@@ -75,7 +75,7 @@ TEST(CorridorBoxes, TheRangeCutsABox) {
 }
 
 TEST(CorridorBoxes, AStepIsTwoBoxes) {
-  World world({8, 8, 8}, 1.0, 0.0);
+  MarkedWorld world({8, 8, 8}, 1.0, 0.0);
   world.fill({1, 1, 1}, {5, 5, 3});
   world.fill({1, 1, 3}, {3, 5, 6});
   Extraction extraction;
@@ -84,7 +84,7 @@ TEST(CorridorBoxes, AStepIsTwoBoxes) {
 }
 
 TEST(CorridorBoxes, ReachTakesTheRadiusAndOneVoxelMoreAlongX) {
-  const World world({40, 40, 40}, 0.1, 0.25);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.25);
   const VoxelRange range = voxels_within_reach(world.grid, {{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}});
   EXPECT_EQ(range.lower.y, 7);   // 1.0 - 0.25 is inside voxel 7
   EXPECT_EQ(range.upper.y, 23);  // 2.0 + 0.25 is inside voxel 22
@@ -95,14 +95,14 @@ TEST(CorridorBoxes, ReachTakesTheRadiusAndOneVoxelMoreAlongX) {
 }
 
 TEST(CorridorBoxes, AVoxelThatOnlyTouchesTheReachIsLeftOut) {
-  const World world({40, 40, 40}, 0.1, 0.3);
+  const MarkedWorld world({40, 40, 40}, 0.1, 0.3);
   const VoxelRange range = voxels_within_reach(world.grid, {{1.0, 1.0, 1.0}, {2.0, 2.0, 2.0}});
   EXPECT_EQ(range.lower.y, 7);   // voxel 6 ends at 0.7 = 1.0 - 0.3
   EXPECT_EQ(range.upper.y, 23);  // voxel 23 begins at 2.3
 }
 
 TEST(CorridorBoxes, TheReachEndsAtTheGrid) {
-  const World world({10, 10, 10}, 0.1, 5.0);
+  const MarkedWorld world({10, 10, 10}, 0.1, 5.0);
   const VoxelRange range = voxels_within_reach(world.grid, {{0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}});
   EXPECT_EQ(range.lower.x, 0);
   EXPECT_EQ(range.upper.x, 10);
@@ -111,7 +111,7 @@ TEST(CorridorBoxes, TheReachEndsAtTheGrid) {
 }
 
 /// Every obstacle voxel of the range in exactly one box, no other voxel in any.
-void expect_partition(const World& world, const VoxelRange& range, const Extraction& extraction) {
+void expect_partition(const MarkedWorld& world, const VoxelRange& range, const Extraction& extraction) {
   const Voxel dims = world.grid.spec().dims;
   const double cell = world.grid.spec().cell;
   std::vector<int> covered(static_cast<std::size_t>(dims.x * dims.y * dims.z), 0);
@@ -145,7 +145,7 @@ TEST(CorridorBoxes, PartitionTheObstaclesOfRandomRanges) {
   Random random(3);
   Extraction extraction;
   for (int i = 0; i < scaled(3000); ++i) {
-    World world({random.integer(1, 150), random.integer(1, 8), random.integer(1, 6)}, 0.25, 0.0);
+    MarkedWorld world({random.integer(1, 150), random.integer(1, 8), random.integer(1, 6)}, 0.25, 0.0);
     const Voxel dims = world.grid.spec().dims;
     const double density = random.chance(0.5) ? random.real(0.0, 0.1) : random.real(0.0, 1.0);
     for (int k = 0; k < dims.x * dims.y * dims.z; ++k) {
@@ -164,7 +164,7 @@ TEST(CorridorBoxes, PartitionTheObstaclesOfRandomRanges) {
 
 /// More voxels apart from each other than there is room for boxes.
 TEST(CorridorBoxes, MoreThanFitAreNone) {
-  World world({64, 64, 32}, 0.5, 0.0);
+  MarkedWorld world({64, 64, 32}, 0.5, 0.0);
   for (int z = 0; z < 32; z += 2) {
     for (int y = 0; y < 64; y += 2) {
       for (int x = 0; x < 64; x += 2) world.fill({x, y, z}, {x + 1, y + 1, z + 1});

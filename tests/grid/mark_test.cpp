@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "support/grid_storage.hpp"
+#include "support/numbers.hpp"
 #include "support/random.hpp"
 #include "tern/grid.hpp"
 
@@ -16,10 +17,9 @@ using tern::Box;
 using tern::Status;
 using tern::Vec3;
 using tern_test::count_obstacles;
+using tern_test::kNan;
 using tern_test::OwnedGrid;
 using tern_test::whole_grid;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// 100 x 10 x 10 voxels of 0.1 m at the world's origin: rows of one word and a half.
 class GridMark : public testing::Test {

@@ -8,20 +8,18 @@
 
 #include <cmath>
 
+#include "support/map_bytes.hpp"
+
 namespace {
 
 using tern::Vec3;
 using tern_host::Cloud;
 using tern_host::RecordError;
-
-const std::string kFolder = std::string(TERN_SOURCE_DIR) + "/tests/support/maps/";
-
-std::string bytes_of(const std::string& name) {
-  return tern_host::read_bytes(kFolder + name, 1 << 20);
-}
+using tern_test::bytes_of;
+using tern_test::contains;
 
 /// Why a cloud is refused, with its line; empty where it is not.
-std::string refusal(const std::string& bytes) {
+std::string cloud_refusal(const std::string& bytes) {
   try {
     tern_host::parse_cloud(bytes, {"it", 0});
   } catch (const RecordError& error) {
@@ -31,10 +29,6 @@ std::string refusal(const std::string& bytes) {
   return "";
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::string replaced(std::string text, const std::string& part, const std::string& by) {
   const std::size_t at = text.find(part);
   EXPECT_NE(at, std::string::npos) << part;
@@ -42,7 +36,9 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }
 
 void expect_refused(const std::string& bytes, const std::string& reason) {
-  EXPECT_TRUE(contains(refusal(bytes), reason)) << "'" << refusal(bytes) << "', not '" << reason << "', of\n" << bytes;
+  EXPECT_TRUE(contains(cloud_refusal(bytes), reason))
+      << "'" << cloud_refusal(bytes) << "', not '" << reason << "', of\n"
+      << bytes;
 }
 
 const std::string kPcd =
@@ -55,7 +51,7 @@ const std::string kPly =
 TEST(CloudFile, AllFormsHaveTheSamePoints) {
   std::vector<std::string> names = {"points_text.pcd", "points_binary.pcd", "points_text.ply", "points_little.ply",
                                     "points_big.ply"};
-  const std::string packed = refusal(bytes_of("points_packed.pcd"));
+  const std::string packed = cloud_refusal(bytes_of("points_packed.pcd"));
   EXPECT_TRUE(packed.empty() || contains(packed, "this build is without liblzf")) << packed;
   if (packed.empty()) names.push_back("points_packed.pcd");
   for (const std::string& name : names) {
@@ -83,14 +79,14 @@ TEST(CloudFile, WhatChangesNothingMayDiffer) {
                               kPcd + "\n \n",
                               kPcd.substr(0, kPcd.size() - 1)};
   for (const std::string& pcd : pcds) {
-    EXPECT_EQ(refusal(pcd), "") << pcd;
+    EXPECT_EQ(cloud_refusal(pcd), "") << pcd;
     EXPECT_EQ(tern_host::parse_cloud(pcd, {"it", 0}).points.size(), 2u);
   }
   for (std::string text : {kPcd, kPly}) {
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
-    EXPECT_EQ(refusal(text), "");
+    EXPECT_EQ(cloud_refusal(text), "");
   }
-  EXPECT_EQ(refusal(kPly), "");
+  EXPECT_EQ(cloud_refusal(kPly), "");
 }
 
 TEST(CloudFile, OnlyWordsThatSaySoAreNotFinite) {
@@ -123,7 +119,7 @@ TEST(CloudFile, RowsHaveAsManyNumbersAsTheHeaderSays) {
 
 TEST(CloudFile, PcdHeadersMustBeWholeAndAgree) {
   for (const char* line : {"FIELDS x y z\n", "SIZE 4 4 4\n", "TYPE F F F\n", "POINTS 2\n", "WIDTH 2\n"}) {
-    EXPECT_NE(refusal(replaced(kPcd, line, "")), "") << line;
+    EXPECT_NE(cloud_refusal(replaced(kPcd, line, "")), "") << line;
     expect_refused(replaced(kPcd, line, std::string(line) + line), "is given twice");
   }
   expect_refused(replaced(kPcd, "POINTS 2\n", ""), "no 'POINTS'; 'WIDTH' 2 x 'HEIGHT' 1 would be 2");
@@ -132,7 +128,7 @@ TEST(CloudFile, PcdHeadersMustBeWholeAndAgree) {
   expect_refused(replaced(kPcd, "WIDTH 2\n", ""), "'HEIGHT' without 'WIDTH'");
   expect_refused(replaced(kPcd, "POINTS 2", "POINTS 2 2"), "'POINTS' needs 1 word, found 2");
   for (const char* count : {"-2", "2.5", "2,0", "1e12", "nan", "two"}) {
-    EXPECT_NE(refusal(replaced(kPcd, "POINTS 2", std::string("POINTS ") + count)), "") << count;
+    EXPECT_NE(cloud_refusal(replaced(kPcd, "POINTS 2", std::string("POINTS ") + count)), "") << count;
   }
   expect_refused(replaced(kPcd, "SIZE 4 4 4", "SIZE 4 4"), "it:3: 'SIZE' is for 2 fields, 'FIELDS' names 3");
   expect_refused(replaced(kPcd, "COUNT 1 1 1", "COUNT 1 1 1 1"), "'COUNT' is for 4 fields");
@@ -143,7 +139,7 @@ TEST(CloudFile, PcdHeadersMustBeWholeAndAgree) {
   expect_refused(replaced(kPcd, "TYPE F F F", "TYPE F F S"), "has a type that no number has: 'S' of 4 bytes");
   expect_refused(replaced(kPcd, "TYPE F F F", "TYPE F F FF"), "'FF' is not a type");
   for (const char* size : {"2", "3", "16", "0"}) {
-    EXPECT_NE(refusal(replaced(kPcd, "SIZE 4 4 4", std::string("SIZE 4 4 ") + size)), "") << size;
+    EXPECT_NE(cloud_refusal(replaced(kPcd, "SIZE 4 4 4", std::string("SIZE 4 4 ") + size)), "") << size;
   }
   expect_refused(replaced(kPcd, "VERSION 0.7", "VERSION 0.8"), "of version '0.8'");
   expect_refused(replaced(kPcd, "HEIGHT", "HIGHT"), "it:7: unknown word 'HIGHT'");
@@ -174,7 +170,7 @@ TEST(CloudFile, PlyHeadersMustBeWholeAndAgree) {
   expect_refused(replaced(kPly, "vertex 2", "point 2"), "not 'vertex'");
   expect_refused(replaced(kPly, "element face 1", "element vertex 1"), "element 'vertex' is given twice");
   for (const char* count : {"-2", "2.5", "1e12", "nan", "", "2 3"}) {
-    EXPECT_NE(refusal(replaced(kPly, "vertex 2", std::string("vertex ") + count)), "") << count;
+    EXPECT_NE(cloud_refusal(replaced(kPly, "vertex 2", std::string("vertex ") + count)), "") << count;
   }
   expect_refused(replaced(kPly, "float y", "float x"), "field 'x' is given twice");
   expect_refused(replaced(kPly, "property float y\n", ""), "no x, y and z");
@@ -187,20 +183,20 @@ TEST(CloudFile, PlyHeadersMustBeWholeAndAgree) {
 
 TEST(CloudFile, BinaryDataAreAsLongAsTheHeaderSays) {
   std::vector<std::string> names = {"points_binary.pcd", "points_little.ply", "points_big.ply"};
-  if (refusal(bytes_of("points_packed.pcd")).empty()) names.push_back("points_packed.pcd");
+  if (cloud_refusal(bytes_of("points_packed.pcd")).empty()) names.push_back("points_packed.pcd");
   for (const std::string& name : names) {
     const std::string whole = bytes_of(name);
-    for (std::size_t n = 0; n < whole.size(); ++n) ASSERT_NE(refusal(whole.substr(0, n)), "") << name << " " << n;
-    EXPECT_NE(refusal(whole + "x"), "") << name;
-    EXPECT_NE(refusal(whole + std::string(12, '\0')), "") << name;
-    EXPECT_NE(refusal(whole + whole), "") << name;
+    for (std::size_t n = 0; n < whole.size(); ++n) ASSERT_NE(cloud_refusal(whole.substr(0, n)), "") << name << " " << n;
+    EXPECT_NE(cloud_refusal(whole + "x"), "") << name;
+    EXPECT_NE(cloud_refusal(whole + std::string(12, '\0')), "") << name;
+    EXPECT_NE(cloud_refusal(whole + whole), "") << name;
   }
   const std::string binary = bytes_of("points_binary.pcd");
   expect_refused(binary.substr(0, binary.size() - 1), "says 5 points, 120 bytes, the file has 119");
   expect_refused(binary + "xy", "the file has 2 bytes more, from byte");
   // PCL leaves the rest of the header's page.
   const std::size_t header = binary.size() - 120;
-  EXPECT_EQ(refusal(binary + std::string(4096 - header, '\0')), "");
+  EXPECT_EQ(cloud_refusal(binary + std::string(4096 - header, '\0')), "");
   expect_refused(binary + std::string(4096 - header, ' '), "bytes more");
   // A huge count takes no memory.
   expect_refused(replaced(replaced(binary, "POINTS 5", "POINTS 60000000"), "WIDTH 5", "WIDTH 60000000"), "cut off");
@@ -208,7 +204,7 @@ TEST(CloudFile, BinaryDataAreAsLongAsTheHeaderSays) {
 
 TEST(CloudFile, CompressedDataMustFit) {
   const std::string whole = bytes_of("points_packed.pcd");
-  if (!refusal(whole).empty()) GTEST_SKIP() << "without liblzf";
+  if (!cloud_refusal(whole).empty()) GTEST_SKIP() << "without liblzf";
   const std::size_t sizes = whole.find("binary_compressed\n") + 18;
   std::string other = whole;
   ++other[sizes + 4];
@@ -227,7 +223,7 @@ TEST(CloudFile, CompressedDataMustFit) {
   for (std::size_t n = sizes; n < whole.size(); ++n) {
     std::string broken = whole;
     broken[n] = '\x55';
-    refusal(broken);
+    cloud_refusal(broken);
   }
 }
 

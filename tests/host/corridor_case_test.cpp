@@ -18,7 +18,7 @@ const std::string kHead = "id line class straight\nM 2 degree 7\nvmax 10 amax 10
 const std::string kJoints = "wp 0 0 0\nwp 1 0 0\nwp 2 0 0\n";
 const std::string kLine = kHead + "goal_p 2 0 0\nT 1 1\n" + kJoints;
 
-std::string error_of(const std::string& text) {
+std::string case_error(const std::string& text) {
   try {
     parse_corridor_case(text, "case.txt");
   } catch (const tern_host::RecordError& error) {
@@ -49,28 +49,28 @@ TEST(CorridorCase, ReadsEveryRecord) {
 }
 
 TEST(CorridorCase, ErrorsNameFileLineAndReason) {
-  EXPECT_EQ(error_of(kLine + "hs 0 1 0 0\n"), "case.txt:10: 'hs' needs 5 numbers: segment, normal, offset, found 4");
-  EXPECT_EQ(error_of(kLine + "hs 2 1 0 0 1\n"), "case.txt:10: no segment '2'; 'M' gave 2");
-  EXPECT_EQ(error_of(kLine + "hs 0 1 0 0 nan\n"), "case.txt:10: 'nan' is not a finite number");
-  EXPECT_EQ(error_of(kLine + "T 1 1\n"), "case.txt:10: 'T' is given twice");
-  EXPECT_EQ(error_of(kLine + "turn 1\n"), "case.txt:10: unknown record 'turn'");
-  EXPECT_EQ(error_of(kLine + "start_v 1 2\n"), "case.txt:10: 'start_v' needs 3 numbers, found 2");
-  EXPECT_EQ(error_of(kHead + "T 1 1\n" + kJoints), "case.txt:8: the file ends without a 'goal_p'");
-  EXPECT_EQ(error_of(kHead + "goal_p 2 0 0\nT 1\n" + kJoints), "case.txt:9: 'T' needs one number a segment, found 1");
-  EXPECT_EQ(error_of(kHead + "T 1 0\n"), "case.txt:5: 'T' must be more than 0");
-  EXPECT_EQ(error_of("M 2 c4 1\n"), "case.txt:1: 'c4' must be 0: joints are C3");
-  EXPECT_EQ(error_of("M 2 degree 5\n"), "case.txt:1: 'degree' must be 7, found '5'");
-  EXPECT_EQ(error_of("M 1.5\n"), "case.txt:1: '1.5' is not a count above 0");
-  EXPECT_EQ(error_of("vmax 2\n"), "case.txt:1: 'vmax' needs a 'amax' with a value");
+  EXPECT_EQ(case_error(kLine + "hs 0 1 0 0\n"), "case.txt:10: 'hs' needs 5 numbers: segment, normal, offset, found 4");
+  EXPECT_EQ(case_error(kLine + "hs 2 1 0 0 1\n"), "case.txt:10: no segment '2'; 'M' gave 2");
+  EXPECT_EQ(case_error(kLine + "hs 0 1 0 0 nan\n"), "case.txt:10: 'nan' is not a finite number");
+  EXPECT_EQ(case_error(kLine + "T 1 1\n"), "case.txt:10: 'T' is given twice");
+  EXPECT_EQ(case_error(kLine + "turn 1\n"), "case.txt:10: unknown record 'turn'");
+  EXPECT_EQ(case_error(kLine + "start_v 1 2\n"), "case.txt:10: 'start_v' needs 3 numbers, found 2");
+  EXPECT_EQ(case_error(kHead + "T 1 1\n" + kJoints), "case.txt:8: the file ends without a 'goal_p'");
+  EXPECT_EQ(case_error(kHead + "goal_p 2 0 0\nT 1\n" + kJoints), "case.txt:9: 'T' needs one number a segment, found 1");
+  EXPECT_EQ(case_error(kHead + "T 1 0\n"), "case.txt:5: 'T' must be more than 0");
+  EXPECT_EQ(case_error("M 2 c4 1\n"), "case.txt:1: 'c4' must be 0: joints are C3");
+  EXPECT_EQ(case_error("M 2 degree 5\n"), "case.txt:1: 'degree' must be 7, found '5'");
+  EXPECT_EQ(case_error("M 1.5\n"), "case.txt:1: '1.5' is not a count above 0");
+  EXPECT_EQ(case_error("vmax 2\n"), "case.txt:1: 'vmax' needs a 'amax' with a value");
 }
 
 TEST(CorridorCase, WhatExceedsACapacityNamesTheConstant) {
   const std::string most = std::to_string(tern::kMaxSegments);
-  EXPECT_EQ(error_of("M " + std::to_string(tern::kMaxSegments + 1) + "\n"),
+  EXPECT_EQ(case_error("M " + std::to_string(tern::kMaxSegments + 1) + "\n"),
             "case.txt:1: more than " + most + " (TERN_MAX_SEGMENTS)");
   std::string planes = kLine;
   for (int i = 0; i <= tern::kMaxPlanes; ++i) planes += "hs 1 1 0 0 5\n";
-  EXPECT_NE(error_of(planes).find("(TERN_MAX_PLANES)"), std::string::npos);
+  EXPECT_NE(case_error(planes).find("(TERN_MAX_PLANES)"), std::string::npos);
 }
 
 TEST(CorridorSolver, SolvesAStraightLineFromRestToRest) {

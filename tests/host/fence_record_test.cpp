@@ -31,7 +31,7 @@ FenceRecord fence_of(const std::string& line) {
   return fences.at(0);
 }
 
-std::string error_of(const std::string& line) {
+std::string fence_error(const std::string& line) {
   try {
     fence_of(line);
   } catch (const tern_host::RecordError& error) {
@@ -50,9 +50,10 @@ TEST(FenceRecord, ABoxHasSixPlanes) {
 }
 
 TEST(FenceRecord, ErrorsSayWhere) {
-  EXPECT_EQ(error_of("keepin 0 0 0 1 1"), "world.txt:7: 'keepin' needs 6 numbers, found 5");
-  EXPECT_EQ(error_of("keepout 0 3 0 1 1 1"), "world.txt:7: 'keepout' has its corners the wrong way round in y: 3 > 1");
-  EXPECT_EQ(error_of("keepout_halfspaces 0 0 0 1"),
+  EXPECT_EQ(fence_error("keepin 0 0 0 1 1"), "world.txt:7: 'keepin' needs 6 numbers, found 5");
+  EXPECT_EQ(fence_error("keepout 0 3 0 1 1 1"),
+            "world.txt:7: 'keepout' has its corners the wrong way round in y: 3 > 1");
+  EXPECT_EQ(fence_error("keepout_halfspaces 0 0 0 1"),
             "world.txt:7: 'keepout_halfspaces' has a normal that is no direction");
   std::vector<FenceRecord> fences;
   const tern_host::Words words = tern_host::split_words("keepin_halfspaces 1 0 0 9", false);

@@ -16,7 +16,7 @@
 namespace {
 
 /// Why a flight with this setting is refused; empty where it is not.
-std::string refusal(const std::string& setting) {
+std::string setting_refusal(const std::string& setting) {
   try {
     tern_host::flight_settings({setting});
   } catch (const tern_host::RecordError& error) {
@@ -26,19 +26,19 @@ std::string refusal(const std::string& setting) {
 }
 
 TEST(FlightSettings, AreNotRounded) {
-  EXPECT_EQ(refusal("hits=1.5"), "hits 1.5 is not a whole number");
-  EXPECT_EQ(refusal("support=0.2"), "support 0.2 is not a whole number");
-  EXPECT_EQ(refusal("work_per_tick=4000.5"), "work_per_tick 4000.5 is not a whole number");
-  EXPECT_EQ(refusal("speckle_filter=0.9"), "speckle_filter 0.9 is not a whole number");
-  EXPECT_EQ(refusal("sensor_size=160.5,120"), "sensor_size 160.5 is not a whole number");
-  EXPECT_EQ(refusal("seed=0.5"), "seed 0.5 is not a whole number");
-  EXPECT_EQ(refusal("hits=2"), "");
+  EXPECT_EQ(setting_refusal("hits=1.5"), "hits 1.5 is not a whole number");
+  EXPECT_EQ(setting_refusal("support=0.2"), "support 0.2 is not a whole number");
+  EXPECT_EQ(setting_refusal("work_per_tick=4000.5"), "work_per_tick 4000.5 is not a whole number");
+  EXPECT_EQ(setting_refusal("speckle_filter=0.9"), "speckle_filter 0.9 is not a whole number");
+  EXPECT_EQ(setting_refusal("sensor_size=160.5,120"), "sensor_size 160.5 is not a whole number");
+  EXPECT_EQ(setting_refusal("seed=0.5"), "seed 0.5 is not a whole number");
+  EXPECT_EQ(setting_refusal("hits=2"), "");
 }
 
 TEST(FlightSettings, SayTheirRangesBriefly) {
-  EXPECT_EQ(refusal("seed=-1"), "seed -1 is not within 0 .. 9e+15");
-  EXPECT_EQ(refusal("v_max=0"), "v_max 0 is not within 0.01 .. 100");
-  EXPECT_EQ(refusal("sensor_size=7,120"), "sensor_size 7 is not within 8 .. 1000");
+  EXPECT_EQ(setting_refusal("seed=-1"), "seed -1 is not within 0 .. 9e+15");
+  EXPECT_EQ(setting_refusal("v_max=0"), "v_max 0 is not within 0.01 .. 100");
+  EXPECT_EQ(setting_refusal("sensor_size=7,120"), "sensor_size 7 is not within 8 .. 1000");
 }
 
 /// Faults are settings like the others.
@@ -60,11 +60,12 @@ TEST(FlightSettings, OfFaults) {
 }
 
 TEST(FlightSettings, RefuseFaultsThatCannotBe) {
-  EXPECT_EQ(refusal("tick_skip=0.6,1"), "tick_skip: with runs of up to 1 ticks, at most 0.500 of all are skipped");
-  EXPECT_EQ(refusal("tick_skip=0.5,51"), "tick_skip 51 is not within 1 .. 50");
-  EXPECT_EQ(refusal("tick_skip=0.5,2.5"), "tick_skip 2.5 is not a whole number");
-  EXPECT_EQ(refusal("pose_jump=0.2"), "'pose_jump' needs two numbers, found 1");
-  EXPECT_EQ(refusal("goal_place=moon"), "goal_place is given, occupied or outside");
+  EXPECT_EQ(setting_refusal("tick_skip=0.6,1"),
+            "tick_skip: with runs of up to 1 ticks, at most 0.500 of all are skipped");
+  EXPECT_EQ(setting_refusal("tick_skip=0.5,51"), "tick_skip 51 is not within 1 .. 50");
+  EXPECT_EQ(setting_refusal("tick_skip=0.5,2.5"), "tick_skip 2.5 is not a whole number");
+  EXPECT_EQ(setting_refusal("pose_jump=0.2"), "'pose_jump' needs two numbers, found 1");
+  EXPECT_EQ(setting_refusal("goal_place=moon"), "goal_place is given, occupied or outside");
 }
 
 /// Why a world with these further lines is refused.

@@ -15,22 +15,19 @@
 #include "host/map/scenario_grid.hpp"
 #include "host/picture/map_picture.hpp"
 #include "host/session.hpp"
+#include "support/map_bytes.hpp"
 
 namespace {
 
 using tern::Vec3;
 using tern_host::GridMap;
-using tern_host::kMaxMapBytes;
 using tern_host::Octomap;
 using tern_host::OctomapLeaf;
 using tern_host::RecordError;
 using tern_host::Scenario;
-
-const std::string kFolder = std::string(TERN_SOURCE_DIR) + "/tests/support/maps/";
-
-std::string bytes_of(const std::string& name) {
-  return tern_host::read_bytes(kFolder + name, kMaxMapBytes);
-}
+using tern_test::bytes_of;
+using tern_test::contains;
+using tern_test::kMapFolder;
 
 /// Why bytes are refused; empty where they are not.
 template <typename Parse>
@@ -50,7 +47,7 @@ std::string octomap_reason(const std::string& bytes) {
 
 Scenario parse(const std::string& records) {
   const std::string ends = "boundary 0 0 0 4 3 2\nstart 0.5 0.5 1\ngoal 3.5 0.5 1\nradius 0.2\n";
-  Scenario scenario = tern_host::parse_scenario(ends + records, kFolder + "room.txt");
+  Scenario scenario = tern_host::parse_scenario(ends + records, kMapFolder + "room.txt");
   tern_host::load_map_files(scenario);
   return scenario;
 }
@@ -62,10 +59,6 @@ std::string scenario_reason(const std::string& records) {
     return error.what();
   }
   return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// The room of the files: 40 x 30 x 20 cells of 0.1 m, of which those beyond x = 3, y = 2 were never seen.
@@ -195,7 +188,8 @@ TEST(MapFiles, PlansGoRoundWhatTheyHold) {
 }
 
 TEST(MapFiles, FaultsNameTheRecordAndTheFile) {
-  EXPECT_TRUE(contains(scenario_reason("cloud none.pcd\n"), "room.txt:5: " + kFolder + "none.pcd: cannot be opened"));
+  EXPECT_TRUE(
+      contains(scenario_reason("cloud none.pcd\n"), "room.txt:5: " + kMapFolder + "none.pcd: cannot be opened"));
   EXPECT_TRUE(contains(scenario_reason("octomap points_text.pcd\n"), "points_text.pcd: not an OctoMap file"));
   EXPECT_TRUE(contains(scenario_reason("cloud room.bt\n"), "room.bt: neither a PCD file nor a PLY file"));
   EXPECT_TRUE(contains(scenario_reason("cloud two words\n"), "needs one file name"));

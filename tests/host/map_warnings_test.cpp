@@ -19,7 +19,7 @@ using tern::Vec3;
 using tern_host::RecordError;
 using tern_host::Scenario;
 
-const std::string kFolder = tern_test::own_folder();
+const std::string kOwnFolder = tern_test::own_folder();
 
 /// A wall of points across a room of 10 x 8 x 3 m, each as `change` says.
 std::string wall(const std::function<Vec3(const Vec3&)>& change) {
@@ -36,15 +36,15 @@ std::string wall(const std::function<Vec3(const Vec3&)>& change) {
 
 std::vector<std::string> warnings_of(const std::string& records, const std::string& cloud = "") {
   const std::string boundary = "boundary 0 0 0 10 8 3\nstart 1 4 1\ngoal 9 4 1\nradius 0.3\n";
-  std::ofstream(kFolder + "map_warnings.pcd") << cloud;
-  Scenario scenario = tern_host::parse_scenario(boundary + records, kFolder + "map_warnings.txt");
+  std::ofstream(kOwnFolder + "map_warnings.pcd") << cloud;
+  Scenario scenario = tern_host::parse_scenario(boundary + records, kOwnFolder + "map_warnings.txt");
   tern_host::load_map_files(scenario);
   return scenario.warnings;
 }
 
 void expect_one(const std::vector<std::string>& warnings, const std::string& line, const std::string& part) {
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].find(kFolder + "map_warnings.txt" + line), 0u) << warnings[0];
+  EXPECT_EQ(warnings[0].find(kOwnFolder + "map_warnings.txt" + line), 0u) << warnings[0];
   EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
 }
 
@@ -115,7 +115,7 @@ TEST(MapWarnings, KeepInsThatKeepNothingInAndFitInAnotherUnit) {
 
 /// The same warnings for a flight's world.
 TEST(MapWarnings, RecordsOfFlightWorlds) {
-  const std::string path = kFolder + "map_warnings_world.txt";
+  const std::string path = kOwnFolder + "map_warnings_world.txt";
   const auto of = [&path](const std::string& records) {
     std::ofstream(path) << "boundary 0 0 0 10 8 3\nstart 1 4 1\ngoal 9 4 1\n" << records;
     return tern_host::read_flight_world(path, {}).warnings;
@@ -147,13 +147,13 @@ TEST(MapWarnings, GitLfsPointersAreRefused) {
       ADD_FAILURE();
     } catch (const RecordError& error) {
       EXPECT_NE(
-          std::string(error.what()).find("map_warnings.txt:5: " + kFolder + "map_warnings.pcd: a Git LFS pointer"),
+          std::string(error.what()).find("map_warnings.txt:5: " + kOwnFolder + "map_warnings.pcd: a Git LFS pointer"),
           std::string::npos)
           << error.what();
       EXPECT_NE(std::string(error.what()).find("`git lfs pull`"), std::string::npos);
     }
   }
-  EXPECT_THROW(tern_host::read_scenario(kFolder + "map_warnings.pcd"), RecordError);
+  EXPECT_THROW(tern_host::read_scenario(kOwnFolder + "map_warnings.pcd"), RecordError);
 }
 
 }  // namespace

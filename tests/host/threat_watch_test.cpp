@@ -18,8 +18,8 @@ namespace {
 
 using tern::FlightMode;
 
-constexpr std::int64_t kTick = 10000000;
-constexpr std::int64_t kAppears = 50 * kTick;
+constexpr std::int64_t kWatchTick = 10000000;
+constexpr std::int64_t kAppears = 50 * kWatchTick;
 
 /// A vehicle that flies along x at 2 m/s and rests after 6 m, and a wall that the map shows after half a second.
 struct Wall {
@@ -37,7 +37,7 @@ struct Wall {
     const tern_host::Rooms rooms(world, map);
     const tern_host::FlownCommands commands{[](std::int64_t t) { return command(t); }, [] { return tern::Vec3{}; }};
     tern_host::ThreatWatch watch(world.settings, spec, map, rooms, commands);
-    for (std::int64_t t = 0; t < ticks * kTick && watch.broken().empty(); t += kTick) {
+    for (std::int64_t t = 0; t < ticks * kWatchTick && watch.broken().empty(); t += kWatchTick) {
       if (t == kAppears) map.mark_box({{5.0, -2.0, 0.0}, {6.5, 2.0, 4.0}});
       watch.look(t, report(t));
     }
@@ -69,7 +69,7 @@ struct Wall {
   tern::RollingMap map;
 };
 
-testing::AssertionResult says(const std::string& broken, const std::string& wanted) {
+testing::AssertionResult mentions(const std::string& broken, const std::string& wanted) {
   if (broken.find(wanted) != std::string::npos) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "\"" << broken << "\" does not say \"" << wanted << '"';
 }
@@ -79,7 +79,7 @@ TEST(ThreatWatch, IsContentWithAnHonestFlight) {
 }
 
 TEST(ThreatWatch, NoticesAFlightThatSaysNothing) {
-  EXPECT_TRUE(says(Wall().watch([](std::int64_t) { return tern::FlightReport{}; }), "does not say so"));
+  EXPECT_TRUE(mentions(Wall().watch([](std::int64_t) { return tern::FlightReport{}; }), "does not say so"));
 }
 
 /// After three seconds the vehicle rests in the wall. It need not call that a threat for ever, but must say what is in
@@ -94,57 +94,58 @@ TEST(ThreatWatch, LetsAFlightRestBesideWhatItSaid) {
         },
         400);
   };
-  EXPECT_EQ(silent_from(310 * kTick, tern::BlockedBy::kObstacle), "");
-  EXPECT_TRUE(says(silent_from(310 * kTick, tern::BlockedBy::kNothing), "does not say so"));
-  EXPECT_TRUE(says(silent_from(250 * kTick, tern::BlockedBy::kObstacle), "does not say so"));
-  EXPECT_TRUE(says(silent_from(kAppears, tern::BlockedBy::kObstacle), "does not say so"));
+  EXPECT_EQ(silent_from(310 * kWatchTick, tern::BlockedBy::kObstacle), "");
+  EXPECT_TRUE(mentions(silent_from(310 * kWatchTick, tern::BlockedBy::kNothing), "does not say so"));
+  EXPECT_TRUE(mentions(silent_from(250 * kWatchTick, tern::BlockedBy::kObstacle), "does not say so"));
+  EXPECT_TRUE(mentions(silent_from(kAppears, tern::BlockedBy::kObstacle), "does not say so"));
 }
 
 /// Some ticks are left to it.
 TEST(ThreatWatch, LeavesTimeForAProof) {
-  EXPECT_EQ(
-      Wall().watch([](std::int64_t t) { return t < kAppears + 5 * kTick ? tern::FlightReport{} : Wall::honest(t); }),
-      "");
-  EXPECT_TRUE(says(
-      Wall().watch([](std::int64_t t) { return t < kAppears + 12 * kTick ? tern::FlightReport{} : Wall::honest(t); }),
-      "does not say so"));
+  EXPECT_EQ(Wall().watch(
+                [](std::int64_t t) { return t < kAppears + 5 * kWatchTick ? tern::FlightReport{} : Wall::honest(t); }),
+            "");
+  EXPECT_TRUE(mentions(Wall().watch([](std::int64_t t) {
+    return t < kAppears + 12 * kWatchTick ? tern::FlightReport{} : Wall::honest(t);
+  }),
+                       "does not say so"));
 }
 
 TEST(ThreatWatch, NoticesAlarmsForNothing) {
-  EXPECT_TRUE(says(Wall().watch([](std::int64_t t) { return Wall::honest(t + kAppears); }), "there is not"));
+  EXPECT_TRUE(mentions(Wall().watch([](std::int64_t t) { return Wall::honest(t + kAppears); }), "there is not"));
 }
 
 TEST(ThreatWatch, NoticesAWrongInstant) {
   for (const std::int64_t off : {-20000000, 1000000}) {
-    EXPECT_TRUE(says(Wall().watch([off](std::int64_t t) {
+    EXPECT_TRUE(mentions(Wall().watch([off](std::int64_t t) {
       tern::FlightReport report = Wall::honest(t);
       if (t >= kAppears) report.contact_time += off;
       return report;
     }),
-                     "but what is commanded is too near at t = 2.325"))
+                         "but what is commanded is too near at t = 2.325"))
         << off;
   }
 }
 
 TEST(ThreatWatch, NoticesAContactThatNeverWas) {
-  for (const std::int64_t ago : {kTick, 40 * kTick}) {
-    EXPECT_TRUE(says(Wall().watch([ago](std::int64_t t) {
+  for (const std::int64_t ago : {kWatchTick, 40 * kWatchTick}) {
+    EXPECT_TRUE(mentions(Wall().watch([ago](std::int64_t t) {
       tern::FlightReport report = Wall::honest(t);
-      if (t >= kAppears + 2 * kTick) report.contact_time = kAppears + 2 * kTick - ago;
+      if (t >= kAppears + 2 * kWatchTick) report.contact_time = kAppears + 2 * kWatchTick - ago;
       return report;
     }),
-                     "which is past"))
+                         "which is past"))
         << ago;
   }
 }
 
 TEST(ThreatWatch, NoticesAWrongSpeed) {
-  EXPECT_TRUE(says(Wall().watch([](std::int64_t t) {
+  EXPECT_TRUE(mentions(Wall().watch([](std::int64_t t) {
     tern::FlightReport report = Wall::honest(t);
     if (t >= kAppears) report.contact_speed = 1.9;
     return report;
   }),
-                   "announced at 1.9 m/s, but at 2 is commanded"));
+                       "announced at 1.9 m/s, but at 2 is commanded"));
 }
 
 }  // namespace

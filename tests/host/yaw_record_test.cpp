@@ -21,7 +21,7 @@ using tern_host::Scenario;
 
 const std::string kRoom = "boundary 0 0 0 8 6 3\nstart 1 1 1\ngoal 7 5 1\n";
 
-std::string error_of(const std::string& record) {
+std::string yaw_error(const std::string& record) {
   try {
     parse_scenario(kRoom + record, "map.txt");
   } catch (const tern_host::ScenarioError& error) {
@@ -53,29 +53,29 @@ TEST(YawRecord, EveryModeIsRead) {
 }
 
 TEST(YawRecord, ErrorsNameTheRecord) {
-  EXPECT_EQ(error_of("yaw\n"), "map.txt:4: 'yaw' is 'motion', 'fixed', 'point' or 'timed', found ''");
-  EXPECT_EQ(error_of("yaw sideways\n"), "map.txt:4: 'yaw' is 'motion', 'fixed', 'point' or 'timed', found 'sideways'");
-  EXPECT_EQ(error_of("yaw fixed\n"), "map.txt:4: 'yaw fixed' needs 1 number, found 0");
-  EXPECT_EQ(error_of("yaw point 1 2\n"), "map.txt:4: 'yaw point' needs 3 numbers, found 2");
-  EXPECT_EQ(error_of("yaw timed 1 2 3\n"),
+  EXPECT_EQ(yaw_error("yaw\n"), "map.txt:4: 'yaw' is 'motion', 'fixed', 'point' or 'timed', found ''");
+  EXPECT_EQ(yaw_error("yaw sideways\n"), "map.txt:4: 'yaw' is 'motion', 'fixed', 'point' or 'timed', found 'sideways'");
+  EXPECT_EQ(yaw_error("yaw fixed\n"), "map.txt:4: 'yaw fixed' needs 1 number, found 0");
+  EXPECT_EQ(yaw_error("yaw point 1 2\n"), "map.txt:4: 'yaw point' needs 3 numbers, found 2");
+  EXPECT_EQ(yaw_error("yaw timed 1 2 3\n"),
             "map.txt:4: 'yaw timed' needs a time and an angle, any number of times, found 3");
-  EXPECT_EQ(error_of("yaw motion\nyaw motion\n"), "map.txt:5: 'yaw' is given twice (first in line 4)");
-  EXPECT_EQ(error_of("start_yaw 1\n"), "map.txt:4: 'start_yaw' needs a 'yaw', which says where the nose should point");
+  EXPECT_EQ(yaw_error("yaw motion\nyaw motion\n"), "map.txt:5: 'yaw' is given twice (first in line 4)");
+  EXPECT_EQ(yaw_error("start_yaw 1\n"), "map.txt:4: 'start_yaw' needs a 'yaw', which says where the nose should point");
 }
 
 TEST(YawRecord, DegreesAreRefused) {
-  EXPECT_EQ(error_of("yaw fixed 90\n"),
+  EXPECT_EQ(yaw_error("yaw fixed 90\n"),
             "map.txt:4: 'yaw fixed' is in rad, at most 6.2832, found 90; if that is in degrees, write 1.5708");
-  EXPECT_EQ(error_of("yaw fixed 6.2832\nstart_yaw -6.2832\nyaw_rate_max 31.4\nyaw_acceleration_max 100\n"), "");
+  EXPECT_EQ(yaw_error("yaw fixed 6.2832\nstart_yaw -6.2832\nyaw_rate_max 31.4\nyaw_acceleration_max 100\n"), "");
   for (const char* record : {"fixed -7", "timed 1 0 2 7", "timed 1 -90", "fixed 180"}) {
-    EXPECT_NE(error_of(std::string("yaw ") + record + "\n").find("is in rad, at most"), std::string::npos) << record;
+    EXPECT_NE(yaw_error(std::string("yaw ") + record + "\n").find("is in rad, at most"), std::string::npos) << record;
   }
-  EXPECT_NE(error_of("yaw motion\nstart_yaw 45\n").find("map.txt:5: 'start_yaw' is in rad,"), std::string::npos);
+  EXPECT_NE(yaw_error("yaw motion\nstart_yaw 45\n").find("map.txt:5: 'start_yaw' is in rad,"), std::string::npos);
   for (const char* record : {"start_yaw_rate -45", "yaw_rate_max 90"}) {
-    EXPECT_NE(error_of(std::string("yaw motion\n") + record + "\n").find("is in rad/s, at most"), std::string::npos);
+    EXPECT_NE(yaw_error(std::string("yaw motion\n") + record + "\n").find("is in rad/s, at most"), std::string::npos);
   }
   for (const char* record : {"start_yaw_acceleration 180", "yaw_acceleration_max 360"}) {
-    EXPECT_NE(error_of(std::string("yaw motion\n") + record + "\n").find("is in rad/s^2, at most"), std::string::npos);
+    EXPECT_NE(yaw_error(std::string("yaw motion\n") + record + "\n").find("is in rad/s^2, at most"), std::string::npos);
   }
 }
 

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "support/owned_map.hpp"
 #include "support/scan_patterns.hpp"
 
@@ -19,9 +19,9 @@ using tern::Status;
 using tern::Vec3;
 using tern::Voxel;
 using tern_test::finish;
+using tern_test::kInfinity;
 using tern_test::OwnedMap;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Vec3 kEye{1.05, 1.05, 1.05};
 
 MapSpec exact_spec() {

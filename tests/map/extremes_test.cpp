@@ -15,9 +15,8 @@ using namespace tern;
 using tern_test::Image;
 using tern_test::OwnedMap;
 
-constexpr double kHalf = 0.5;
 /// The camera looks along x, in the middle of the window.
-const Pose kPose{{3.25, 3.25, 1.65}, {kHalf, -kHalf, kHalf, -kHalf}};
+const Pose kPose{{3.25, 3.25, 1.65}, {0.5, -0.5, 0.5, -0.5}};
 
 MapSpec room() {
   MapSpec spec = map_spec({0.0, 0.0, 0.0}, 0.1, {128, 64, 32}, 0.3);

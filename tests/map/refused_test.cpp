@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
+#include "support/numbers.hpp"
 #include "support/owned_map.hpp"
 
 namespace {
@@ -21,13 +21,13 @@ using tern::Status;
 using tern::Vec3;
 using tern_test::finish;
 using tern_test::Image;
+using tern_test::kInfinity;
+using tern_test::kNan;
 using tern_test::OwnedMap;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Pose kLevel{{1.0, 1.0, 1.0}, {1.0, 0.0, 0.0, 0.0}};
 
-MapSpec small_spec() {
+MapSpec refused_spec() {
   MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {70, 20, 20}, 0.2);
   spec.pixels = 4096;
   spec.scan_pixel = 0.2;
@@ -37,7 +37,7 @@ MapSpec small_spec() {
 /// bind() with one change to the spec.
 template <typename Change>
 void expect_refused(Field expected, Status status, Change change) {
-  MapSpec spec = small_spec();
+  MapSpec spec = refused_spec();
   std::vector<std::uint64_t> words(tern::map_words(spec), 7u);
   const std::vector<std::uint64_t> before = words;
   change(spec);
@@ -113,7 +113,7 @@ TEST(MapRefused, PriorCylindersThatAreNone) {
 
 class MapFrames : public ::testing::Test {
  protected:
-  MapFrames() : owned(small_spec()), image(20, 10, 10.0) {
+  MapFrames() : owned(refused_spec()), image(20, 10, 10.0) {
     for (float& z : image.z) z = 1.5f;
   }
   /// begin_frame() with what is at hand, which must change nothing.
@@ -254,7 +254,7 @@ TEST(MapRefused, AnythingWithoutABind) {
 /// The map lies where doubles just tell a thousandth of a cell apart: 2^52 thousandths of a cell from the origin. It
 /// follows up to there, and not a few thousand cells further, although its numbers of voxels would reach much further.
 TEST(MapRefused, ToFollowWhereDoublesAreTooCoarse) {
-  MapSpec spec = small_spec();
+  MapSpec spec = refused_spec();
   const double last = 1e-3 * spec.cell * 4503599627370496.0;
   const double some = 5000.0 * spec.cell;
   spec.origin.x = last - some;
@@ -266,7 +266,7 @@ TEST(MapRefused, ToFollowWhereDoublesAreTooCoarse) {
 }
 
 TEST(MapRefused, ScansWhereNoneAreExpected) {
-  MapSpec spec = small_spec();
+  MapSpec spec = refused_spec();
   spec.scan_pixel = 0.0;
   OwnedMap owned(spec);
   EXPECT_EQ(owned.map.begin_scan(nullptr, 0, kLevel.position, 0), Status::kInvalidArgument);

@@ -25,7 +25,7 @@ constexpr double kHalf = 0.5;
 /// Camera axes in the world: right is -y, down is -z, ahead is x.
 constexpr double kAhead[4] = {kHalf, -kHalf, kHalf, -kHalf};
 
-MapSpec exact_spec() {
+MapSpec camera_spec() {
   MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 20, 20}, 0.0);
   spec.depth_margin = 0.0;
   spec.pose_margin = 0.0;
@@ -36,7 +36,7 @@ MapSpec exact_spec() {
 
 class MapRules : public ::testing::Test {
  protected:
-  explicit MapRules(const MapSpec& spec = exact_spec()) : owned(spec), image(41, 41, 20.0) { wall(2.05); }
+  explicit MapRules(const MapSpec& spec = camera_spec()) : owned(spec), image(41, 41, 20.0) { wall(2.05); }
 
   void wall(double depth) {
     for (float& z : image.z) z = static_cast<float>(depth);
@@ -91,7 +91,7 @@ TEST_F(MapRules, APixelThatSaysNothingShowsNothing) {
   const float silent[] = {
       0.0f, -1.0f, 0.05f, 50.0f, std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()};
   for (const float z : silent) {
-    OwnedMap fresh(exact_spec());
+    OwnedMap fresh(camera_spec());
     image.at(20, 20) = z;
     ASSERT_EQ(fresh.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {kHalf, -kHalf, kHalf, -kHalf}}, 0),
               Status::kRunning);
@@ -116,7 +116,7 @@ TEST_F(MapRules, SixteenBitImages) {
 
 TEST_F(MapRules, BeyondTheRangeNothingIsSeenOrHit) {
   wall(40.0);
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.range = 3.05;
   OwnedMap near(spec);
   ASSERT_EQ(near.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {kHalf, -kHalf, kHalf, -kHalf}}, 0), Status::kRunning);
@@ -127,7 +127,7 @@ TEST_F(MapRules, BeyondTheRangeNothingIsSeenOrHit) {
 }
 
 TEST_F(MapRules, MarginsHoldBackWhatIsSeen) {
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.depth_margin = 0.1;
   spec.depth_margin_square = 0.02;  // 0.084 m at 2.05 m
   OwnedMap careful(spec);
@@ -170,7 +170,7 @@ TEST_F(MapRules, AHitStartsTheCountOfMissesAnew) {
 }
 
 TEST_F(MapRules, TwoHitsWhereAskedFor) {
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.hits = 2;
   OwnedMap noisy(spec);
   for (const bool blocked : {false, true}) {
@@ -182,7 +182,7 @@ TEST_F(MapRules, TwoHitsWhereAskedFor) {
 }
 
 TEST_F(MapRules, WhatAgesIsForgotten) {
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.age = 1000;
   OwnedMap ageing(spec);
   Pose pose{{1.0, 1.0, 1.0}, {kHalf, -kHalf, kHalf, -kHalf}};
@@ -236,7 +236,7 @@ TEST_F(MapRules, AFrameThatShowsNothingNewKeepsTheVersion) {
 }
 
 TEST_F(MapRules, AScanShowsWhatItsBeamsPass) {
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.scan_pixel = 0.1;
   OwnedMap scanned(spec);
   const Vec3 eye{1.0, 1.0, 1.0};
@@ -260,7 +260,7 @@ TEST_F(MapRules, AScanShowsWhatItsBeamsPass) {
 }
 
 TEST_F(MapRules, AScanSkipsPointsThatAreNoneOrTooFar) {
-  MapSpec spec = exact_spec();
+  MapSpec spec = camera_spec();
   spec.scan_pixel = 0.1;
   OwnedMap scanned(spec);
   const std::uint64_t before = tern_test::hash_of(scanned.map);

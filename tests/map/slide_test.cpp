@@ -130,7 +130,7 @@ struct Prior {
   }
 };
 
-MapSpec random_spec(Random& random) {
+MapSpec random_window(Random& random) {
   const Voxel dims{random.chance(0.3) ? 64 * random.integer(1, 3) : random.integer(60, 260), random.integer(5, 70),
                    random.integer(5, 20)};
   MapSpec spec = tern::map_spec({random.real(-5.0, 5.0), 1.0, -2.0}, 0.1, dims, random.real(0.0, 0.35));
@@ -167,7 +167,7 @@ TEST(MapSlide, EqualsAMapMadeAnew) {
   Random random(321);
   for (int k = 0; k < scaled(60); ++k) {
     const Prior prior(random);
-    MapSpec spec = random_spec(random);
+    MapSpec spec = random_window(random);
     prior.add_to(spec, random);
     OwnedMap owned(spec);
     ASSERT_EQ(owned.status, Status::kOk);
@@ -221,8 +221,8 @@ TEST(MapSlide, TheSameBitsInSlicesOfAnySize) {
   for (const std::uint32_t slice : {1u, 2u, 7u, 64u, 1000u}) {
     Random random(322), same(322);
     for (int k = 0; k < scaled(6); ++k) {
-      OwnedMap whole(random_spec(random));
-      OwnedMap sliced(random_spec(same));
+      OwnedMap whole(random_window(random));
+      OwnedMap sliced(random_window(same));
       for (int round = 0; round < 4; ++round) {
         ASSERT_NO_FATAL_FAILURE(learn(random, whole, 1u << 30));
         ASSERT_NO_FATAL_FAILURE(learn(same, sliced, slice));
@@ -241,7 +241,7 @@ TEST(MapSlide, TheSameBitsInSlicesOfAnySize) {
 /// Between two slices of a frame, the safe grid shows no voxel free that was solid before and is after.
 TEST(MapSlide, ObstaclesBetweenSlicesAreThoseBeforeOrAfter) {
   Random random(323);
-  MapSpec spec = random_spec(random);
+  MapSpec spec = random_window(random);
   spec.dims = {100, 20, 12};
   OwnedMap owned(spec);
   ASSERT_EQ(owned.map.assume_free(inside(random, owned), 0.8), Status::kOk);

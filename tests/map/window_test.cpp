@@ -20,9 +20,7 @@ using tern_test::Image;
 using tern_test::OwnedGrid;
 using tern_test::OwnedMap;
 
-constexpr double kHalf = 0.5;
-
-MapSpec exact_spec() {
+MapSpec wide_spec() {
   MapSpec spec = tern::map_spec({0.0, 0.0, 0.0}, 0.1, {64, 20, 20}, 0.15);
   spec.depth_margin = spec.pose_margin = 0.0;
   spec.range = 6.0;
@@ -34,7 +32,7 @@ MapSpec exact_spec() {
 /// that entered it the beam is solid.
 TEST(MapWindow, ThePriorIsMarkedWhereVoxelsEnterAlone) {
   static const Box kBeam{{1.7, 1.0, 1.0}, {1.8, 4.0, 1.1}};
-  MapSpec spec = exact_spec();
+  MapSpec spec = wide_spec();
   spec.prior = &kBeam;
   spec.prior_count = 1;
   OwnedMap owned(spec);
@@ -42,8 +40,7 @@ TEST(MapWindow, ThePriorIsMarkedWhereVoxelsEnterAlone) {
   Image image(41, 41, 20.0);
   for (float& z : image.z) z = 2.05f;
   for (int k = 0; k < spec.misses; ++k) {
-    ASSERT_EQ(owned.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {kHalf, -kHalf, kHalf, -kHalf}}, 0),
-              Status::kRunning);
+    ASSERT_EQ(owned.map.begin_frame(image.view, {{1.0, 1.0, 1.0}, {0.5, -0.5, 0.5, -0.5}}, 0), Status::kRunning);
     ASSERT_EQ(finish(owned.map), Status::kOk);
   }
   ASSERT_FALSE(owned.map.route().obstacle({17, 10, 10}));
@@ -73,7 +70,7 @@ class MapSnapshots : public ::testing::Test {
     EXPECT_EQ(tern_test::count_free(taken.grid), tern_test::count_free(owned.map.route()));
   }
 
-  OwnedMap owned{exact_spec()};
+  OwnedMap owned{wide_spec()};
   GridSpec spec = owned.map.route().spec();
 };
 

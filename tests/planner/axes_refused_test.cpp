@@ -4,8 +4,7 @@
 // Faults of the caller in one axis of a limit alone, or in one number of a via: F01, F11.
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "support/numbers.hpp"
 #include "support/world.hpp"
 
 namespace {
@@ -14,11 +13,10 @@ using tern::Field;
 using tern::Limits;
 using tern::Status;
 using tern::Vec3;
+using tern_test::kInfinity;
+using tern_test::kNan;
 using tern_test::open_world;
 using tern_test::World;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(AxesFault, EachAxisOfALimitCounts) {  // F11
   const struct {

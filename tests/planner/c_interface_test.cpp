@@ -26,7 +26,7 @@ void set_byte(Enumeration& value, int byte) {
   std::memset(&value, byte, 1);
 }
 
-World open_world() {
+World small_world() {
   World world({20, 20, 10}, 0.1, 0.1);
   world.from({0.55, 0.55, 0.55}).to({1.45, 1.45, 0.55});
   return world;
@@ -161,7 +161,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
 }
 
 TEST(CInterface, UnknownShortcutIsRefused) {
-  World world = open_world();
+  World world = small_world();
   for (int byte = 0; byte < 256; ++byte) {
     set_byte(world.request.shortcut, byte);
     const Status expected = byte < 1 ? Status::kOk : Status::kInvalidArgument;
@@ -172,7 +172,7 @@ TEST(CInterface, UnknownShortcutIsRefused) {
 }
 
 TEST(CInterface, UnknownSearchIsRefused) {
-  World world = open_world();
+  World world = small_world();
   for (int byte = 0; byte < 256; ++byte) {
     set_byte(world.request.search, byte);
     EXPECT_EQ(world.plan(), byte < 2 ? Status::kOk : Status::kInvalidArgument) << byte;
@@ -182,7 +182,7 @@ TEST(CInterface, UnknownSearchIsRefused) {
 }
 
 TEST(CInterface, UnknownFenceKindIsRefused) {
-  World world = open_world();
+  World world = small_world();
   tern::Halfspace planes[tern::kBoxPlanes];
   tern::box_planes({{0.0, 0.0, 0.0}, {2.0, 2.0, 1.0}}, planes);
   tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepIn};

@@ -82,11 +82,11 @@ bool can_stop_straight(const Blocks& blocks, const State& state, const Limits& l
   return true;
 }
 
-State backwards(const State& state) {
+State turned_back(const State& state) {
   return {state.position, {-state.velocity.x, -state.velocity.y, -state.velocity.z}, state.acceleration};
 }
 
-Limits backwards(const Limits& limits) {
+Limits turned_back(const Limits& limits) {
   Limits result = limits;
   for (int a = 0; a < 3; ++a) {
     double& most = a == 0 ? result.v_max.x : (a == 1 ? result.v_max.y : result.v_max.z);
@@ -175,7 +175,7 @@ class MovingEnds : public testing::Test {
     ASSERT_TRUE(status == Status::kOk || status == Status::kNoTrajectory) << tern::status_name(status);
     for (const tern::StageReport& stage : world.report.stages) ASSERT_LE(stage.work, stage.bound);
     const bool possible = can_stop_straight(blocks_, request.start, request.limits) &&
-                          can_stop_straight(blocks_, backwards(request.goal), backwards(request.limits));
+                          can_stop_straight(blocks_, turned_back(request.goal), turned_back(request.limits));
     possible_ += possible ? 1 : 0;
     missed_ += possible && status != Status::kOk ? 1 : 0;
     refused_ += status == Status::kOk ? 0 : 1;

@@ -50,13 +50,13 @@ Proven prove(const Grid& grid, const Trajectory& plan, const ProofGrounds& groun
   return {proof.report().until, proof.report().end, proof.report().work};
 }
 
-struct Room : OwnedGrid {
-  Room() : OwnedGrid(whole_grid({60, 60, 40}, 0.1, 0.4, {2.0, -3.0, 0.0})) {}
+struct Chamber : OwnedGrid {
+  Chamber() : OwnedGrid(whole_grid({60, 60, 40}, 0.1, 0.4, {2.0, -3.0, 0.0})) {}
 };
 
 /// The vehicle rests 0.3 m from a wall, where 0.4 m are asked for.
 TEST(ProofGrounds, LeavingAPlaceMayNotLeadNearer) {
-  Room room;
+  Chamber room;
   ASSERT_EQ(room.grid.mark_box({{2.0, -3.0, 0.0}, {4.0, 3.0, 4.0}}), Status::kOk);
   const Vec3 place{4.3, 0.0, 2.0};
   const ProofGrounds leaving{nullptr, &place};
@@ -71,7 +71,7 @@ TEST(ProofGrounds, LeavingAPlaceMayNotLeadNearer) {
 }
 
 TEST(ProofGrounds, LeavingAPlaceKeepsTheRadiusFromAllElse) {
-  Room room;
+  Chamber room;
   ASSERT_EQ(room.grid.mark_voxel({22, 30, 20}), Status::kOk);  // 4.2 .. 4.3
   ASSERT_EQ(room.grid.mark_voxel({40, 30, 20}), Status::kOk);  // 6.0 .. 6.1
   const Vec3 place{4.5, 0.05, 2.05};
@@ -82,7 +82,7 @@ TEST(ProofGrounds, LeavingAPlaceKeepsTheRadiusFromAllElse) {
 
 /// A wall along x is one run of voxels: those near the place are each held against their own distance.
 TEST(ProofGrounds, LeavingAPlaceLooksAtVoxelsOneByOne) {
-  Room room;
+  Chamber room;
   ASSERT_EQ(room.grid.mark_box({{2.0, 0.35, 2.0}, {8.0, 0.4, 2.1}}), Status::kOk);
   const Vec3 place{4.45, 0.0, 2.05};
   const ProofGrounds leaving{nullptr, &place};
@@ -95,7 +95,7 @@ TEST(ProofGrounds, OnlyWhatWasAddedIsLookedAt) {
   Random random(41);
   int lost = 0;
   for (int k = 0; k < 300; ++k) {  // quick enough for every build
-    Room room;
+    Chamber room;
     const auto mark = [&] {
       const Vec3 at{random.real(2.0, 8.0), random.real(-3.0, 3.0), random.real(0.0, 4.0)};
       const Box box{at, {at.x + 0.4, at.y + 0.4, at.z + 0.4}};
@@ -120,13 +120,13 @@ TEST(ProofGrounds, OnlyWhatWasAddedIsLookedAt) {
   }
   EXPECT_GE(lost, 4);
   // It is the caller's word.
-  Room room;
+  Chamber room;
   ASSERT_EQ(room.grid.mark_voxel({30, 30, 20}), Status::kOk);
   const Box elsewhere{{2.0, -3.0, 0.0}, {2.1, -2.9, 0.1}};
   EXPECT_EQ(prove(room.grid, move({4.0, 0.0, 2.0}, {2.0, 0.0, 0.0}), {&elsewhere, nullptr}).end, ProofEnd::kProven);
 }
 
-ProofEnd end_with(const Room& room, const Trajectory& way, const Fence& fence) {
+ProofEnd end_with(const Chamber& room, const Trajectory& way, const Fence& fence) {
   ProofGrounds grounds;
   grounds.fences = &fence;
   grounds.fence_count = 1;
@@ -135,7 +135,7 @@ ProofEnd end_with(const Room& room, const Trajectory& way, const Fence& fence) {
 
 /// The centre stays in; the radius plays no part.
 TEST(ProofGrounds, KeepInsHoldTheCentre) {
-  Room room;
+  Chamber room;
   Halfspace planes[kBoxPlanes];
   box_planes({{3.0, -1.0, 1.0}, {6.0, 1.0, 3.0}}, planes);
   planes[0] = {{2.0, 0.0, 0.0}, 12.0};  // x <= 6, in another scale
@@ -147,7 +147,7 @@ TEST(ProofGrounds, KeepInsHoldTheCentre) {
 
 /// The radius of 0.4 m is kept from faces and from edges.
 TEST(ProofGrounds, KeepOutsAreKeptAtTheRadius) {
-  Room room;
+  Chamber room;
   Halfspace planes[kBoxPlanes];
   box_planes({{5.0, 0.0, -1.0}, {9.0, 9.0, 9.0}}, planes);
   const Fence fence{planes, kBoxPlanes, FenceKind::kKeepOut};
@@ -162,7 +162,7 @@ TEST(ProofGrounds, KeepOutsAreKeptAtTheRadius) {
 
 /// Obstacles in the alarm's box do not count where they had been seen free; all others do.
 TEST(ProofGrounds, AnAlarmPardonsWhatWasSeenFree) {
-  Room room;
+  Chamber room;
   for (const int x : {30, 40}) ASSERT_EQ(room.grid.mark_voxel({x, 30, 20}), Status::kOk);  // 5.0 and 6.0 m
   std::vector<std::uint64_t> seen(static_cast<std::size_t>(room.grid.row_words()) * 60 * 40);
   const auto see = [&](int x) { seen[static_cast<std::size_t>((20 * 60 + 30) * room.grid.row_words())] |= 1ull << x; };

@@ -6,12 +6,20 @@
 #define TERN_TESTS_SUPPORT_BOX_CORRIDOR_HPP
 
 #include <cmath>
+#include <cstdint>
 
 #include "support/random.hpp"
 #include "tern/corridor.hpp"
 #include "tern/request.hpp"
 
 namespace tern_test {
+
+constexpr tern::Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
+constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
+
+inline tern::State resting(const tern::Vec3& point) {
+  return tern::State{point, {0, 0, 0}, {0, 0, 0}};
+}
 
 /// A box around the segment with `margin` metres to spare on every side.
 inline tern::Polyhedron box_around(const tern::Vec3& from, const tern::Vec3& to, double margin) {

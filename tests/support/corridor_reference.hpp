@@ -32,15 +32,15 @@ inline tern::Vec3 mix3(const tern::Vec3& a, const tern::Vec3& b, double t) {
 }
 
 /// A grid with its storage, origin at zero so that the local frame is the world.
-struct World {
+struct MarkedWorld {
   std::vector<std::uint64_t> words;
   tern::Grid grid;
 
-  World(const tern::Voxel& dims, double cell, double radius) {
+  MarkedWorld(const tern::Voxel& dims, double cell, double radius) {
     const tern::Box all{{0.0, 0.0, 0.0}, {dims.x * cell, dims.y * cell, dims.z * cell}};
     bind(dims, cell, radius, all);
   }
-  World(const tern::Voxel& dims, double cell, double radius, const tern::Box& boundary) {
+  MarkedWorld(const tern::Voxel& dims, double cell, double radius, const tern::Box& boundary) {
     bind(dims, cell, radius, boundary);
   }
   void bind(const tern::Voxel& dims, double cell, double radius, const tern::Box& boundary) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -42,9 +43,9 @@ struct FlightSettings {
 /// What the camera shows instead of the world.
 enum class Images {
   kTrue,
-  kNothing,  ///< no pixel has a depth
-  kNear,     ///< all of them the shortest one
-  kFar,      ///< all of them one beyond the range that is used
+  kBlind,  ///< no pixel has a depth
+  kNear,   ///< all of them the shortest one
+  kFar,    ///< all of them one beyond the range that is used
 };
 
 class Flown {
@@ -222,7 +223,7 @@ class Flown {
     if (images == Images::kTrue) return;
     haunted = true;
     const double depth =
-        images == Images::kNothing ? 0.0 : (images == Images::kNear ? image.view.min : 0.99 * image.view.max);
+        images == Images::kBlind ? 0.0 : (images == Images::kNear ? image.view.min : 0.99 * image.view.max);
     std::fill(image.z.begin(), image.z.end(), static_cast<float>(depth));
   }
 

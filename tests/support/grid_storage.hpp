@@ -31,6 +31,15 @@ inline tern::GridSpec whole_grid(tern::Voxel dims, double cell, double radius, t
           radius, 0.0};
 }
 
+template <typename Visit>
+void for_each_voxel(const tern::Voxel& dims, Visit visit) {
+  for (int z = 0; z < dims.z; ++z) {
+    for (int y = 0; y < dims.y; ++y) {
+      for (int x = 0; x < dims.x; ++x) visit(tern::Voxel{x, y, z});
+    }
+  }
+}
+
 /// Gives a grid of the same size the obstacles of another, and inflates it.
 inline void copy_obstacles(const tern::Grid& from, tern::Grid& to) {
   const tern::Voxel dims = from.spec().dims;

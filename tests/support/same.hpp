@@ -16,6 +16,12 @@ inline void expect_same(const tern::Vec3& a, const tern::Vec3& b) {
   EXPECT_EQ(a.z, b.z);
 }
 
+inline void expect_near(const tern::Vec3& a, const tern::Vec3& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
 }  // namespace tern_test
 
 #endif

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/grid_storage.hpp"
 #include "support/owned_map.hpp"
 
 namespace tern_test {
@@ -20,15 +21,6 @@ using tern::Vec3;
 using tern::Voxel;
 
 using Real = long double;
-
-template <typename Visit>
-void for_each_voxel(const Voxel& dims, Visit visit) {
-  for (int z = 0; z < dims.z; ++z) {
-    for (int y = 0; y < dims.y; ++y) {
-      for (int x = 0; x < dims.x; ++x) visit(Voxel{x, y, z});
-    }
-  }
-}
 
 /// A point in the middle part of the window.
 inline Vec3 inside_window(Random& random, const MapSpec& spec) {

@@ -60,6 +60,12 @@ inline tern::Trajectory tangle(Random& random) {
   return trajectory;
 }
 
+inline tern::Trajectory tangle_at(Random& random, const tern::Vec3& origin) {
+  tern::Trajectory trajectory = tangle(random);
+  trajectory.origin = origin;
+  return trajectory;
+}
+
 }  // namespace tern_test
 
 #endif

@@ -25,7 +25,7 @@ using tern::Work;
 
 class TinyCorridor : public ::testing::Test {
  protected:
-  Status run(const World& world, std::initializer_list<Vec3> points) {
+  Status run(const MarkedWorld& world, std::initializer_list<Vec3> points) {
     path_->count = 0;
     for (const Vec3& p : points) path_->points[path_->count++] = p;
     corridor_begin(*stage_, world.grid, *path_, 0xFFFFFFFFu);
@@ -46,7 +46,7 @@ class TinyCorridor : public ::testing::Test {
 };
 
 /// A tube of eight pillars around a point's vertical line, as near as `gap` voxels: more planes than four.
-void add_cage(World& world, int cx, int cy, int gap) {
+void add_cage(MarkedWorld& world, int cx, int cy, int gap) {
   const int dims_z = world.grid.spec().dims.z;
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
@@ -60,7 +60,7 @@ void add_cage(World& world, int cx, int cy, int gap) {
 
 TEST_F(TinyCorridor, AFullBoxShrinksAndStillIsSafe) {
   // Scattered voxels: too many boxes within two metres, few enough within less.
-  World world({40, 40, 16}, 0.1, 0.0);
+  MarkedWorld world({40, 40, 16}, 0.1, 0.0);
   Random random(2);
   for (int i = 0; i < 120; ++i) {
     const int x = random.integer(0, 39);
@@ -75,7 +75,7 @@ TEST_F(TinyCorridor, AFullBoxShrinksAndStillIsSafe) {
 
 TEST_F(TinyCorridor, TooManyBoxesEvenInTheSmallestBox) {
   // A three-dimensional checkerboard around a point's own voxel: every voxel is a box of its own.
-  World world({16, 16, 16}, 0.1, 0.25);
+  MarkedWorld world({16, 16, 16}, 0.1, 0.25);
   for (int z = 0; z < 16; ++z) {
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 16; ++x) {
@@ -90,7 +90,7 @@ TEST_F(TinyCorridor, TooManyBoxesEvenInTheSmallestBox) {
 
 TEST_F(TinyCorridor, TooManyBoxesAroundAHull) {
   // Voxels of their own just below a hull: as many as fit, and then one more.
-  World world({16, 16, 16}, 0.1, 0.25);
+  MarkedWorld world({16, 16, 16}, 0.1, 0.25);
   int marked = 0;
   for (int y = 1; y < 16 && marked < tern::kMaxLocalBoxes; y += 3) {
     for (int x = 1; x < 16 && marked < tern::kMaxLocalBoxes; x += 3) {
@@ -109,7 +109,7 @@ TEST_F(TinyCorridor, TooManyBoxesAroundAHull) {
 }
 
 TEST_F(TinyCorridor, TooManyPlanesShrinkTheBox) {
-  World world({40, 40, 8}, 0.1, 0.0);
+  MarkedWorld world({40, 40, 8}, 0.1, 0.0);
   add_cage(world, 20, 20, 8);
   ASSERT_EQ(run(world, {{2.05, 2.05, 0.4}, {2.05, 2.05, 0.4}}), Status::kOk);
   EXPECT_EQ(stage_->planes_high, tern::kMaxPlanes);
@@ -120,7 +120,7 @@ TEST_F(TinyCorridor, TooManyPlanesShrinkTheBox) {
 
 TEST_F(TinyCorridor, TooManyPlanesEvenForAPoint) {
   // Eight pillars that all come within the radius of the smallest box: a plane each, and four to give.
-  World world({40, 40, 8}, 0.1, 0.19);
+  MarkedWorld world({40, 40, 8}, 0.1, 0.19);
   add_cage(world, 20, 20, 3);
   for (int z = 0; z < 8; ++z) {
     for (int d = -3; d <= 3; d += 6) {
@@ -136,7 +136,7 @@ TEST_F(TinyCorridor, TooManyPlanesEvenForAPoint) {
 
 TEST_F(TinyCorridor, ACrowdedLegIsHalved) {
   // A leg past staggered posts on both sides: whole, it needs a plane for each; halved, two each.
-  World world({64, 40, 8}, 0.1, 0.15);
+  MarkedWorld world({64, 40, 8}, 0.1, 0.15);
   for (int k = 0; k < 6; ++k) {
     const int side = k % 2 == 0 ? 3 : -4;
     for (int z = 0; z < 8; ++z) world.mark(8 + 8 * k, 20 + side, z);
@@ -154,7 +154,7 @@ TEST_F(TinyCorridor, ACrowdedLegIsHalved) {
 
 TEST_F(TinyCorridor, HalvingRunsOutOfSegments) {
   // A long tight lane of the checkerboard kind: no piece that four segments could be fits its boxes.
-  World world({64, 16, 16}, 0.1, 0.25);
+  MarkedWorld world({64, 16, 16}, 0.1, 0.25);
   for (int z = 0; z < 16; ++z) {
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 64; ++x) {
@@ -167,7 +167,7 @@ TEST_F(TinyCorridor, HalvingRunsOutOfSegments) {
 }
 
 TEST_F(TinyCorridor, MoreLegsThanSegments) {
-  const World world({40, 40, 8}, 0.1, 0.0);
+  const MarkedWorld world({40, 40, 8}, 0.1, 0.0);
   path_->count = tern::kMaxSegments + 2;  // what no shortcut stage hands over
   corridor_begin(*stage_, world.grid, *path_, 1000);
   Work work{100};
@@ -176,7 +176,7 @@ TEST_F(TinyCorridor, MoreLegsThanSegments) {
 }
 
 TEST_F(TinyCorridor, ALongLegTakesNoMoreSegmentsThanThereAre) {
-  const World world({64, 16, 8}, 1.0, 0.0);
+  const MarkedWorld world({64, 16, 8}, 1.0, 0.0);
   ASSERT_EQ(run(world, {{1.0, 8.0, 4.0}, {62.0, 8.0, 4.0}, {62.0, 15.0, 4.0}}), Status::kOk);
   EXPECT_EQ(corridor_->count, tern::kMaxSegments);
 }

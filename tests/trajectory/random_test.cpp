@@ -15,8 +15,7 @@
 namespace {
 
 using namespace tern;
-
-constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
+using tern_test::kUnlimited;
 
 class RandomCorridors : public testing::Test {
  protected:

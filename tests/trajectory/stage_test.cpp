@@ -18,15 +18,12 @@ namespace {
 
 using namespace tern;
 using tern_test::box_around;
+using tern_test::kTwo;
+using tern_test::kUnlimited;
+using tern_test::resting;
 
-constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
 /// The speed limit alone decides how long a flight takes.
 constexpr Limits kAgileLimits{{1.0, 1.0, 1.0}, {4.0, 4.0, 4.0}};
-constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
-
-State resting(const Vec3& point) {
-  return State{point, {0, 0, 0}, {0, 0, 0}};
-}
 
 /// A plan with everything that it was made from and says about itself.
 struct Flight {

@@ -18,12 +18,8 @@ namespace {
 
 using namespace tern;
 using tern_test::box_around;
-
-constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
-
-State resting(const Vec3& point) {
-  return State{point, {0, 0, 0}, {0, 0, 0}};
-}
+using tern_test::kTwo;
+using tern_test::resting;
 
 TEST(StraightSegment, LongOnesAreBoundBySpeed) {
   const Segment segment = straight_segment({0, 0, 0}, {16, 0, 0}, 3, kTwo);

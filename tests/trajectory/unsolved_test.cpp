@@ -19,12 +19,8 @@ namespace {
 
 using namespace tern;
 using tern_test::box_around;
-
-constexpr Limits kTwo{{2.0, 2.0, 2.0}, {2.0, 2.0, 2.0}};
-
-State resting(const Vec3& point) {
-  return State{point, {0, 0, 0}, {0, 0, 0}};
-}
+using tern_test::kTwo;
+using tern_test::resting;
 
 /// A way along x through vias at x = 3 and x = `second`.
 class Unsolved : public ::testing::Test {

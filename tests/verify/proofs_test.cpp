@@ -12,7 +12,7 @@
 namespace tern_verify {
 namespace {
 
-constexpr const char* kScenario =
+constexpr const char* kFencedScenario =
     "boundary 0 0 0 10 4 4\n"
     "block 4 0 0 5 1.5 4\n"
     "start 1 2 2\n"
@@ -41,7 +41,7 @@ Plan straight_plan() {
 }
 
 Problem problem_of(const std::string& more = "") {
-  return parse_problem(kScenario + more, "scenario");
+  return parse_problem(kFencedScenario + more, "scenario");
 }
 
 Claim claim_in(const Claims& claims, const std::string& what) {
@@ -283,11 +283,11 @@ TEST(Scenarios, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\nstart 0 0 0\n"), "s.txt: there is no 'goal'");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud none.pcd\n"), "none.pcd: cannot be opened");
   EXPECT_EQ(message("boundary 0 0 0 1 1 1\ncloud a b\n"), "s.txt:2: 'cloud' needs the name of a file");
-  EXPECT_EQ(message(std::string(kScenario) + "unknown solid\n"),
+  EXPECT_EQ(message(std::string(kFencedScenario) + "unknown solid\n"),
             "s.txt: 'unknown solid' needs an 'octomap', which says what is free");
   EXPECT_EQ(message("unknown\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
   EXPECT_EQ(message("unknown space\n"), "s.txt:1: 'unknown' needs 'free' or 'solid'");
-  EXPECT_EQ(message(std::string(kScenario) + "unknown free\n"), "");
+  EXPECT_EQ(message(std::string(kFencedScenario) + "unknown free\n"), "");
   EXPECT_NE(message("unknown free\nunknown free\n").find("given twice"), std::string::npos);
 }
 

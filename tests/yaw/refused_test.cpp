@@ -4,16 +4,14 @@
 // Requests for yaw plans that are refused, each with its status, and the plan left as it was.
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "support/numbers.hpp"
 #include "support/yaw_case.hpp"
 
 namespace {
 
 using namespace tern;
 using tern_test::hover;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using tern_test::kNan;
 
 YawRequest good(YawMode mode) {
   YawRequest request = yaw_request({1.0, 0.0}, 1.0, 2.0);

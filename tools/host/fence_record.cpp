@@ -19,7 +19,7 @@ using tern::Vec3;
 /// Rounds of Dykstra's method; its steps shrink fast where few planes meet.
 constexpr int kRounds = 200;
 
-double dot(const Vec3& a, const Vec3& b) {
+double product(const Vec3& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
@@ -48,7 +48,7 @@ std::vector<Halfspace> planes_of(const Words& words, const Place& place) {
 
 /// Beyond a plane, metres; negative behind it.
 double beyond(const Halfspace& plane, const Vec3& point) {
-  return (dot(plane.normal, point) - plane.offset) / std::sqrt(dot(plane.normal, plane.normal));
+  return (product(plane.normal, point) - plane.offset) / std::sqrt(product(plane.normal, plane.normal));
 }
 
 /// Distance of a point from the polyhedron by Dykstra's alternating projections; 0 inside.
@@ -57,7 +57,7 @@ double distance_from(const std::vector<Halfspace>& planes, const Vec3& point) {
   Vec3 at = point;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
-      const double norm = std::sqrt(dot(planes[k].normal, planes[k].normal));
+      const double norm = std::sqrt(product(planes[k].normal, planes[k].normal));
       const Vec3 n{planes[k].normal.x / norm, planes[k].normal.y / norm, planes[k].normal.z / norm};
       const double before = pushed[k];
       pushed[k] = std::max(0.0, beyond(planes[k], at) + before);

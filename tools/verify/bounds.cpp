@@ -9,8 +9,6 @@
 namespace tern_verify {
 namespace {
 
-constexpr const char* kDerivatives[] = {"position", "velocity", "acceleration", "jerk"};
-constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 constexpr const char* kAxes[] = {"x", "y", "z", "horizontal"};
 /// Halvings after which a piece counts with its hull. A level takes three quarters of the hull's excess away.
 constexpr int kMostHalvings = 40;
@@ -110,7 +108,7 @@ void prove_bounds(const std::vector<Segment>& segments, const std::vector<Bound>
   for (const Bound& bound : bounds) {
     const std::string direction = bound.axis == kHorizontal ? "" : (bound.sign > 0 ? "+" : "-");
     Claim claim;
-    claim.what = kDerivatives[bound.derivative] + std::string(" ") + direction + kAxes[bound.axis];
+    claim.what = kDerivativeNames[bound.derivative] + std::string(" ") + direction + kAxes[bound.axis];
     claim.unit = kUnits[bound.derivative];
     if (bound.axis == kHorizontal) {
       prove_bound(segments, bound, InPlane{}, claim);

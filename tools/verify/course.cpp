@@ -13,8 +13,6 @@ const Rational kTakeover[] = {decimal(1, 11), decimal(1, 10), decimal(1, 7), dec
 const Rational kRounding = decimal(1, 11);
 /// Rounding of the figures that the log derives from its track, metres.
 const Rational kFigure = decimal(1, 9);
-constexpr const char* kNames[] = {"position", "velocity", "acceleration", "jerk"};
-constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 
 /// The segment that is flown at a time since the flight's beginning, and how much of it is behind; after the end, all
 /// of the last one.
@@ -76,16 +74,10 @@ Motion commanded(const Flight& flight, const Commit* commit, const Rational& tim
   return {flight.world.start, Point{0, 0, 0}, Point{0, 0, 0}, Point{0, 0, 0}};
 }
 
-Rational largest_gap(const Point& a, const Point& b) {
-  Rational largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) largest = std::max<Rational>(largest, abs(a[i] - b[i]));
-  return largest;
-}
-
 void claim_no_jump(const std::string& what, const Motion& from, const Motion& to, Claims& claims) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     const Rational jump = largest_gap(from[k], to[k]);
-    claims.push_back({what + " " + kNames[k], kUnits[k], -jump, -jump, kTakeover[k], ""});
+    claims.push_back({what + " " + kDerivativeNames[k], kUnits[k], -jump, -jump, kTakeover[k], ""});
   }
 }
 

@@ -67,6 +67,17 @@ Rational root_above(const Rational& square);
 std::string text_below(const Rational& number);
 std::string text_above(const Rational& number);
 
+/// In doubles, to look for places that are then judged exactly.
+using Guess = std::array<double, 3>;
+
+inline double guess(const Rational& number) {
+  return number.convert_to<double>();
+}
+
+inline Guess guess(const Point& p) {
+  return {guess(p[0]), guess(p[1]), guess(p[2])};
+}
+
 }  // namespace tern_verify
 
 #endif

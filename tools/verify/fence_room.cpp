@@ -14,21 +14,15 @@
 namespace tern_verify {
 namespace {
 
-using Guess = std::array<double, 3>;
-
 /// Halvings after which a piece counts with what is proven of it.
-constexpr int kMostHalvings = 60;
+constexpr int kMostCuts = 60;
 /// Rounds of alternating projections; where they have not converged, only a guess is worse.
-constexpr int kRounds = 100;
+constexpr int kProjections = 100;
 
 /// Over the length of a normal, rounded down.
 Rational over_length(const Rational& room, const Point& normal) {
   const Rational square = dot(normal, normal);
   return room / (room < 0 ? root_below(square) : root_above(square));
-}
-
-Guess guess(const Point& p) {
-  return {p[0].convert_to<double>(), p[1].convert_to<double>(), p[2].convert_to<double>()};
 }
 
 /// One fence, and the room that it leaves the hull of some points.
@@ -97,7 +91,7 @@ class Room {
     }
     Guess at = middle;
     std::vector<double> pushed(guesses_.size(), 0.0);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kProjections; ++round) {
       for (std::size_t k = 0; k < guesses_.size(); ++k) {
         const Guess& n = guesses_[k].normal;
         const double before = pushed[k];
@@ -117,9 +111,9 @@ class Room {
   std::vector<Unit> guesses_;
 };
 
-class Search {
+class RoomSearch {
  public:
-  Search(const std::vector<Polygon<3>>& curves, const Room& room) : curves_(curves), room_(room) {
+  RoomSearch(const std::vector<Polygon<3>>& curves, const Room& room) : curves_(curves), room_(room) {
     for (curve_ = 0; curve_ < curves.size(); ++curve_) {
       reach(curves[curve_].front(), 0);
       reach(curves[curve_].back(), 1);
@@ -145,7 +139,7 @@ class Search {
     const Rational enough = found_.most - close_;
     const Rational room = room_.of(piece, enough);
     if (room >= enough) return;
-    if (halvings == kMostHalvings) {
+    if (halvings == kMostCuts) {
       proven_ = std::min(proven_, room);
       return;
     }
@@ -169,7 +163,7 @@ class Search {
 FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary,
                      const Rational& distance) {
   const Room room(fence, boundary, distance);
-  return Search(curves, room).run();
+  return RoomSearch(curves, room).run();
 }
 
 }  // namespace tern_verify

@@ -11,8 +11,6 @@
 namespace tern_verify {
 namespace {
 
-constexpr const char* kNames[] = {"position", "velocity", "acceleration", "jerk"};
-constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 /// Where a plan goes on along the one before, it is cut, and its points are computed anew: metres.
 const Rational kCut = decimal(1, 11);
 
@@ -63,7 +61,8 @@ void prove_rest(const Commit& commit, Claims& claims) {
     curve = hodograph(curve, last.duration);
     Rational most = 0;
     for (const Rational& coordinate : curve.back()) most = std::max<Rational>(most, abs(coordinate));
-    claims.push_back({std::string("rest ") + kNames[k], kUnits[k], -most, -most, joint_tolerance(last, k), ""});
+    claims.push_back(
+        {std::string("rest ") + kDerivativeNames[k], kUnits[k], -most, -most, joint_tolerance(last, k), ""});
   }
 }
 

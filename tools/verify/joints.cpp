@@ -9,8 +9,6 @@
 namespace tern_verify {
 namespace {
 
-constexpr const char* kNames[] = {"position", "velocity", "acceleration", "jerk"};
-constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 const Point kZero{};
 
 /// On each axis, from the start to the centre of a voxel that it joins: up to two voxels on (docs/search.md).
@@ -27,12 +25,6 @@ Motion motion_at(const Segment& segment, bool at_end) {
   return motion;
 }
 
-Rational largest_gap(const Point& a, const Point& b) {
-  Rational largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) largest = std::max<Rational>(largest, abs(a[i] - b[i]));
-  return largest;
-}
-
 /// Only the scenario may allow it. A plan that is to end at the goal gains nothing by saying that it missed it.
 bool ends_elsewhere(const Problem& problem, const Plan& plan) {
   return problem.may_end_near && plan.reachable.has_value();
@@ -47,7 +39,7 @@ void prove_end(const Subject& subject, bool at_end, const std::string& name, Mot
   for (std::size_t k = 0; k < motion.size(); ++k) {
     const int derivative = static_cast<int>(k);
     const Rational tolerance = k == 0 ? subject.tolerance.place : joint_tolerance(segment, derivative);
-    Tightest tightest(name + " " + kNames[k], kUnits[k]);
+    Tightest tightest(name + " " + kDerivativeNames[k], kUnits[k]);
     tightest.note(-largest_gap(motion[k], asked[k]), tolerance, [] { return ""; });
     claims.push_back(tightest.claim());
   }
@@ -98,7 +90,7 @@ Claim via_claim(const Subject& subject, std::size_t index, std::size_t joint) {
   const auto place = [&] { return "joint " + std::to_string(joint); };
   tightest.note(via.tolerance - root_above(dot(gap, gap)), subject.tolerance.via, place);
   const auto holds = [&](std::size_t k, const Point& asked) {
-    const auto what = [&] { return place() + ", " + kNames[k] + " in " + kUnits[k]; };
+    const auto what = [&] { return place() + ", " + kDerivativeNames[k] + " in " + kUnits[k]; };
     const Rational tolerance = joint_tolerance(*passage.segment, static_cast<int>(k));
     tightest.note(-largest_gap(passage.motion[k], asked), tolerance, what);
   };
@@ -115,7 +107,7 @@ Claim via_claim(const Subject& subject, std::size_t index, std::size_t joint) {
 
 void prove_joints(const std::vector<Segment>& segments, Claims& claims) {
   for (std::size_t k = 0; k < std::tuple_size<Motion>::value; ++k) {
-    Tightest tightest(std::string("joint ") + kNames[k], kUnits[k]);
+    Tightest tightest(std::string("joint ") + kDerivativeNames[k], kUnits[k]);
     for (std::size_t s = 1; s < segments.size(); ++s) {
       const int derivative = static_cast<int>(k);
       const Rational jump = largest_gap(motion_at(segments[s - 1], true)[k], motion_at(segments[s], false)[k]);

@@ -12,19 +12,9 @@
 namespace tern_verify {
 namespace {
 
-using Guess = std::array<double, 3>;
-
 constexpr int kSamples = 64;  ///< of each curve, to begin with
 /// Halvings after which a piece counts with what is proven of it.
-constexpr int kMostHalvings = 60;
-
-double guess(const Rational& number) {
-  return number.convert_to<double>();
-}
-
-Guess guess(const Point& p) {
-  return {guess(p[0]), guess(p[1]), guess(p[2])};
-}
+constexpr int kMostSplits = 60;
 
 /// A solid with its size in doubles.
 struct Body {
@@ -172,7 +162,7 @@ class Search {
   void search(const Polygon<3>& piece, const Rational& u, const Rational& width, const std::vector<std::size_t>& bodies,
               int halvings) {
     if (nearest_.most == 0) return;
-    const bool last = halvings == kMostHalvings;
+    const bool last = halvings == kMostSplits;
     const std::vector<std::size_t> left = candidates(piece, bodies, last);
     if (left.empty() || last) return;
     const Halves<3> halves = halves_of(piece);

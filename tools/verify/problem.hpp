@@ -38,6 +38,8 @@ struct Fence {
 
 /// Position and its derivatives up to the jerk.
 using Motion = std::array<Point, 4>;
+constexpr const char* kDerivativeNames[] = {"position", "velocity", "acceleration", "jerk"};
+constexpr const char* kUnits[] = {"m", "m/s", "m/s2", "m/s3"};
 
 struct Via {
   Point position;

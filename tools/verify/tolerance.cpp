@@ -38,6 +38,12 @@ Rational amplification(const Rational& duration, int derivative) {
 
 }  // namespace
 
+Rational largest_gap(const Point& a, const Point& b) {
+  Rational largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) largest = std::max<Rational>(largest, abs(a[i] - b[i]));
+  return largest;
+}
+
 Tolerance tolerance_of(const Problem& problem, const Lattice& lattice, const Plan& plan) {
   // A nanometre; with voxels larger than a metre, a billionth of a voxel.
   const Rational nanometre = decimal(1, 9) * std::max<Rational>(1, problem.cell);

@@ -10,6 +10,9 @@
 
 namespace tern_verify {
 
+/// Of the three coordinates.
+Rational largest_gap(const Point& a, const Point& b);
+
 struct Tolerance {
   Rational half_space;  ///< metres that a half-space may be nearer to a solid voxel than the clearance
   Rational point;       ///< metres that a control point may be outside a half-space or the boundary

@@ -122,12 +122,12 @@ bool same(const HalfSpace& a, const HalfSpace& b) {
 bool same(const Fence& a, const Fence& b);
 
 template <typename T>
-bool all_same(const std::vector<T>& a, const std::vector<T>& b) {
+bool all_alike(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
 }
 
 bool same(const Fence& a, const Fence& b) {
-  return a.keep_in == b.keep_in && all_same(a.planes, b.planes);
+  return a.keep_in == b.keep_in && all_alike(a.planes, b.planes);
 }
 
 }  // namespace
@@ -181,9 +181,9 @@ std::vector<Bound> bounds_of(const World& world) {
 
 std::string difference(const World& a, const World& b) {
   if (!same(a.boundary, b.boundary)) return "boundary";
-  if (!all_same(a.blocks, b.blocks)) return "blocks";
-  if (!all_same(a.cylinders, b.cylinders)) return "cylinders";
-  if (!all_same(a.fences, b.fences)) return "fences";
+  if (!all_alike(a.blocks, b.blocks)) return "blocks";
+  if (!all_alike(a.cylinders, b.cylinders)) return "cylinders";
+  if (!all_alike(a.fences, b.fences)) return "fences";
   if (a.start != b.start) return "start";
   if (a.mission != b.mission) return "points of the mission";
   for (const std::string& key : kWorldSettings) {

@@ -15,12 +15,12 @@ constexpr double kNoSize = 1e-7;
 constexpr int kCorners = 8;
 
 /// Instructions of the box, of a unit, of a box held against a half-space, of the gap to a box, of fences.
-constexpr std::uint32_t kBoxEffort = 3000;
-constexpr std::uint32_t kStepEffort = 300;
-constexpr std::uint32_t kTestEffort = 80;
+constexpr std::uint32_t kHullEffort = 3000;
+constexpr std::uint32_t kPieceEffort = 300;
+constexpr std::uint32_t kPlaneTestEffort = 80;
 constexpr std::uint32_t kGapEffort = 8000;
-constexpr std::uint32_t kKeepInEffort = 200;
-constexpr std::uint32_t kKeepOutEffort = 30000;
+constexpr std::uint32_t kHullKeepInEffort = 200;
+constexpr std::uint32_t kHullKeepOutEffort = 30000;
 
 /// Takes normals of any length and keeps the one that leaves the most room between hull and solid.
 struct Widest {
@@ -119,7 +119,7 @@ Status cut_off_some(HullGrowth& growth, const Grid& grid, const Hull& hull, doub
                     Polyhedron& out, Work& work) {
   const int left = scratch.extract.count - growth.next;
   const int tests = left < kHullTests ? left : kHullTests;
-  work.effort += kStepEffort + effort_of(kTestEffort, tests * out.count);
+  work.effort += kPieceEffort + effort_of(kPlaneTestEffort, tests * out.count);
   for (int k = 0; k < tests; ++k) {
     const LocalBox& solid = scratch.boxes[growth.next++];
     Vec3 corners[kCorners];
@@ -148,10 +148,10 @@ Status keep_fence(HullGrowth& growth, const Grid& grid, const Hull& hull, double
   const Fences& fences = *scratch.fences;
   const int index = growth.next++ - 1;
   if (index < 0) {
-    work.effort += kStepEffort + effort_of(kKeepInEffort, fences.keep_in_count);
+    work.effort += kPieceEffort + effort_of(kHullKeepInEffort, fences.keep_in_count);
     return keeps_in(fences, hull) ? Status::kOk : Status::kCorridorBlocked;
   }
-  work.effort += kKeepOutEffort;
+  work.effort += kHullKeepOutEffort;
   const KeepOut& fence = fences.keep_out[index];
   const Hull solid = hull_of(fences, fence);
   if (is_cut_off(solid, grid.spec().clearance(), out)) return Status::kOk;
@@ -175,7 +175,7 @@ Status do_unit(HullGrowth& growth, const Grid& grid, const Hull& hull, double sl
   if (growth.phase == HullPhase::kObstacles) return cut_off_some(growth, grid, hull, slack, scratch, out, work);
   if (growth.phase == HullPhase::kFences) return keep_fence(growth, grid, hull, slack, scratch, out, work);
   ++growth.next;
-  work.effort += kBoxEffort;
+  work.effort += kHullEffort;
   return make_box(grid, hull, scratch, out);
 }
 

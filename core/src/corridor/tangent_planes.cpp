@@ -15,8 +15,8 @@ constexpr double kRounding = 1e-15;
 constexpr double kNoOther = 1e300;
 
 /// Instructions of a unit, and of one turn of its loops.
-constexpr std::uint32_t kStepEffort = 200;
-constexpr std::uint32_t kTestEffort = 40;
+constexpr std::uint32_t kPassEffort = 200;
+constexpr std::uint32_t kPointEffort = 40;
 constexpr std::uint32_t kListEffort = 170;
 constexpr std::uint32_t kScanEffort = 6;
 constexpr std::uint32_t kContactEffort = 1500;
@@ -39,7 +39,7 @@ void list_some(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scrat
     scratch.remaining[i] = i;
   }
   pass.listed = end;
-  work.effort += kStepEffort + effort_of(kListEffort, end - begin);
+  work.effort += kPassEffort + effort_of(kListEffort, end - begin);
 }
 
 /// The least scale or bound of the remaining boxes; of equals, the first, whose box has the lowest index.
@@ -67,7 +67,7 @@ Nearest nearest_remaining(const GrowScratch& scratch, int count) {
 /// before their bound is the least, and never need one. True once a box with a contact has the least scale: the growing
 /// ellipsoid meets that one first.
 bool meets_first(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scratch, Work& work) {
-  work.effort += kStepEffort + effort_of(kScanEffort, pass.count);
+  work.effort += kPassEffort + effort_of(kScanEffort, pass.count);
   const Nearest nearest = nearest_remaining(scratch, pass.count);
   if (nearest.place == pass.met) return true;
   const LocalBox& box = obstacles.boxes[scratch.remaining[nearest.place]];
@@ -123,7 +123,7 @@ Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, L
       if (!cut) boxes[sieve.kept++] = boxes[sieve.next];
       tests += p;
     }
-    work.effort += kStepEffort + effort_of(kTestEffort, tests);
+    work.effort += kPassEffort + effort_of(kPointEffort, tests);
   }
   return Progress::kDone;
 }

@@ -11,7 +11,7 @@ constexpr double kThinnest = 0.01;
 constexpr int kFitSteps = 16;
 
 /// Instructions of a unit, and of one obstacle in its loops.
-constexpr std::uint32_t kStepEffort = 400;
+constexpr std::uint32_t kFitEffort = 400;
 constexpr std::uint32_t kCollectEffort = 20;
 constexpr std::uint32_t kScreenEffort = 170;
 constexpr std::uint32_t kContactEffort = 1500;
@@ -33,7 +33,7 @@ void collect(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index,
     const double z = center[2] - clamp(center[2], box.lower[2], box.upper[2]);
     if ((x * x + y * y) + z * z < limit) index[fit.count++] = i;
   }
-  work.effort += kStepEffort + effort_of(kCollectEffort, obstacles.count);
+  work.effort += kFitEffort + effort_of(kCollectEffort, obstacles.count);
 }
 
 /// Looks at the next candidates. Drops those that the ellipsoid does not meet: it only shrinks, so they never come
@@ -52,7 +52,7 @@ void look(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index, Wo
     if (fit.kept == 0 || contact.scale < fit.first.scale) fit.first = contact;
     ++fit.kept;
   }
-  work.effort += kStepEffort + effort_of(kScreenEffort, fit.next - begin) + effort_of(kContactEffort, contacts);
+  work.effort += kFitEffort + effort_of(kScreenEffort, fit.next - begin) + effort_of(kContactEffort, contacts);
 }
 
 double square(double x) {

@@ -11,7 +11,7 @@ namespace {
 
 static_assert(sizeof(Poly4d) == 132, "the firmware stores a piece in 132 bytes");
 
-constexpr double kShortest = 0.1;  // s, that halving makes
+constexpr double kShortestRaw = 0.1;  // s, that halving makes
 
 /// C(7, k).
 constexpr double kBinomial[kControlPoints] = {1.0, 7.0, 21.0, 35.0, 35.0, 21.0, 7.0, 1.0};
@@ -59,7 +59,7 @@ Status crazyflie_raw(const Trajectory& trajectory, const YawPlan* yaw, const Vec
                      int32_t& count, ExportError& error) noexcept {
   Spans spans;
   const int32_t most = room < kCrazyfliePieces ? room : kCrazyfliePieces;
-  if (pieces == nullptr || !cut_spans(trajectory, yaw, most, kShortest, spans)) return Status::kInvalidArgument;
+  if (pieces == nullptr || !cut_spans(trajectory, yaw, most, kShortestRaw, spans)) return Status::kInvalidArgument;
   ExportError found{};
   double begin = 0.0;  // as flown: sums of rounded durations
   for (int32_t i = 0; i < spans.count; ++i) {

@@ -13,7 +13,7 @@ namespace {
 /// Words that a piece copies, or one row.
 constexpr std::int32_t kCopiedWords = 256;
 /// Instructions of a row, and of a word that is the same as before and one that is not.
-constexpr std::uint32_t kRowEffort = 180;
+constexpr std::uint32_t kCopiedRowEffort = 180;
 constexpr std::uint32_t kWordEffort = 36;
 constexpr std::uint32_t kChangedEffort = 140;
 /// No voxels of a row.
@@ -100,7 +100,8 @@ std::uint32_t RouteCopy::advance(const RollingMap& map) noexcept {
   const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
   std::int32_t changed = 0;
   for (std::int32_t n = 0; n < count; ++n) changed += copy_row(map, row_++);
-  return effort_of(kRowEffort + effort_of(kWordEffort, grid_.row_words()), count) + effort_of(kChangedEffort, changed);
+  return effort_of(kCopiedRowEffort + effort_of(kWordEffort, grid_.row_words()), count) +
+         effort_of(kChangedEffort, changed);
 }
 
 }  // namespace tern

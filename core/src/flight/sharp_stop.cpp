@@ -12,7 +12,7 @@ namespace {
 
 /// Halvings of the range in which the shortest ramp is searched: below a millionth of it.
 constexpr int kRampHalvings = 20;
-constexpr double kNoJerk = 1e-6;  ///< m/s^3
+constexpr double kLeastJerk = 1e-6;  ///< m/s^3
 constexpr double kEndless = 1e300;
 
 /// A ramp, a hold that may be missing, and another ramp.
@@ -85,7 +85,7 @@ bool append_settled(const JointState& from, const MotionLimits& limits, double t
 }  // namespace
 
 bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept {
-  if (!(length(from.d[3]) > kNoJerk)) return append_settled(from, limits, 0.0, out);
+  if (!(length(from.d[3]) > kLeastJerk)) return append_settled(from, limits, 0.0, out);
   double best = 0.0;
   double least = kEndless;
   double time = kSettleTime;

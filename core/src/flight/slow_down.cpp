@@ -11,7 +11,7 @@ namespace tern {
 namespace {
 
 /// The largest slope of the pace, times the duration, and of the slope's slope, times its square.
-constexpr double kSteepest = 1.875;
+constexpr double kSteepestBlend = 1.875;
 constexpr double kMostCurved = 5.7735026918962576;
 /// From one slow-down to the next one, and the shortest one, seconds.
 constexpr double kSlower = 1.3;
@@ -25,7 +25,7 @@ constexpr double kMostPieces = 24.0;
 /// what the joint's jump of snap makes of the path. Seconds.
 constexpr double kLeastPiece = 1e-4;
 constexpr int kHalvings = 50;
-constexpr double kNever = 1e300;
+constexpr double kNoJoint = 1e300;
 
 /// How the time along the plan passes: at the usual pace first, and not at all in the end. The pace is 1 - (10 u^3 -
 /// 15 u^4 + 6 u^5), whose first two derivatives are 0 at both ends.
@@ -96,14 +96,14 @@ JointState paced(const Trajectory& plan, const Pace& pace, double t, const Vec3&
 double joint_after(const Trajectory& plan, double planned) {
   double joint = 0.0;
   for (int i = 0; i < plan.count && joint <= planned; ++i) joint += plan.segments[i].duration;
-  return joint > planned ? joint : kNever;
+  return joint > planned ? joint : kNoJoint;
 }
 
 }  // namespace
 
 double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept {
   const Vec3 back = -1.0 * velocity;
-  double time = larger(kShortest, kSteepest * gauge(limits.acceleration, back));
+  double time = larger(kShortest, kSteepestBlend * gauge(limits.acceleration, back));
   time = larger(time, square_root(kMostCurved * gauge(limits.jerk, back)));
   for (int i = 0; i < way; ++i) time *= kSlower;
   return time;

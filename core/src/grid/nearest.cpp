@@ -12,8 +12,8 @@ namespace {
 
 /// Instructions of a square, a row of it, and a word of a row.
 constexpr std::uint32_t kSquareEffort = 200;
-constexpr std::uint32_t kRowEffort = 80;
-constexpr std::uint32_t kWordEffort = 8;
+constexpr std::uint32_t kSquareRowEffort = 80;
+constexpr std::uint32_t kSquareWordEffort = 8;
 
 bool precedes(const Voxel& a, const Voxel& b) {
   if (a.z != b.z) return a.z < b.z;
@@ -110,7 +110,7 @@ Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noe
     const Voxel center{floor_index(nearest.point.x, 0, dims.x - 1), floor_index(nearest.point.y, 0, dims.y - 1),
                        floor_index(nearest.point.z, 0, dims.z - 1)};
     const int rows = offer_square(grid, center, nearest.square, nearest);
-    work.effort += kSquareEffort + effort_of(kRowEffort + effort_of(kWordEffort, grid.row_words()), rows);
+    work.effort += kSquareEffort + effort_of(kSquareRowEffort + effort_of(kSquareWordEffort, grid.row_words()), rows);
   }
   return Progress::kDone;
 }

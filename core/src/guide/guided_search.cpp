@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-constexpr int kBucketBits = 6;
+constexpr int kGuidedBucketBits = 6;
 
 /// Instructions of an entry of the list of voxels, and of one of the guide's.
 constexpr std::uint32_t kVoxelEffort = 2200;
@@ -94,7 +94,7 @@ void set_heuristic(GuidedSearch& search, const Grid& grid, const Voxel& voxel, P
 
 std::uint32_t bucket_of(const Page& page, const Voxel& voxel, GuideCost cost) {
   const GuideCost left = page.heads ? page.rest + guide_octile(voxel, page.carrot) : page.rest;
-  return static_cast<std::uint32_t>((cost + weighted(left)) >> kBucketBits);
+  return static_cast<std::uint32_t>((cost + weighted(left)) >> kGuidedBucketBits);
 }
 
 /// The voxel's page; kGuidePages if there is no room for it.

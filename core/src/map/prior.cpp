@@ -33,13 +33,13 @@ void visit_words(const VoxelBox& box, Visit visit) {
   }
 }
 
-VoxelBox whole(const Voxel& dims) {
+VoxelBox all_voxels(const Voxel& dims) {
   return {{0, dims.x}, {0, dims.y}, {0, dims.z}};
 }
 
 /// Blocks the voxels in `hit` at once, whatever MapSpec::hits says.
 void enter_marks(MapState& state) {
-  visit_words(whole(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
+  visit_words(all_voxels(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
     const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
     const std::uint64_t marked = state.hit[at];
     state.low[at] &= ~marked;
@@ -105,7 +105,7 @@ Status RollingMap::assume_free(const Vec3& center, double radius) noexcept {
   const double cell = state.spec.cell;
   const Vec3 cells = (1.0 / cell) * state.route.to_local(center);
   const double square = (radius / cell) * (radius / cell);
-  visit_words(whole(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
+  visit_words(all_voxels(state.spec.dims), [&](std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t) {
     const std::size_t at = state.row(y, z) + static_cast<std::size_t>(k);
     state.seen[at] |= inside_ball(cells, square, {64 * k, y, z}, state.spec.dims.x);
     state.store(y, z, k, GridWords(state.route).obstacles()[at]);

@@ -12,7 +12,7 @@ namespace tern {
 namespace {
 
 /// Instructions of a plane, and a word of it.
-constexpr std::uint32_t kPlaneEffort = 2000;
+constexpr std::uint32_t kCopiedPlaneEffort = 2000;
 constexpr std::uint32_t kWordEffort = 6;
 /// Enough for any job.
 constexpr std::uint32_t kWholeWork = ~std::uint32_t{0};
@@ -47,7 +47,7 @@ Status RollingMap::begin_snapshot(Grid& grid, uint64_t* words, size_t word_count
 std::uint32_t MapState::copy_plane(std::int32_t z) const noexcept {
   GridWords(*copy).copy_planes(route, z, z + 1);
   if (z + 1 == spec.dims.z) GridWords(*copy).end_copy(route);
-  return kPlaneEffort + effort_of(kWordEffort, static_cast<int>(row(0, 1)));
+  return kCopiedPlaneEffort + effort_of(kWordEffort, static_cast<int>(row(0, 1)));
 }
 
 }  // namespace tern

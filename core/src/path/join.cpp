@@ -13,7 +13,7 @@ namespace {
 
 /// Instructions of a candidate, without and with the line to it.
 constexpr std::uint32_t kTryEffort = 300;
-constexpr std::uint32_t kLineEffort = 15000;
+constexpr std::uint32_t kJoinEffort = 15000;
 
 double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) {
   const Vec3 d = free_point(grid, voxel) - point;
@@ -117,7 +117,7 @@ std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const
   } else if (join.next == join.count) {
     join.state = JoinState::kRefused;
   }
-  return looks ? kLineEffort : kTryEffort;
+  return looks ? kJoinEffort : kTryEffort;
 }
 
 }  // namespace tern

@@ -13,7 +13,7 @@ namespace {
 /// Times that the pair of nearest points is improved before a hull is given up.
 constexpr int kImprovements = 4;
 /// Rounding of a sum of three squares.
-constexpr double kWider = 1.0 + 1e-15;
+constexpr double kLonger = 1.0 + 1e-15;
 
 /// Instructions of a hull, a row near it, a box of obstacles in a row, and the search for a plane between the two.
 constexpr std::uint32_t kHullEffort = 800;
@@ -84,7 +84,7 @@ bool boxes_apart(const Box& a, const Box& b, double distance) {
     const double apart = larger(0.0, gap(axis(a.lower, k), axis(a.upper, k), axis(b.lower, k), axis(b.upper, k)));
     square += apart * apart;
   }
-  return square >= kWider * distance * distance;
+  return square >= kLonger * distance * distance;
 }
 
 /// Any point q outside the box gives a plane: through the box's point p that is nearest to q, at right angles to q - p.

@@ -17,12 +17,6 @@ constexpr int row(int i) {
   return i * (i + 1) / 2;
 }
 
-double sum_of_products(const double* a, const double* b, int count) {
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 void multiply(const double* triangle, const double* x, int count, double* product) {
   for (int i = 0; i < count; ++i) {
     product[i] = sum_of_products(triangle + row(i), x, i + 1);

@@ -20,6 +20,12 @@ struct Curvature {
   double factor[kTriangle];  ///< what the last step was solved with
 };
 
+inline double sum_of_products(const double* a, const double* b, int count) {
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 /// Knows nothing yet but the diagonal, > 0.
 void curvature_begin(Curvature& curvature, const double* diagonal, int count) noexcept;
 

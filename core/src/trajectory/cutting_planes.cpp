@@ -13,14 +13,8 @@ constexpr double kAllowedRise = 0.5;
 /// Passes over the planes' weights.
 constexpr int kSweeps = 100;
 
-double sum_of_products(const double* a, const double* b, int count) {
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 int kept(const CuttingPlanes& planes) {
-  return planes.found < kMaxCuts ? planes.found : kMaxCuts;
+  return planes.found < kMaxCuttingPlanes ? planes.found : kMaxCuttingPlanes;
 }
 
 /// How far the step must go along the plane's prices. Never more than staying at the base does.
@@ -31,9 +25,9 @@ double least_fall(const CuttingPlane& plane, double base_snap) {
 
 /// The dual of the step's problem, by coordinates: how much each plane counts, 0 .. 1.
 struct Weights {
-  double of[kMaxCuts];
-  double gram[kMaxCuts][kMaxCuts];  ///< the step that one plane asks for, along the prices of another
-  double missing[kMaxCuts];         ///< by how much the step falls short on each plane
+  double of[kMaxCuttingPlanes];
+  double gram[kMaxCuttingPlanes][kMaxCuttingPlanes];  ///< the step that one plane asks for, along the prices of another
+  double missing[kMaxCuttingPlanes];                  ///< by how much the step falls short on each plane
 };
 
 void take_weight(Weights& weights, int k, int planes) {
@@ -48,7 +42,7 @@ void take_weight(Weights& weights, int k, int planes) {
 }  // namespace
 
 void add_plane(CuttingPlanes& planes, double snap, const double* prices, const double* step, int count) noexcept {
-  CuttingPlane& plane = planes.list[planes.found % kMaxCuts];
+  CuttingPlane& plane = planes.list[planes.found % kMaxCuttingPlanes];
   for (int i = 0; i < count; ++i) plane.prices[i] = prices[i];
   plane.snap = snap;
   plane.at_base = snap + sum_of_products(plane.prices, step, count);

@@ -14,7 +14,7 @@
 namespace tern {
 
 /// Planes that are kept: the last ones.
-constexpr int kMaxCuts = 8;
+constexpr int kMaxCuttingPlanes = 8;
 
 /// A bound of the snap, by the logarithms of the durations, m^2/s^7.
 struct CuttingPlane {
@@ -24,8 +24,8 @@ struct CuttingPlane {
 };
 
 struct CuttingPlanes {
-  int found;  ///< since the search began; the last kMaxCuts are kept
-  CuttingPlane list[kMaxCuts];
+  int found;  ///< since the search began; the last kMaxCuttingPlanes are kept
+  CuttingPlane list[kMaxCuttingPlanes];
 };
 
 /// Adds a plane, instead of the oldest one where there is no room. `step`: the logarithms of its durations over the

@@ -16,7 +16,7 @@ namespace {
 using tern::Box;
 using tern::Vec3;
 
-constexpr double kRounding = 1e-9;    // metres: voxels that only touch something hold nothing of it
+constexpr double kTouch = 1e-9;       // metres: voxels that only touch something hold nothing of it
 constexpr double kFenceError = 1e-3;  // metres, of the distance from a fence, which is found step by step
 
 struct Near {
@@ -60,10 +60,10 @@ class NearestThing {
   }
   /// The faces of the voxels that hold a part of an interval.
   double low_face(double lower, double origin) const {
-    return origin + cell_ * std::floor((lower + kRounding - origin) / cell_);
+    return origin + cell_ * std::floor((lower + kTouch - origin) / cell_);
   }
   double high_face(double upper, double origin) const {
-    return origin + cell_ * std::ceil((upper - kRounding - origin) / cell_);
+    return origin + cell_ * std::ceil((upper - kTouch - origin) / cell_);
   }
   double voxels_apart(double at, double lower, double upper, double origin) const {
     return std::max({0.0, low_face(lower, origin) - at, at - high_face(upper, origin)});
@@ -106,7 +106,7 @@ class NearestThing {
       for (double x = low_face(std::max(point_.x - most_, c.x - c.radius), origin_.x); x < end_x; x += cell_) {
         const double off_x = std::clamp(c.x, x, x + cell_) - c.x;
         const double off_y = std::clamp(c.y, y, y + cell_) - c.y;
-        if (std::hypot(off_x, off_y) > c.radius - kRounding) continue;
+        if (std::hypot(off_x, off_y) > c.radius - kTouch) continue;
         const double to_x = std::clamp(point_.x, x, x + cell_) - point_.x;
         const double to_y = std::clamp(point_.y, y, y + cell_) - point_.y;
         near.of_voxels = std::min(near.of_voxels, std::hypot(to_x, to_y, z));
@@ -132,7 +132,7 @@ std::string place_text(const Vec3& at) {
 }
 
 bool is_below(const Vec3& at, const Vec3& point) {
-  return at.z < point.z && std::hypot(at.x - point.x, at.y - point.y) < kRounding;
+  return at.z < point.z && std::hypot(at.x - point.x, at.y - point.y) < kTouch;
 }
 
 /// One point of the flight, and how far from it the flight may be instead.
@@ -143,9 +143,9 @@ struct End {
   Place place;
 };
 
-class Ends {
+class EndsOfFlight {
  public:
-  Ends(const FlightWorld& world, const Vec3& origin) : world_(world), origin_(origin) {}
+  EndsOfFlight(const FlightWorld& world, const Vec3& origin) : world_(world), origin_(origin) {}
 
   void check(const End& end) const {
     check_boundary(end);
@@ -167,7 +167,7 @@ class Ends {
 
   void check_things(const End& end) const {
     const Near near = NearestThing(world_, origin_, end.position).found();
-    const double needed = radius_of(world_.settings) - end.tolerance - kRounding;
+    const double needed = radius_of(world_.settings) - end.tolerance - kTouch;
     if (!(near.of_voxels < needed)) return;
     std::string why =
         near.what + " is " + fixed(std::max(0.0, near.distance), 2) + " m away, at " + place_text(near.at);
@@ -200,7 +200,7 @@ class Ends {
 }  // namespace
 
 void refuse_occupied_ends(const FlightWorld& world, const Vec3& origin) {
-  const Ends ends(world, origin);
+  const EndsOfFlight ends(world, origin);
   ends.check({"start", world.start, 0.0, world.places.start});
   const bool must_pass = world.via_policy == tern::ViaPolicy::kEnd;
   for (std::size_t i = 0; must_pass && i < world.vias.size(); ++i) {

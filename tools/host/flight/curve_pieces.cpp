@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/flight/vectors.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -18,10 +20,6 @@ constexpr double kFitPosition = 1e-12;     // rounding of what a piece leads to:
 constexpr double kFitVelocity = 1e-10;     // m/s,
 constexpr double kFitJerk = 1e-6;          // m/s^3,
 constexpr double kFitAcceleration = 1e-9;  // and m/s^2, of which the jerk is a quotient
-
-double length(const Vec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
 
 /// a + k b.
 Vec3 plus(const Vec3& a, double k, const Vec3& b) {

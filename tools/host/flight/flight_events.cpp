@@ -9,15 +9,15 @@
 namespace tern_host {
 namespace {
 
-constexpr const char* kNames[] = {"none",        "bind",    "assume_free", "mark_box", "mark_cylinder", "mark_points",
-                                  "frame",       "scan",    "follow",      "step",     "start",         "set_goal",
-                                  "set_mission", "set_yaw", "stop",        "tick",     "set_clock",     "scan"};
+constexpr const char* kEventNames[] = {
+    "none", "bind",  "assume_free", "mark_box",    "mark_cylinder", "mark_points", "frame", "scan",      "follow",
+    "step", "start", "set_goal",    "set_mission", "set_yaw",       "stop",        "tick",  "set_clock", "scan"};
 
 }  // namespace
 
 const char* event_name(tern::FlightEventKind kind) {
   const auto index = static_cast<std::size_t>(kind);
-  return index <= static_cast<std::size_t>(tern::kFlightEventKinds) ? kNames[index] : kNames[0];
+  return index <= static_cast<std::size_t>(tern::kFlightEventKinds) ? kEventNames[index] : kEventNames[0];
 }
 
 FlightEvents::FlightEvents(const std::string& bytes) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/flight/vectors.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr double kPillarRadius = 0.3;    // metres, of what appears ahead
 constexpr double kLeastSpeed = 0.5;      // m/s: slower, nothing is ahead
 constexpr std::int64_t kStep = 2000000;  // nanoseconds along what is commanded
 constexpr std::int64_t kMostAhead = 60000000000;
-
-double length(const Vec3& v) {
-  return std::hypot(v.x, std::hypot(v.y, v.z));
-}
 
 }  // namespace
 

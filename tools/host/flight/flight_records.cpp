@@ -23,13 +23,13 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr Range kFov{0.174, 2.62};
 /// The horizontal field of view of what sees all around, with room for 6.2832.
 constexpr double kAllAround = 360.0 * kDegree;
-constexpr double kRounding = 1e-3;
+constexpr double kReadRounding = 1e-3;
 
 [[noreturn]] void throw_fov(double horizontal, double vertical, const Place& place) {
   std::string text = "sensor_fov " + brief(horizontal) + " " + brief(vertical) + ": both are in rad, " +
                      brief(kFov.least) + " to " + brief(kFov.most) +
                      "; with sensor lidar, the first may also be 6.2832";
-  if (horizontal > kAllAround + kRounding || vertical > kAllAround + kRounding) {
+  if (horizontal > kAllAround + kReadRounding || vertical > kAllAround + kReadRounding) {
     text += "; if that is in degrees, write " + fixed(kDegree * horizontal, 4) + " " + fixed(kDegree * vertical, 4);
   }
   throw RecordError(place, text);
@@ -38,7 +38,7 @@ constexpr double kRounding = 1e-3;
 /// Whether a whole turn fits depends on the sensor, whose record may come later: check_fov.
 void set_fov(FlightSettings& s, const Words& words, const Place& place) {
   const std::vector<double> values = two_numbers(words, place);
-  const bool sees_all = std::fabs(values[0] - kAllAround) <= kRounding;
+  const bool sees_all = std::fabs(values[0] - kAllAround) <= kReadRounding;
   if (!(sees_all || holds(kFov, values[0])) || !holds(kFov, values[1])) throw_fov(values[0], values[1], place);
   s.fov_horizontal = sees_all ? kAllAround : values[0];
   s.fov_vertical = values[1];

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "host/flight/vectors.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -23,11 +24,7 @@ constexpr double kLeastWay = 1e-3;            // metres between two points where
 constexpr double kMostSnap = 1e7;             // m/s^4
 constexpr std::int64_t kMinute = 60000000000;
 
-double length(const Vec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
-Vec3 off(const Vec3& a, const Vec3& b) {
+Vec3 between(const Vec3& a, const Vec3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
@@ -38,9 +35,10 @@ bool same_bits(const Sample& a, const Sample& b) {
 /// But for rounding: where a plan is extended, its last segment is cut in another place.
 bool nearly_same(const Sample& a, const Sample& b) {
   const JointRounding& most = kJointRounding;
-  return length(off(a.position, b.position)) <= most.position * (1.0 + length(a.position)) &&
-         length(off(a.velocity, b.velocity)) <= most.velocity &&
-         length(off(a.acceleration, b.acceleration)) <= most.acceleration && length(off(a.jerk, b.jerk)) <= most.jerk;
+  return length(between(a.position, b.position)) <= most.position * (1.0 + length(a.position)) &&
+         length(between(a.velocity, b.velocity)) <= most.velocity &&
+         length(between(a.acceleration, b.acceleration)) <= most.acceleration &&
+         length(between(a.jerk, b.jerk)) <= most.jerk;
 }
 
 bool is_finite(const Sample& s) {
@@ -50,7 +48,7 @@ bool is_finite(const Sample& s) {
 
 bool at_rest(const Sample& s, const Vec3& end) {
   const double moves = length(s.velocity) + length(s.acceleration) + length(s.jerk);
-  return !(moves > 0.0) && length(off(s.position, end)) <= kDistanceError;
+  return !(moves > 0.0) && length(between(s.position, end)) <= kDistanceError;
 }
 
 std::string after(std::int64_t t, std::int64_t from) {
@@ -245,7 +243,7 @@ void FlightWatch::check_clear(std::int64_t from, std::int64_t fresh, std::int64_
 void FlightWatch::check_window(std::int64_t t) {
   if (!rooms_.readable()) return;
   const Vec3& origin = rooms_.window().origin;
-  if (!(length(off(origin, origin_)) > 0.0) && !std::isnan(origin_.x)) return;
+  if (!(length(between(origin, origin_)) > 0.0) && !std::isnan(origin_.x)) return;
   origin_ = origin;
   for (std::int64_t now = t; now <= ahead_.back().t && broken_.empty();) {
     const Sample sample = at(now);

@@ -15,26 +15,26 @@ namespace {
 
 constexpr double kSettle = 1.0;  // seconds at the end
 
-using Json = nlohmann::json;
+using PlanJson = nlohmann::json;
 
-tern::Vec3 vec3(const Json& json) {
+tern::Vec3 vec3(const PlanJson& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-tern::Segment segment_of(const Json& json) {
+tern::Segment segment_of(const PlanJson& json) {
   tern::Segment segment{};
   segment.duration = json.at("duration").get<double>();
-  const Json& points = json.at("control_points");
+  const PlanJson& points = json.at("control_points");
   if (points.size() != tern::kControlPoints) throw std::runtime_error("a segment has eight control points");
   for (std::size_t i = 0; i < points.size(); ++i) segment.points[i] = vec3(points[i]);
   return segment;
 }
 
-tern::Trajectory trajectory_of(const Json& json) {
+tern::Trajectory trajectory_of(const PlanJson& json) {
   tern::Trajectory plan{};
-  const Json& segments = json.at("segments");
+  const PlanJson& segments = json.at("segments");
   if (segments.empty() || segments.size() > tern::kMaxSegments) throw std::runtime_error("too few or many segments");
-  for (const Json& segment : segments) plan.segments[plan.count++] = segment_of(segment);
+  for (const PlanJson& segment : segments) plan.segments[plan.count++] = segment_of(segment);
   return plan;
 }
 
@@ -42,9 +42,9 @@ tern::Trajectory trajectory_of(const Json& json) {
 
 FinishedPlan read_finished_plan(const std::string& path) {
   try {
-    const Json plan = Json::parse(read_text(path));
+    const PlanJson plan = PlanJson::parse(read_text(path));
     return {trajectory_of(plan), plan.value("tracking_margin", 0.0)};
-  } catch (const Json::exception& error) {
+  } catch (const PlanJson::exception& error) {
     throw std::runtime_error(path + ": not a plan with a trajectory: " + error.what());
   }
 }

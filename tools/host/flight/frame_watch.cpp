@@ -16,9 +16,9 @@ using tern::Voxel;
 
 constexpr int kVoxels = 48;  // a frame
 constexpr int kHits = 32;
-constexpr double kNearest = 0.3;    // metres from a lidar
-constexpr double kRounding = 1e-6;  // metres
-constexpr double kFaceRoom = 2e-3;  // metres from a voxel's faces within which a hit may be either side's
+constexpr double kNearest = 0.3;         // metres from a lidar
+constexpr double kFrameRounding = 1e-6;  // metres
+constexpr double kFaceRoom = 2e-3;       // metres from a voxel's faces within which a hit may be either side's
 
 /// The camera's axes in the world, from its quaternion.
 struct CameraAxes {
@@ -132,7 +132,7 @@ void FrameWatch::before(const LidarScan& scan) {
 /// Scans have no pixels of their own to look into: what they show is compared with the true world.
 void FrameWatch::after(const LidarScan& scan) {
   if (!end()) return;
-  const double inside = 0.5 * spec_.cell - spec_.pose_margin - kRounding;
+  const double inside = 0.5 * spec_.cell - spec_.pose_margin - kFrameRounding;
   check_seen([&](const Vec3& center) { return !knows_world_ || clearance(world_, center) >= inside; });
   check_hits(hits_of(scan));
 }

@@ -5,31 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/flight/vectors.hpp"
+
 namespace tern_host {
 namespace {
 
 using tern::Sample;
 using tern::Vec3;
 
-constexpr double kStep = 1e-3;             // seconds
+constexpr double kBrakeStep = 1e-3;        // seconds
 constexpr std::int64_t kStepNs = 1000000;  // the same
 constexpr std::size_t kMostSteps = 60000;  // of a way: a minute
 constexpr double kShortest = 0.05;         // seconds, of a brake and of its ramps
-constexpr double kSettle = 0.05;           // seconds, in which the jerk falls to zero
+constexpr double kBrakeSettle = 0.05;      // seconds, in which the jerk falls to zero
 constexpr double kNoJerk = 1e-6;           // m/s^3
 constexpr double kLonger = 1.02;           // from one that is tried to the next
 constexpr int kTries = 400;
 
 Vec3 sum(double a, const Vec3& u, double b, const Vec3& v, double c = 0.0, const Vec3& w = {}) {
   return {a * u.x + b * v.x + c * w.x, a * u.y + b * v.y + c * w.y, a * u.z + b * v.z + c * w.z};
-}
-
-double length(const Vec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
-bool rests(const Sample& s) {
-  return !(length(s.velocity) > 0.0 || length(s.acceleration) > 0.0 || length(s.jerk) > 0.0);
 }
 
 /// How fast time along a way goes, from 1 to 0 for u from 0 to 1, with its derivatives by u and its integral.
@@ -67,7 +61,7 @@ class SlowDown {
 
  private:
   Sample along(double t) const {
-    const double at = std::clamp(t / kStep, 0.0, static_cast<double>(way_.size() - 1));
+    const double at = std::clamp(t / kBrakeStep, 0.0, static_cast<double>(way_.size() - 1));
     const std::size_t k = std::min(static_cast<std::size_t>(at), way_.size() - 1);
     if (k + 1 == way_.size()) return way_.back();
     const double b = at - static_cast<double>(k);
@@ -89,7 +83,7 @@ class SlowDown {
 class StraightBrake {
  public:
   StraightBrake(const Sample& start, double ramp, double hold)
-      : start_(start), settle_(length(start.jerk) > kNoJerk ? kSettle : 0.0), ramp_(ramp), hold_(hold) {
+      : start_(start), settle_(length(start.jerk) > kNoJerk ? kBrakeSettle : 0.0), ramp_(ramp), hold_(hold) {
     settled_ = sum(1.0, start.acceleration, 0.5 * settle_, start.jerk);
     const Vec3 speed = sum(1.0, start.velocity, settle_, start.acceleration, settle_ * settle_ / 3.0, start.jerk);
     slower_ = sum(-1.0 / (ramp + hold), speed, -0.5 * ramp / (ramp + hold), settled_);
@@ -128,11 +122,11 @@ class StraightBrake {
 /// Flies it in steps of a millisecond. False where a limit is broken.
 bool fly(const StraightBrake& brake, const Sample& start, const tern::Limits& limits, BrakeWay& way) {
   Sample s = start;
-  for (double t = 0.0; t < brake.duration(); t += kStep) {
+  for (double t = 0.0; t < brake.duration(); t += kBrakeStep) {
     way.push_back({s.position, length(s.velocity)});
-    brake.at(t + 0.5 * kStep, s.acceleration, s.jerk);
-    s.position = sum(1.0, s.position, kStep, s.velocity, 0.5 * kStep * kStep, s.acceleration);
-    s.velocity = sum(1.0, s.velocity, kStep, s.acceleration);
+    brake.at(t + 0.5 * kBrakeStep, s.acceleration, s.jerk);
+    s.position = sum(1.0, s.position, kBrakeStep, s.velocity, 0.5 * kBrakeStep * kBrakeStep, s.acceleration);
+    s.velocity = sum(1.0, s.velocity, kBrakeStep, s.acceleration);
     if (broken_limit(limits, s) != nullptr) return false;
   }
   way.push_back({s.position, 0.0});
@@ -155,7 +149,7 @@ BrakeWay brake_along(const Commands& commands, std::int64_t now, std::int64_t be
     const Sample s = commands(t);
     way.push_back({s.position, length(s.velocity)});
   }
-  for (double t = 0.0; t < duration + kStep; t += kStep) {
+  for (double t = 0.0; t < duration + kBrakeStep; t += kBrakeStep) {
     const Sample s = brake.at(t, duration);
     way.push_back({s.position, length(s.velocity)});
   }

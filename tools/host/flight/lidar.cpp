@@ -12,22 +12,22 @@
 namespace tern_host {
 namespace {
 
-constexpr double kTurn = 6.28318530717958648;
+constexpr double kFullTurn = 6.28318530717958648;
 /// Distance that a beam is followed to, in ranges.
-constexpr double kFarther = 1.5;
+constexpr double kBeyondRange = 1.5;
 /// From this distance on nothing comes back, in ranges.
 constexpr double kNoReturn = 1.35;
 /// Distance of an outlier at least, metres.
-constexpr double kNearestOutlier = 0.1;
+constexpr double kNearestFalse = 0.1;
 
 /// Beams in rows of equal height around the lidar.
 struct BeamGrid {
   explicit BeamGrid(const FlightSettings& s)
-      : columns(static_cast<int>(std::ceil(kTurn / (0.5 * s.scan_pixel)))),
+      : columns(static_cast<int>(std::ceil(kFullTurn / (0.5 * s.scan_pixel)))),
         rows(static_cast<int>(std::ceil(s.fov_vertical / (0.5 * s.scan_pixel)))),
         lowest(-0.5 * s.fov_vertical),
         high(s.fov_vertical / rows) {}
-  double azimuth(double column) const { return kTurn * column / columns; }
+  double azimuth(double column) const { return kFullTurn * column / columns; }
   double elevation(double row) const { return lowest + high * row; }
   std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns + column); }
@@ -48,15 +48,15 @@ float range_of(double length, double sensor_range) {
 std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
                                      Noise& noise) {
   const FlightSettings& s = world.settings;
-  const double far = kFarther * s.sensor_range;
-  const double aside = std::tan(0.5 * kTurn / beams.columns);
+  const double far = kBeyondRange * s.sensor_range;
+  const double aside = std::tan(0.5 * kFullTurn / beams.columns);
   std::vector<double> lengths(beams.count());
   for (int c = 0; c < beams.columns; ++c) {
     const PixelColumns column(world, eye, beams.azimuth(c + 0.5), far, {-aside, aside});
     for (int r = 0; r < beams.rows; ++r) {
       double length = column.distance(0, -std::tan(beams.elevation(r + 1)), -std::tan(beams.elevation(r)));
       if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
-      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestOutlier, far);
+      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestFalse, far);
       lengths[beams.index(c, r)] = length;
     }
   }

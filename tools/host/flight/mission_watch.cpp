@@ -5,16 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "host/flight/vectors.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
 namespace {
 
-constexpr std::int64_t kStep = 1000000;  ///< nanoseconds between two samples
-
-double length(const tern::Vec3& v) {
-  return std::hypot(v.x, std::hypot(v.y, v.z));
-}
+constexpr std::int64_t kSample = 1000000;  ///< nanoseconds between two samples
 
 const char* state_name(tern::PointState state) {
   constexpr const char* kNames[] = {"ahead", "passed", "skipped"};
@@ -32,7 +29,7 @@ MissionWatch::MissionWatch(const FlightWorld& world, const tern::Flight& flight,
 
 /// The next point has the nearest sample of those since it is the next one.
 void MissionWatch::approach(std::int64_t from, std::int64_t to) {
-  for (std::int64_t t = from; leg_ < points_.size() && t <= to; t += kStep) {
+  for (std::int64_t t = from; leg_ < points_.size() && t <= to; t += kSample) {
     MissionPoint& point = points_[leg_];
     const tern::Sample sample = commands_(t);
     const tern::Vec3 off{sample.position.x - point.position.x, sample.position.y - point.position.y,
@@ -49,7 +46,7 @@ void MissionWatch::close(std::size_t i) {
   MissionPoint& point = points_[i];
   const tern::PointState state = flight_.point_state(static_cast<std::int32_t>(i));
   point.state = state_name(state);
-  const double slack = 1e-9 + 0.5e-9 * static_cast<double>(kStep) * 1.01 * 2.0 * world_.settings.v_max;
+  const double slack = 1e-9 + 0.5e-9 * static_cast<double>(kSample) * 1.01 * 2.0 * world_.settings.v_max;
   const double tolerance = i + 1 == points_.size() ? 0.0 : point.tolerance;
   if (state != tern::PointState::kPassed || point.distance <= tolerance + slack || !broken_.empty()) return;
   broken_ = "mission: point " + std::to_string(i + 1) + " counts as passed from " + brief(point.distance) + " m away";

@@ -12,7 +12,7 @@ namespace {
 using tern::Grid;
 using tern::Voxel;
 
-constexpr double kRounding = 1e-9;  // voxels
+constexpr double kVoxelRounding = 1e-9;  // voxels
 
 bool is_free(const Grid& grid, const Voxel& voxel) {
   return grid.inside(voxel) && !grid.obstacle(voxel);
@@ -47,7 +47,7 @@ NarrowPlace narrow_place(const Grid& safe, const tern::FlightReport& report, con
   if (!is_voxel || !safe.bound()) return {};
   const double keeps = safe.spec().clearance();
   const double cell = safe.spec().cell;
-  const int needed = 2 * static_cast<int>(std::ceil(keeps / cell - kRounding)) + 1;
+  const int needed = 2 * static_cast<int>(std::ceil(keeps / cell - kVoxelRounding)) + 1;
   const Voxel here = safe.voxel_of(safe.to_local(rest));
   const Voxel there = safe.voxel_of(safe.to_local(report.blocked_at));
   NarrowPlace best;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Depths from `enter` to `leave`; none where enter > leave.
-struct Range {
+struct Interval {
   double enter = kInfinity;
   double leave = -kInfinity;
 
@@ -21,7 +21,7 @@ struct Range {
     enter = std::min(enter, depth);
     leave = std::max(leave, depth);
   }
-  void take(const Range& other) {
+  void take(const Interval& other) {
     enter = std::min(enter, other.enter);
     leave = std::max(leave, other.leave);
   }
@@ -52,7 +52,7 @@ FlightWorld nearby(const FlightWorld& world, const tern::Vec3& eye, double reach
 }
 
 /// Cuts the range down to where from + t along lies between two planes.
-void cut(double from, double along, double lower, double upper, Range& range) {
+void cut(double from, double along, double lower, double upper, Interval& range) {
   if (along < 0.0 || along > 0.0) {
     const double a = (lower - from) / along;
     const double b = (upper - from) / along;
@@ -64,7 +64,7 @@ void cut(double from, double along, double lower, double upper, Range& range) {
 }
 
 /// Where factor t <= most.
-void keep_below(double factor, double most, Range& range) {
+void keep_below(double factor, double most, Interval& range) {
   if (factor > 0.0) {
     range.leave = std::min(range.leave, most / factor);
   } else if (factor < 0.0) {
@@ -92,13 +92,13 @@ struct PixelColumns::View {
   double y_of(double right) const { return sine - right * cosine; }
 
   /// Where a border cuts a thing's outline on the ground.
-  Range along(const tern::Box& b, double right) const {
-    Range range{0.0, far};
+  Interval along(const tern::Box& b, double right) const {
+    Interval range{0.0, far};
     cut(eye.x, x_of(right), b.lower.x, b.upper.x, range);
     cut(eye.y, y_of(right), b.lower.y, b.upper.y, range);
     return range;
   }
-  Range along(const Cylinder& c, double right) const {
+  Interval along(const Cylinder& c, double right) const {
     const GroundPoint center = place(c.x, c.y);
     const double square = 1.0 + right * right;
     const double mixed = center.ahead + center.right * right;
@@ -140,9 +140,9 @@ double top_of(const Cylinder& c) {
 template <typename Thing>
 void PixelColumns::add(const Thing& thing, const View& view) {
   const std::size_t columns = things_.size();
-  std::vector<Range> ranges(columns);
+  std::vector<Interval> ranges(columns);
   for (std::size_t k = 0; k <= columns; ++k) {
-    const Range on_border = view.along(thing, view.borders[k]);
+    const Interval on_border = view.along(thing, view.borders[k]);
     if (on_border.enter > on_border.leave) continue;
     if (k > 0) ranges[k - 1].take(on_border);
     if (k < columns) ranges[k].take(on_border);
@@ -155,7 +155,7 @@ void PixelColumns::add(const Thing& thing, const View& view) {
     ranges[static_cast<std::size_t>(next - view.borders.begin()) - 1].take(end.ahead);
   }
   for (std::size_t k = 0; k < columns; ++k) {
-    const Range& range = ranges[k];
+    const Interval& range = ranges[k];
     if (range.enter <= range.leave && range.enter < view.far) {
       things_[k].push_back({range.enter, range.leave, bottom_of(thing), top_of(thing)});
     }
@@ -185,7 +185,7 @@ PixelColumns::PixelColumns(const FlightWorld& world, const tern::Vec3& eye, doub
 }
 
 double PixelColumns::depth(int column, double upper, double lower) const {
-  Range inside{0.0, walls_[static_cast<std::size_t>(column)]};
+  Interval inside{0.0, walls_[static_cast<std::size_t>(column)]};
   keep_below(lower, height_ - bottom_, inside);
   keep_below(-upper, top_ - height_, inside);
   double best = std::max(0.0, inside.leave);
@@ -197,7 +197,7 @@ double PixelColumns::depth(int column, double upper, double lower) const {
 }
 
 double PixelColumns::depth_of(const DepthRange& thing, double upper, double lower) const {
-  Range range{thing.enter, thing.leave};
+  Interval range{thing.enter, thing.leave};
   keep_below(upper, height_ - thing.bottom, range);
   keep_below(-lower, thing.top - height_, range);
   return range.enter <= range.leave ? range.enter : kInfinity;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/flight/vectors.hpp"
 #include "host/number.hpp"
 
 namespace tern_host {
@@ -14,26 +15,18 @@ namespace {
 using tern::Sample;
 using tern::Vec3;
 
-constexpr double kDistanceError = 1e-6;    // metres
-constexpr double kLeastWay = 1e-3;         // metres between two points where there is no room
+constexpr double kPlaceError = 1e-6;       // metres
+constexpr double kLeastGap = 1e-3;         // metres between two points where there is no room
 constexpr std::int64_t kLead = 3;          // ticks until a brake begins,
 constexpr std::int64_t kLongestLead = 24;  // and after brakes that came too late
-constexpr std::int64_t kMostAhead = 120000000000;
-constexpr std::int64_t kStep = 1000000;      // nanoseconds along a way that is kept
+constexpr std::int64_t kMostKept = 120000000000;
+constexpr std::int64_t kKeptStep = 1000000;  // nanoseconds along a way that is kept
 constexpr std::int64_t kMicrosecond = 1000;  // nanoseconds
 constexpr double kSpeedError = 1e-3;         // m/s, of what is announced
 constexpr double kBrakeError = 0.1;          // m/s, of contacts, besides two ticks at the limit of acceleration
 /// Ticks, and units of work, that a proof of what is commanded may take.
 constexpr std::int64_t kNoticeTicks = 4;
 constexpr std::int64_t kNoticeWork = 20000;
-
-double length(const Vec3& v) {
-  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
-bool rests(const Sample& s) {
-  return !(length(s.velocity) > 0.0 || length(s.acceleration) > 0.0 || length(s.jerk) > 0.0);
-}
 
 double nearest(const std::vector<Appearance>& things, const Vec3& p) {
   double best = std::numeric_limits<double>::infinity();
@@ -53,13 +46,13 @@ void ThreatWatch::fail(const std::string& what, std::int64_t t) {
 
 std::int64_t ThreatWatch::first_unproven(std::int64_t t) const {
   const double most = std::hypot(spec_.limits.a_horizontal, spec_.limits.a_max.z) * 1.001;
-  for (std::int64_t now = t; now < t + kMostAhead;) {
+  for (std::int64_t now = t; now < t + kMostKept;) {
     const Sample sample = commands_.at(now);
     const double room = rooms_.from_solid(sample.position);
-    if (room < -kDistanceError) return now;
+    if (room < -kPlaceError) return now;
     if (rests(sample) && now > t) return -1;
     const double speed = length(sample.velocity);
-    const double way = std::max(kLeastWay, room);
+    const double way = std::max(kLeastGap, room);
     now += static_cast<std::int64_t>(1e9 * (std::sqrt(speed * speed + 2.0 * most * way) - speed) / most) + 1;
   }
   return -1;
@@ -73,7 +66,7 @@ void ThreatWatch::follow(std::int64_t t) {
   shown_ = t;
   shown_way_.clear();
   do {
-    shown_way_.push_back(commands_.at(t + static_cast<std::int64_t>(shown_way_.size()) * kStep));
+    shown_way_.push_back(commands_.at(t + static_cast<std::int64_t>(shown_way_.size()) * kKeptStep));
   } while (!rests(shown_way_.back()));
 }
 
@@ -117,12 +110,12 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
   }
   if (report.contact_time <= t) return check_past(t, report);
   const double most = std::hypot(spec_.limits.a_horizontal, spec_.limits.a_max.z);
-  const double slack = (std::sqrt(speed * speed + 4.0 * most * kLeastWay) - speed) / most;
+  const double slack = (std::sqrt(speed * speed + 4.0 * most * kLeastGap) - speed) / most;
   const std::int64_t earliest = unproven_ - static_cast<std::int64_t>(1e9 * slack) - 100 * kMicrosecond;
   const std::int64_t begun = t + kLongestLead * spec_.tick;
   const std::int64_t latest = unproven_ <= begun ? std::max(begun, first_unproven(begun)) : unproven_;
   const bool is_early =
-      report.contact_time < earliest && rooms_.from_solid(commands_.at(report.contact_time).position) > kLeastWay;
+      report.contact_time < earliest && rooms_.from_solid(commands_.at(report.contact_time).position) > kLeastGap;
   if (is_early || report.contact_time > latest + kMicrosecond) {
     fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
              ", but what is commanded is too near at t = " + fixed(1e-9 * static_cast<double>(unproven_), 4),
@@ -135,7 +128,7 @@ void ThreatWatch::check_report(std::int64_t t, const tern::FlightReport& report)
 void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
   if (report.contact_time == last_.contact_time) return;
   const double room = rooms_.from_solid(commands_.at(report.contact_time).position);
-  if (room <= kLeastWay && report.contact_time >= t - notice_ticks() * spec_.tick) return;
+  if (room <= kLeastGap && report.contact_time >= t - notice_ticks() * spec_.tick) return;
   fail("a contact is announced for t = " + fixed(1e-9 * static_cast<double>(report.contact_time), 4) +
            ", which is past, with " + brief(room) + " m of room there",
        t);
@@ -145,7 +138,7 @@ void ThreatWatch::check_past(std::int64_t t, const tern::FlightReport& report) {
 /// them as `near`, or 0. The brake along what was commanded is one of them, since that was proven before.
 double ThreatWatch::brake_speed(const std::vector<Appearance>& things, double near) const {
   const Commands way = [this](std::int64_t t) {
-    const double at = static_cast<double>(t - shown_) / static_cast<double>(kStep);
+    const double at = static_cast<double>(t - shown_) / static_cast<double>(kKeptStep);
     return shown_way_[std::min(static_cast<std::size_t>(std::max(0.0, at + 0.5)), shown_way_.size() - 1)];
   };
   const std::int64_t begin = shown_ + kLead * spec_.tick;
@@ -165,7 +158,7 @@ bool ThreatWatch::is_clear(const BrakeWay& way, const std::vector<Appearance>& t
   const double far = 0.9 * settings_.cell + settings_.depth_margin + settings_.depth_noise * settings_.sensor_range;
   const auto is_thing = [&](const Vec3& center) { return nearest(things, center) <= far; };
   return std::all_of(way.begin(), way.end(), [&](const BrakeMoment& moment) {
-    return rooms_.from_solid(moment.position, is_thing) >= -kDistanceError;
+    return rooms_.from_solid(moment.position, is_thing) >= -kPlaceError;
   });
 }
 

@@ -31,9 +31,9 @@ bool is_in(const std::string& word, const List& list) {
 }
 
 /// The lines by their first words.
-class Header {
+class PcdHeader {
  public:
-  explicit Header(ByteReader& reader) {
+  explicit PcdHeader(ByteReader& reader) {
     while (!has("DATA")) {
       if (reader.at_end() || reader.line_place().line == kMaxCloudHeaderLines) {
         throw RecordError(reader.line_place(), "its header has no 'DATA'");
@@ -72,7 +72,7 @@ class Header {
 };
 
 /// The words of a line that has one for each field.
-const Line& line_of_fields(const Header& header, const std::string& key) {
+const Line& line_of_fields(const PcdHeader& header, const std::string& key) {
   const std::size_t fields = header.line("FIELDS").words.size() - 1;
   const Line& line = header.line(key);
   if (line.words.size() - 1 != fields) {
@@ -82,7 +82,7 @@ const Line& line_of_fields(const Header& header, const std::string& key) {
   return line;
 }
 
-std::vector<Column> columns_of(const Header& header) {
+std::vector<Column> columns_of(const PcdHeader& header) {
   const Line& names = header.line("FIELDS");
   const Line& sizes = line_of_fields(header, "SIZE");
   const Line& types = line_of_fields(header, "TYPE");
@@ -104,7 +104,7 @@ std::vector<Column> columns_of(const Header& header) {
 }
 
 /// WIDTH times HEIGHT must be POINTS.
-std::uint64_t points_of(const Header& header) {
+std::uint64_t points_of(const PcdHeader& header) {
   const bool has_width = header.has("WIDTH");
   const std::uint64_t width = has_width ? header.points("WIDTH") : 0;
   const std::uint64_t height = header.has("HEIGHT") ? header.points("HEIGHT") : 1;
@@ -122,7 +122,7 @@ std::uint64_t points_of(const Header& header) {
   return points;
 }
 
-Coding coding_of(const Header& header) {
+Coding coding_of(const PcdHeader& header) {
   const std::string& word = header.word("DATA");
   if (word == "ascii") return Coding::kText;
   if (word == "binary") return Coding::kLittle;
@@ -131,7 +131,7 @@ Coding coding_of(const Header& header) {
 }
 
 /// Where the sensor was: a position and a quaternion, w first. True if that is not the origin, looking along its axes.
-bool has_viewpoint(const Header& header) {
+bool has_viewpoint(const PcdHeader& header) {
   if (!header.has("VIEWPOINT")) return false;
   const Line& line = header.line("VIEWPOINT");
   const std::vector<double> v = numbers(line.words, line.place);
@@ -148,7 +148,7 @@ bool has_viewpoint(const Header& header) {
 }  // namespace
 
 Table read_pcd_header(ByteReader& reader, Cloud& cloud) {
-  const Header header(reader);
+  const PcdHeader header(reader);
   if (header.has("VERSION") && !is_in(header.word("VERSION"), kVersions)) {
     throw RecordError(header.line("VERSION").place,
                       "a PCD file of version " + quote(header.word("VERSION")) + ": save it as version 0.7");

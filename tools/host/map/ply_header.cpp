@@ -48,7 +48,7 @@ Coding coding_of(const Words& words, const Place& place) {
 }
 
 /// The elements in their order.
-class Header {
+class PlyHeader {
  public:
   void add(const Words& words, const Place& place) {
     if (words[0] == "format") return set_format(words, place);
@@ -104,7 +104,7 @@ class Header {
 }  // namespace
 
 Table read_ply_header(ByteReader& reader) {
-  Header header;
+  PlyHeader header;
   reader.line();  // ply
   while (!reader.at_end() && reader.line_place().line < kMaxCloudHeaderLines) {
     const Words words = split_words(reader.line(), false);

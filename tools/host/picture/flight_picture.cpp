@@ -17,18 +17,18 @@
 namespace tern_host {
 namespace {
 
-constexpr double kWidth = kPageWidth - 2.0 * kPageMargin;
 constexpr double kMostHeight = 640.0;  // of the top view
 constexpr double kAxisRoom = 64.0;     // left of and below a view
-constexpr double kStep = 3.0;          // pixels between the points drawn
+constexpr double kDrawnStep = 3.0;     // pixels between the points drawn
 constexpr double kFull = 0.85;         // opacity of what fills a view's depth, and of what fills none of it
-constexpr double kFaint = 0.35;
+constexpr double kFaintMap = 0.35;
 constexpr const char* kCommit = "class=\"waypoint\"";
 constexpr const char* kBlocked = "fill=\"none\" stroke=\"#c22b1a\" stroke-width=\"2.5\"";
 constexpr double kBlockedRadius = 6.0;
 
 std::string block_style(double depth_part) {
-  return "class=\"block\" opacity=\"" + fixed(kFaint + (kFull - kFaint) * std::clamp(depth_part, 0.0, 1.0), 2) + "\"";
+  return "class=\"block\" opacity=\"" + fixed(kFaintMap + (kFull - kFaintMap) * std::clamp(depth_part, 0.0, 1.0), 2) +
+         "\"";
 }
 
 Rect rect_between(const Pixel& a, const Pixel& b) {
@@ -74,7 +74,7 @@ std::vector<Pixel> draw_way(Canvas& canvas, const Axes& axes, const Projection& 
   for (const TrackPoint& point : result.track) {
     const Pixel at = project(axes, view, point.position);
     const bool last = &point == &result.track.back();
-    if (!way.empty() && !last && std::hypot(at.x - way.back().x, at.y - way.back().y) < kStep) continue;
+    if (!way.empty() && !last && std::hypot(at.x - way.back().x, at.y - way.back().y) < kDrawnStep) continue;
     const int step = static_cast<int>(kColourSteps * std::min(1.0, point.speed / fastest));
     way.push_back(at);
     run.push_back(at);
@@ -90,7 +90,7 @@ void draw_commits(Canvas& canvas, const Axes& axes, const Projection& view, cons
   Pixel last{-1e9, -1e9};
   for (const TrackPoint& point : result.track) {
     const Pixel at = project(axes, view, point.position);
-    if (!point.committed || std::hypot(at.x - last.x, at.y - last.y) < 2.0 * kStep) continue;
+    if (!point.committed || std::hypot(at.x - last.x, at.y - last.y) < 2.0 * kDrawnStep) continue;
     canvas.circle(at, 2.2, kCommit);
     last = at;
   }
@@ -126,14 +126,14 @@ AxisRange range_of(const tern::Box& b, int axis) {
 /// Name, how it ended, and its figures. Returns where they end.
 double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r, double fastest) {
   const std::string name = world.name.substr(world.name.find_last_of('/') + 1);
-  canvas.text({kPageMargin, 46.0}, fit_text(name + ": " + r.status, kTitle, kWidth), "class=\"title\"");
+  canvas.text({kPageMargin, 46.0}, fit_text(name + ": " + r.status, kTitle, kContentWidth), "class=\"title\"");
   const std::string figures = fixed(r.time, 2) + " s, " + fixed(r.length, 2) + " m, " +
                               fixed(r.time > 0.0 ? r.length / r.time : 0.0, 2) + " m/s on average; clearance " +
                               fixed(r.min_clearance, 3) + " m at least; tracking error " + fixed(r.tracking_max, 3) +
                               " m at most; " + std::to_string(r.committed) + " of " + std::to_string(r.asked) +
                               " plans committed; " + r.reason;
   double y = 72.0;
-  for (const std::string& line : wrap_text(figures, kSubtitle, kWidth)) {
+  for (const std::string& line : wrap_text(figures, kSubtitle, kContentWidth)) {
     canvas.text({kPageMargin, y}, line, "class=\"subtitle\"");
     y += 20.0;
   }
@@ -143,8 +143,8 @@ double draw_head(Canvas& canvas, const FlightWorld& world, const FlightResult& r
   if (r.is_blocked()) legend.push_back(dot_entry("in the way at the end", kBlockedRadius, kBlocked));
   if (has_fence(world.fences, tern::FenceKind::kKeepOut)) legend.push_back(keepout_entry());
   if (has_fence(world.fences, tern::FenceKind::kKeepIn)) legend.push_back(keepin_entry());
-  draw_legend(canvas, legend, {kPageMargin, y}, kWidth);
-  return y + 30.0 + kLegendRow * legend_rows(legend, kWidth);
+  draw_legend(canvas, legend, {kPageMargin, y}, kContentWidth);
+  return y + 30.0 + kLegendRow * legend_rows(legend, kContentWidth);
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::string flight_svg(const FlightWorld& world, const FlightResult& result) {
   const double y = draw_head(page, world, result, fastest);
   const AxisRange across = range_of(b, top.horizontal);
   const AxisRange up = range_of(b, top.vertical);
-  const double scale = std::min((kWidth - kAxisRoom) / across.extent(), kMostHeight / up.extent());
+  const double scale = std::min((kContentWidth - kAxisRoom) / across.extent(), kMostHeight / up.extent());
   const Rect top_frame{kPageMargin + kAxisRoom, y, scale * across.extent(), scale * up.extent()};
   const Rect side_frame{top_frame.x, top_frame.bottom() + kAxisRoom + 26.0, top_frame.width,
                         scale * range_of(b, 2).extent()};

@@ -16,7 +16,6 @@
 namespace tern_host {
 namespace {
 
-constexpr double kWidth = kPageWidth - 2.0 * kPageMargin;
 constexpr double kLine = 20.0;
 constexpr const char* kDot = " \u00b7 ";
 
@@ -45,7 +44,7 @@ std::string settings_text(const Scenario& scenario) {
 
 /// Returns the next line's baseline.
 double draw_lines(Canvas& canvas, const std::string& text, const Font& font, double y) {
-  for (const std::string& line : wrap_text(text, font, kWidth)) {
+  for (const std::string& line : wrap_text(text, font, kContentWidth)) {
     canvas.text({kPageMargin, y}, line, std::string("class=\"") + font.name + "\"");
     y += kLine;
   }
@@ -81,7 +80,7 @@ double width_of(const KeyFigure& figure) {
 
 /// The room that the figures leave is shared out between them.
 double draw_key_figures(Canvas& canvas, const std::vector<KeyFigure>& figures, double y) {
-  double gap = kWidth;
+  double gap = kContentWidth;
   for (const KeyFigure& figure : figures) gap -= width_of(figure);
   gap = std::max(14.0, gap / static_cast<double>(figures.size() - 1));
   double x = kPageMargin;
@@ -161,13 +160,13 @@ std::string scenario_title(const PlanResult& result) {
 }
 
 double draw_header(Canvas& canvas, const PlanResult& result, const Figures& figures) {
-  canvas.text({kPageMargin, 46.0}, fit_text(scenario_title(result), kTitle, kWidth), "class=\"title\"");
+  canvas.text({kPageMargin, 46.0}, fit_text(scenario_title(result), kTitle, kContentWidth), "class=\"title\"");
   double y = draw_lines(canvas, settings_text(result.scenario), kSubtitle, 70.0) + 10.0;
   y = result.ok() ? draw_key_figures(canvas, key_figures(result, figures), y) : draw_failure(canvas, result, y);
   canvas.line({kPageMargin, y}, {kPageWidth - kPageMargin, y}, "class=\"rule\"");
   const std::vector<LegendEntry> entries = legend_entries(result, figures);
-  draw_legend(canvas, entries, {kPageMargin, y + 13.0}, kWidth);
-  return y + 18.0 + kLegendRow * legend_rows(entries, kWidth);
+  draw_legend(canvas, entries, {kPageMargin, y + 13.0}, kContentWidth);
+  return y + 18.0 + kLegendRow * legend_rows(entries, kContentWidth);
 }
 
 }  // namespace tern_host

@@ -7,9 +7,9 @@
 namespace tern_host {
 namespace {
 
-constexpr double kLeft = 62.0;     // tick labels and title of a vertical axis
-constexpr double kBelow = 48.0;    // those of a horizontal axis
-constexpr double kHeading = 34.0;  // a panel's title
+constexpr double kLeft = 62.0;   // tick labels and title of a vertical axis
+constexpr double kBelow = 48.0;  // those of a horizontal axis
+constexpr double kTitle = 34.0;  // a panel's title
 constexpr double kProfileHeight = 280.0;
 constexpr double kYawHeight = 220.0;
 constexpr double kContent = kPageWidth - 2.0 * kPageMargin;
@@ -27,13 +27,13 @@ struct Extents {
 /// Both views, one above the other, at `scale` pixels a metre. Returns where they end.
 double stack_views(PageLayout& page, const Extents& map, double scale, double y) {
   const double x = kPageMargin + kLeft;
-  page.top_frame = {x, y + kHeading, scale * map.across, scale * map.top};
-  page.side_frame = {x, page.top_frame.bottom() + kBelow + kHeading, scale * map.across, scale * map.side};
+  page.top_frame = {x, y + kTitle, scale * map.across, scale * map.top};
+  page.side_frame = {x, page.top_frame.bottom() + kBelow + kTitle, scale * map.across, scale * map.side};
   return page.side_frame.bottom() + kBelow;
 }
 
 void lay_out_wide(PageLayout& page, const Extents& map, double scale, double y) {
-  const double below = stack_views(page, map, scale, y) + kHeading + 8.0;
+  const double below = stack_views(page, map, scale, y) + kTitle + 8.0;
   const double width = 0.5 * (kContent - 24.0) - kLeft;
   page.velocity_frame = {kPageMargin + kLeft, below, width, kProfileHeight};
   page.acceleration_frame = {kPageMargin + kContent - width, below, width, kProfileHeight};
@@ -41,12 +41,12 @@ void lay_out_wide(PageLayout& page, const Extents& map, double scale, double y) 
 }
 
 void lay_out_columns(PageLayout& page, const Extents& map, double scale, double y) {
-  const double end = std::max(stack_views(page, map, scale, y), y + 2.0 * (kHeading + kBelow + 240.0));
+  const double end = std::max(stack_views(page, map, scale, y), y + 2.0 * (kTitle + kBelow + 240.0));
   const double x = page.top_frame.right() + 28.0 + kLeft;
   const double width = kPageMargin + kContent - x;
-  const double height = 0.5 * (end - y) - kHeading - kBelow;
-  page.velocity_frame = {x, y + kHeading, width, height};
-  page.acceleration_frame = {x, page.velocity_frame.bottom() + kBelow + kHeading, width, height};
+  const double height = 0.5 * (end - y) - kTitle - kBelow;
+  page.velocity_frame = {x, y + kTitle, width, height};
+  page.acceleration_frame = {x, page.velocity_frame.bottom() + kBelow + kTitle, width, height};
   page.height = end;
 }
 
@@ -57,7 +57,7 @@ void lay_out_views_only(PageLayout& page, const Extents& map, double y) {
 }
 
 void lay_out_yaw(PageLayout& page) {
-  const double y = page.height + kHeading + 8.0;
+  const double y = page.height + kTitle + 8.0;
   const double width = 0.5 * (kContent - 24.0) - kLeft;
   page.yaw_frame = {kPageMargin + kLeft, y, width, kYawHeight};
   page.turning_frame = {kPageMargin + kContent - width, y, width, kYawHeight};

@@ -9,6 +9,7 @@ namespace tern_host {
 
 constexpr double kPageWidth = 1200.0;
 constexpr double kPageMargin = 34.0;
+constexpr double kContentWidth = kPageWidth - 2.0 * kPageMargin;
 
 /// Where everything stands on the page.
 struct PageLayout {

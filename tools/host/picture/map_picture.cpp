@@ -18,7 +18,6 @@ namespace {
 
 using tern::Voxel;
 
-constexpr double kWidth = kPageWidth - 2.0 * kPageMargin;
 constexpr double kMaxView = 520.0;   // height of the oblique view
 constexpr double kMaxSlice = 420.0;  // height of a slice
 constexpr double kGap = 28.0;
@@ -94,7 +93,7 @@ void draw_slice(Canvas& canvas, const GridMap& map, int z, const Rect& frame) {
 /// Returns where they end.
 double draw_slices(Canvas& canvas, const GridMap& map, double y) {
   const Voxel& dims = map.grid.spec().dims;
-  const double column = (kWidth - (kColumns - 1) * kGap) / kColumns;
+  const double column = (kContentWidth - (kColumns - 1) * kGap) / kColumns;
   const double cell = std::min(column / dims.x, kMaxSlice / dims.y);
   const int slices = std::min(kSlices, dims.z);
   for (int k = 0; k < slices; ++k) {
@@ -116,13 +115,13 @@ std::vector<LegendEntry> entries(const GridMap& map) {
 
 std::string map_svg(const Scenario& scenario, const GridMap& map) {
   Canvas page;
-  const std::string name = fit_text(scenario.name, kHeading, kWidth);
+  const std::string name = fit_text(scenario.name, kHeading, kContentWidth);
   page.text({kPageMargin, 40.0}, name, "class=\"heading\"");
   const std::vector<LegendEntry> legend = entries(map);
-  draw_legend(page, legend, {kPageMargin, 56.0}, kWidth);
-  const double top = 68.0 + kLegendRow * legend_rows(legend, kWidth);
+  draw_legend(page, legend, {kPageMargin, 56.0}, kContentWidth);
+  const double top = 68.0 + kLegendRow * legend_rows(legend, kContentWidth);
   ObliqueCamera camera(scenario.boundary);
-  camera.fit({kPageMargin, top, kWidth, kMaxView});
+  camera.fit({kPageMargin, top, kContentWidth, kMaxView});
   const ObliqueScene scene(scenario, camera);
   scene.draw_ground(page);
   draw_unknown_ground(page, map, camera, scenario.boundary);

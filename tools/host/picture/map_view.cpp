@@ -116,7 +116,7 @@ void draw_waypoints(Canvas& canvas, const std::vector<Pixel>& waypoints) {
 
 /// From so many blocks on, rectangles of their own would make a file too large to show.
 constexpr std::size_t kMaxDrawnBlocks = 1000;
-constexpr double kFaint = 0.15;  // opacity of what fills least of the depth
+constexpr double kFaintest = 0.15;  // opacity of what fills least of the depth
 constexpr double kDepthSpan = 0.65;
 
 void draw_blocks(Canvas& canvas, const View& view, const Scenario& scenario) {
@@ -127,7 +127,7 @@ void draw_blocks(Canvas& canvas, const View& view, const Scenario& scenario) {
     const double part = depth_part(block.box, scenario.boundary, view.depth());
     const char* const kind = block.keepout ? "keepout" : "block";
     canvas.rect(view.box(block.box, 0.0),
-                std::string("class=\"") + kind + "\" opacity=\"" + fixed(kFaint + kDepthSpan * part, 2) + "\"");
+                std::string("class=\"") + kind + "\" opacity=\"" + fixed(kFaintest + kDepthSpan * part, 2) + "\"");
   }
 }
 
@@ -151,8 +151,8 @@ void draw_merged_blocks(Canvas& canvas, const Rect& frame, const View& view, con
     (block.keepout ? keepouts : matter).add(view.box(block.box, 0.0), part);
   }
   inflated.draw(canvas, "class=\"inflated\"", 0.5, 1.0, 0.0);
-  matter.draw(canvas, "class=\"merged-block\"", 1e-4, kFaint, kDepthSpan);
-  keepouts.draw(canvas, "class=\"merged-keepout\"", 1e-4, kFaint, kDepthSpan);
+  matter.draw(canvas, "class=\"merged-block\"", 1e-4, kFaintest, kDepthSpan);
+  keepouts.draw(canvas, "class=\"merged-keepout\"", 1e-4, kFaintest, kDepthSpan);
 }
 
 }  // namespace

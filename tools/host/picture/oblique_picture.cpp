@@ -22,12 +22,11 @@ namespace {
 
 using tern::Vec3;
 
-constexpr int kSamples = 900;
+constexpr int kMapSamples = 900;
 constexpr double kHeadline = 40.0;  // the first line's baseline
-constexpr double kLine = 20.0;
-constexpr double kMaxView = 640.0;  // height of the map
-constexpr double kWidth = kPageWidth - 2.0 * kPageMargin;
-constexpr double kBeforeEnd = 1.0 - 1e-9;  // at the end itself the robot holds, whatever its velocity was
+constexpr double kLineHeight = 20.0;
+constexpr double kMaxMapView = 640.0;        // height of the map
+constexpr double kLastInstant = 1.0 - 1e-9;  // at the end itself the robot holds, whatever its velocity was
 constexpr int kMaxRobots = 120;
 
 struct Point {
@@ -45,8 +44,8 @@ Point point_at(const PlanResult& result, const ObliqueScene& scene, double t, do
 
 std::vector<Point> sample(const PlanResult& result, const ObliqueScene& scene, double scale) {
   std::vector<Point> points;
-  const double end = kBeforeEnd * tern::duration(result.trajectory);
-  for (int i = 0; i <= kSamples; ++i) points.push_back(point_at(result, scene, end * i / kSamples, scale));
+  const double end = kLastInstant * tern::duration(result.trajectory);
+  for (int i = 0; i <= kMapSamples; ++i) points.push_back(point_at(result, scene, end * i / kMapSamples, scale));
   return points;
 }
 
@@ -140,9 +139,9 @@ std::vector<LegendEntry> legend_entries(const PlanResult& result, const Figures&
 /// Returns where the map begins.
 double draw_headline(Canvas& canvas, const std::string& text) {
   double y = kHeadline;
-  for (const std::string& line : wrap_text(text, kHeading, kWidth)) {
+  for (const std::string& line : wrap_text(text, kHeading, kContentWidth)) {
     canvas.text({kPageMargin, y}, line, "class=\"heading\"");
-    y += kLine;
+    y += kLineHeight;
   }
   return y - 6.0;
 }
@@ -173,15 +172,15 @@ std::string oblique_svg(const PlanResult& result) {
   Canvas page;
   const double top = draw_headline(page, headline(result, figures));
   ObliqueCamera camera(result.scenario.boundary);
-  camera.fit({kPageMargin, top, kWidth, kMaxView});
+  camera.fit({kPageMargin, top, kContentWidth, kMaxMapView});
   const ObliqueScene scene(result.scenario, camera);
   const double scale = speed_scale(figures);
   const std::vector<Point> points = result.ok() ? sample(result, scene, scale) : std::vector<Point>{};
   const std::vector<LegendEntry> entries =
       legend_entries(result, figures, result.scenario.radius * camera.scale(), points);
-  draw_legend(page, entries, {kPageMargin, camera.bottom() + 12.0}, kWidth);
-  draw_plan(page, result, scene, camera, points, scale, {kPageMargin, top, kWidth, camera.bottom() - top});
-  const double height = camera.bottom() + 20.0 + kLegendRow * legend_rows(entries, kWidth);
+  draw_legend(page, entries, {kPageMargin, camera.bottom() + 12.0}, kContentWidth);
+  draw_plan(page, result, scene, camera, points, scale, {kPageMargin, top, kContentWidth, camera.bottom() - top});
+  const double height = camera.bottom() + 20.0 + kLegendRow * legend_rows(entries, kContentWidth);
   Canvas canvas;
   canvas.rect({0.5, 0.5, kPageWidth - 1.0, height - 1.0}, "class=\"card\"", 14.0);
   canvas.raw(page.body());

@@ -16,7 +16,7 @@ namespace {
 
 using tern::Vec3;
 
-constexpr int kSamples = 600;
+constexpr int kProfileSamples = 600;
 constexpr double kBeforeEnd = 1.0 - 1e-9;  // at the end itself the robot holds, whatever its velocity was
 constexpr int kHorizontal = 3;
 constexpr int kNorm = 4;
@@ -29,8 +29,8 @@ struct Curves {
 Curves sample(const tern::Trajectory& trajectory, Profile profile) {
   Curves curves;
   const double end = tern::duration(trajectory);
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = end * i / kSamples;
+  for (int i = 0; i <= kProfileSamples; ++i) {
+    const double t = end * i / kProfileSamples;
     const tern::Sample s = tern::evaluate(trajectory, std::min(t, kBeforeEnd * end));
     const Vec3& v = profile == Profile::kVelocity ? s.velocity : s.acceleration;
     curves.times.push_back(t);

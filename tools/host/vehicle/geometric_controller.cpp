@@ -20,10 +20,6 @@ const Vector3d kAttitude(500.0, 500.0, 20.0);
 const Vector3d kRates(36.0, 36.0, 8.0);
 constexpr double kAhead = 1e-3;  // seconds, of the difference quotient
 
-Vector3d eigen(const tern::Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 tern::FlatState flat(const Setpoint& setpoint, const Vector3d& acceleration) {
   tern::Sample sample = setpoint.sample;
   sample.acceleration = {acceleration.x(), acceleration.y(), acceleration.z()};
@@ -40,7 +36,7 @@ Matrix3d rotation(const tern::FlatState& state) {
 
 /// What a motion accelerates its vehicle with, drag included.
 Vector3d effort(const Setpoint& setpoint) {
-  return eigen(setpoint.sample.acceleration) + Body::kDrag * eigen(setpoint.sample.velocity);
+  return to_eigen(setpoint.sample.acceleration) + Body::kDrag * to_eigen(setpoint.sample.velocity);
 }
 
 /// How fast the thrust's direction turns, about the body's x and y.
@@ -71,8 +67,8 @@ Wrench geometric_control(const Believed& state, double t, const Setpoints& setpo
   const Setpoint now = setpoints(t);
   const Setpoint soon = setpoints(t + Body::kMotorLag);
   const Setpoint later = setpoints(t + Body::kMotorLag + kAhead);
-  const Vector3d wanted = effort(soon) - kPosition * (state.position - eigen(now.sample.position)) -
-                          kVelocity * (state.velocity - eigen(now.sample.velocity));
+  const Vector3d wanted = effort(soon) - kPosition * (state.position - to_eigen(now.sample.position)) -
+                          kVelocity * (state.velocity - to_eigen(now.sample.velocity));
   const Matrix3d r = state.attitude.toRotationMatrix();
   const tern::FlatState target = flat(soon, wanted);
   const Matrix3d back = r.transpose() * rotation(target);

@@ -44,10 +44,6 @@ double new_part(double cutoff, double dt) {
   return dt / (dt + 1.0 / (2.0 * kPi * cutoff));
 }
 
-Vector3d eigen(const tern::Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 Vector3d within(const Vector3d& v, const Vector3d& most) {
   return v.cwiseMax(-most).cwiseMin(most);
 }
@@ -84,9 +80,9 @@ void Px4Cascade::control_position(const Believed& state, double dt) {
   const Vector3d change = (state.velocity - last_velocity_) / dt;
   acceleration_ += new_part(kVelocityCutoff, dt) * (change - acceleration_);
   last_velocity_ = state.velocity;
-  const Vector3d correction = kPositionP.cwiseProduct(eigen(setpoint_.sample.position) - state.position);
-  const Vector3d off = limit_velocity(eigen(setpoint_.sample.velocity), correction, speed_max_) - state.velocity;
-  const Vector3d wanted = eigen(setpoint_.sample.acceleration) + kVelocityP.cwiseProduct(off) + velocity_integral_ -
+  const Vector3d correction = kPositionP.cwiseProduct(to_eigen(setpoint_.sample.position) - state.position);
+  const Vector3d off = limit_velocity(to_eigen(setpoint_.sample.velocity), correction, speed_max_) - state.velocity;
+  const Vector3d wanted = to_eigen(setpoint_.sample.acceleration) + kVelocityP.cwiseProduct(off) + velocity_integral_ -
                           kVelocityD.cwiseProduct(acceleration_);
   velocity_integral_ += dt * kVelocityI.cwiseProduct(off);
   velocity_integral_.z() = std::clamp(velocity_integral_.z(), -tern::kGravity, tern::kGravity);

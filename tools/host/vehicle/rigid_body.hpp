@@ -9,7 +9,13 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "tern/vec3.hpp"
+
 namespace tern_host {
+
+inline Eigen::Vector3d to_eigen(const tern::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// A quadrotor of 1 kg in the form of an X, of the size of a body radius of 0.25 m. SI units.
 struct Body {

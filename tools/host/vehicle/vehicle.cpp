@@ -23,10 +23,6 @@ tern::Vec3 vec3(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-Eigen::Vector3d eigen(const tern::Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 tern::Vec3 sum(const tern::Vec3& a, const tern::Vec3& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
@@ -80,8 +76,8 @@ class FlownBody : public Vehicle {
         wind_(s.wind, s.seed),
         is_px4_(s.kind == "px4"),
         cascade_(s.tick, s.px4_speed),
-        body_(eigen(difference(start.sample.position, estimating_.at(0.0))),
-              eigen(difference({}, estimating_.rate_at(0.0))), start.yaw, s.drag) {}
+        body_(to_eigen(difference(start.sample.position, estimating_.at(0.0))),
+              to_eigen(difference({}, estimating_.rate_at(0.0))), start.yaw, s.drag) {}
 
   void fly_to(double t, const Setpoints& setpoints) override {
     // The steps' number is fixed by the time, so that rounding does not add one.
@@ -104,7 +100,7 @@ class FlownBody : public Vehicle {
 
  private:
   Believed believed(double t) const {
-    return {body_.position() + eigen(estimating_.at(t)), body_.velocity() + eigen(estimating_.rate_at(t)),
+    return {body_.position() + to_eigen(estimating_.at(t)), body_.velocity() + to_eigen(estimating_.rate_at(t)),
             body_.attitude(), body_.body_rates()};
   }
 

@@ -20,10 +20,10 @@ class BentSteps : public testing::Test {
  protected:
   BentSteps() : curvature_(std::make_unique<tern::Curvature>()), planes_(std::make_unique<CuttingPlanes>()) {
     constexpr double kDiagonal[] = {2.0, 4.0};
-    constexpr double kNone[] = {0.0, 0.0};
+    constexpr double kNoExtra[] = {0.0, 0.0};
     double step[kSegments];
     tern::curvature_begin(*curvature_, kDiagonal, kSegments);
-    tern::newton_step(*curvature_, kNone, kNone, kSegments, step);
+    tern::newton_step(*curvature_, kNoExtra, kNoExtra, kSegments, step);
     planes_->found = 0;
   }
 
@@ -96,7 +96,7 @@ TEST_F(BentSteps, BendAwayFromSeveralPlanes) {
 TEST_F(BentSteps, ForgetTheOldestPlane) {
   abandon_one();
   constexpr double kStep[] = {0.0, 0.0};
-  for (int k = 0; k < tern::kMaxCuts; ++k) tern::add_plane(*planes_, 0.5, kSecond, kStep, kSegments);
+  for (int k = 0; k < tern::kMaxCuttingPlanes; ++k) tern::add_plane(*planes_, 0.5, kSecond, kStep, kSegments);
   bend(-0.4, 0.3);
   EXPECT_EQ(step_[0], -0.4);
   EXPECT_EQ(step_[1], 0.3);
