@@ -10,8 +10,8 @@
 
 namespace tern {
 
-/// One bit a voxel and word. The count takes two bits: it counts hits while the voxel is clear, and misses while it is
-/// blocked.
+/// Four words with one bit for each voxel. `low` and `high` are the two bits of a count: of hits while the voxel is
+/// clear, of misses while it is blocked.
 struct Evidence {
   std::uint64_t seen;
   std::uint64_t low;

@@ -13,19 +13,19 @@ namespace tern {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
-/// Instructions of a row of a pyramid, and a pixel of it; of a block that the frame does not meet, of one that it does,
-/// and of a word of it that something is entered into.
+/// Instructions of: a row of a pyramid; a pixel of that row; a block that the frame does not meet; a block that it
+/// meets; a word of a block that the frame changes.
 constexpr std::uint32_t kPyramidRowEffort = 250;
 constexpr std::uint32_t kPyramidEffort = 11;
 constexpr std::uint32_t kMissedEffort = 200;
 constexpr std::uint32_t kBlockEffort = 4000;
 constexpr std::uint32_t kEnteredEffort = 150;
-/// The cubes of a block of which a scan's view carves the first half.
+/// The cubes that the first part of a scan's view divides: the first half of a block.
 constexpr CubeBits kFirstHalf = 0x0f;
 /// Largest tangent of a ray.
 constexpr double kMaxTangent = 100.0;
 
-/// The camera's axes in the world, of a unit quaternion: the columns of its rotation matrix.
+/// The camera's axes in the world, from a unit quaternion: the columns of its rotation matrix.
 void axes_of(const double (&q)[4], Vec3 (&axes)[3]) {
   const double w = q[0];
   const double x = q[1];
@@ -51,7 +51,7 @@ bool numbers_are_finite(const DepthView& view) {
          finite(view.min) && finite(view.max);
 }
 
-/// Tangent of the ray through an edge of the image, on one axis; the larger of the two edges'.
+/// The larger of the tangents of the rays through the image's two edges on one axis.
 double tangent(double focal, double center, std::int32_t count) {
   return larger(absolute(-0.5 - center), absolute(count - 0.5 - center)) / focal;
 }
@@ -83,7 +83,8 @@ View view_of(const MapState& state, const DepthView& image, const Vec3 (&axes)[3
   view.width = image.width;
   view.height = image.height;
   view.growth = state.spec.pose_margin;
-  // A point at depth z is at most this root times z away from the camera, and a wrong angle turns it around the camera.
+  // A point at depth z is at most z * sqrt(1 + across^2 + down^2) away from the camera. An angular error turns the
+  // point around the camera.
   const double across = tangent(image.fx, image.cx, image.width);
   const double down = tangent(image.fy, image.cy, image.height);
   view.growth_ahead = state.spec.angle_margin * square_root(1.0 + across * across + down * down);
@@ -178,7 +179,7 @@ void MapState::store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64
   GridWords(safe).store(y, z, k, solid);
 }
 
-/// Along x, whole words: that is near enough.
+/// Extends `added` by word k of row (y, z), all of whose 64 voxels count as added.
 void MapState::note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept {
   const VoxelBox word{{kWordBits * k, kWordBits * (k + 1)}, {y, y + 1}, {z, z + 1}};
   if (added.x.begin >= added.x.end) added = word;
@@ -250,7 +251,7 @@ std::uint32_t MapState::carve_block(std::int64_t index) noexcept {
   const std::uint32_t effort =
       carve(frame.views[view], frame.projectors[view], {block.x.begin, block.y.begin, block.z.begin}, frame.wanted,
             frame.free, part, frame.left);
-  frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // most views see nothing of a block
+  frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
   if (frame.part < frame.view_count * parts) return effort;
   frame.part = 0;
   return effort + enter_block(block);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What only the rolling map may do to its grids: write whole words of obstacles, inflate plane by plane, and move the
-// lattice under the voxels.
+// Operations on a grid that only the rolling map may use: writing whole words of obstacles, inflating plane by plane,
+// and moving the lattice under the voxels.
 #ifndef TERN_MAP_GRID_WORDS_HPP
 #define TERN_MAP_GRID_WORDS_HPP
 
@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// Planes that one piece inflates.
+/// Planes of a piece of an inflation.
 constexpr std::int32_t kInflatedPlanes = 4;
 
 class GridWords {
@@ -30,26 +30,26 @@ class GridWords {
   std::uint64_t* obstacles() const noexcept { return grid_.obstacles_; }
   std::uint64_t* blocked() const noexcept { return grid_.blocked_; }
 
-  /// True where the grid's storage begins there.
+  /// True if the grid's storage begins at `words`.
   bool lies_in(const std::uint64_t* words) const noexcept { return grid_.words_ == words; }
 
-  /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows where the grid was
-  /// inflated and the word changes.
+  /// Replaces word k of obstacle row (y, z). Bits past the row must be 0. The revision grows if the grid was inflated
+  /// and the word changes.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t word) const noexcept;
 
-  /// Pieces of an inflation: some planes, and 64 rows of them.
+  /// Number of pieces of an inflation. A piece is kInflatedPlanes planes of 64 rows each.
   static std::int32_t inflation_pieces(const Voxel& dims) noexcept;
-  /// Makes one piece of the blocked layer as inflate() would. With the last one, the inflation is finished. Returns
-  /// what it took, in instructions (see Work).
+  /// Makes one piece of the blocked layer as inflate() would. The last piece also calls finish_inflation(). Returns its
+  /// cost, in instructions (see Work).
   std::uint32_t inflate_piece(std::int32_t piece) const noexcept;
   void finish_inflation() const noexcept;
 
-  /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius, wherever that lies. No
-  /// view of the grid is bound until end_copy().
+  /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius. Their origins may differ.
+  /// No view of the grid is bound until end_copy().
   void begin_copy(const Grid& from) const noexcept;
   /// Copies both layers of planes begin .. end - 1.
   void copy_planes(const Grid& from, std::int32_t begin, std::int32_t end) const noexcept;
-  /// Ends the copy: this view is bound again, and inflated. The regions get the numbers that they have there.
+  /// Ends the copy: this view is bound again, and inflated. Each region gets the number that it has in `from`.
   void end_copy(const Grid& from) const noexcept;
 
   /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().

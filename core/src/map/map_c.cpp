@@ -38,7 +38,7 @@ std::uint8_t put(const tern::Grid& grid, tern_grid* out) {
   return code(Status::kOk);
 }
 
-/// The grid that lies there; a new one, not bound, where there was none.
+/// The grid at `place`. If there is none, puts a new, unbound one there.
 tern::Grid& grid_at(tern_grid& place) {
   if (*static_cast<const volatile std::uint64_t*>(place.opaque) != tern::kGridTag) put(tern::Grid{}, &place);
   return *std::launder(reinterpret_cast<tern::Grid*>(place.opaque + 1));

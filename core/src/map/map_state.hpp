@@ -27,8 +27,8 @@ constexpr int kFaces = 6;
 enum class Task : std::uint8_t {
   kIdle,
   kPixels,        ///< rows of a depth image
-  kClearFaces,    ///< before a scan
-  kPoints,        ///< of a scan
+  kClearFaces,    ///< all pixels become "no point", before a scan
+  kPoints,        ///< points or beams of a scan
   kCloseFaces,    ///< pixels without a point become "no measurement"
   kPyramids,      ///< coarser levels of the views' images
   kBlocks,        ///< carving and evidence
@@ -40,22 +40,23 @@ enum class Task : std::uint8_t {
 
 /// The frame or scan that is being processed.
 struct Frame {
-  DepthView image;     ///< copied; its numbers are the caller's
+  DepthView image;     ///< a copy; the depths that it points to are the caller's
   const Vec3* points;  ///< the caller's; null if the scan is one of beams
-  Beams beams;         ///< copied; what it points to is the caller's
+  Beams beams;         ///< a copy; the arrays that it points to are the caller's
   std::size_t point_count;
   Vec3 origin;        ///< of the sensor, in the window's local frame
   Vec3 world_origin;  ///< the same in the world
   View views[kFaces];
-  Projector projectors[kFaces];  ///< of the views
+  Projector projectors[kFaces];  ///< one for each view
   int view_count;
   VoxelBox box;             ///< voxels that may change; the blocks that it meets are carved
   IndexRange forgotten[2];  ///< layers of blocks whose voxels have aged; two ranges if they wrap around
-  // The block that is being carved, by one view after the other. Those of a scan take longer and have two parts.
-  int part;           ///< the next one of all views; 0 before the first
+  // Progress in the block that is being carved, one view after the other. A view of a scan takes longer, so it has two
+  // parts.
+  int part;           ///< the next part, counted over all views; 0 before the first
   CubeBits left;      ///< cubes for the view's second part
-  BlockWords wanted;  ///< voxels that a miss would change,
-  BlockWords free;    ///< and those that the views so far see whole
+  BlockWords wanted;  ///< voxels that a miss would change
+  BlockWords free;    ///< voxels that the views so far see whole
 
   int parts_of_view() const noexcept { return view_count > 1 ? 2 : 1; }
 };
@@ -71,9 +72,9 @@ class MapState {
   Grid route;
   Grid safe;
   Voxel base;      ///< the window's lower voxel, counted from the spec's origin
-  VoxelBox added;  ///< around the voxels of the safe grid that became solid since that was last asked for
+  VoxelBox added;  ///< a box around the voxels of the safe grid that became solid since the last take_added()
 
-  // Layers of evidence, with the same rows as the grids; and the images.
+  // The layers of evidence, with the same rows as the grids, and the images.
   std::uint64_t* seen;
   std::uint64_t* low;
   std::uint64_t* high;
@@ -81,10 +82,10 @@ class MapState {
   Depth* image;
   std::int64_t image_entries;
 
-  std::uint64_t learned;  ///< words in which voxels were seen for the first time
+  std::uint64_t learned;  ///< how often a frame saw voxels of a word for the first time
   std::int64_t time;      ///< of the last frame
   bool timed;             ///< false before the first frame
-  std::uint64_t frames;   ///< that were begun, scans included
+  std::uint64_t frames;   ///< number of frames begun, scans included
   std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of blocks
   std::int32_t forget;    ///< the next layer to forget
   std::int32_t face;      ///< pixels along an edge of a scan's face
@@ -108,7 +109,7 @@ class MapState {
   /// The number of pieces of the current task, and the units that its next piece takes.
   std::int64_t pieces() const noexcept;
   std::uint32_t price() const noexcept;
-  /// Does the next piece of the job, and returns what it took, in instructions (see Work).
+  /// Does the next piece of the job, and returns its cost, in instructions (see Work).
   std::uint32_t advance() noexcept;
   std::uint32_t do_piece() noexcept;
   /// Begins this task, or the first task after it that has any pieces.
@@ -117,14 +118,14 @@ class MapState {
   VoxelBox block_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
-  // The pieces of each task, by index. v is an image row. Each returns what it took.
+  // One function for each task. It does the piece of this index and returns its cost. v is an image row.
   std::uint32_t read_pixels(std::int32_t v) noexcept;
   std::uint32_t clear_face_row(std::int32_t index) noexcept;
   std::uint32_t close_face_row(std::int32_t index) noexcept;
   std::uint32_t read_points(std::int64_t index) const noexcept;
   std::uint32_t make_pyramid_row(std::int64_t index) noexcept;
   std::uint32_t carve_block(std::int64_t index) noexcept;
-  /// What a frame changes in a block: misses where it was carved, and hits.
+  /// Enters a frame into a block: its hits, and a miss for each voxel that was carved.
   std::uint32_t enter_block(const VoxelBox& block) noexcept;
   void want_block(const VoxelBox& block) noexcept;
   Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
@@ -132,7 +133,8 @@ class MapState {
   std::uint32_t copy_plane(std::int32_t z) const noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
-  /// Makes a row of the safe grid from what is hit and seen, and notes it in both grids.
+  /// Makes a row of the safe grid from the route grid's obstacles and the unseen voxels. Notes the row as changed in
+  /// both grids.
   void renew_row(std::int32_t y, std::int32_t z) noexcept;
 
   /// Marks hits of the current frame.
@@ -141,8 +143,8 @@ class MapState {
   /// grid.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
   void note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept;
-  /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window.
-  /// Returns what that took.
+  /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window. Returns the cost, in
+  /// instructions.
   std::uint32_t mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
   /// Begins a scan whose points or beams are set.
   void begin_faces(const Vec3& world_origin, std::int64_t t) noexcept;

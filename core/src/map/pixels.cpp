@@ -13,7 +13,7 @@ namespace {
 
 /// Pixels that are processed together.
 constexpr std::int32_t kChunk = 64;
-/// Instructions of a row, of a pixel, and of one that is held against those around it.
+/// Instructions of a row, of a pixel, and of a pixel that is compared with its neighbours.
 constexpr std::uint32_t kRowEffort = 600;
 constexpr std::uint32_t kPixelEffort = 60;
 constexpr std::uint32_t kJudgedEffort = 175;
@@ -70,7 +70,7 @@ struct WideChunk {
   }
 };
 
-/// What the pixels of a chunk see and hit, where some of them may be wrong.
+/// Judges each pixel of a chunk by its neighbours: how far it sees, and at what depth it hits.
 void judge_chunk(const DepthView& view, const Scale& scale, const Support& support, std::int32_t u, std::int32_t v,
                  std::int32_t count, float* sees, float* hits) {
   WideChunk rows[3];
@@ -108,7 +108,7 @@ struct RowOfRays {
   Vec3f step;
   float range;
 
-  /// Marks what the chunk of pixels hits that begins at u.
+  /// Marks the voxels that a chunk's pixels hit. The chunk begins at pixel u.
   void mark(std::int32_t u, const Chunk& depths, HitWriter& writer) const {
     Four at = static_cast<float>(u) + Four{0.0f, 1.0f, 2.0f, 3.0f};
     for (const Four z : depths.fours) {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the map is told rather than sees: the prior, boxes, cylinders and points to mark, and a ball that is free.
+// Changes of the map that do not come from a sensor: the prior; marked boxes, cylinders and points; a ball that is
+// assumed free.
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "grid/cylinder.hpp"
@@ -12,7 +13,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of a box or cylinder of the prior, and of a word of it.
+/// Instructions of a box or cylinder of the prior, and of a word of either.
 constexpr std::uint32_t kPriorEffort = 200;
 constexpr std::uint32_t kMarkEffort = 90;
 

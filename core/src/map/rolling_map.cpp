@@ -14,7 +14,7 @@ namespace {
 constexpr int kTasks = 8;
 /// Words that one unit inflates or moves.
 constexpr std::size_t kUnitWords = 16;
-/// Rows of an image that one piece makes for the next level.
+/// Rows of all coarser levels of all views. One piece makes one row.
 std::int64_t pyramid_rows(const Frame& frame) {
   std::int64_t rows = 0;
   const DepthPyramid& pyramid = frame.views[0].pyramid;
@@ -76,7 +76,7 @@ std::uint32_t slide_price(const MapState& state) {
   return plane_units(state) + units(prior, kUnitWords);
 }
 
-/// Units of the next part of a block; its parts share those of the block.
+/// Units of the next part of a block; the parts share the units of the block.
 std::uint32_t part_price(const Frame& frame) {
   const int parts = frame.view_count * frame.parts_of_view();
   const int before = kBlock * kBlock * frame.part / parts;

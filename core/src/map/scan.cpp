@@ -12,7 +12,7 @@ namespace {
 
 /// Points or beams of a piece.
 constexpr std::size_t kPiecePoints = 64;
-/// Instructions of a piece of points, and of beams; of a row of a face, and a pixel of it.
+/// Instructions of: a piece of points; a piece of beams; a row of a face; a pixel of that row.
 constexpr std::uint32_t kPointsEffort = 15500;
 constexpr std::uint32_t kBeamsEffort = 20000;
 constexpr std::uint32_t kFaceRowEffort = 120;
@@ -22,8 +22,9 @@ constexpr Depth kNoPoint = 32767;
 /// Outlines are widened by this many pixels, as an angle. Nothing in a pixel is further from a beam in it: its diagonal
 /// is at most 1.246 pixels, measured as scan_pixel is.
 constexpr double kReach = 1.25;
-/// Between thin beams half a pixel apart, a thing comes nearer to the sensor than the beams show by this part of its
-/// distance at most, for each radian of scan_pixel: sqrt(3) times half a diagonal of the beams' lattice.
+/// Between thin beams half a pixel apart, a surface can be nearer to the sensor than the beams show. The difference is
+/// at most this part of its distance for each radian of scan_pixel: sqrt(3) times half a diagonal of the beams'
+/// lattice.
 constexpr double kRelief = 0.6125;
 
 /// Width of a face, in scan_pixels: 2.5 / scan_pixel.
@@ -62,7 +63,8 @@ struct FourRays {
   FourInts hits;   ///< not 0 if the point is within the range
 };
 
-/// Points further than this away are skipped, like those that are not finite. Their squares still have finite sums.
+/// Points further away than this are skipped, like points that are not finite. Up to this distance, sums of squares are
+/// finite.
 constexpr double kFarthest = 1e18;
 /// The largest range that is not infinite.
 constexpr double kMostFinite = 3.4028234663852886e38;
@@ -99,7 +101,7 @@ class PieceOfRays {
   }
 
  private:
-  /// The direction with length 1; 0 if it is none, or too long or short to say.
+  /// The direction scaled to length 1; 0 if its length is 0, too small or too large to scale.
   static Vec3 unit_of(const Vec3& direction) {
     const double far = length(direction);
     return far > 1.0 / kFarthest && far < kFarthest ? (1.0 / far) * direction : kZero;
@@ -124,12 +126,12 @@ void set_free(FourRays& rays, const MapSpec& spec, double units) {
   rays.hits = (rays.returned > 0.0f) & (far > 0.0f) & (far <= static_cast<float>(spec.range));
 }
 
-/// What a ray shows in a face: a pixel, and the depth up to which it is free.
+/// What four rays show in a face: the pixel of each, and the depth up to which the ray is free.
 struct FourPixels {
   FourInts u, v, depth;
 };
 
-/// The pixels of four rays in the two faces across one axis. Beside these faces, the depth is that of no point.
+/// The pixels of four rays in the two faces across one axis. The depth is kNoPoint if the ray misses both faces.
 FourPixels pixels_across(const FourRays& rays, int a, const View& face) {
   const Four ahead = absolute(rays.axes[a]);
   const Four across = rays.axes[(a + 1) % 3];

@@ -11,8 +11,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of a plane, and of a word of it in all layers; of a row of the safe grid that is made anew, and a word;
-/// of a region at the end.
+/// Instructions of: a plane; a word of a plane in all layers; a row of the safe grid that is made anew; a word of that
+/// row; a region at the end.
 constexpr std::uint32_t kPlaneEffort = 2000;
 constexpr std::uint32_t kMovedEffort = 130;
 constexpr std::uint32_t kRenewedEffort = 60;
@@ -94,8 +94,8 @@ struct Layer {
   }
 };
 
-/// Indices on one axis at which blocked words must be made again, at both ends: those that entered the window, and the
-/// one along the edge at which obstacles have left it.
+/// Indices on one axis whose blocked words must be made again. At the end that obstacles left through, this is the
+/// outermost index; at the other end, these are the indices that entered the window.
 struct Stale {
   IndexRange first;
   IndexRange last;

@@ -11,17 +11,17 @@
 namespace tern {
 namespace {
 
-/// Instructions of a plane, and a word of it.
+/// Instructions of a plane, and of a word of it.
 constexpr std::uint32_t kCopiedPlaneEffort = 2000;
 constexpr std::uint32_t kWordEffort = 6;
-/// Enough for any job.
+/// More units than any job needs.
 constexpr std::uint32_t kWholeWork = ~std::uint32_t{0};
 
 bool same_size(const GridSpec& a, const GridSpec& b) {
   return same(a.cell, b.cell) && same(a.dims, b.dims) && same(a.clearance(), b.clearance());
 }
 
-/// Binds the grid to the words unless it lies there with this size.
+/// Binds the grid to the words, unless it is already bound to them with the size of the route grid.
 Status place(Grid& grid, const Grid& route, std::uint64_t* words, std::size_t word_count) {
   const bool there = grid.bound() && GridWords(grid).lies_in(words) && same_size(grid.spec(), route.spec());
   return there ? Status::kOk : grid.bind(route.spec(), words, word_count);

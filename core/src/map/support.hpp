@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pixels that no pixel around them agrees with. A real surface nearly always covers more than one pixel; a pixel of its
-// own is an error of the sensor much more often than a thing. Its depth may not block a voxel, nor free one.
+// Lone pixels: pixels that too few of the pixels around them agree with. A real surface nearly always covers more than
+// one pixel, so a lone pixel is most often an error of the sensor. Its depth may neither block a voxel nor free one.
 #ifndef TERN_MAP_SUPPORT_HPP
 #define TERN_MAP_SUPPORT_HPP
 
@@ -21,12 +21,13 @@ struct Support {
   float tolerance(float z) const noexcept { return cell + 2.0f * (margin + margin_square * z * z); }
 };
 
-/// What a pixel says: the depth up to which it sees, and the depth that it hits; 0 for none.
+/// The depth up to which a pixel sees, and the depth that it hits; 0 for none.
 struct Judged {
   float sees, hits;
 };
 
-/// The rows above, at and below a pixel, each from the pixel to its left on. NaN beyond the image's edges.
+/// Judges the pixel at[1]. `above`, `at` and `below` are three rows of the image, each from the pixel's left neighbour
+/// on; NaN beyond the image's edges.
 inline Judged judge_pixel(const Support& support, const float* above, const float* at, const float* below) noexcept {
   const float z = at[1];
   const float around[kNeighbours] = {above[0], above[1], above[2], at[0], at[2], below[0], below[1], below[2]};
