@@ -9,11 +9,11 @@
 namespace tern {
 namespace {
 
-/// Instructions of choosing among eight cubes, and among eight voxels; and of deciding the chosen ones.
+/// Instructions of: choosing among eight cubes; choosing among eight voxels; deciding the chosen ones.
 constexpr std::uint32_t kChooseEffort = 750;
 constexpr std::uint32_t kLeastEffort = 300;
 constexpr std::uint32_t kDecideEffort = 850;
-/// More of both in the view of a scan.
+/// Additional instructions of choosing, and of deciding, in the view of a scan.
 constexpr std::uint32_t kChooseAroundEffort = 250;
 constexpr std::uint32_t kDecideAroundEffort = 1500;
 
@@ -62,7 +62,7 @@ bool clear(const View& view, const Footprints& feet, int k) {
   if (pyramid.row((box.v0 + box.v1) >> 1)[(box.u0 + box.u1) >> 1] < feet.far[k / 4][k % 4]) return false;
   const std::int32_t level = pyramid.level_for(box);
   if (level < pyramid.levels() && pyramid.least(box, level) >= feet.far[k / 4][k % 4]) return true;
-  // The outlines of a scan's view are wide: to round them outwards to a coarse level would hide too much.
+  // The outlines of a scan's view are wide. Rounding them outwards to a coarse level would hide too much.
   return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
@@ -74,7 +74,7 @@ struct Carver {
   BlockWords& free;
   std::uint32_t effort;
 
-  /// Marks the cubes of eight that may have a wanted voxel which is seen whole.
+  /// Of eight cubes, marks those that may have a wanted voxel that the view sees whole.
   template <std::int32_t kSize>
   bool choose(const Centers& centers, const Cube* cubes, bool* chosen) const {
     Cores cores;
@@ -109,7 +109,7 @@ struct Carver {
     return static_cast<CubeBits>(left);
   }
 
-  /// Divides those of eight cubes into eight each, and decides these.
+  /// Divides the cubes in `which` into eight each, and decides the eight.
   template <std::int32_t kSize>
   void divide(const Centers& centers, const Cube* cubes, CubeBits which) {
     constexpr std::int32_t kHalf = kSize / 2;

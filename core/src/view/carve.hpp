@@ -22,15 +22,15 @@ struct BlockWords {
 using CubeBits = std::uint8_t;
 constexpr CubeBits kAllCubes = 0xff;
 
-/// What one call carves of a block: it begins with it, or goes on; and the cubes that it divides.
+/// The part of a block that one call carves: whether the call begins the block, and the cubes that it may divide.
 struct CarvePart {
   bool begins;
   CubeBits cubes;
 };
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
-/// the block's lowest voxel. Begins with cubes of 8 voxels and divides only those that cannot be decided as a whole;
-/// `left` are those that another call must divide. Returns what it took, in instructions (see Work).
+/// the block's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a
+/// whole. `left` becomes the cubes that another call must divide. Returns its cost, in instructions (see Work).
 std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
                     BlockWords& free, const CarvePart& part, CubeBits& left) noexcept;
 

@@ -5,7 +5,7 @@
 namespace tern {
 namespace {
 
-// Types, so that no call goes through a pointer, whatever is inlined.
+// Types instead of functions, so that no call goes through a pointer even if it is not inlined.
 struct Lesser {
   Depth operator()(Depth a, Depth b) const { return b < a ? b : a; }
 };

@@ -58,15 +58,15 @@ class DepthPyramid {
   Depth least(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(least_[level], box, level, [](Depth a, Depth b) { return b < a ? b : a; });
   }
-  /// The same from kCloseEntries entries along each axis: a closer bound, because a coarse level rounds the
-  /// rectangle's edges outwards. 0 if there is no answer.
+  /// A closer lower bound than least(), from up to kCloseEntries entries along each axis: a finer level rounds the
+  /// rectangle's edges outwards by less. 0 if there is no answer.
   Depth least_closely(const PixelBox& box) const noexcept;
   Depth most(const PixelBox& box, std::int32_t level) const noexcept {
     return reduce(most_[level], box, level, [](Depth a, Depth b) { return a < b ? b : a; });
   }
 
  private:
-  /// Over three columns of three rows. Some of them may coincide, which saves branches.
+  /// Combines nine entries: three columns of three rows. Some of them may coincide, which saves branches.
   template <typename Pick>
   Depth reduce(const Depth* entries, const PixelBox& box, std::int32_t level, Pick pick) const noexcept {
     const std::ptrdiff_t stride = width(level);

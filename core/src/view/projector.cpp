@@ -11,9 +11,10 @@ namespace {
 constexpr double kRounding = 1.0 / 1048576.0;
 /// The least depth that is projected, metres.
 constexpr float kNearest = 1e-3f;
-/// More than any pixel measures.
+/// More than the depth of any pixel.
 constexpr float kMostUnits = static_cast<float>(kDepthUnits + 1);
-/// The view of a scan: half its width, its bend, and the sine of the most that an outline is widened by, seen along z.
+/// Of a scan's view: half its width, its bend, and the sine of the largest angle by which an outline is widened, seen
+/// along z.
 constexpr float kWidest = static_cast<float>(kFaceTangent);
 constexpr float kBend = static_cast<float>(kFaceBend);
 constexpr float kMostReach = 0.5f;
@@ -33,7 +34,7 @@ Four smaller(Four a, Four b) {
   return a < b ? a : b;
 }
 
-/// Of a depth, but of no depth that is not projected.
+/// The inverse of a depth, and of kNearest for depths below it.
 Four inverse(Four depth) {
   return 1.0f / (depth > kNearest ? depth : all(kNearest));
 }
@@ -42,9 +43,9 @@ Four distance(Four x, Four y, Four z) {
   return square_root(x * x + y * y + z * z);
 }
 
-/// How far from tangent t the tangent of a direction is that is an angle away. `reach`: the angle's sine times the
-/// distance of a point at t over its depth. Exactly it is r s^2 / (sqrt(s^2 - r^2) - |t| r) with r = reach and
-/// s = sqrt(1 + t^2), or less.
+/// The most by which a tangent differs from t if its direction is a small angle away. `reach` is the angle's sine times
+/// the distance of a point at t over its depth. The exact difference is at most r s^2 / (sqrt(s^2 - r^2) - |t| r), with
+/// r = reach and s = sqrt(1 + t^2).
 Four widening(Four t, Four reach) {
   const Four aside = smaller(absolute(t), all(kWidest));
   return reach * (1.0f + kSlant * aside) / (1.0f - (kBulge + aside) * reach);
@@ -117,7 +118,7 @@ Projector::Image Projector::project_axis(const Axis& axis, Four center, Four hal
   return image_of(axis, from, to);
 }
 
-/// The same in the view of a scan, with the outline widened.
+/// Like project_axis(), but for the view of a scan, whose outlines are widened.
 Projector::Image Projector::project_bent(const Axis& axis, Four center, Four half, Four by_near, Four by_far,
                                          Four reach) noexcept {
   const Four lower = center - half;
@@ -204,8 +205,8 @@ Cores Projector::cores(const Centers& centers, float size) const noexcept {
   return out;
 }
 
-/// The voxel nearest to the sensor has its centre at least as far away as the box of all centres. A voxel's farthest
-/// corner is at least half a voxel further away than its centre.
+/// No centre is nearer to the sensor than the box around all centres. A voxel's farthest corner is at least half a
+/// voxel further away than its centre.
 Cores Projector::cores_around(const Centers& centers, float size) const noexcept {
   Cores out;
   const float between = size - 1.0f;

@@ -44,7 +44,8 @@ struct Footprints {
 struct Cores {
   PixelBoxes pixels;   ///< pixels that show a centre; valid if the cube is ahead
   FourInts far[2];     ///< the least of the voxels' largest depths, in units, rounded down
-  FourInts beside[2];  ///< not 0 if no voxel is seen whole: behind the camera, outside the image, or beyond the range
+  FourInts beside[2];  ///< not 0 if no voxel is seen whole: all are behind the camera, outside the image, or beyond the
+                       ///< range
   FourInts ahead[2];   ///< not 0 if all centres are in front of the camera
 };
 
@@ -55,7 +56,7 @@ class Projector {
   /// `extent` is an upper bound of all coordinates, in metres: the size of the window plus its distance.
   Projector(const View& view, double extent) noexcept;
 
-  /// Where cubes of `size` voxels with these centres lie in the image, and where their voxels' centres do.
+  /// Where cubes of `size` voxels with these centres lie in the image, and where the centres of their voxels lie.
   Footprints footprints(const Centers& centers, float size) const noexcept;
   Cores cores(const Centers& centers, float size) const noexcept;
   /// The centres of the eight cubes of `size` voxels that make up a larger cube with this centre, x fastest.
@@ -71,7 +72,7 @@ class Projector {
   struct Image {
     FourInts first, last, beside, within;
   };
-  /// The least and the greatest depth of four boxes of centres, and how far a voxel of theirs reaches, in units.
+  /// For four boxes of centres: the least and the greatest depth, and the depth, in units, up to which a voxel reaches.
   struct Span {
     Four near, far, units;
   };

@@ -15,14 +15,15 @@
 namespace tern {
 
 /// Half the width of a scan's view, as a tangent. It looks at a face of a cube around the sensor. A half width of 1
-/// would show the face alone; what is more overlaps with the views beside it, so that a cube near an edge lies wholly
-/// in one.
+/// would show the face alone. A wider view overlaps with the views beside it, so that a cube near an edge lies wholly
+/// in one of them.
 constexpr double kFaceTangent = 1.5;
-/// A scan's view is bent: tangent t is at t / (1 + kFaceBend * |t|) in the image. So its pixels cover about equal
-/// angles. On the face itself, they are 0.66 to 1.19 times as wide as in its middle; those of a pinhole, 0.33 to 1.
+/// A scan's view is bent: tangent t is at t / (1 + kFaceBend * |t|) in the image. Its pixels therefore cover about
+/// equal angles. On the face itself, they are 0.66 to 1.19 times as wide as in its middle; those of a pinhole, 0.33 to
+/// 1.
 constexpr double kFaceBend = 0.4142;
 
-/// Of a tangent that is not negative.
+/// The bent tangent, for a tangent >= 0.
 inline double bent(double tangent) noexcept {
   return tangent / (1.0 + kFaceBend * tangent);
 }
@@ -35,8 +36,8 @@ struct View {
   Vec3 corner;    ///< lower corner of the window's voxel (0, 0, 0)
   double fx, fy, cx, cy;
   std::int32_t width, height;
-  double growth;        ///< added to every cube on all sides for the pose's error,
-  double growth_ahead;  ///< and for each metre of depth, for the error of the angle
+  double growth;        ///< added to every cube on all sides, for the error of the position
+  double growth_ahead;  ///< added to it for each metre of depth, for the error of the angle
   double reach;         ///< sine of the angle by which outlines are widened, > 0 in the view of a scan alone
   double units;         ///< depth units per metre
   DepthPyramid pyramid;
