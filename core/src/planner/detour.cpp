@@ -47,7 +47,8 @@ bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec
   return false;
 }
 
-/// The furthest waypoint in sight, at most `last`. 0 if there is no other: the point was reached from that one.
+/// Index of the furthest waypoint that `point` sees, at most `last`; 0 if it sees none. The path reaches `point` from
+/// waypoint 0.
 int onward_waypoint(Lines& lines, const Vec3& point, const Path& path, int last) {
   const int furthest = last < kOnwardWaypoints ? last : kOnwardWaypoints;
   for (int k = furthest; k > 0; --k) {

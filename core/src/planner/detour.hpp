@@ -20,7 +20,7 @@ namespace tern {
 /// Report::detours of a plan with a detour.
 constexpr std::int32_t kDetoured = 1;
 
-/// Waypoints, counted from its end of the path, among which a stopping point chooses where to go on.
+/// From its stopping point, a detour goes on to one of this many waypoints, counted from its end of the path.
 constexpr int kOnwardWaypoints = 4;
 
 /// The most lines that the detours of both ends check.

@@ -25,7 +25,7 @@ void shift(int by, Corridor& corridor, Trajectory& trajectory) {
   trajectory.count += by;
 }
 
-/// Puts the escape at segment and polyhedron `segment_at` and `polyhedron_at`.
+/// Puts the escape's segments at index `segment_at` and its polyhedra at index `polyhedron_at`.
 void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corridor, Trajectory& trajectory) {
   for (int i = 0; i < escape.count; ++i) {
     corridor.polyhedra[polyhedron_at + i] = escape.polyhedra[i];
@@ -34,7 +34,7 @@ void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corr
   }
 }
 
-/// Makes the next choice's stop. False where it breaks the limits.
+/// Makes the stop of the next choice. False if it breaks the limits.
 bool make_stop(const EscapeRoom& room, const State& state, const MotionLimits& limits, Escape& escape) {
   const int choice = escape.next++;
   Stopping& stopping = escape.stopping;
@@ -46,9 +46,9 @@ bool make_stop(const EscapeRoom& room, const State& state, const MotionLimits& l
   return true;
 }
 
-/// One curve from state to state. False where it breaks the limits.
+/// Makes one curve from state to state. False if it breaks the limits.
 bool make_arrival(const State& start, const State& goal, const MotionLimits& limits, int choice, Stopping& out) {
-  // Parts of what the way takes at the mean of both velocities.
+  // Durations to try, in parts of what the way takes at the mean of both velocities.
   constexpr double kParts[kArrivals] = {1.0, 1.01, 0.99, 1.03, 0.97, 1.1, 0.9, 1.25, 0.8, 1.5, 2.0, 3.0};
   const double speed = 0.5 * length(start.velocity + goal.velocity);
   const double way = distance(start.position, goal.position);
@@ -68,7 +68,7 @@ void begin_trial(Escape& escape) {
   append_begin(escape.appending, escape.stopping.segments[0]);
 }
 
-/// Appends the segments of the stop or arrival in work to the tube.
+/// Appends the segments of the current stop or arrival to the tube.
 Progress advance_trial(const EscapeRoom& room, GrowScratch& scratch, Escape& escape, Work& work) {
   Tube tube = tube_of(escape, kEscapeSegments);
   tube.count = escape.enclosed;

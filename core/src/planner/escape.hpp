@@ -34,10 +34,10 @@ constexpr std::uint32_t kEscapePlanes = 2u * kEscapeSegments * static_cast<std::
 struct Escape {
   int next;             ///< choice to be tried next, 0 .. kStoppingChoices
   int count;            ///< segments; 0 if there is no motion yet
-  bool trying;          ///< the choice before `next` is in work:
-  int enclosed;         ///< segments so far that have a polyhedron, halves included
-  int appended;         ///< segments of the choice that are among them
-  Appending appending;  ///< the one after those
+  bool trying;          ///< the choice before `next` is being tried
+  int enclosed;         ///< parts of this choice that have a polyhedron, halves included
+  int appended;         ///< segments of this choice that are enclosed
+  Appending appending;  ///< the segment that is being enclosed
   Stopping stopping;    ///< the current choice
   Vec3 rest;            ///< where the motion ends (for a goal: begins), relative to the plan's origin
   Segment segments[kMaxSegments];
@@ -49,15 +49,15 @@ inline Tube tube_of(Escape& escape, int capacity) noexcept {
   return {escape.segments, escape.polyhedra, capacity, 0, 0.0};
 }
 
-/// The place where a stop is flown.
+/// The grid and the frame that a stop is flown in, and the end that it is for.
 struct EscapeRoom {
   const Grid& grid;
   Vec3 origin;   ///< of the plan's frame, in the grid's local frame
   bool to_goal;  ///< the state is the goal's
 };
 
-/// Tries the next choice for `state` (relative to the plan's origin). A unit of work makes the stop, or is one of
-/// append_advance. kDone: it has room, and the escape is filled in. kFailed: it has none.
+/// Tries the next choice for `state` (relative to the plan's origin). One unit of work makes the stop; the others are
+/// those of append_advance. kDone: the stop has room, and the escape is filled in. kFailed: the stop has no room.
 Progress escape_advance(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
                         Escape& escape, Work& work) noexcept;
 
@@ -65,8 +65,8 @@ Progress escape_advance(const EscapeRoom& room, const State& state, const Motion
 constexpr int kArrivals = 12;
 
 /// Tries an arrival: one curve from the start straight into the motion of the goal, with duration number `choice`, 0 ..
-/// kArrivals - 1. This helps near the end of a flight, when there is no room left to stop before the goal. Units and
-/// answers as of escape_advance.
+/// kArrivals - 1. This helps near the end of a flight, when there is no room left to stop before the goal. Its units
+/// and answers are those of escape_advance.
 Progress arrive_advance(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits,
                         int choice, GrowScratch& scratch, Escape& escape, Work& work) noexcept;
 

@@ -35,10 +35,10 @@ struct FlightEnds {
 /// The vias of the current plan.
 struct Mission {
   Via vias[kMaxVias];            ///< as asked for, world frame
-  ViaMarks marks;                ///< on the path, and in the corridor without escapes
+  ViaMarks marks;                ///< their waypoints on the path, and their polyhedra in the corridor without escapes
   Hold holds[kMaxVias];          ///< of the chain
-  std::int32_t joint[kMaxVias];  ///< of the trajectory: the segment that begins there, or their count
-  Path leg;                      ///< the part of the path at hand
+  std::int32_t joint[kMaxVias];  ///< index of the trajectory's segment that begins at the via, or their count
+  Path leg;                      ///< the path of the current leg
 };
 
 /// The times stage and the trajectory stage, with their input.
@@ -61,7 +61,7 @@ struct Layout {
   Escape escapes[2];  ///< the start's and the goal's
   Previous previous;
   Fences fences;
-  AskedFences asked_fences;  ///< the same as the caller gave them, for the check
+  AskedFences asked_fences;  ///< the fences as the caller gave them, for the check
   Grid fenced;               ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
   FenceLayer fence_layer;
   ScanMap scans;  ///< jump stops, which are kept for the next search

@@ -16,7 +16,8 @@
 namespace tern {
 namespace {
 
-/// Half the edge of the cube in the ball of a via's tolerance. The solver may leave the cube by a nanometre.
+/// Half the edge of the cube that fits into the ball of a via's tolerance, less a reserve: the solver may leave the
+/// cube by a nanometre.
 double reach_of(const Via& via) {
   constexpr double kRootThree = 1.7320508075688774;
   constexpr double kSolverReserve = 2e-9;
@@ -27,7 +28,7 @@ Hold hold_of(const Via& via, const Vec3& origin, std::int32_t polyhedron, double
   return Hold{polyhedron, 0, via.position - origin, reach, via.stop, via.has_velocity, via.velocity};
 }
 
-/// The plan rests at a via for `duration`: a segment at the joint whose control points are all the same.
+/// Inserts a segment that rests at the joint for `duration`: all its control points are the same.
 void insert_rest(Trajectory& trajectory, int joint, double duration) {
   for (int s = trajectory.count; s > joint; --s) trajectory.segments[s] = trajectory.segments[s - 1];
   const bool at_end = joint == trajectory.count;
@@ -82,7 +83,7 @@ Status Plan::join_leg() noexcept {
   return Status::kOk;
 }
 
-/// An end of a leg that is a via is no start and no goal.
+/// The status of the current leg as that of the plan: an end of the leg that is a via is neither start nor goal.
 Status Plan::status_of_leg(Status status) const noexcept {
   const bool at_start = status == Status::kStartOccupied || status == Status::kStartTooNarrow;
   const bool at_via = (at_start && leg_ > 0) || (lacks_goal_voxel(status) && leg_ < via_count());
@@ -90,11 +91,11 @@ Status Plan::status_of_leg(Status status) const noexcept {
   return is_too_narrow(status) ? Status::kViaTooNarrow : Status::kViaOccupied;
 }
 
-/// Of a search that failed first because an end has room but no voxel: at which resolution it would have one, and which
-/// fence takes its own voxel if obstacles and boundary leave it.
+/// If the first search failed because an end has room but no free voxel, notes the resolution at which it would have
+/// one. Also notes the fence that takes the end's own voxel if obstacles and boundary leave it free.
 void Plan::note_narrowness() noexcept {
   const SearchStage& search = memory_->stage.search;
-  if (!is_too_narrow(search.status) || escapes_ > 0) return;  // what follows the previous plan ends in an escape
+  if (!is_too_narrow(search.status) || escapes_ > 0) return;  // > 0 after the previous plan too: an escape follows it
   const Voxel home = world().voxel_of(search.finer.point);
   report_.finer_cell = search.finer.cell;
   const bool is_fenced = has_fences_ && grid_->free(home);
@@ -102,8 +103,8 @@ void Plan::note_narrowness() noexcept {
   narrow_fence_ = is_fenced ? fence_over(memory_->fences, cube_of(*grid_, home), radius) : kNoFence;
 }
 
-/// The via that the failed part of the way leads to, or begins at if that cannot be left: no via where that is the
-/// start.
+/// The via that the failed part of the way leads to, or the via that it begins at if that one cannot be left. kNoVia if
+/// that end is the start or the goal.
 std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
   const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
   const Status why = memory_->stage.search.status;
@@ -138,7 +139,7 @@ void Plan::locate_vias() noexcept {
   }
 }
 
-/// Finds the vias, and lets the plan rest at those with a dwell. False if a segment more does not fit.
+/// Finds the vias, and lets the plan rest at those with a dwell. False if one more segment does not fit.
 bool Plan::add_dwells() noexcept {
   Layout& memory = *memory_;
   Trajectory& trajectory = memory.trajectory;

@@ -38,7 +38,7 @@ bool Plan::rests() const noexcept {
   return at_rest(asked_.start) && at_rest(asked_.goal);
 }
 
-/// To the goal, and to the reachable point instead.
+/// Goals that the plan may try: the requested one and, with GoalMode::kNearest, the reachable point instead.
 std::uint32_t Plan::attempts() const noexcept {
   return asked_.goal_mode == GoalMode::kNearest ? 2 : 1;
 }
@@ -47,7 +47,7 @@ std::uint32_t Plan::searches() const noexcept {
   return attempts() * (given_at_rest_ ? 1 : 1 + kEscapeTries);
 }
 
-/// A bound for all searches, each of which takes that many units a leg at most.
+/// The most units of all searches together, if one search takes at most `bound` units a leg.
 std::uint32_t Plan::legs_searched(std::uint32_t bound) const noexcept {
   const std::uint64_t legs =
       static_cast<std::uint64_t>(searches() + searched_again_) * static_cast<std::uint64_t>(via_count() + 1);
@@ -104,7 +104,7 @@ bool Plan::escape_may_help(Stage stage, Status status) const noexcept {
     case Status::kGoalTooNarrow:
       return !at_rest(asked_.goal);
     case Status::kSegmentsFull:
-      return escapes_ > 0 || stage == Stage::kTrajectory;  // a stop that was made first needs none of its segments
+      return escapes_ > 0 || stage == Stage::kTrajectory;  // from rest to rest, stop-and-go takes fewer segments
     case Status::kNoPath:
     case Status::kCheckFailed:
       return escapes_ > 0;  // from another stop there may be a path, or a shorter one
@@ -179,7 +179,7 @@ Progress Plan::run_arrivals(Work& work) noexcept {
   return Progress::kFailed;
 }
 
-/// Tries choices for the end. kDone: one has room. kFailed: none is left.
+/// Tries stops for the end. kDone: one has room, or the end is at rest. kFailed: no stop is left to try.
 Progress Plan::run_choices(int end, Work& work) noexcept {
   Layout& memory = *memory_;
   const State state = asked_end(end);
@@ -200,7 +200,7 @@ Progress Plan::run_escape(Work& work) noexcept {
   const Progress arrived = run_arrivals(work);
   if (arrived == Progress::kMore) return arrived;
   if (arrived == Progress::kDone) {
-    report_.optimiser = Status::kOk;  // whatever it made of another corridor
+    report_.optimiser = Status::kOk;  // the optimiser's status belongs to another corridor
     fly(Quality::kStopAndGo, kEscaped);
     return Progress::kDone;
   }

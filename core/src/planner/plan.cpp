@@ -15,7 +15,7 @@ namespace {
 
 /// Instructions of a turn of step(), besides what the stage counts.
 constexpr std::uint32_t kTurnEffort = 250;
-/// Of begin() and finish(), and of a fence that is read.
+/// Instructions of begin() and finish() together, and of each fence that is read.
 constexpr std::uint32_t kBeginEffort = 12000;
 constexpr std::uint32_t kFenceEffort = 40000;
 
@@ -72,7 +72,7 @@ void Plan::give_up_goal() noexcept {
   leg_ = via_count();
 }
 
-/// Reads the vias; kRunning where all is well.
+/// Reads the vias; kRunning if all are valid.
 Status Plan::accept_vias(const Request& request) noexcept {
   Mission& mission = memory_->mission;
   mission.marks.count = 0;
@@ -83,13 +83,13 @@ Status Plan::accept_vias(const Request& request) noexcept {
   return Status::kRunning;
 }
 
-/// Holds a place (local frame) against the fences. Where it breaks one, the report names it.
+/// Checks a place (local frame) against the fences. If it breaks one, the report names that fence.
 bool Plan::keeps_fences(const Vec3& place) noexcept {
   report_.fence = fence_broken(memory_->fences, place, place, grid_->spec().clearance());
   return report_.fence == kNoFence;
 }
 
-/// Reads the fences and holds start, vias and goal against them; kRunning where all is well.
+/// Reads the fences and checks start, vias and goal against them; kRunning unless the request is refused.
 Status Plan::accept_fences(const Request& request) noexcept {
   has_fences_ = request.fence_count != 0;
   fences_blocked_ = fence_plane_ = 0;
@@ -128,7 +128,8 @@ void Plan::place_ends() noexcept {
   ends.origin_in_grid = local.start.position;
 }
 
-/// The plan's frame has its origin in the start, in world coordinates as they were given.
+/// Resets what belongs to one attempt. The plan's frame has its origin in the start, in world coordinates as they were
+/// given.
 void Plan::begin_attempt() noexcept {
   has_path_ = false;
   has_corridor_ = false;

@@ -40,8 +40,9 @@ class Plan {
 
   void set_clock(ClockFn clock, void* context) noexcept;
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// After begin() of a request without a previous plan: `plan` is being flown and is at the requested start `from`
-  /// seconds after its beginning. It is copied. The new plan takes its first durations from it and nothing else.
+  /// To be called after begin() of a request without a previous plan. `plan` is the plan that is being flown; it is at
+  /// the requested start `from` seconds after its beginning. The new plan takes only its first durations from `plan`,
+  /// which is copied.
   void set_pace(const Trajectory& plan, double from) noexcept;
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
@@ -63,7 +64,7 @@ class Plan {
   bool keeps_fences(const Vec3& place) noexcept;
   const Grid& world() const noexcept;
 
-  // stages.cpp: the stage at hand.
+  // stages.cpp: the current stage.
   void enter(Stage stage) noexcept;
   Progress run_stage(Work& work) noexcept;
   Progress advance(Work& work) noexcept;
@@ -129,7 +130,7 @@ class Plan {
   std::uint32_t corridors() const noexcept;
   std::uint32_t checks() const noexcept;
 
-  // run_previous.cpp: the rest of the previous plan. No new plan may be later.
+  // run_previous.cpp: the rest of the previous plan. A new plan must arrive earlier than it.
   bool previous_may_help(Status status) const noexcept;
   void begin_previous() noexcept;
   Progress run_previous(Work& work) noexcept;
@@ -158,31 +159,32 @@ class Plan {
   std::uint32_t effort_ = 0;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;
-  std::int32_t narrow_fence_ = kNoFence;    // Report::fence where a point is too narrow
-  std::int32_t leg_ = 0;                    // of the way, the one that is searched for: to that via, or to the goal
-  bool given_at_rest_ = false;              // both ends of the request as given
-  std::int32_t fences_blocked_ = 0;         // in the grid: all keep-ins, then the keep-outs
-  std::int32_t fence_plane_ = 0;            // of voxels, the next one for the fence after those
-  std::uint32_t before_[kStageCount] = {};  // work of each when the stage at hand began
+  std::int32_t narrow_fence_ = kNoFence;    // Report::fence if a point is too narrow
+  std::int32_t leg_ = 0;                    // index of the leg being searched for: to via `leg_`, or to the goal
+  bool given_at_rest_ = false;              // both ends of the request as given are at rest
+  std::int32_t fences_blocked_ = 0;         // blocking steps done: one for all keep-ins, then one a keep-out
+  std::int32_t fence_plane_ = 0;            // the next plane of voxels in the current step
+  std::uint32_t before_[kStageCount] = {};  // work of each stage when the current one began
   std::uint32_t escapes_ = 0;               // tried
   std::int32_t arrivals_ = 0;               // tried
-  std::uint32_t searched_again_ = 0;        // 1: by the optimal search, as the fast path had too many segments
-  bool stop_and_go_ = false;                // the optimiser's plan was refused...
-  Status refused_ = Status::kOk;            // ...with this status
+  std::uint32_t searched_again_ = 0;        // 1 if the optimal search followed a fast path with too many segments
+  bool stop_and_go_ = false;                // the optimiser's plan was refused
+  Status refused_ = Status::kOk;            // why the optimiser's plan was refused
   Status undetoured_ = Status::kOk;         // why there is no trajectory without a detour
   Stage failed_stage_ = Stage::kRequest;
   Status failed_status_ = Status::kOk;
-  bool tries_rest_ = false;        // before anything new is looked for
-  std::int32_t rest_try_ = 0;      // the one that holds, of kPreviousTries; 0: none
-  double rest_time_ = 0.0;         // how long it takes, s
-  std::uint32_t rest_planes_ = 0;  // that enclosing it takes
-  bool has_pace_ = false;          // previous.plan is flown,
-  double pace_from_ = 0.0;         // and is at the start so many seconds after its beginning
+  bool tries_rest_ = false;        // the rest of the previous plan is being tried, before a new plan
+  std::int32_t rest_try_ = 0;      // number of the try whose rest holds, 1 .. kPreviousTries; 0: none
+  double rest_time_ = 0.0;         // duration of the rest that holds, s
+  std::uint32_t rest_planes_ = 0;  // half-spaces that it takes to enclose the rest that holds
+  bool has_pace_ = false;          // previous.plan is being flown
+  double pace_from_ = 0.0;         // time at which previous.plan is at the requested start, s
   bool has_path_ = false;
   bool has_corridor_ = false;
   Status status_ = Status::kInvalidArgument;
   MotionLimits limits_{};  // the request's
-  Request asked_{};        // as given, or to the reachable point; its fences, vias and previous plan are not read again
+  Request asked_{};        // the request as given, or to the reachable point; its fences, vias and previous plan are
+                           // not read again
   Report report_{};
 };
 

@@ -92,7 +92,8 @@ void append(const JointState& from, const JointState& to, double duration, Previ
   control_points(from, to, duration, segment.points);
 }
 
-/// By how much the segment moves in its first `time` seconds. Rounding is relative to that, however little it is.
+/// By how much the segment moves in its first `time` seconds. Rounding is relative to this distance, however small it
+/// is.
 Vec3 first_move(const Segment& segment, double time) {
   Vec3 ahead[kControlPoints];
   for (int k = 0; k < kControlPoints; ++k) ahead[k] = segment.points[k] - segment.points[0];
@@ -100,7 +101,7 @@ Vec3 first_move(const Segment& segment, double time) {
   return ahead[kDegree];
 }
 
-/// The same for its last `time` seconds.
+/// By how much the segment moves in its last `time` seconds.
 Vec3 last_move(const Segment& segment, double time) {
   Vec3 back[kControlPoints];
   for (int k = 0; k < kControlPoints; ++k) back[k] = segment.points[kDegree] - segment.points[kDegree - k];
@@ -108,15 +109,16 @@ Vec3 last_move(const Segment& segment, double time) {
   return back[kDegree];
 }
 
-/// The state where the segment ends: of the longer one of the two that meet there, since that is rounded less.
+/// The state at the end of the segment. It is taken from the longer of the two segments that meet there, which is
+/// rounded less.
 JointState joint_behind(const Trajectory& plan, int segment) {
   const bool longer_follows =
       segment + 1 < plan.count && plan.segments[segment + 1].duration > plan.segments[segment].duration;
   return longer_follows ? state_at(plan.segments[segment + 1], 0.0) : state_at(plan.segments[segment], 1.0);
 }
 
-/// Appends the segments of the rest one after another, each by how far it moves: then rounding does not depend on where
-/// in the plan it is.
+/// Appends the segments of the rest one after another. Each is placed by how far it moves, so that its rounding does
+/// not depend on where in the plan it lies.
 class Moves {
  public:
   Moves(const Cut& cut, Previous& rest) : rest_(rest), from_(state_of(cut)) { from_.d[0] = kZero; }
@@ -156,8 +158,8 @@ void append_moves(const Cut& cut, double joined, const State& goal, Previous& re
   }
 }
 
-/// How much of the next segment is joined to the remainder, seconds: none if that was halved until it is too short,
-/// too.
+/// How much of the next segment is joined to the remainder, seconds; 0 if the next segment is too short as well, after
+/// halvings.
 double joined_at(const Trajectory& plan, const Cut& cut, int attempt) {
   return plan.segments[cut.segment + 1].duration < 2.0 * kJoined[0] ? 0.0 : kJoined[attempt];
 }

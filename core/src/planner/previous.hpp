@@ -21,7 +21,7 @@ constexpr std::int32_t kFollowed = 3;
 /// Ways in which the rest is tried at most: cut_previous(), then cut_again().
 constexpr int kPreviousTries = 6;
 
-/// The same if kLeastRest or more is left of the segment that is being flown.
+/// Ways in which the rest is tried at most if kLeastRest or more is left of the segment that is being flown.
 constexpr int kLongRestTries = 3;
 
 /// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
@@ -38,17 +38,17 @@ struct Previous {
   int count;            ///< segments; 0 if nothing is left to fly
   int next;             ///< the first segment that has no polyhedron yet
   int enclosed;         ///< parts of segments that have a polyhedron
-  bool appends;         ///< the next segment's polyhedra are in work
-  Appending appending;  ///< of that one
+  bool appends;         ///< the next segment is being enclosed
+  Appending appending;  ///< of the next segment
   int tries;            ///< 0 .. last_try
   int last_try;         ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
-  bool flown;           ///< the current plan begins with it
-  bool meets_goal;      ///< it ends at the goal of the current plan
+  bool flown;           ///< the current plan begins with the rest
+  bool meets_goal;      ///< the rest ends at the goal of the current plan
   bool in_place;        ///< `origin` is that of the previous plan; else the requested start
   Vec3 jerk;            ///< at its beginning, m/s^3
   Vec3 origin;          ///< of the segments, in the world frame
   Segment segments[kMaxSegments];
-  Trajectory plan;  ///< the whole previous plan, for the second frame
+  Trajectory plan;  ///< the whole previous plan, for cut_again() and the pace
 };
 
 /// True if request.previous is a valid trajectory whose state at request.previous_time is request.start, bit for bit.
@@ -60,10 +60,12 @@ bool previous_fits(const Request& request) noexcept;
 /// of the next one. Tries nothing yet.
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept;
 
-/// Cuts rest.plan once more, for try number rest.tries, 2 .. rest.last_try, as the one before failed. The rest must not
-/// be empty. In the frame of the previous plan, all segments but the first keep their bits, where moving coordinates
-/// rounds them; then relative to the requested start, each segment by how far it moves. If less than kLeastRest is left
-/// of the first, as cut_previous() does, with less of the next segment, then with none, and last in that frame.
+/// Cuts rest.plan once more, for try number rest.tries, 2 .. rest.last_try, after the try before failed. The rest must
+/// not be empty. There are two ways. In the frame of the previous plan, segments that are left whole keep their bits,
+/// which moving coordinates would round. Relative to the requested start, each segment is placed by how far it moves.
+/// If kLeastRest or more is left of the first segment, try 2 is in the previous plan's frame and try 3 is relative to
+/// the start. If less is left, the tries are relative to the start, with less and less of the next segment joined to
+/// the first, then with none. The last try is in the previous plan's frame.
 void cut_again(const Request& request, Previous& rest) noexcept;
 
 /// The end of the rest, relative to `origin`. The rest must not be empty.

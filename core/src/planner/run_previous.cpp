@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The rest of the previous plan, for the case that no new plan is found, or none that arrives earlier. It is proven
-// again on the current map: before a new plan is looked for, so that a rest that does not hold costs little, and again
-// if it is to be flown, because the new plan took its memory.
+// The rest of the previous plan, which is flown if no new plan is found that arrives earlier. It is proven on the
+// current map before the search for a new plan, so that a rest that does not hold costs little. If it is to be flown,
+// it is proven once more, because the new plan took its memory.
 #include "base/progress.hpp"
 #include "base/too_narrow.hpp"
 #include "base/work.hpp"
@@ -16,15 +16,16 @@
 namespace tern {
 namespace {
 
-/// A checked plan may violate a half-space by the check's tolerance, and the half-space may be too near to an obstacle
-/// by another. So its hulls may be too near by both. A factor below 1 leaves room for rounding.
+/// The part of check_distance by which hulls of the rest may be too near to obstacles, besides what any half-space may.
+/// A checked plan may violate a half-space by the check's tolerance, and the half-space itself may be too near to an
+/// obstacle. So the plan's hulls may be too near by both. A factor below 1 leaves room for rounding.
 constexpr double kPreviousSlack = 0.9;
 /// A new plan replaces the rest if it arrives earlier by more than this, seconds.
 constexpr double kEarlierBy = 1e-6;
 
 }  // namespace
 
-/// The first stage of an attempt: if the rest meets the goal, does it hold?
+/// Enters the first stage of an attempt: the trial of the rest if it ends at the goal, else the search.
 void Plan::begin_with_rest() noexcept {
   const Previous& rest = memory_->previous;
   rest_try_ = 0;
@@ -32,7 +33,8 @@ void Plan::begin_with_rest() noexcept {
   tries_rest_ ? enter(Stage::kPrevious) : begin_way();
 }
 
-/// The attempt then begins anew, as if nothing had been tried.
+/// Ends a trial of the rest. If it does not hold, the next way is tried. After the last, or if it holds, the attempt
+/// begins anew as if nothing had been tried.
 Progress Plan::end_trial(bool holds) noexcept {
   const Previous& rest = memory_->previous;
   if (!holds && rest.tries < rest.last_try) {
@@ -71,7 +73,8 @@ void Plan::begin_hulls() noexcept {
   if (has_fences_) scratch.fences = &memory.fences;
 }
 
-/// The rest of the plan cannot help if no voxel near the goal is free.
+/// True if the rest of the previous plan may help after this failure. A rest that ends elsewhere than at the goal
+/// cannot help if no voxel near the goal is free.
 bool Plan::previous_may_help(Status status) const noexcept {
   const Previous& rest = memory_->previous;
   if (rest.tries == rest.last_try || rest.count == 0) return false;
@@ -87,7 +90,7 @@ void Plan::begin_previous() noexcept {
   begin_hulls();
 }
 
-/// A unit is one of append_advance. If the rest meets the goal, it is the whole plan. Otherwise it takes the
+/// The units are those of append_advance. If the rest meets the goal, it is the whole plan. Otherwise it takes the
 /// place of the start's escape.
 Progress Plan::run_previous(Work& work) noexcept {
   Layout& memory = *memory_;
@@ -119,7 +122,7 @@ Progress Plan::run_previous(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// The reason for the plan's failure stays the same, unless the rest lacked only segments.
+/// Gives the rest up. The reason for the plan's failure stays the same, unless the rest lacked only segments.
 Progress Plan::drop_previous(Status why) noexcept {
   if (tries_rest_) return end_trial(false);
   const Stage stage = failed_stage_;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where no plan leads to the goal: the nearest point that one can lead to, for the report, or as the goal instead.
+// If no plan leads to the goal: finds the nearest point that a plan can lead to, for the report or as the new goal.
 #include "base/free_point.hpp"
 #include "base/progress.hpp"
 #include "base/too_narrow.hpp"
@@ -14,7 +14,7 @@
 namespace tern {
 namespace {
 
-/// The search had no room for a proof that there is a path, or none.
+/// The search ran out of memory before it could tell whether there is a path.
 bool lacks_nodes(Status status) {
   return status == Status::kNodesFull || status == Status::kOpenFull;
 }
@@ -27,14 +27,14 @@ bool misses_goal(Status status) {
 
 }  // namespace
 
-/// Nothing else is left to try. Ends the plan with what it failed of, once it is known how near to the goal it could
-/// have come.
+/// Nothing else is left to try: ends the plan with its failure. If it missed the goal, the reach stage first finds how
+/// near to the goal it could have come.
 void Plan::give_up() noexcept {
   if (!report_.has_reachable && misses_goal(failed_status_)) return enter(Stage::kReach);
   end(failed_stage_, failed_status_);
 }
 
-/// Near the goal itself, not the point from which the last attempt was to arrive there.
+/// Looks near the goal itself, not near the point from which the last attempt was to reach the goal.
 void Plan::begin_reach() noexcept {
   const Request local = to_local(world(), asked_);
   const Vec3 target = leg_ == via_count() ? local.goal.position : leg_to();
@@ -64,7 +64,7 @@ Progress Plan::run_reach(Work& work) noexcept {
   return progress;
 }
 
-/// The voxel's centre in the world; the start, where it rests in that voxel already.
+/// The voxel's centre in the world, or the start if it rests in that voxel already.
 Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
   const Grid& grid = world();
   const Vec3 start = to_local(world(), asked_).start.position;
@@ -72,7 +72,7 @@ Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
   return stays ? asked_.start.position : free_point(grid, voxel) + grid.spec().origin;
 }
 
-/// The plan begins again, with another goal.
+/// Begins the plan again, with the reachable point as its goal.
 void Plan::plan_to_reachable() noexcept {
   report_.goal_missed = failed_status_;
   asked_.goal = {report_.reachable, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};

@@ -27,22 +27,22 @@ void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uin
   entry.bound = least(budget, bound);
 }
 
-/// What the stages before the one at hand have left of Budget::expansions.
+/// What the stages before the current one have left of Budget::expansions.
 std::uint32_t Plan::expansions_left() const noexcept {
   return asked_.budget.expansions - before(Stage::kSearch) - before(Stage::kReach);
 }
 
-/// The same of Budget::sight_lines.
+/// What the stages before the current one have left of Budget::sight_lines.
 std::uint32_t Plan::sight_lines_left() const noexcept {
   return asked_.budget.sight_lines - before(Stage::kShortcut) - before(Stage::kDetour);
 }
 
-/// The same of Budget::planes.
+/// What the stages before the current one have left of Budget::planes.
 std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
 
-/// Blocks the voxels of plane z that the fence at hand forbids: all keep-ins together, or one keep-out.
+/// Blocks the voxels of plane z that the current fence forbids: all keep-ins together, or one keep-out.
 std::uint32_t Plan::block_plane(std::int32_t z) noexcept {
   const Fences& fences = memory_->fences;
   FenceLayer& layer = memory_->fence_layer;
@@ -132,7 +132,8 @@ Progress Plan::run_shortcut(Work& work) noexcept {
   return progress;
 }
 
-/// A fast path may need more segments than there are; a cheapest one often needs fewer. Once.
+/// Goes back to the optimal search, once. A fast path may need more segments than fit; a cheapest path often needs
+/// fewer.
 bool Plan::search_again(Status why) noexcept {
   if (why != Status::kSegmentsFull || report_.search_used != SearchUsed::kGuided) return false;
   searched_again_ = 1;
@@ -169,7 +170,7 @@ Progress Plan::run_corridor(Work& work) noexcept {
 }
 
 void Plan::fail_corridor(Status status) noexcept {
-  // If the detour has no corridor, the reason is still why the path's own corridor has no trajectory.
+  // If the detour has no corridor, the plan still fails because the path's own corridor has no trajectory.
   if (report_.detours == kDetoured) return fail(Stage::kTrajectory, undetoured_);
   fail(Stage::kCorridor, status);
 }

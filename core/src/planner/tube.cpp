@@ -14,7 +14,7 @@ void push(Appending& appending, const Segment& next, int halved) {
   enclose_begin(appending.growth);
 }
 
-/// A polyhedron around the hull of the next part.
+/// Grows a polyhedron around the hull of the next part.
 Progress enclose_next(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
                       Work& work) {
   const Segment& segment = appending.segment[appending.pending - 1];
@@ -24,7 +24,7 @@ Progress enclose_next(Appending& appending, const Grid& grid, const Vec3& origin
                          tube.polyhedra[tube.count], work);
 }
 
-/// Takes the next part, which has a polyhedron.
+/// Moves the next part, which now has a polyhedron, into the tube.
 void append(Appending& appending, Tube& tube) {
   tube.segments[tube.count] = appending.segment[--appending.pending];
   tube.segments[tube.count].polyhedron = tube.count;
@@ -39,7 +39,7 @@ Segment half_of(const Segment& whole, const Curve& curve) {
   return segment;
 }
 
-/// Halves the next part, which has no room as a whole. False where it is too small.
+/// Halves the next part, which has no room as a whole. False if it is too small.
 bool halve(Appending& appending) {
   const Segment segment = appending.segment[--appending.pending];
   const int halvings = appending.halvings[appending.pending];

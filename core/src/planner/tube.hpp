@@ -16,7 +16,7 @@
 
 namespace tern {
 
-/// The most times that a segment is halved whose hull has no room. Each halving makes the excess of the hull over the
+/// The most times that a segment whose hull has no room is halved. Each halving makes the excess of the hull over the
 /// curve four times smaller.
 constexpr int kTubeHalvings = 6;
 
@@ -35,7 +35,7 @@ struct Appending {
   int pending;    ///< parts that wait for a polyhedron, the next one last
   Segment segment[kTubeHalvings + 1];
   int halvings[kTubeHalvings + 1];
-  HullGrowth growth;  ///< of the next one
+  HullGrowth growth;  ///< of the next part's polyhedron
 };
 
 /// Appends a segment, which is relative to `origin`, a point of the grid's local frame. Appends the whole segment if
@@ -46,7 +46,7 @@ void append_begin(Appending& appending, const Segment& whole) noexcept;
 Progress append_advance(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
                         Work& work) noexcept;
 
-/// All of it: kOk, or why it failed.
+/// Appends a segment in one call. Returns kOk, or why it failed.
 Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
 
 }  // namespace tern

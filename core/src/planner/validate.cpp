@@ -56,7 +56,7 @@ bool in_range(double limit) {
   return limit >= kMinLimit && limit <= kMaxLimit;
 }
 
-/// A zero, in an axis or in the number, means that the limit was not given.
+/// A limit of zero, on an axis or on the horizontal norm, was not given.
 bool is_given(double limit) {
   return limit < 0.0 || limit > 0.0;
 }
@@ -127,7 +127,7 @@ Verdict check_states(const Request& request, const MotionLimits& limits) {
   return start.status != Status::kOk ? start : check_state(request.goal, limits, kGoal);
 }
 
-/// A caller in C can pass any byte.
+/// True if the mode is one of the enumeration: a caller in C can pass any byte.
 bool known(ShortcutMode mode) {
   return mode == ShortcutMode::kShortestChain;
 }

@@ -16,16 +16,16 @@ namespace tern {
 /// request is accepted, `limits` receives its limits in the form that the stages use.
 Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits) noexcept;
 
-/// The part of it that is about limits.
+/// Validates the limits alone.
 Verdict validate_limits(const Limits& limits) noexcept;
 bool valid_time_weight(double weight) noexcept;
 
-/// A rest that is not negative nor too long, at a stop.
+/// True if the dwell is in range, and is zero unless the plan stops at the via.
 inline bool dwell_valid(const Via& via) noexcept {
   return via.dwell >= 0.0 && via.dwell <= kMaxDwell && (via.stop || !(via.dwell > 0.0));
 }
 
-/// The request's vias, of a request that is valid otherwise. `via` receives the index of the one that is wrong, or
+/// Validates the vias of a request that is valid otherwise. `via` receives the index of the one that is wrong, or
 /// kNoVia.
 Verdict validate_vias(const Grid& grid, const Request& request, const MotionLimits& limits, std::int32_t& via) noexcept;
 
