@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A grid as the core reads it: rows of words, one bit a voxel. Where a row or a bit of it lies is worked out here.
+// A grid as the core reads it: rows of words, one bit a voxel. Computes where a row, or a bit of it, lies.
 #ifndef TERN_GRID_BIT_ROWS_HPP
 #define TERN_GRID_BIT_ROWS_HPP
 
@@ -16,7 +16,7 @@ namespace tern {
 constexpr std::int32_t kWordBits = 64;
 constexpr std::uint64_t kAllBits = ~std::uint64_t{0};
 
-/// Words that hold so many bits.
+/// Number of words that hold this many bits.
 constexpr std::int32_t words_for(std::int32_t bits) noexcept {
   return (bits + kWordBits - 1) / kWordBits;
 }
@@ -30,7 +30,7 @@ struct IndexRange {
   std::int32_t end;
 };
 
-/// What two ranges have in common; empty (begin >= end) where that is nothing.
+/// The indices that two ranges share; empty (begin >= end) if they share none.
 inline IndexRange overlap(const IndexRange& a, const IndexRange& b) noexcept {
   return {a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
@@ -39,13 +39,13 @@ inline bool contains(const IndexRange& range, std::int32_t index) noexcept {
   return index >= range.begin && index < range.end;
 }
 
-/// True where two ranges have an index in common.
+/// True if two ranges share an index.
 inline bool meets(const IndexRange& a, const IndexRange& b) noexcept {
   const IndexRange both = overlap(a, b);
   return both.begin < both.end;
 }
 
-/// The bits of x's word from x on, and those before x.
+/// The bits of the word of voxel x: those from x on (bits_from) and those before x (bits_before).
 inline std::uint64_t bits_from(std::int32_t x) noexcept {
   return kAllBits << (x & 63);
 }
@@ -61,7 +61,7 @@ inline std::uint64_t bits_within(const IndexRange& range, std::int32_t k) noexce
   return mask;
 }
 
-/// The same for any range: none where it does not meet the word.
+/// The bits of a row's word k that lie in any range; none if the range does not meet the word.
 inline std::uint64_t bits_met(const IndexRange& range, std::int32_t k) noexcept {
   const IndexRange met = overlap(range, {kWordBits * k, kWordBits * (k + 1)});
   return met.begin < met.end ? bits_within(met, k) : 0;
@@ -90,7 +90,8 @@ struct BitRows {
   std::int32_t row_words;      ///< from a row to the next along y
   std::int32_t plane_rows;     ///< from a row to the next along z
 
-  /// Words before row (y, z), which may lie beside the layer: steps between rows are differences of these.
+  /// Number of words before row (y, z). The row may lie outside the layer, so that differences of these numbers are
+  /// steps between rows.
   std::ptrdiff_t index(std::int32_t y, std::int32_t z) const noexcept {
     return (static_cast<std::ptrdiff_t>(z) * plane_rows + y) * row_words;
   }
@@ -98,7 +99,7 @@ struct BitRows {
   const std::uint64_t* row(std::int32_t y, std::int32_t z) const noexcept { return words + index(y, z); }
 };
 
-/// What the core reads of a grid that no user does.
+/// The core's access to parts of a grid that users cannot read.
 struct GridView {
   /// The two layers. Bits past dims.x are 0 in the obstacle layer and 1 in the blocked one.
   static BitRows obstacles(const Grid& grid) noexcept { return rows_of(grid, grid.obstacles_); }
@@ -109,10 +110,10 @@ struct GridView {
   }
 
   /// A number for each region of the blocked layer (grid/regions.hpp). Regions with equal numbers are equal, in one
-  /// grid at two times or in two grids. inflate() writes them. Null where with_blocked() made the grid.
+  /// grid at two times or in two grids. inflate() writes them. Null if with_blocked() made the grid.
   static const std::uint64_t* contents(const Grid& grid) noexcept { return grid.contents_; }
 
-  /// The same grid with another blocked layer: `words`, layer_words() of them, taken as they are.
+  /// The grid with another blocked layer: `words`, layer_words() of them, used as they are.
   static Grid with_blocked(const Grid& grid, std::uint64_t* words) noexcept {
     Grid view = grid;
     view.blocked_ = words;
@@ -120,11 +121,11 @@ struct GridView {
     return view;
   }
 
-  /// The same layers within another boundary, local frame and inside the grid's. The blocked layer stays as it was.
+  /// Gives a view another boundary: local frame, inside the grid's own. Both layers stay as they are.
   static void set_boundary(Grid& view, const Box& local) noexcept { view.local_boundary_ = local; }
 
-  /// A grid with the same origin and boundary whose voxels are smaller by `halvings` factors of two, to work with
-  /// voxels of that size; it has no layers. False where such a grid cannot be bound.
+  /// Makes `fine` a grid with the same origin and boundary, whose cell is halved `halvings` times. It has no layers:
+  /// only its geometry can be used. False if such a grid cannot be bound.
   static bool halved(const Grid& grid, int halvings, Grid& fine) noexcept {
     GridSpec spec = grid.spec_;
     for (int k = 0; k < halvings; ++k) {

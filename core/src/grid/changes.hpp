@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What changed since the last inflation, in the caller's storage: one bit for each word of the obstacle layer, 64
-// consecutive rows side by side in a word, so that a change spreads to the rows around it by shifts.
+// The changes since the last inflation, in the caller's storage: one bit for each word of the obstacle layer. The bits
+// of 64 consecutive rows form a word, so shifts spread a change to the rows around it.
 #ifndef TERN_GRID_CHANGES_HPP
 #define TERN_GRID_CHANGES_HPP
 
@@ -18,17 +18,17 @@ namespace tern {
 /// The most blocks of rows that a grid has.
 constexpr std::int32_t kMaxBlocks = (kMaxDimension + kBlockRows - 1) / kBlockRows;
 
-/// Where some planes of a change map have bits set: planes and words, as ranges that are empty where there are none;
-/// and the rows of each block, of all these planes and words together.
+/// Where some planes of a change map have bits set: the ranges of planes and words, empty if no bit is set, and the
+/// rows of each block, ORed over all these planes and words.
 struct ChangeExtent {
   IndexRange planes;
   IndexRange words;
   std::uint64_t rows[kMaxBlocks];
 };
 
-/// The change map of a grid. Word (z, block, k) has bit y - 64 block set where obstacles changed that block voxels of
-/// word k, as far as row (y, z) itself is concerned: a change near a word's end is noted in both words. Plane z has a
-/// bit of its own where it holds any. Bits past the grid's last row have no meaning.
+/// The change map of a grid. Bit y - 64 block of word (z, block, k) is set if obstacles in row (y, z) changed that can
+/// block voxels of word k in that row: a change near a word's end is noted in both words. Plane z also has a bit of its
+/// own, set if the plane has any change. Bits past the grid's last row have no meaning.
 class Changes {
  public:
   Changes(const Voxel& dims, std::uint64_t* storage) noexcept
@@ -38,9 +38,9 @@ class Changes {
   static std::size_t words(const Voxel& dims) noexcept;
 
   std::int32_t blocks() const noexcept { return regions_.blocks; }
-  /// True where anything changed.
+  /// True if anything changed.
   bool any() const noexcept;
-  /// True where plane z has a change; false past the grid.
+  /// True if plane z has a change; false past the grid.
   bool plane(std::int32_t z) const noexcept {
     return z >= 0 && z < regions_.planes && (summary_[z >> 6] >> (z & 63) & 1u) != 0;
   }
@@ -49,11 +49,11 @@ class Changes {
     return plane(z) && block >= 0 && block < regions_.blocks ? bits_ + at(z, block, 0) : kNoRows;
   }
 
-  /// Of the planes that are given.
+  /// The extent of the changes in these planes.
   ChangeExtent extent(const IndexRange& planes) const noexcept;
   void clear() noexcept;
   void note_all() noexcept;
-  /// Words first .. last of row (y, z).
+  /// Notes a change of words first .. last of row (y, z).
   void note(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) noexcept {
     summary_[z >> 6] |= std::uint64_t{1} << (z & 63);
     std::uint64_t* words = bits_ + at(z, y >> 6, 0);

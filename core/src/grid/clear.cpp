@@ -11,27 +11,27 @@
 namespace tern {
 namespace {
 
-/// What must keep away from the obstacles, and how far.
+/// The segment that must keep clear of the obstacles, and the distance that it must keep.
 struct Probe {
   Vec3 a;
   Vec3 b;
-  double shrink;          ///< boxes are smaller by this on each side
-  double needed_squared;  ///< squared distance from the shrunk boxes
+  double shrink;          ///< boxes are shrunk by this on each side
+  double needed_squared;  ///< least squared distance from the shrunk boxes
   double direction;       ///< direction_tolerance
 };
 
-/// With a radius, boxes as they are. With less than the tolerance, a surface may be touched: boxes lose what the
-/// tolerance leaves beyond the radius, and the rest of them must not be met.
+/// If the radius exceeds the tolerance, the boxes stay as they are. If it does not, the segment may touch a surface:
+/// boxes shrink by the tolerance minus the radius, and the segment must not meet what remains.
 Probe make_probe(const GridSpec& spec, const Vec3& a, const Vec3& b, double radius, double tolerance) {
   const double direction = direction_tolerance(spec);
   if (radius > tolerance) return {a, b, 0.0, (radius - tolerance) * (radius - tolerance), direction};
-  // A hair less than the whole tolerance: what is measured rounds.
+  // A little less than the whole tolerance, because the measured distance is rounded.
   constexpr double kHair = 0.05;
   return {a, b, tolerance - radius, kHair * kHair * tolerance * tolerance, direction};
 }
 
-/// The corners of a box that lost the tolerance lie deeper than that in the box itself: near them, the plane between
-/// segment and box decides.
+/// The corners of a shrunk box lie deeper in the box than the tolerance. Near them, the plane between segment and box
+/// decides.
 bool keeps_clear(const Probe& probe, const Box& box) {
   const double s = probe.shrink;
   const Box shrunk{{box.lower.x + s, box.lower.y + s, box.lower.z + s},
@@ -60,14 +60,14 @@ IndexRange voxels_near(const GridSpec& spec, double from, double to, double radi
   return {begin, end};
 }
 
-/// Rows that overlap in a block: `deep` planes of `wide` rows each, 1 or 2. Blocks of more than one voxel close the gap
-/// of width zero between neighbours, which only a radius of zero could pass.
+/// A block of rows that are ANDed: `deep` planes of `wide` rows each, both 1 or 2. Blocks of more than one row close
+/// the gap of width zero between neighbours, which only a radius of zero could pass.
 struct Block {
   std::int32_t wide;
   std::int32_t deep;
 };
 
-/// Word k of the voxels along x where all rows of the block at (y, z) have obstacles.
+/// Word k of the AND of all rows of the block at (y, z): voxels along x at which every row has an obstacle.
 std::uint64_t block_word(const Grid& grid, const Block& block, std::int32_t y, std::int32_t z, std::int32_t k) {
   std::uint64_t word = ~std::uint64_t{0};
   for (std::int32_t j = 0; j < block.deep; ++j) {

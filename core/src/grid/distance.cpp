@@ -10,10 +10,10 @@
 namespace tern {
 namespace {
 
-/// The most places inside (0, 1) where a segment crosses the planes of a box's faces.
+/// The most t in (0, 1) at which a segment crosses the planes of a box's faces.
 constexpr int kMaxCrossings = 6;
 
-/// Sorted t where the segment crosses a face's plane, between 0 and 1.
+/// The sorted t between 0 and 1 at which the segment crosses a face's plane.
 struct Breaks {
   int count;
   double t[kMaxCrossings + 2];
@@ -49,7 +49,7 @@ struct Derivative {
   double offset;
 };
 
-/// On a piece each axis is below, inside or above the box throughout; `middle` is a t within the piece.
+/// On each axis, a whole piece is below, inside or above the box. `middle` is a t within the piece.
 Derivative derivative_on_piece(const Vec3& a, const Vec3& along, const Box& box, double middle) {
   Derivative derivative{0.0, 0.0};
   for (int i = 0; i < 3; ++i) {
@@ -63,7 +63,8 @@ Derivative derivative_on_piece(const Vec3& a, const Vec3& along, const Box& box,
   return derivative;
 }
 
-/// The t of the minimum. The derivative never falls, so the first piece where it reaches 0 holds it.
+/// The t of the minimum. The derivative never falls, so the minimum lies in the first piece in which the derivative
+/// reaches 0.
 double closest_t(const Vec3& a, const Vec3& along, const Box& box) {
   const Breaks ends = piece_ends(a, along, box);
   for (int k = 0; k + 1 < ends.count; ++k) {

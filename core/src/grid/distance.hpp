@@ -15,29 +15,30 @@
 
 namespace tern {
 
-/// A distance may fall short of a radius by so many metres, or parts of a voxel where voxels are larger than a metre,
-/// and still count as equal to it.
+/// A distance that falls short of a radius by at most this many metres counts as equal to it. If voxels are larger than
+/// a metre, this is a share of a voxel instead.
 constexpr double kClearTolerance = 1e-9;
 
-/// Metres by which a point of this grid may be nearer than the radius, or beyond the boundary: kClearTolerance, and
-/// what rounding does to coordinates: kWorldUlps units in the last place of a world coordinate, which was subtracted
-/// from the origin, and kLocalUlps of a local one, for the products and sums of a distance.
+/// Metres by which a point of this grid may be nearer than the radius, or beyond the boundary. The sum of
+/// kClearTolerance and two rounding errors: kWorldUlps units in the last place of a world coordinate, from which the
+/// origin is subtracted, and kLocalUlps units of a local coordinate, for the products and sums of a distance.
 double contact_tolerance(const GridSpec& spec) noexcept;
 
-/// Below this distance, in metres, the direction between the closest points of two solids is rounding; above it, its
-/// unit vector is good to 1e-8. Voxels larger than a metre have coordinates that round by more.
+/// Below this distance, in metres, the direction between the closest points of two solids is only rounding error. Above
+/// it, the unit vector of that direction is accurate to 1e-8. Voxels larger than a metre have coordinates with larger
+/// rounding errors, so the distance grows with them.
 double direction_tolerance(const GridSpec& spec) noexcept;
 constexpr double kMetricDirection = 1e-7;
 constexpr double kWorldUlps = 2.0;
 constexpr double kLocalUlps = 4.0;
 
-/// The point of a closed box nearest to p; p itself where it is inside.
+/// The point of a closed box nearest to p; p itself if it is inside.
 Vec3 nearest_in_box(const Vec3& p, const Box& box) noexcept;
 
 /// Squared distance from p to the closed box, 0 inside.
 double point_box_distance_squared(const Vec3& p, const Box& box) noexcept;
 
-/// Where a segment and a box are nearest to each other. Where many pairs are equally near, the one nearest to the
+/// Where a segment and a box are nearest to each other. If many pairs are equally near, this is the one nearest to the
 /// segment's beginning.
 struct ClosestPair {
   Vec3 on_segment;
@@ -54,32 +55,34 @@ ClosestPair segment_box_closest(const Vec3& a, const Vec3& b, const Box& box) no
 /// The closest pair's squared distance.
 double segment_box_distance_squared(const Vec3& a, const Vec3& b, const Box& box) noexcept;
 
-/// True where the radius is no NaN and >= 0, the point lies inside the grid's boundary and every obstacle cube is at
-/// least `radius` away, both but for kClearTolerance. With radius 0 the obstacles' surface may be touched and their
-/// interior not, where obstacle cubes that share a face, an edge or a corner on all sides leave no gap between them.
-/// Reads at most the voxels within the radius.
+/// True if the radius is >= 0 (not NaN), the point lies inside the grid's boundary, and every obstacle cube is at least
+/// `radius` away; both to within contact_tolerance(). With radius 0, the point may touch the surface of obstacles but
+/// not enter them. Obstacle cubes that share a face, an edge or a corner on all sides leave no gap between them. Reads
+/// at most the voxels within the radius.
 bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept;
 
-/// The same for every point of the segment from a to b. Reads at most the voxels within the radius of its bounding box.
+/// True if point_clear() holds for every point of the segment from a to b. Reads at most the voxels within the radius
+/// of its bounding box.
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept;
 
-/// The search for the free voxel nearest to a point, in work. Plain data; needs no initialisation before nearest_begin.
+/// The state of a search for the free voxel nearest to a point. Plain data; needs no initialisation before
+/// nearest_begin.
 struct NearestFree {
   Vec3 point;  ///< in cells
   bool found;
   double distance_squared;  ///< of the best voxel so far, in cells
   Voxel voxel;
-  std::int32_t square;  ///< rows at this distance from the point's come next
+  std::int32_t square;  ///< the next rows to read are at this distance, in rows, from the point's row
   std::int32_t last;
 };
 
 /// Finds the free voxel (up-to-date blocked layer) whose centre is nearest to the point, which may lie anywhere; ties
-/// go to the least z, then y, then x. A unit of work reads the rows at one distance from the point's, each word of the
-/// layer at most once. kDone: `found` says whether any voxel is free, and `voxel` is the nearest.
+/// go to the least z, then y, then x. A unit of work reads the rows at one distance from the point's row, each word of
+/// the layer at most once. kDone: `found` says whether any voxel is free, and `voxel` is the nearest.
 void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) noexcept;
 Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept;
 
-/// All of it. False, leaving `out` alone, where no voxel is free.
+/// Does the whole search at once. False, with `out` unchanged, if no voxel is free.
 bool nearest_free_voxel(const Grid& grid, const Vec3& local, Voxel& out) noexcept;
 
 }  // namespace tern

@@ -15,17 +15,18 @@
 namespace tern {
 namespace {
 
-/// Words before the layers: a cache line, so that the layers lie in lines as the storage does.
+/// Words before the layers: one cache line, so that the layers are aligned to cache lines if the storage is.
 constexpr std::size_t kHeaderWords = 8;
 
-/// First word of a storage that was bound before.
+/// First word of a storage that has been bound before.
 constexpr std::uint64_t kHeaderTag = 0x7465726E2D677264u;
 
-/// The change from an empty grid to one whose blocked layer was not made yet; marks have other numbers.
+/// The number of the change from an empty grid to one whose blocked layer has not been made yet. Marks have other
+/// numbers.
 constexpr std::uint64_t kUnmade = ~std::uint64_t{0};
 
-/// Revisions begin with the next multiple of this at each bind: later than all that the grid had before, which may have
-/// been counted through copies of it, in storage that is gone.
+/// Each bind begins with the next multiple of this as its revision. That is later than any revision that the grid had
+/// before, even those counted through copies of it in storage that is gone.
 constexpr std::uint64_t kBindStep = std::uint64_t{1} << 32;
 
 Verdict invalid(Field field) {
@@ -48,7 +49,7 @@ bool origin_resolves_cells(const GridSpec& spec) {
   return true;
 }
 
-/// Not inverted, and inside the grid's box but for rounding.
+/// True if the boundary is not inverted and, but for rounding, lies inside the grid's box.
 bool boundary_fits(const GridSpec& spec) {
   for (int a = 0; a < 3; ++a) {
     const double lower = axis(spec.boundary.lower, a);
@@ -81,7 +82,8 @@ std::size_t words_of_layer(const Voxel& dims) {
          static_cast<std::size_t>(dims.z);
 }
 
-/// One face of the boundary in the local frame: on the lattice where it is but for rounding, and inside the grid.
+/// One face of the boundary in the local frame: moved onto the lattice if it lies there but for rounding, and into the
+/// grid.
 double local_face(const GridSpec& spec, double world, int a) {
   const std::int32_t count = axis(spec.dims, a);
   const double local = world - axis(spec.origin, a);
@@ -110,7 +112,7 @@ std::uint64_t hash_after(std::uint64_t hash, const Vec3& point) {
   return hash_after(hash_after(hash_after(hash, point.x), point.y), point.z);
 }
 
-/// Of an empty grid: a hash of all that its blocked layer depends on.
+/// The content number of an empty grid: a hash of everything that its blocked layer depends on.
 std::uint64_t content_of(const GridSpec& spec, const Box& local_boundary) {
   std::uint64_t content = hash_after(hash_after(0, spec.cell), spec.clearance());
   content = hash_after(hash_after(content, local_boundary.lower), local_boundary.upper);
@@ -118,14 +120,14 @@ std::uint64_t content_of(const GridSpec& spec, const Box& local_boundary) {
   return content;
 }
 
-/// Tells a bind from all other ones of the storage, and views of one spec from those of another.
+/// A number that differs between all binds of a storage, and between views of different specs.
 std::uint64_t binding_of(const GridSpec& spec, std::uint64_t content, std::uint64_t revision) {
   const std::uint64_t frame =
       hash_after(hash_after(hash_after(content, spec.origin), spec.boundary.lower), spec.boundary.upper);
   return content_after(frame, revision);
 }
 
-/// A word of storage that may never have been written: read as volatile, it has one value.
+/// Reads a word of storage that may never have been written. The volatile read gives it one definite value.
 std::uint64_t word_as_it_is(const std::uint64_t& word) {
   return *static_cast<const volatile std::uint64_t*>(&word);
 }
@@ -153,7 +155,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   if (verdict.status != Status::kOk) return verdict.status;
   const std::size_t layer = words_of_layer(spec.dims);
   spec_ = spec;
-  // One radius for every stage: what is none for inflation is none for the corridor.
+  // Every stage uses the same radius: one that is 0 for inflation is also 0 for the corridor.
   if (spec.clearance() <= kClearTolerance) spec_.radius = spec_.tracking_margin = 0.0;
   local_boundary_ = boundary_in_grid(spec_);
   row_words_ = words_for(spec.dims.x);
@@ -167,7 +169,7 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
   Changes(spec.dims, changes_).note_all();
   begin_header();
-  // Nothing is free yet: not what the regions hold once they are made.
+  // Nothing is free yet, so the regions differ from those that inflation will make.
   const std::uint64_t unmade = content_after(words_[kContent], kUnmade);
   for (std::int32_t k = 0; k < Regions(spec.dims).count(); ++k) contents_[k] = unmade;
   return Status::kOk;

@@ -7,20 +7,21 @@
 namespace tern {
 namespace {
 
-/// Relative to the distance: when no further support can matter; and metres below which a direction is rounding.
+/// kSettled: the iteration ends if the gap cannot grow by more than this share of the distance. kMeeting: below this
+/// distance, in metres, a direction is only rounding error.
 constexpr double kSettled = 1e-12;
 constexpr double kMeeting = 1e-10;
 
-/// Up to four differences of points and the point of their hull that is nearest to the origin.
+/// Up to four differences of points of the two hulls.
 struct Simplex {
   Vec3 points[4];
   int count;
 };
 
-/// The best face so far.
+/// The face that is nearest to the origin so far, and its nearest point.
 struct Nearest {
   Vec3 point;
-  double square;  ///< < 0 while there is none
+  double square;  ///< squared distance from the origin; < 0 while there is no face
   Simplex face;
 };
 
@@ -38,7 +39,7 @@ void offer_edge(Nearest& best, const Vec3& a, const Vec3& b) {
   if (t > 0.0 && t < 1.0) offer(best, a + t * along, {{a, b, b, b}, 2});
 }
 
-/// The origin's projection on the triangle's plane, where it lies in the triangle.
+/// Offers the origin's projection onto the triangle's plane if it lies in the triangle.
 void offer_triangle(Nearest& best, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = cross(b - a, c - a);
   const double square = dot(normal, normal);
@@ -49,7 +50,7 @@ void offer_triangle(Nearest& best, const Vec3& a, const Vec3& b, const Vec3& c) 
   if (inside) offer(best, foot, {{a, b, c, c}, 3});
 }
 
-/// True where the tetrahedron holds the origin: each face has it on the side of the fourth corner.
+/// True if the tetrahedron contains the origin: for each face, the origin is on the side of the fourth corner.
 bool holds_origin(const Simplex& s) {
   if (s.count < 4) return false;
   for (int k = 0; k < 4; ++k) {
@@ -126,7 +127,7 @@ HullGap hull_gap(const Hull& first, const Hull& second) noexcept {
     simplex.points[simplex.count++] = difference;
     if (holds_origin(simplex)) return gap;
     const Nearest nearest = nearest_face(simplex);
-    // Rounding keeps a step from coming nearer: there is nothing left to gain.
+    // Because of rounding, no step comes nearer any more.
     if (nearest.face.count == 4 || nearest.square >= norm * norm) return gap;
     toward = nearest.point;
     simplex = nearest.face;

@@ -13,7 +13,7 @@
 
 namespace tern {
 
-/// Relative rounding of a stored world coordinate, 2^-52: one unit in the last place at most.
+/// Relative rounding error of a stored world coordinate, 2^-52: at most one unit in the last place.
 constexpr double kWorldRounding = 1.0 / 4503599627370496.0;
 
 inline std::int32_t axis(const Voxel& v, int a) {
@@ -36,31 +36,31 @@ inline std::int32_t ceil_index(double x, std::int32_t lo, std::int32_t hi) {
   return -floor_index(-x, -hi, -lo);
 }
 
-/// Cells by which a world coordinate of this size may miss the lattice plane that it means: the lattice's own
-/// tolerance and the rounding of the stored number, which at 1e9 m outweighs it.
+/// Cells by which a world coordinate of this size may miss the lattice plane that it stands for. The sum of the
+/// lattice's own tolerance and the rounding error of the stored number, which is the larger part at 1e9 m.
 inline double world_tolerance(const GridSpec& spec, double world) {
   return kLatticeTolerance + absolute(world) * kWorldRounding / spec.cell;
 }
 
-/// World coordinates must tell this part of a cell apart, or "inside" has no meaning where they lie.
+/// World coordinates must resolve this share of a cell. If they do not, "inside" has no meaning there.
 constexpr double kOriginResolution = 1e-3;
 
 inline bool resolves_cells(double world, double cell) {
   return absolute(world) * kWorldRounding <= kOriginResolution * cell;
 }
 
-/// No face lies beyond the opposite one.
+/// True if no lower face lies beyond the opposite upper face.
 inline bool valid_box(const Box& box) {
   return box.lower.x <= box.upper.x && box.lower.y <= box.upper.y && box.lower.z <= box.upper.z;
 }
 
-/// The voxels of one axis whose interior [lower, upper] meets; empty where it lies outside the grid.
+/// The voxels on one axis whose interior meets [lower, upper]; empty if that lies outside the grid.
 inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, int a) {
   const std::int32_t count = axis(spec.dims, a);
   const double origin = axis(spec.origin, a);
   const double from = (lower - origin) / spec.cell + world_tolerance(spec, lower);
   const double to = (upper - origin) / spec.cell - world_tolerance(spec, upper);
-  // One index beyond either end is kept, to tell a plate on the grid's upper face from one past it.
+  // Keeps one index beyond either end, to tell a plate on the grid's upper face from a plate past it.
   std::int32_t begin = floor_index(from, -1, count + 1);
   std::int32_t end = ceil_index(to, -1, count + 1);
   if (end <= begin) {  // a plate on a lattice plane: it meets no interior, and must not be lost
@@ -70,16 +70,17 @@ inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, i
   return {begin < 0 ? 0 : begin, end > count ? count : end};
 }
 
-/// Metres by which a state of a plan may lie beyond the boundary (the trajectory stage's tolerance), and the next plan
-/// begin there.
+/// Metres by which a state of a plan may lie beyond the boundary: the tolerance of the trajectory stage. The next plan
+/// may begin there.
 constexpr double kFaceTolerance = 1e-9;
 
-/// The rounding of a face's coordinate, of a point's, and of the corridor between them, in units of the last place.
+/// The rounding errors of a face's coordinate, of a point's coordinate, and of the corridor between them, in units in
+/// the last place: kFaceUlps of the face's coordinate, and kFaceExtentUlps of the grid's size.
 constexpr double kFaceUlps = 4.0;
 constexpr double kFaceExtentUlps = 12.0;
 
-/// A local coordinate that rounding left outside the boundary, put on the face; any other as it is. The face was put
-/// on the lattice by up to a tolerance of its size, and the point may miss the face by as much.
+/// Moves a local coordinate that rounding left outside the boundary onto the face; returns any other as it is. Moving a
+/// face onto the lattice changed it by up to kLatticeTolerance of a cell. The point may miss the face by as much.
 inline double onto_boundary(const Grid& grid, double local, int a) {
   const GridSpec& spec = grid.spec();
   const Box boundary = grid.local_boundary();
@@ -102,7 +103,7 @@ inline Box cube_of(const Grid& grid, const Voxel& voxel) {
           {(voxel.x + 1) * cell, (voxel.y + 1) * cell, (voxel.z + 1) * cell}};
 }
 
-/// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) where none does.
+/// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) if there are none.
 inline IndexRange whole_inside(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();
   const Box boundary = grid.local_boundary();
@@ -111,7 +112,7 @@ inline IndexRange whole_inside(const Grid& grid, int a) {
           floor_index(axis(boundary.upper, a) / spec.cell + kLatticeTolerance, 0, count)};
 }
 
-/// True where the boundary holds no whole voxel on this axis. It is then narrower than two.
+/// True if the boundary holds no whole voxel on this axis. The boundary is then narrower than two voxels.
 inline bool is_thin(const Grid& grid, int a) {
   const Box boundary = grid.local_boundary();
   if (axis(boundary.upper, a) - axis(boundary.lower, a) >= 2.0 * grid.spec().cell) return false;
@@ -119,8 +120,9 @@ inline bool is_thin(const Grid& grid, int a) {
   return whole.begin >= whole.end;
 }
 
-/// Layers of voxels that count as inside the boundary on one axis, never none: those that lie inside it. On a thin
-/// axis, those that it meets, one or two: of a flat boundary on a lattice plane, the layers on both sides.
+/// Layers of voxels that count as inside the boundary on one axis; at least one. These are the layers that lie inside
+/// it or, on a thin axis, the one or two that it meets. A flat boundary on a lattice plane meets the layers on both
+/// sides.
 inline IndexRange inside_boundary(const Grid& grid, int a) {
   if (!is_thin(grid, a)) return whole_inside(grid, a);
   const GridSpec& spec = grid.spec();

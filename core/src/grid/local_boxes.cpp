@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFullyInside = 1.0 - kLatticeTolerance;
 
-/// Instructions of a layer, and a word that is compared with the one below; of a layer that differs: a word that is
-/// compared with the one in the row before, a row that differs, and a run in it; of a rectangle in it or below it.
+/// Instructions of: a layer; a word that is compared with the layer below. In a layer that differs: a word that is
+/// compared with the row before; a row that differs; a run in that row; a rectangle in the layer or in the one below.
 constexpr std::uint32_t kLayerEffort = 300;
 constexpr std::uint32_t kWordEffort = 6;
 constexpr std::uint32_t kRowWordEffort = 12;
@@ -22,7 +22,7 @@ constexpr std::uint32_t kRowEffort = 100;
 constexpr std::uint32_t kRunEffort = 50;
 constexpr std::uint32_t kRectangleEffort = 60;
 
-/// Truncation to [0, count], compared as doubles first: a far coordinate does not fit an integer.
+/// Truncates to [0, count]. Compares as doubles first, because a far coordinate does not fit into an integer.
 std::int32_t clamp_index(double cells, std::int32_t count) {
   if (!(cells > 0.0)) return 0;
   if (cells >= static_cast<double>(count)) return count;
@@ -56,7 +56,7 @@ Rows rows_of(const Grid& grid, const VoxelRange& range, const Window& window, st
   return {rows.row(range.lower.y, z) + window.first_word, rows.row_words, range.upper.y - range.lower.y};
 }
 
-/// ORs of the bits in which the rows differ from those `back` words before them, word by word of the window.
+/// For each word of the window, ORs the bits in which the rows differ from the rows `back` words before them.
 template <std::int32_t kWords>
 void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, std::uint64_t* differences) {
   const std::uint64_t* row = rows.words + first;
@@ -73,9 +73,9 @@ void add_differences(const Rows& rows, std::ptrdiff_t back, std::int32_t first, 
   for (std::int32_t k = 0; k < kWords; ++k) differences[first + k] = any[k];
 }
 
-/// True where all rows have the same bits in the window as those `back` words before them. Most layers of a cuboid
-/// world equal the one below, so that this is what the extraction spends its time on. `differences` has a word for each
-/// of the window's.
+/// True if all rows have the same bits in the window as the rows `back` words before them. In a world of cuboids, most
+/// layers equal the one below, so the extraction spends most of its time here. `differences` has a word for each word
+/// of the window.
 bool all_equal(const Rows& rows, const Window& window, std::ptrdiff_t back, std::uint64_t* differences) {
   std::int32_t k = 0;
   for (; k + 1 < window.words; k += 2) add_differences<2>(rows, back, k, differences);
@@ -107,7 +107,7 @@ void copy_window(const std::uint64_t* row, const Window& window, std::uint64_t* 
   out[window.words - 1] &= window.last_mask;
 }
 
-/// The next run of set bits at or after `x`, as [x, end); false where there is none among the first `count` bits.
+/// The next run of set bits at or after `x`, as [x, end); false if there is none among the first `count` bits.
 bool next_run(const std::uint64_t* row, std::int32_t count, std::int32_t& x, std::int32_t& end) {
   while (x < count && (row[x >> 6] >> (x & 63)) == 0) x = (x | 63) + 1;
   if (x >= count) return false;
@@ -136,7 +136,7 @@ void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
   layer.rectangles[index].y1 = static_cast<std::int16_t>(y);
 }
 
-/// Opens a rectangle at row y; false where the layer is full.
+/// Opens a rectangle at row y; false if the layer is full.
 bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t y) {
   if (is_full(layer.count == kMaxLocalBoxes)) return false;
   layer.rectangles[layer.count++] = {static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1),
@@ -144,7 +144,8 @@ bool open_rectangle(Layer& layer, std::int32_t x0, std::int32_t x1, std::int32_t
   return true;
 }
 
-/// Takes a row that differs from the one before: rectangles whose run is gone end, new runs begin new ones.
+/// Takes a row that differs from the row before. Rectangles whose run has gone end there, and new runs open new
+/// rectangles.
 bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::int32_t y, const std::int32_t* open,
               std::int32_t* still_open) {
   int i = 0;
@@ -168,7 +169,7 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   return true;
 }
 
-/// The rectangles of one layer, sorted by (y0, x0) because that is the order they open in. -1 where they do not fit.
+/// The rectangles of one layer, sorted by (y0, x0), because they open in that order. -1 if they do not fit.
 int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles,
                      Work& work) {
   Layer layer{rectangles, 0, 0, effort_of(kRowWordEffort, rows.count * window.words)};
@@ -201,20 +202,20 @@ LocalBox box_of(const LayerRectangle& rectangle, const VoxelRange& range, std::i
           {(x + rectangle.x1) * cell, (y + rectangle.y1) * cell, (z + 1) * cell}};
 }
 
-/// The boxes found so far; a grid's cell has `cell` metres.
+/// The boxes found so far. `cell` is the edge of a voxel in metres.
 struct Boxes {
   LocalBox* at;
   int count;
   double cell;
 };
 
-/// Makes the boxes of a layer's rectangles reach up to layer `end`, which may be that layer's own upper side.
+/// Extends the boxes of a layer's rectangles upwards, to the lower side of layer `end`.
 void grow_up(const LayerRectangle* layer, int count, std::int32_t end, const Boxes& boxes) {
   for (int j = 0; j < count; ++j) boxes.at[layer[j].box].upper[2] = end * boxes.cell;
 }
 
-/// Matches the rectangles of layer z with those below, both in the same order: the same footprint continues its box,
-/// any other begins one. False where the boxes do not fit.
+/// Matches the rectangles of layer z with those below, both in the same order. A rectangle with the same footprint
+/// continues the box of the one below; any other begins a box. False if the boxes do not fit.
 bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* layer, int count, const VoxelRange& range,
                 std::int32_t z, Boxes& boxes) {
   int j = 0;
@@ -231,7 +232,7 @@ bool join_below(const LayerRectangle* below, int below_count, LayerRectangle* la
   return true;
 }
 
-/// Goes on to the next layer; false where the boxes do not fit. A layer that equals the one below changes nothing.
+/// Reads the next layer; false if the boxes do not fit. A layer that equals the one below changes nothing.
 bool read_layer(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) {
   const VoxelRange& range = scratch.range;
   const Window window = window_of(range);

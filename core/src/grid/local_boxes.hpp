@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The obstacles around one segment as a handful of solid boxes, straight from the words of the obstacle layer: runs
-// of bits along x grow into rectangles over y where the next row has the same run, and rectangles into boxes over z.
-// A cuboid world becomes its cuboids again instead of thousands of voxels; noise becomes its voxels.
+// The obstacles around one segment as a handful of solid boxes, straight from the words of the obstacle layer: runs of
+// bits along x grow into rectangles over y if the next row has the same run, and rectangles grow into boxes over z. A
+// world of cuboids becomes its cuboids again instead of thousands of voxels; noise becomes single voxels.
 #ifndef TERN_GRID_LOCAL_BOXES_HPP
 #define TERN_GRID_LOCAL_BOXES_HPP
 
@@ -34,8 +34,8 @@ struct VoxelRange {
   Voxel upper;
 };
 
-/// A rectangle of obstacle voxels in one layer, half-open, counted from the first word of the range's rows and its
-/// lower y, and the box that it belongs to.
+/// A rectangle of obstacle voxels in one layer, and the box that it belongs to. Half-open; x counts from the first word
+/// of the range's rows, y from the range's lower y.
 struct LayerRectangle {
   std::int16_t x0;
   std::int16_t x1;
@@ -47,30 +47,30 @@ struct LayerRectangle {
 constexpr int kMaxRowRuns = kMaxLocalBoxes < kMaxDimension / 2 + 1 ? kMaxLocalBoxes : kMaxDimension / 2 + 1;
 static_assert(kMaxDimension < 32768, "rectangles count voxels in 16 bits");
 
-/// An extraction in work, and its scratch; no initialisation needed before extract_begin.
+/// The state of an extraction and its scratch memory; needs no initialisation before extract_begin.
 struct ExtractScratch {
   VoxelRange range;
   std::int32_t z;                                ///< the layer to read next
   int count;                                     ///< boxes so far
-  int below;                                     ///< which rectangles are those of the layer below,
-  std::int32_t below_count;                      ///< and how many
+  int below;                                     ///< index in `rectangles` of the layer below
+  std::int32_t below_count;                      ///< number of rectangles of the layer below
   LayerRectangle rectangles[2][kMaxLocalBoxes];  ///< of this layer and of the one below, each sorted by (y0, x0)
   std::int32_t open[2][kMaxRowRuns];             ///< rectangles that reach the current row, in order of x
-  std::uint64_t row[kMaxRowWords];               ///< the range's words of the row at hand
+  std::uint64_t row[kMaxRowWords];               ///< the range's words of the current row
 };
 
-/// The voxels whose cubes come closer than the grid's radius to a face of `box` from outside, or meet it: the others
-/// are cut off by a face with the radius to spare. Along x it takes a voxel more on either side, so that whoever
-/// verifies runs of bits sees no run that is longer than the box it went into.
+/// The voxels whose cubes meet `box`, or come closer to one of its faces than the grid's radius from outside. A face of
+/// `box` keeps all other voxels at least the radius away. Along x, the range has one more voxel on either side: a
+/// verifier of runs of bits then sees no run longer than the box that it went into.
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept;
 
 /// Merges the obstacle voxels of `range` into disjoint boxes, in the order of their lower corners by (z, y, x). Reads
 /// only the words of the range. A unit of work reads a layer. kDone: scratch.count is the number of boxes. kFailed:
-/// they are more than kMaxLocalBoxes.
+/// there are more than kMaxLocalBoxes.
 void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept;
 Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept;
 
-/// All of it. Returns the number of boxes, or -1 where they are more than kMaxLocalBoxes.
+/// Does the whole extraction at once. Returns the number of boxes, or -1 if there are more than kMaxLocalBoxes.
 int extract_local_boxes(const Grid& grid, const VoxelRange& range, ExtractScratch& scratch, LocalBox* boxes) noexcept;
 
 }  // namespace tern

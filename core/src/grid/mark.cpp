@@ -12,10 +12,11 @@
 namespace tern {
 namespace {
 
-/// Part of a cell that no point's tolerance inside a grid exceeds: bind() refuses coarser coordinates.
+/// Upper bound, in cells, of the tolerance of a point inside a grid. bind() refuses coarser coordinates.
 constexpr double kMostTolerance = 0.01;
 
-/// The voxel of a world coordinate on one axis; beyond the grid's indices for one outside.
+/// The index of the voxel that holds a world coordinate on one axis. It is outside the grid's indices if the coordinate
+/// is outside the grid.
 std::int32_t index_holding(const GridSpec& spec, double world, int a) {
   const std::int32_t count = axis(spec.dims, a);
   const double cells = (world - axis(spec.origin, a)) / spec.cell;
@@ -25,13 +26,13 @@ std::int32_t index_holding(const GridSpec& spec, double world, int a) {
   return floor_index(cells + world_tolerance(spec, world), -1, count);
 }
 
-/// The voxel of a world point, lower faces closed; outside the grid's indices for a point outside.
+/// The voxel that holds a world point; lower faces are closed. Its indices are outside the grid if the point is.
 Voxel voxel_holding(const GridSpec& spec, const Vec3& world) {
   return {index_holding(spec, world.x, 0), index_holding(spec, world.y, 1), index_holding(spec, world.z, 2)};
 }
 
-/// Sets or clears bits [begin, end) of a row, begin < end. Returns the range from the first bit that changed to the
-/// last; an empty one where none did.
+/// Sets or clears bits [begin, end) of a row, begin < end. Returns the range from the first to the last bit that
+/// changed; empty if none did.
 IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bool value) {
   const std::int32_t first = begin >> 6;
   const std::int32_t last = (end - 1) >> 6;
@@ -47,12 +48,12 @@ IndexRange set_bits(std::uint64_t* row, std::int32_t begin, std::int32_t end, bo
   return changed;
 }
 
-/// The voxel past the last of a range that holds this one alone.
+/// The end of the range that holds this voxel alone: one further on every axis.
 Voxel past(const Voxel& voxel) {
   return {voxel.x + 1, voxel.y + 1, voxel.z + 1};
 }
 
-/// The content after the voxels [begin, end) were set or cleared (grid/regions.hpp).
+/// The content number after the voxels [begin, end) were set or cleared (grid/regions.hpp).
 std::uint64_t content_with(std::uint64_t content, const Voxel& begin, const Voxel& end, bool value) {
   const auto bits = [](std::int32_t first, std::int32_t last) {
     return static_cast<std::uint64_t>(first) | static_cast<std::uint64_t>(last) << 12;
@@ -146,7 +147,7 @@ Status Grid::mark_points(const Vec3* world, std::size_t count, std::size_t* insi
     const Voxel voxel = voxel_holding(spec_, world[k]);
     if (!inside(voxel)) continue;
     ++hits;
-    // Most of a frame was seen before.
+    // Earlier frames marked most of a frame's voxels already.
     if (bit(obstacles_, voxel)) continue;
     content = content_with(content, voxel, past(voxel), true);
     set_voxels(voxel, past(voxel), true);

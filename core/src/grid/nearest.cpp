@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of a square, a row of it, and a word of a row.
+/// Instructions of: a square of rows; a row of it; a word of that row.
 constexpr std::uint32_t kSquareEffort = 200;
 constexpr std::uint32_t kSquareRowEffort = 80;
 constexpr std::uint32_t kSquareWordEffort = 8;
@@ -33,7 +33,7 @@ void offer(NearestFree& nearest, const Voxel& voxel) {
   nearest.voxel = voxel;
 }
 
-/// The last free voxel of a row before x; -1 where there is none.
+/// The last free voxel of a row before x; -1 if there is none.
 std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
   std::uint64_t mask = bits_before(x);
   for (std::int32_t k = x >> 6; k >= 0; --k, mask = kAllBits) {
@@ -43,7 +43,7 @@ std::int32_t free_before(const std::uint64_t* row, std::int32_t x) {
   return -1;
 }
 
-/// The first free voxel of a row at or after x; -1 where there is none. Padding counts as blocked.
+/// The first free voxel of a row at or after x; -1 if there is none. Padding counts as blocked.
 std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32_t x) {
   std::uint64_t mask = bits_from(x);
   for (std::int32_t k = x >> 6; k < words; ++k, mask = kAllBits) {
@@ -53,7 +53,7 @@ std::int32_t free_after(const std::uint64_t* row, std::int32_t words, std::int32
   return -1;
 }
 
-/// Within a row only the last free voxel before the point's own and the first from there on can be nearest.
+/// Offers two voxels of a row: the last free voxel before x, and the first at or after x. No other can be nearest.
 void offer_row(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z, NearestFree& nearest) {
   const std::uint64_t* row = grid.blocked_row(y, z);
   const std::int32_t before = free_before(row, x);
@@ -67,7 +67,7 @@ IndexRange around(std::int32_t center, std::int32_t k, std::int32_t count) {
   return {center < k ? 0 : center - k, center + k < count ? center + k + 1 : count};
 }
 
-/// All rows of the grid whose larger distance from the centre in y or z, in rows, is k. Returns how many.
+/// Offers all rows of the grid whose larger distance from the centre along y or z, in rows, is k. Returns their number.
 int offer_square(const Grid& grid, const Voxel& center, std::int32_t k, NearestFree& nearest) {
   const Voxel& dims = grid.spec().dims;
   const IndexRange all_y = around(center.y, k, dims.y);
@@ -103,7 +103,8 @@ void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) no
 Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept {
   const Voxel& dims = grid.spec().dims;
   for (; nearest.square < nearest.last; ++nearest.square) {
-    // Centres of this square's rows are k - 0.5 rows away at least; some slack keeps ties of rounded distances.
+    // The centres of the rows of square k are at least k - 0.5 rows away. The slack keeps voxels whose rounded
+    // distances tie.
     const double least = nearest.square - 0.5 - 1e-6;
     if (nearest.found && least > 0.0 && nearest.distance_squared < least * least) break;
     if (!work.take()) return Progress::kMore;

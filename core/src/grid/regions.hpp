@@ -15,7 +15,7 @@ namespace tern {
 /// Rows of a region.
 constexpr std::int32_t kBlockRows = kWordBits;
 
-/// A layer's regions: one word each of 64 consecutive rows of one plane.
+/// A layer's regions. A region is one word of each of 64 consecutive rows of a plane.
 struct Regions {
   std::int32_t words;   ///< along x
   std::int32_t blocks;  ///< along y
@@ -29,8 +29,8 @@ struct Regions {
   }
 };
 
-/// The number of a content that came from another by a change: a hash of all changes since the grid was bound. Equal
-/// numbers mean equal histories, and so equal contents, but for a chance of 2^-64.
+/// The number of a content after one more change: a hash of all changes since the grid was bound. Equal numbers mean
+/// equal histories, and therefore equal contents, except with a probability of 2^-64.
 constexpr std::uint64_t content_after(std::uint64_t content, std::uint64_t change) noexcept {
   content ^= change;
   content = (content ^ content >> 32) * 0x9E3779B97F4A7C15u;

@@ -11,16 +11,17 @@ namespace {
 
 static_assert(kMaxDimension <= 32767, "a reach is 16 bits, and its square 31");
 
-/// Exact: the root of an integer below 2^31 is correctly rounded, and that of a non-square is far from an integer.
+/// Exact, because the root of an integer below 2^31 is correctly rounded, and the root of a non-square is far from an
+/// integer.
 std::int32_t floor_root(std::int32_t square) {
   return static_cast<std::int32_t>(square_root(static_cast<double>(square)));
 }
 
-/// Largest squared gap in cells that is closer than the radius; -1 where not even touching is.
+/// The largest squared gap, in cells, that is less than the radius; -1 if not even a gap of 0 is.
 std::int32_t largest_blocking_gap(const GridSpec& spec) {
   if (spec.clearance() <= kClearTolerance) return -1;
   const double cells = spec.clearance() / spec.cell;
-  // A gap that equals the radius but for rounding keeps the radius.
+  // A gap counts as equal to the radius if it differs from it only by rounding, and does not block.
   return ceil_index(cells * cells * (1.0 - 2.0 * kLatticeTolerance), 1, kMaxDimension * kMaxDimension) - 1;
 }
 

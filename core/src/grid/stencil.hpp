@@ -9,15 +9,15 @@
 
 namespace tern {
 
-/// The ball that inflation spreads each obstacle by, in exact integers. A voxel is blocked where the squared gap
-/// between its cube and an obstacle's, in cells, is below (radius / cell)^2. The gap on one axis is |difference of
-/// indices| - 1, or 0 for equal indices.
+/// The ball that inflation spreads each obstacle by, in exact integers. A voxel is blocked if the squared gap between
+/// its cube and an obstacle's, in cells, is below (radius / cell)^2. The gap on one axis is |difference of indices| -
+/// 1, or 0 for equal indices.
 class Stencil {
  public:
   explicit Stencil(const GridSpec& spec);
 
-  /// Largest gaps along x and z that matter in a grid of these dimensions; -1 for radius 0, where obstacles block
-  /// themselves only.
+  /// Largest gaps along x and z that matter in a grid of these dimensions; -1 for radius 0, with which obstacles block
+  /// only themselves.
   std::int32_t gap_x() const { return gap_x_; }
   std::int32_t gap_z() const { return gap_z_; }
 

@@ -13,7 +13,7 @@ Vec3 unit_axis(int a, double sign) {
   return v;
 }
 
-/// e_a x u: perpendicular to an edge of the box and to the segment.
+/// e_a x u: at right angles to the box's edges along axis a and to the segment along u.
 Vec3 edge_normal(int a, const Vec3& u) {
   if (a == 0) return {0.0, -u.z, u.y};
   if (a == 1) return {u.z, 0.0, -u.x};

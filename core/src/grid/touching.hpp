@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A segment that touches a box: no closest pair gives a direction that tells on which side of it the segment lies.
+// A segment that touches a box. The closest pair then has no direction that tells on which side of the box the segment
+// lies.
 #ifndef TERN_GRID_TOUCHING_HPP
 #define TERN_GRID_TOUCHING_HPP
 
@@ -10,7 +11,7 @@
 
 namespace tern {
 
-/// min of normal . p over the closed box: the corner that the normal points away from.
+/// The minimum of normal . p over the closed box, taken at the corner that the normal points away from.
 inline double support(const Vec3& normal, const Box& box) noexcept {
   const double x = normal.x * (normal.x < 0.0 ? box.upper.x : box.lower.x);
   const double y = normal.y * (normal.y < 0.0 ? box.upper.y : box.lower.y);
@@ -18,8 +19,8 @@ inline double support(const Vec3& normal, const Box& box) noexcept {
   return (x + y) + z;
 }
 
-/// How far the box lies beyond the segment along a normal, in units of the normal's length; negative where they
-/// overlap along it.
+/// How far the box lies beyond the segment along a normal, in units of the normal's length; negative if they overlap
+/// along it.
 double room_along(const Vec3& from, const Vec3& to, const Box& box, const Vec3& normal) noexcept;
 
 /// A unit normal and the room along it.
@@ -32,8 +33,8 @@ struct WidestNormal {
 void offer(const Vec3& from, const Vec3& to, const Box& box, const Vec3& unit, WidestNormal& best) noexcept;
 
 /// The best separating axis of a segment that touches the box, among the box's face normals and the cross products of
-/// its edges with the segment: the one with the most room. A face wins a tie. Products shorter than `direction`
-/// (direction_tolerance) are left out: the segment runs along that edge, or is a point.
+/// its edges with the segment: the one with the most room. A face wins a tie. Ignores products shorter than `direction`
+/// (direction_tolerance): there, the segment runs along the edge, or is a point.
 WidestNormal separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
 
 }  // namespace tern
