@@ -24,7 +24,7 @@ struct AskedFences {
   Halfspace planes[kMaxFencePlanes];
 };
 
-/// Copies the caller's fences, which load_fences has accepted. False where they are more than fit.
+/// Copies the caller's fences, which load_fences has accepted. False if they are too many.
 bool copy_fences(const Fence* list, std::int32_t count, AskedFences& asked) noexcept;
 
 }  // namespace tern

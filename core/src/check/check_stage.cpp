@@ -10,7 +10,7 @@ bool counts_are_sane(const Corridor& corridor, const Trajectory& trajectory) {
          trajectory.count <= kMaxSegments;
 }
 
-/// Instructions of a segment, and of each half-space of its polyhedron; of a fence.
+/// Instructions of a segment, of each half-space of its polyhedron, and of a fence.
 constexpr std::uint32_t kSegmentEffort = 6000;
 constexpr std::uint32_t kPlaneEffort = 150;
 constexpr std::uint32_t kFenceEffort = 30000;
@@ -25,7 +25,7 @@ bool check_polyhedron(CheckStage& stage, const Grid& grid, const Polyhedron& pol
   return clear;
 }
 
-/// Half-spaces that the segment is held against; 0 where it names no polyhedron.
+/// Half-spaces that the segment is checked against; 0 if it names no polyhedron.
 int planes_of(const Corridor& corridor, const Segment& segment) {
   if (segment.polyhedron < 0 || segment.polyhedron >= corridor.count) return 0;
   const int planes = all_planes(corridor.polyhedra[segment.polyhedron]);

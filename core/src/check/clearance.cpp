@@ -8,7 +8,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of a polyhedron, a block of rows, its rows, a row with an obstacle, and a half-space of these.
+/// Instructions of a polyhedron, of a block of rows and a half-space for it, of going through the block's rows, and of
+/// a row with an obstacle and a half-space for it.
 constexpr std::uint32_t kPolyhedronEffort = 4000;
 constexpr std::uint32_t kBlockEffort = 150;
 constexpr std::uint32_t kBlockPlaneEffort = 12;
@@ -16,7 +17,8 @@ constexpr std::uint32_t kRowsEffort = 400;
 constexpr std::uint32_t kRowEffort = 60;
 constexpr std::uint32_t kRowPlaneEffort = 14;
 
-/// A box around the polyhedron from those of its planes that are axis-aligned; the grid where there are none.
+/// A box around the polyhedron, from those of its planes that are axis-aligned. The grid bounds it where there are
+/// none.
 Box bounding_box(const Grid& grid, const Polyhedron& polyhedron) {
   const GridSpec& spec = grid.spec();
   Box box{{0.0, 0.0, 0.0}, {spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell}};
@@ -52,8 +54,8 @@ RowBlock voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
 /// Units in the last place by which the square of a unit normal may miss 1.
 constexpr double kUnitUlps = 16.0;
 
-/// A normal's x counts for a whole row at once, with whichever end of the row is nearer, where that costs this part of
-/// the tolerance at most.
+/// If a normal's x moves a whole row by no more than this part of the tolerance, all voxels of the row count alike: as
+/// the nearer end of the row.
 constexpr double kSlopeShare = 0.01;
 
 PlaneCut cut_of(const Grid& grid, const Halfspace& plane, double tolerance) {
@@ -100,7 +102,8 @@ std::int32_t first_obstacle(const std::uint64_t* row, const RowSpan& span) {
   return kNoObstacle;
 }
 
-/// Rows of y and z that are looked at together: most blocks are cut off as a whole, or lie inside where nothing is.
+/// Rows of y and of z in a block. They are looked at together, since most blocks are cut off as a whole or hold no
+/// obstacle.
 constexpr std::int32_t kBlock = 4;
 
 /// The OR of a word of the block's rows in one plane.
@@ -111,7 +114,7 @@ std::uint64_t any_of_rows(const std::uint64_t* word, std::ptrdiff_t step, std::i
   return any;
 }
 
-/// True where a row of the block has an obstacle in the span.
+/// True if a row of the block has an obstacle in the span.
 bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan& span) {
   const std::ptrdiff_t plane = obstacles.index(0, 1);
   for (std::int32_t k = span.begin >> 6; k <= (span.end - 1) >> 6; ++k) {
@@ -125,8 +128,8 @@ bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan
   return false;
 }
 
-/// True where the half-spaces cut off every obstacle of the block. Single rows only where an obstacle is in what they
-/// leave of all rows together. `obstacle`: the first that is not cut off.
+/// True if the half-spaces cut off every obstacle of the block. Looks at single rows only if there is an obstacle in
+/// the span that the half-spaces leave of the whole block. `obstacle` receives the first one that is not cut off.
 bool block_clear(const Grid& grid, const PlaneCuts& cuts, const LayerDepths& depths, const RowBlock& block,
                  Voxel& obstacle, std::uint32_t& effort) {
   const double cell = grid.spec().cell;
@@ -164,7 +167,7 @@ bool well_formed(const Polyhedron& polyhedron) {
   return true;
 }
 
-/// Metres along the half-space's normal that the voxel is too near to be cut off.
+/// By how many metres, along the half-space's normal, the voxel is too near to be cut off.
 double missing_to(const Grid& grid, const Halfspace& plane, const Voxel& voxel, double tolerance) {
   const double cell = grid.spec().cell;
   const int index[3] = {voxel.x, voxel.y, voxel.z};
@@ -176,7 +179,7 @@ double missing_to(const Grid& grid, const Halfspace& plane, const Voxel& voxel, 
   return (plane.offset + grid.spec().clearance() - tolerance) - depth;
 }
 
-/// The half-space that comes nearest to cutting the voxel off, and what it lacks.
+/// Notes the half-space that comes nearest to cutting the voxel off, and the metres that it lacks.
 bool refuse_obstacle(const Grid& grid, const Polyhedron& polyhedron, const Voxel& voxel, double tolerance,
                      CheckReport& found) {
   found.voxel = voxel;

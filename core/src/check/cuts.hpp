@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which voxels of a block of rows the half-spaces of a polyhedron cut off.
+// Finds which voxels of a block of rows the half-spaces of a polyhedron cut off.
 #ifndef TERN_CHECK_CUTS_HPP
 #define TERN_CHECK_CUTS_HPP
 
@@ -19,21 +19,22 @@ struct RowBlock {
   Voxel hi;
 };
 
-/// A half-space as a row of voxels along x meets it: which of the row's voxels it cuts off from the polyhedron, as
-/// closed cubes with the radius to spare.
+/// A half-space in the form that tells which voxels of a row along x it cuts off from the polyhedron. Voxels are closed
+/// cubes, and must be cut off with the radius to spare.
 struct PlaneCut {
   double y;  ///< of the normal
   double z;
-  int far_y;  ///< which end of a row of cubes it cuts off last: 0 the lower, 1 the upper
+  int far_y;  ///< the end of a row of cubes in y that is cut off last: 0 the lower, 1 the upper
   int far_z;
-  double reach;  ///< metres along the normal from which on a cube is cut off
-  double per_x;  ///< 1 / (normal.x * cell): voxels of x a metre along the normal; 0: all voxels of a row alike
+  double reach;  ///< a cube this far along the normal, or further, is cut off, metres
+  double per_x;  ///< 1 / (normal.x * cell): voxels along x for a metre along the normal; 0: all voxels of a row count
+                 ///< alike
 };
 
 /// Cuts by the sign of per_x: none, negative, positive.
 struct PlaneCuts {
   PlaneCut cut[kMaxPlanes];
-  int end[3];  ///< of each sign's cuts
+  int end[3];  ///< end of each sign's cuts
 };
 
 /// Voxels [begin, end) of x.
@@ -42,7 +43,7 @@ struct RowSpan {
   std::int32_t end;
 };
 
-/// Where a block of rows lies: its lower and its upper end of y and z, metres.
+/// The lower and the upper end of a block of rows in y and z, metres.
 struct BlockEnds {
   double y[2];
   double z[2];
@@ -50,15 +51,16 @@ struct BlockEnds {
   BlockEnds(double cell, const RowBlock& block)
       : y{block.lo.y * cell, (block.hi.y + 1) * cell}, z{block.lo.z * cell, (block.hi.z + 1) * cell} {}
 
-  /// Metres along the half-space's normal that the nearest cubes of the block are too near, apart from their x.
+  /// By how many metres, along the half-space's normal, the nearest cubes of the block are too near, apart from their
+  /// x.
   double missing(const PlaneCut& cut) const { return cut.reach - (cut.y * y[cut.far_y] + cut.z * z[cut.far_z]); }
-  /// The same at the block's opposite edge: no row of the block has less.
+  /// By how many metres the cubes at the block's opposite edge are too near: no row of the block lacks less.
   double least_missing(const PlaneCut& cut) const {
     return cut.reach - (cut.y * y[1 - cut.far_y] + cut.z * z[1 - cut.far_z]);
   }
 };
 
-/// Metres along each cut's normal to the z of a layer of blocks: the same for all of the layer.
+/// The part of each cut's depth along its normal that comes from z. It is the same for a whole layer of blocks. Metres.
 struct LayerDepths {
   double of[kMaxPlanes];
 
@@ -67,8 +69,8 @@ struct LayerDepths {
   }
 };
 
-/// Of the rows in a block of y and z: voxels that no half-space cuts off in all of them. One that cuts off a voxel
-/// towards larger x cuts off all that follow, so that what is left is one span; empty where begin >= end.
+/// The voxels of x that no half-space cuts off in all rows of the block. A half-space that cuts off a voxel also cuts
+/// off all voxels behind it in the same sense of x. So what is left is one span; it is empty if begin >= end.
 /// `missing(p)` is BlockEnds::missing of cut p.
 template <typename Missing>
 RowSpan uncut(const PlaneCuts& cuts, const RowBlock& block, const Missing& missing) {
@@ -81,12 +83,12 @@ RowSpan uncut(const PlaneCuts& cuts, const RowBlock& block, const Missing& missi
   for (; p < cuts.end[1]; ++p) begin = larger(begin, missing(p) * cuts.cut[p].per_x);
   for (; p < cuts.end[2]; ++p) end = smaller(end, missing(p) * cuts.cut[p].per_x);
   if (begin >= end) return {0, 0};
-  // A voxel is cut off from above where it begins at `end` or later, from below where it ends at `begin` or earlier.
+  // A voxel is cut off from above if it begins at `end` or later, and from below if it ends at `begin` or earlier.
   const auto last = static_cast<std::int32_t>(end);
   return {static_cast<std::int32_t>(begin), last + (static_cast<double>(last) < end ? 1 : 0)};
 }
 
-/// The same with what is known about the layer.
+/// The voxels of x that no half-space cuts off in all rows of the block, with the depths of the block's layer.
 inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& block, const LayerDepths& depths) {
   const double y[2] = {block.lo.y * cell, (block.hi.y + 1) * cell};
   return uncut(cuts, block, [&](int p) {
@@ -95,13 +97,13 @@ inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& block, 
   });
 }
 
-/// The same for a single row.
+/// The voxels of a single row that no half-space cuts off.
 inline RowSpan uncut(double cell, const PlaneCuts& cuts, const RowBlock& row) {
   const BlockEnds ends(cell, row);
   return uncut(cuts, row, [&](int p) { return ends.missing(cuts.cut[p]); });
 }
 
-/// The cuts that can take voxels of the span from some row of the block: few, along a face of the polyhedron.
+/// The cuts that can take voxels of the span from some row of the block. Along a face of the polyhedron these are few.
 inline PlaneCuts cuts_within(double cell, const PlaneCuts& cuts, const RowBlock& block, const RowSpan& span) {
   const BlockEnds ends(cell, block);
   PlaneCuts few;

@@ -1,27 +1,28 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fences once more, from the caller's half-spaces alone: moved into the frame at hand without rounding, so that what is
-// proven depends neither on where the map is nor on how the stages before read the fences.
+// Checks the fences from the caller's half-spaces alone. They are moved into the frame of the check without rounding.
+// So the proof depends neither on where the map is nor on how the earlier stages read the fences.
 #include "base/math.hpp"
 #include "check/check_stage.hpp"
 
 namespace tern {
 namespace {
 
-/// An offset so great is beyond any map, whose coordinates are below 1e19; its products would overflow.
+/// An offset this large lies beyond every map, since coordinates of maps are below 1e19. Its products would overflow.
 constexpr double kBeyondAnyMap = 1e100;
-/// Parts by which the box around a keep-out, and the distance by which keep-ins grow, are taken larger: more than the
-/// rounding of their own size.
+/// Relative amount by which the box around a keep-out is taken larger, and the distance by which keep-ins grow. It
+/// exceeds the rounding of their own size.
 constexpr double kHair = 1e-14;
 
-/// How far around the places of the centre a keep-out is looked at. What is beyond the radius cannot be too near. It is
-/// a voxel at least: without a radius, a keep-out in a flat boundary would be flat, and any line in it touches it only.
+/// How far beyond the robot's centre a keep-out matters, metres. A part beyond the radius cannot be too near. The
+/// distance is a voxel at least: without a radius, a keep-out in a flat boundary would be flat, and a line inside it
+/// would only touch it.
 double reach_of(const GridSpec& spec) {
   return (1.0 + kHair) * larger(spec.clearance(), spec.cell);
 }
 
-/// The boundary grown by that, local frame.
+/// The boundary grown by reach_of(), local frame.
 struct Surroundings {
   Vec3 center;
   Vec3 half;
@@ -55,7 +56,7 @@ void add_faces(Solid<DoubleDouble>& solid) {
   }
 }
 
-/// The half-space with a normal of unit length but for rounding, about `frame` + `center` in the world.
+/// The half-space relative to the point `frame` + `center` of the world, with a normal of unit length up to rounding.
 Plane<DoubleDouble> plane_about(const Halfspace& world, const Vec3& frame, const Vec3& center) {
   const double scale = 1.0 / length(world.normal);
   const DoubleDouble offset = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, center);
@@ -64,8 +65,8 @@ Plane<DoubleDouble> plane_about(const Halfspace& world, const Vec3& frame, const
           DoubleDouble(scale) * offset};
 }
 
-/// Adds the half-space, moved out by `out` metres; one that holds all of the box says nothing, one that holds none of
-/// it leaves nothing.
+/// Adds the half-space, moved out by `out` metres. One that contains the whole box is left out. One that contains none
+/// of the box makes the solid empty.
 void add_plane(const Halfspace& world, const Vec3& frame, const Vec3& center, double out, Solid<DoubleDouble>& solid) {
   if (absolute(world.offset) > kBeyondAnyMap) {
     solid.empty = solid.empty || world.offset < 0.0;
@@ -77,7 +78,7 @@ void add_plane(const Halfspace& world, const Vec3& frame, const Vec3& center, do
   if (absolute(plane.offset.high) <= solid.reach) solid.planes[solid.count++] = plane;
 }
 
-/// What of a keep-out can be too near to a centre inside the boundary and all keep-ins.
+/// Finds the part of a keep-out that can be too near to a centre inside the boundary and all keep-ins.
 void find_solid(const Grid& grid, const AskedFences& fences, int keep_out, const Surroundings& around,
                 Solid<DoubleDouble>& solid) {
   const double grown = reach_of(grid.spec());
@@ -105,21 +106,22 @@ void round_solid(const Solid<DoubleDouble>& from, Solid<double>& to) {
   for (int p = 0; p < from.count + kSolidFaces; ++p) to.planes[p] = rounded(from.planes[p]);
 }
 
-/// How far the solid has to be away, and by how much it may fail to.
+/// The distance that the solid must keep, and the tolerance of that, metres.
 struct Asked {
   double radius;
   double tolerance;
 };
 
-/// What a half-space of the polyhedron asks of the solid: to lie beyond it by the radius, but for the tolerance.
+/// What a half-space of the polyhedron requires of the solid: to lie beyond it by the radius, less the tolerance.
 Plane<DoubleDouble> asked_by(const Halfspace& plane, const Vec3& center, const Asked& asked) {
   const DoubleDouble wanted =
       depth_of(DoubleDouble(plane.offset), plane.normal, center) + exact_sum(asked.radius, -asked.tolerance);
   return {{plane.normal.x, plane.normal.y, plane.normal.z}, wanted};
 }
 
-/// In doubles first, which is all that a fence without nearly parallel planes needs. Else `found` gets the half-space
-/// that comes nearest to cutting the fence off, and what it lacks.
+/// True if a half-space of the polyhedron cuts the fence off. Tries in doubles first, which suffices for a fence
+/// without nearly parallel planes. If false, `found` receives the half-space that comes nearest, and the metres that it
+/// lacks.
 bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, const Asked& asked, FenceScratch& scratch,
                          CheckReport& found) {
   if (scratch.exact.empty) return true;
@@ -141,7 +143,8 @@ bool some_plane_cuts_off(const Polyhedron& polyhedron, const Vec3& center, const
   return refuse(Finding::kFence, found);
 }
 
-/// normal . (frame + point) <= offset, but for the tolerance. Else `found` gets the metres beyond that.
+/// True if normal . (frame + point) <= offset, to within the tolerance. If false, `found` receives the metres beyond
+/// that.
 bool holds(const Halfspace& world, const Vec3& frame, const Vec3& point, double tolerance, CheckReport& found) {
   if (absolute(world.offset) > kBeyondAnyMap) return world.offset > 0.0;
   const DoubleDouble depth = depth_of(depth_of(DoubleDouble(world.offset), world.normal, frame), world.normal, point);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Curves as the check reads them: it shares none of the code that made them.
+// Curves for the check, which shares no code with the stages that made them.
 #ifndef TERN_CHECK_HODOGRAPH_HPP
 #define TERN_CHECK_HODOGRAPH_HPP
 

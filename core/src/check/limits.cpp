@@ -11,11 +11,12 @@ using checked::Curve;
 using checked::derivative;
 using checked::position_of;
 
-/// Halvings of a curve's parameter range before a bound is given up; the hull's excess shrinks fourfold a level.
+/// How often a part of a curve is halved before its proof is given up. Each halving makes the hull's excess over the
+/// curve four times smaller.
 constexpr int kMaxDepth = 16;
-/// Pieces looked at for one derivative of one segment: a curve that needs more is refused.
+/// The most pieces of one derivative of one segment. A curve that needs more is refused.
 constexpr int kMaxPieces = 4096;
-/// Stands for an axis without a limit on jerk, m/s^3.
+/// Stands for the limit of an axis whose jerk is not limited, m/s^3.
 constexpr double kAnyJerk = 1e300;
 
 /// de Casteljau at 1/2: `curve` becomes its left half, the right half is returned.
@@ -30,14 +31,14 @@ Curve split(Curve& curve) {
   return right;
 }
 
-/// What a velocity or an acceleration may be, as the request says it, with the check's tolerance.
+/// The values that the request allows a velocity, an acceleration or a jerk, with the check's tolerance.
 struct Allowed {
   Vec3 most;
   Vec3 least;
   double horizontal_squared;  ///< 0: no limit on the horizontal norm
 };
 
-/// `rounding`: of the values that are held against the limits.
+/// `rounding` is that of the values that are compared with the limits.
 Allowed allowed(const Vec3& most, const Vec3& least, double horizontal, double rounding) {
   constexpr double kWider = 1.0 + kCheckRelative;
   Allowed result{kWider * most, kWider * least, 0.0};
@@ -62,7 +63,8 @@ bool allows(const Allowed& limit, const Vec3& value) {
 
 constexpr int kHorizontal = 3;  // CheckReport::axis
 
-/// The first axis on which the value is not allowed, and by how much. None where it is: the proof took too many pieces.
+/// Notes the first axis on which the value is not allowed, and by how much. Notes nothing if the value is allowed: then
+/// the proof took too many pieces.
 void describe(const Allowed& limit, const Vec3& value, CheckReport& found) {
   if (allows(limit, value)) return;
   for (int a = 0; a < 3; ++a) {
@@ -75,7 +77,7 @@ void describe(const Allowed& limit, const Vec3& value, CheckReport& found) {
   found.excess = larger(0.0, norm - square_root(limit.horizontal_squared));
 }
 
-/// What is allowed is convex: where it holds all control points it holds the curve.
+/// True if all control points are allowed. The allowed values form a convex set, so the whole curve is then allowed.
 bool allows_hull(const Allowed& limit, const Curve& curve) {
   for (int i = 0; i <= curve.degree; ++i) {
     if (!allows(limit, curve.c[i])) return false;
@@ -83,7 +85,7 @@ bool allows_hull(const Allowed& limit, const Curve& curve) {
   return true;
 }
 
-/// A control point of the piece that is not allowed: one that the curve goes through, where there is one.
+/// A control point of the piece that is not allowed, preferably one of its two ends, which are points of the curve.
 Vec3 offending(const Curve& piece, const Allowed& limit) {
   const bool begins_well = allows(limit, piece.c[0]);
   if (begins_well && !allows(limit, piece.c[piece.degree])) return piece.c[piece.degree];
@@ -93,8 +95,8 @@ Vec3 offending(const Curve& piece, const Allowed& limit) {
   return piece.c[0];
 }
 
-/// True where the curve is allowed for all u in [0, 1], proven by hulls of ever smaller pieces. Else `curve` becomes
-/// the piece for which there is no proof.
+/// True if the curve is allowed for all u in [0, 1], which hulls of smaller and smaller pieces prove. If false, `curve`
+/// becomes the piece for which there is no proof.
 bool allowed_throughout(Curve& curve, const Allowed& limit) {
   Curve stack[kMaxDepth];
   int depth_of[kMaxDepth];
@@ -108,7 +110,7 @@ bool allowed_throughout(Curve& curve, const Allowed& limit) {
       depth = depth_of[height];
       continue;
     }
-    // The ends of a hull are values of the curve: above the limit there is nothing left to prove.
+    // The first and the last control point are values of the curve: if one is not allowed, no halving helps.
     if (!allows(limit, curve.c[0]) || !allows(limit, curve.c[curve.degree]) || depth == kMaxDepth) return false;
     ++depth;
     stack[height] = split(curve);
@@ -125,7 +127,7 @@ bool keeps(Curve curve, const Allowed& limit, int derivative, Finding finding, C
   return refuse(finding, found);
 }
 
-/// Where the jerk is limited at all; an axis without a limit may have any.
+/// True if the jerk keeps its limits, or has none. An axis without a limit may have any jerk.
 bool jerk_holds(const Segment& segment, const Curve& jerk, const Limits& limits, CheckReport& found) {
   Vec3 most = limits.j_max;
   bool limited = limits.j_horizontal > 0.0;

@@ -19,10 +19,10 @@ bool numbers_are_sane(const Segment& segment, const Corridor& corridor) {
   return true;
 }
 
-/// The control points' frame as the grid and the request are seen from it.
+/// The frame of the control points, and the boundary in it.
 struct PlanFrame {
   Vec3 from_grid;  ///< the frame's origin in the grid's local frame
-  Box boundary;    ///< relative to the frame's origin, as far as a control point may go
+  Box boundary;    ///< where a control point may be, relative to the frame's origin
   double rounding;
 };
 
@@ -44,7 +44,7 @@ bool within(const Vec3& point, const Box& box) {
   return true;
 }
 
-/// The axis on which the point is furthest beyond the box.
+/// Notes the axis on which the point is furthest beyond the box, and how far.
 bool refuse_beyond(const Vec3& point, const Box& box, CheckReport& found) {
   for (int a = 0; a < 3; ++a) {
     const double outside = larger(axis(box.lower, a) - axis(point, a), axis(point, a) - axis(box.upper, a));
@@ -56,7 +56,8 @@ bool refuse_beyond(const Vec3& point, const Box& box, CheckReport& found) {
   return refuse(Finding::kOutside, found);
 }
 
-/// Bezier curves lie in the hull of their control points: all inside means the curve is (the paper's Section 3.4.2).
+/// True if all control points are inside the polyhedron and the boundary. A Bezier curve lies in the hull of its
+/// control points, so the curve is then inside too (the paper's Section 3.4.2).
 bool points_inside(const Segment& segment, const Polyhedron& polyhedron, const PlanFrame& frame, const Grid& grid,
                    CheckReport& found) {
   const double tolerance = check_distance(grid) + frame.rounding + lattice_rounding(grid);
@@ -82,7 +83,8 @@ bool close(const Vec3& a, const Vec3& b, double tolerance) {
   return absolute(a.x - b.x) <= tolerance && absolute(a.y - b.y) <= tolerance && absolute(a.z - b.z) <= tolerance;
 }
 
-/// True where derivative k of both is the same but for the tolerance. Else `found` gets the axis of the widest gap.
+/// True if derivative k of both is the same to within the tolerance. If false, `found` receives the axis of the widest
+/// gap.
 bool agrees(const Jet& a, const Jet& b, int k, double tolerance, CheckReport& found) {
   if (close(a.d[k], b.d[k], tolerance)) return true;
   found.derivative = k;
@@ -95,7 +97,7 @@ bool agrees(const Jet& a, const Jet& b, int k, double tolerance, CheckReport& fo
   return false;
 }
 
-/// Positions are the same bits; derivatives agree but for the rounding of either side.
+/// True if the positions have the same bits, and the derivatives agree to within the rounding of both sides.
 bool joins(const Segment& before, const Segment& after, CheckReport& found) {
   const Jet left = jet(before, true);
   const Jet right = jet(after, false);
@@ -119,7 +121,7 @@ Jet asked_jet(const State& state, const Vec3& origin) {
   return {{state.position - origin, state.velocity, state.acceleration, state.jerk}};
 }
 
-/// Both ends of the plan, where the segment has one.
+/// True if the segment meets the start or the goal, if it is at that end of the plan.
 bool ends_met(const Trajectory& trajectory, int index, const CheckQuery& query, double rounding, CheckReport& found) {
   const Segment& segment = trajectory.segments[index];
   const Jet start = asked_jet(query.start, trajectory.origin);

@@ -23,7 +23,7 @@ double rounded(const DoubleDouble& a) {
   return a.high;
 }
 
-/// Three half-spaces; where their planes meet is the vertex.
+/// Three half-spaces. Their planes meet in the vertex.
 template <class Real>
 struct Basis {
   int index[3];
@@ -53,7 +53,7 @@ struct Combination {
   int count;
 };
 
-/// What the combination leaves of the normal.
+/// The rest of the normal: normal + sum of multiplier * plane normal.
 template <class Real>
 Triple<Real> rest_of(const Solid<Real>& solid, const Triple<Real>& normal, const Combination<Real>& sum) {
   Triple<Real> rest = normal;
@@ -61,8 +61,8 @@ Triple<Real> rest_of(const Solid<Real>& solid, const Triple<Real>& normal, const
   return rest;
 }
 
-/// The basis' multipliers for which nothing is left of the normal; a second solution takes back the first one's
-/// rounding.
+/// The basis' multipliers for which no rest of the normal is left. A second solution corrects the rounding of the
+/// first.
 template <class Real>
 Combination<Real> multipliers(const Solid<Real>& solid, const Basis<Real>& basis, const Triple<Real>& normal) {
   Combination<Real> sum{{basis.index[0], basis.index[1], basis.index[2], 0}, {}, 3};
@@ -72,8 +72,8 @@ Combination<Real> multipliers(const Solid<Real>& solid, const Basis<Real>& basis
   return sum;
 }
 
-/// A number that normal . p is not below in the solid, whatever the combination is; less the rounding that it may have.
-/// Negative multipliers count as 0, and the box's faces as what is left of the normal.
+/// A lower bound of normal . p in the solid, less its own rounding. It is valid whatever the combination is. Negative
+/// multipliers count as 0. Multipliers of the box's faces count as 0 too: the rest of the normal accounts for the box.
 template <class Real>
 Real bound_of(const Solid<Real>& solid, const Plane<Real>& wanted, Combination<Real> sum) {
   Real total = Real(1.0);
@@ -95,7 +95,7 @@ Real bound_of(const Solid<Real>& solid, const Plane<Real>& wanted, Combination<R
 template <class Real>
 Triple<Real> vertex_of(const Solid<Real>& solid, const Basis<Real>& basis) {
   Triple<Real> vertex{Real(0.0), Real(0.0), Real(0.0)};
-  for (int round = 0; round < 2; ++round) {  // a second solution takes back the first one's rounding
+  for (int round = 0; round < 2; ++round) {  // the second turn corrects the rounding of the first
     Triple<Real> correction{Real(0.0), Real(0.0), Real(0.0)};
     for (int k = 0; k < 3; ++k) {
       const Plane<Real>& plane = solid.planes[basis.index[k]];
@@ -111,7 +111,7 @@ bool is_member(const Basis<Real>& basis, int plane) {
   return plane == basis.index[0] || plane == basis.index[1] || plane == basis.index[2];
 }
 
-/// The half-space that the vertex breaks most, or the first that it breaks; -1 where it is in all.
+/// The half-space that the vertex breaks most or, if `first`, the first one that it breaks; -1 if it breaks none.
 template <class Real>
 int broken_at(const Solid<Real>& solid, const Basis<Real>& basis, bool first) {
   const Triple<Real> vertex = vertex_of(solid, basis);
@@ -128,8 +128,8 @@ int broken_at(const Solid<Real>& solid, const Basis<Real>& basis, bool first) {
   return worst;
 }
 
-/// The member of the basis that has to leave for half-space `entering` so that all multipliers stay >= 0, the first of
-/// equals; -1 where none can: the half-spaces have no point in common.
+/// The member of the basis that half-space `entering` has to replace so that all multipliers stay >= 0; the first of
+/// equals. -1 if it can replace none: then the half-spaces have no point in common.
 template <class Real>
 int leaving(const Basis<Real>& basis, const Combination<Real>& sum, const Triple<Real>& entering) {
   int best = -1;
@@ -147,7 +147,7 @@ int leaving(const Basis<Real>& basis, const Combination<Real>& sum, const Triple
   return best;
 }
 
-/// True where `entering` and the basis, whose planes it cannot replace, prove that the solid has no point at all.
+/// True if `entering` and the basis, of which it can replace no member, prove that the solid is empty.
 template <class Real>
 bool is_empty(const Solid<Real>& solid, const Basis<Real>& basis, int entering) {
   Combination<Real> sum{{basis.index[0], basis.index[1], basis.index[2], entering}, {}, 4};
@@ -157,7 +157,7 @@ bool is_empty(const Solid<Real>& solid, const Basis<Real>& basis, int entering) 
   return Real(0.0) < bound_of(solid, nothing, sum);
 }
 
-/// The box's faces that a point furthest against the normal is on.
+/// The box's three faces at the corner that lies furthest against the normal.
 template <class Real>
 Basis<Real> first_basis(const Solid<Real>& solid, const Triple<Real>& normal) {
   Basis<Real> basis{};
@@ -179,7 +179,8 @@ double shortfall(const Solid<Real>& solid, const Plane<Real>& wanted) noexcept {
     const Real bound = bound_of(solid, wanted, sum);
     if (!(bound < wanted.offset)) return 0.0;
     missing = rounded(wanted.offset - bound);
-    // The worst half-space leads there soonest; by Bland's rule, the first of all, no sequence of bases comes again.
+    // Taking the half-space that is broken most needs the fewest pivots. Later pivots take the first that is broken: by
+    // Bland's rule, no basis then comes twice.
     const int entering = broken_at(solid, basis, pivot >= most);
     if (entering < 0) return missing;
     const int out = leaving(basis, sum, solid.planes[entering].normal);

@@ -10,7 +10,7 @@ namespace {
 using checked::Jet;
 using checked::jet;
 
-/// A plan's state where it passes a via, and the rounding of its derivatives.
+/// A plan's state where it passes a via, and a segment there, for the rounding of its derivatives.
 struct Passage {
   Jet state;
   const Segment& segment;
@@ -28,7 +28,7 @@ bool refuse_excess(double excess, int derivative, CheckReport& found) {
   return refuse(Finding::kVia, found);
 }
 
-/// True where derivative k is `asked`, but for rounding.
+/// True if derivative k is `asked`, up to rounding.
 bool gives(const Passage& passage, const Vec3& asked, int k, CheckReport& found) {
   const Vec3 gap = passage.state.d[k] - asked;
   const double tolerance = derivative_rounding(passage.segment, k);
@@ -46,7 +46,7 @@ bool is_near(const Passage& passage, const Via& via, const Vec3& origin, double 
   return !(excess > 0.0) || refuse_excess(excess, 0, found);
 }
 
-/// True where the segment at the joint rests for the via's dwell: its control points are all the same.
+/// True if the segment at the joint rests for the via's dwell: its control points are all the same.
 bool dwells(const Trajectory& trajectory, std::int32_t joint, const Via& via, CheckReport& found) {
   const bool exists = joint < trajectory.count;
   const double rested = exists ? trajectory.segments[joint].duration : 0.0;
