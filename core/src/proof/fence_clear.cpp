@@ -7,7 +7,7 @@
 namespace tern {
 namespace {
 
-/// Planes this nearly parallel have no edge, as the squared sine of their angle.
+/// Two planes have no edge if the squared sine of their angle is no more than this.
 constexpr double kParallel = 1e-9;
 
 /// normal . point <= offset, in the points' frame, with a normal of length 1.
@@ -21,7 +21,7 @@ Plane plane_of(const Halfspace& world, const Vec3& frame) {
   return {scale * world.normal, scale * (world.offset - dot(world.normal, frame))};
 }
 
-/// All points lie beyond the plane by the distance. The normal may have any length.
+/// True if all points lie beyond the plane by the distance. The normal may have any length.
 bool lies_beyond(const Plane& plane, double distance, const Vec3* points, int count) {
   const double wanted = plane.offset + distance * length(plane.normal);
   for (int i = 0; i < count; ++i) {
@@ -30,8 +30,8 @@ bool lies_beyond(const Plane& plane, double distance, const Vec3* points, int co
   return true;
 }
 
-/// The plane through the edge of two planes that is at right angles to the way from there to `point`. The fence lies
-/// behind it, as behind both. False where one of the two is nearer than the edge.
+/// The plane through the edge of planes a and b, at right angles to the line from that edge to `point`. The fence lies
+/// behind it, because it lies behind both planes. False if one of the two planes is nearer than the edge.
 bool edge_plane(const Plane& a, const Plane& b, const Vec3& point, Plane& edge) {
   const double depth_a = dot(a.normal, point) - a.offset;
   const double depth_b = dot(b.normal, point) - b.offset;
@@ -53,7 +53,7 @@ bool keeps_in(const Fence& fence, const FenceRule& rule, const Vec3* points, int
   return true;
 }
 
-/// A face or an edge of the fence cuts the hull off.
+/// True if a face or an edge of the fence cuts the hull off.
 bool keeps_out(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) {
   for (int k = 0; k < fence.count; ++k) {
     if (lies_beyond(plane_of(fence.planes[k], rule.frame), rule.distance, points, count)) return true;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether the hull of a few points respects a fence.
+// Tells whether the hull of a few points respects a fence.
 #ifndef TERN_PROOF_FENCE_CLEAR_HPP
 #define TERN_PROOF_FENCE_CLEAR_HPP
 
@@ -17,8 +17,9 @@ struct FenceRule {
   double tolerance;  ///< by which points may lie outside a keep-in, metres, >= 0
 };
 
-/// True only where the hull of the points lies in the keep-in, or keeps the distance from the keep-out. For a keep-out,
-/// the answer may be false although the hull keeps it: where three of its faces meet, and where it is empty.
+/// True only if the hull of the points lies in the keep-in, or keeps the distance from the keep-out. For a keep-out,
+/// the answer may be false although the hull keeps the distance: near a corner of the keep-out, or if the keep-out is
+/// empty.
 bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
 
 }  // namespace tern

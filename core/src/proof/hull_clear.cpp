@@ -10,9 +10,9 @@
 namespace tern {
 namespace {
 
-/// Times that the pair of nearest points is improved before a hull is given up.
+/// How often the pair of nearest points is improved before the search for a plane is given up.
 constexpr int kImprovements = 4;
-/// Rounding of a sum of three squares.
+/// Factor that outweighs the rounding of a sum of three squares.
 constexpr double kLonger = 1.0 + 1e-15;
 
 /// Instructions of a hull, a row near it, a box of obstacles in a row, and the search for a plane between the two.
@@ -34,12 +34,13 @@ Vec3 nearest_on_line(const Vec3& a, const Vec3& b, const Vec3& p) {
   return a + clamp(dot(along, p - a) / square, 0.0, 1.0) * along;
 }
 
-/// Distance of two intervals; negative where they overlap.
+/// Distance of two intervals; negative if they overlap.
 double gap(double lower, double upper, double other_lower, double other_upper) {
   return larger(other_lower - upper, lower - other_upper);
 }
 
-/// Voxels of an axis that come within the distance of [lower, upper], one more to either side for rounding.
+/// Voxels of an axis that come within the distance of [lower, upper], and one more on either side to allow for
+/// rounding.
 IndexRange voxels_within(double lower, double upper, double distance, double cell, std::int32_t count) {
   const double from = (lower - distance) / cell - 1.0;
   const double to = (upper + distance) / cell + 2.0;
@@ -54,7 +55,7 @@ IndexRange voxels_within(double lower, double upper, double distance, double cel
 struct Row {
   const std::uint64_t* solid;
   const std::uint64_t* pardoned;  ///< null: all of them count
-  IndexRange xs;                  ///< where some may not
+  IndexRange xs;                  ///< voxels that may be pardoned
 
   std::uint64_t word(std::int32_t k) const {
     return pardoned == nullptr ? solid[k] : solid[k] & ~(pardoned[k] & bits_met(xs, k));
@@ -67,7 +68,7 @@ Row row_of(const Grid& grid, const Pardon& pardon, std::int32_t y, std::int32_t 
   return {rows.row(y, z), applies ? pardon.layer + rows.index(y, z) : nullptr, pardon.xs};
 }
 
-/// The first x of the range whose bit is `value`; the range's end where none is.
+/// The first x of the range whose bit is `value`; the range's end if there is none.
 std::int32_t find_bit(const Row& row, const IndexRange& range, bool value) {
   if (range.begin >= range.end) return range.end;
   for (std::int32_t k = range.begin >> 6; k <= (range.end - 1) >> 6; ++k) {
@@ -77,7 +78,8 @@ std::int32_t find_bit(const Row& row, const IndexRange& range, bool value) {
   return range.end;
 }
 
-/// Two boxes: exact but for rounding on the side of false, whose part of the distance is far below the tolerances.
+/// True if two boxes are at least the distance apart. Rounding can only turn true into false, and by far less of the
+/// distance than the tolerances.
 bool boxes_apart(const Box& a, const Box& b, double distance) {
   double square = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -87,9 +89,9 @@ bool boxes_apart(const Box& a, const Box& b, double distance) {
   return square >= kLonger * distance * distance;
 }
 
-/// Any point q outside the box gives a plane: through the box's point p that is nearest to q, at right angles to q - p.
-/// The box lies behind it. So the hull keeps the distance if all points lie so far in front of it. The best q is the
-/// hull's point nearest to the box; it is looked for on the line between the curve's ends.
+/// True if a plane is found that the box lies behind and all points lie in front of by the distance. Any point q
+/// outside the box gives a plane: it goes through the box's point p that is nearest to q, at right angles to q - p. The
+/// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends.
 bool plane_between(const Vec3* points, int count, const Box& box, double distance) {
   Vec3 q = 0.5 * (points[0] + points[count - 1]);
   for (int k = 0; k < kImprovements; ++k) {
@@ -105,31 +107,31 @@ bool plane_between(const Vec3* points, int count, const Box& box, double distanc
   return false;
 }
 
-/// What a row is held against.
+/// The hull that rows of obstacles are compared with.
 struct Hull {
   const Vec3* points;
   int count;
   Box box;
   Clearance keeps;
-  IndexRange alone;  ///< voxels along x that may be near the place that is left
+  IndexRange alone;  ///< voxels along x that may be near clearance.left
 };
 
-/// What is to be kept from one box of obstacles.
+/// The distance that the hull must keep from one box of obstacles.
 double distance_from(const Hull& hull, const Box& box) {
   if (hull.keeps.left == nullptr) return hull.keeps.distance;
   const Vec3& place = *hull.keeps.left;
   return smaller(hull.keeps.distance, length(place - nearest_in(box, place)) - hull.keeps.tolerance);
 }
 
-/// Where the box of obstacles that begins at x ends. Obstacles that touch along x are one box: its distance is the
-/// least of theirs. But near a place that is left each has a distance of its own to keep.
+/// The end of the box of obstacles that begins at x. Obstacles that touch along x form one box: its distance is the
+/// least of theirs. But near the place Clearance::left, the hull must keep another distance from each obstacle.
 std::int32_t end_of_box(const Row& row, const IndexRange& xs, const IndexRange& alone, std::int32_t x) {
   if (x >= alone.begin && x < alone.end) return x + 1;
   const std::int32_t end = find_bit(row, {x, xs.end}, false);
   return x < alone.begin && alone.begin < end ? alone.begin : end;
 }
 
-/// Of the voxels of a box of obstacles, one that is nearest to the middle of the hull: the others may be clear of it.
+/// The voxel of a box of obstacles that is nearest to the middle of the hull. The hull may be clear of the others.
 std::int32_t nearest_voxel(const Hull& hull, const IndexRange& xs, double cell) {
   const double at = 0.5 * (hull.box.lower.x + hull.box.upper.x) / cell;
   if (!(at > xs.begin)) return xs.begin;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether the hull of a few points keeps a distance from every obstacle cube of a grid. Local frame, metres.
+// Tells whether the hull of a few points keeps a distance from every obstacle cube of a grid. Local frame, metres.
 #ifndef TERN_PROOF_HULL_CLEAR_HPP
 #define TERN_PROOF_HULL_CLEAR_HPP
 
@@ -16,23 +16,25 @@ namespace tern {
 /// The box around the points.
 Box box_around(const Vec3* points, int count) noexcept;
 
-/// Obstacles that do not count: those of a range of voxels that are set in another layer, too.
+/// Obstacles that do not count: those in a range of voxels whose bit is also set in another layer.
 struct Pardon {
-  const std::uint64_t* layer = nullptr;  ///< with the rows of the grid's; null: all count
+  const std::uint64_t* layer = nullptr;  ///< with rows as in the grid's layers; null: all obstacles count
   IndexRange xs{0, 0}, ys{0, 0}, zs{0, 0};
 };
 
 /// What a hull keeps from obstacles.
 struct Clearance {
   double distance;   ///< > 0
-  const Vec3* left;  ///< null, or a place: obstacles nearer to it than the distance may stay as near as they are to it,
-  double tolerance;  ///< but for this
+  const Vec3* left;  ///< null, or a place that is left: an obstacle nearer to it than `distance` may be as near to the
+                     ///< hull as to the place
+  double tolerance;  ///< metres by which it may be nearer to the hull than to the place
   Pardon pardon;
 };
 
-/// True only where the hull of the points keeps the clearance from all obstacle cubes. `found` gets a voxel for which
-/// it is false. The answer may be false although the hull keeps it, but hardly where the points lie nearly on a line.
-/// Reads the voxels within the distance of the hull's box. `effort` grows by what that took (see Work).
+/// True only if the hull of the points keeps the clearance from all obstacle cubes. If false, `found` receives a voxel
+/// that is too near. The answer may be false although the hull keeps the clearance, but hardly ever if the points lie
+/// nearly on a line. Reads the voxels within the distance of the hull's box. `effort` grows by the instructions that it
+/// took (see Work).
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
                 std::uint32_t& effort) noexcept;
 

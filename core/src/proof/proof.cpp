@@ -15,12 +15,13 @@ namespace {
 
 /// A unit in the last place, relative: 2^-52.
 constexpr double kLastPlace = 1.0 / 4503599627370496.0;
-/// Units in the last place of world coordinates and extents that positions may be off by.
+/// Rounding of positions, in units in the last place of world coordinates and extents.
 constexpr double kPlaceUlps = 32.0;
-/// The same for the control points that derivatives are differences of.
+/// Rounding of the control points that derivatives are differences of, in units in the last place of their coordinates.
 constexpr double kPointUlps = 40.0;
 
-/// Instructions of a piece, besides what its surroundings take; of a fence, a face of it, and an edge between two.
+/// Instructions of a piece, besides its surroundings; of a fence; of a face of a fence; and of an edge between two
+/// faces.
 constexpr std::uint32_t kPieceEffort = 1200;
 constexpr std::uint32_t kFenceEffort = 200;
 constexpr std::uint32_t kFaceEffort = 150;
@@ -35,7 +36,7 @@ double size_of(const Vec3& v) {
   return (absolute(v.x) + absolute(v.y)) + absolute(v.z);
 }
 
-/// Metres by which a proof forgives: what the check grants a plan, and rounding.
+/// Tolerance of a proof, metres: what the check tolerates of a plan, and rounding.
 double place_tolerance(const Grid& grid, const Trajectory& trajectory) {
   const GridSpec& spec = grid.spec();
   const Vec3 extent{spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell};
@@ -43,8 +44,8 @@ double place_tolerance(const Grid& grid, const Trajectory& trajectory) {
   return kProofTolerance * larger(1.0, spec.cell) + kPlaceUlps * kLastPlace * size;
 }
 
-/// Error of a derivative of a segment whose control points are rounded: a difference of 2^order of them, over the
-/// duration to that power.
+/// Error of a derivative of a segment whose control points are rounded. It is a difference of 2^order of them, divided
+/// by the duration to the power of `order`.
 double derivative_rounding(const Segment& segment, int order) {
   double size = 0.0;
   for (const Vec3& point : segment.points) size = larger(size, size_of(point));
@@ -53,7 +54,7 @@ double derivative_rounding(const Segment& segment, int order) {
   return kPointUlps * kLastPlace * size * factor;
 }
 
-/// The derivative's control points over time: one fewer.
+/// `points` become the control points of the derivative with respect to time, which are one fewer.
 void derive(Vec3* points, int degree, double duration) {
   const double factor = degree / duration;
   for (int i = 0; i < degree; ++i) points[i] = factor * (points[i + 1] - points[i]);
@@ -71,7 +72,7 @@ void cut(Vec3* points, int degree, double u, Vec3* after) {
   }
 }
 
-/// Wide enough to be halved before its surroundings are read.
+/// True if a piece in this box is so wide that it is halved before its surroundings are read.
 bool is_wide(const Box& box, double cell) {
   for (int a = 0; a < 3; ++a) {
     if (axis(box.upper, a) - axis(box.lower, a) > kProofSpan * cell) return true;
@@ -79,7 +80,7 @@ bool is_wide(const Box& box, double cell) {
   return false;
 }
 
-/// True where the boxes are at least this far apart along some axis.
+/// True if the boxes are at least this far apart along some axis.
 bool are_apart(const Box& a, const Box& b, double distance) {
   for (int k = 0; k < 3; ++k) {
     if (axis(b.lower, k) - axis(a.upper, k) >= distance || axis(a.lower, k) - axis(b.upper, k) >= distance) return true;
@@ -87,7 +88,7 @@ bool are_apart(const Box& a, const Box& b, double distance) {
   return false;
 }
 
-/// True where every point is inside the box, grown by `margin`.
+/// True if every point is inside the box, grown by `margin`.
 bool inside_box(const Box& points, const Box& box, double margin) {
   for (int a = 0; a < 3; ++a) {
     if (!(axis(points.lower, a) >= axis(box.lower, a) - margin)) return false;
@@ -111,13 +112,13 @@ Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from,
   return fault.status;
 }
 
-/// Nothing is proven, and there is nothing to do.
+/// Resets the report: nothing is proven, and there is nothing to do.
 void Proof::refuse(double from) noexcept {
   running_ = false;
   report_ = {from > 0.0 ? from : 0.0, ProofEnd::kMalformed, kNoVoxel, 0, kNoFence};
 }
 
-/// With fences that find_fence_fault() has accepted.
+/// Begins a proof with fences that find_fence_fault() has accepted.
 Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                              Beyond beyond, const ProofGrounds& grounds) noexcept {
   refuse(from);
@@ -150,7 +151,7 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   return Status::kRunning;
 }
 
-/// The voxels whose centres are in the alarm's box.
+/// Pardons seen voxels whose centres are in the alarm's box.
 void Proof::pardon(const Alarm& alarm) noexcept {
   const GridSpec& spec = grid_->spec();
   pardoned_ = alarm.seen;
@@ -164,7 +165,7 @@ void Proof::pardon(const Alarm& alarm) noexcept {
   pardon_end_ = {end(0, spec.dims.x), end(1, spec.dims.y), end(2, spec.dims.z)};
 }
 
-/// Finite, with a duration, and joined to the segment before.
+/// True if the segment is finite, has a duration, and begins where the segment before ends.
 bool Proof::sound(const Segment& segment) const noexcept {
   if (!finite(segment.duration) || !(segment.duration > 0.0)) return false;
   for (const Vec3& point : segment.points) {
@@ -181,7 +182,7 @@ void Proof::enter_segment() noexcept {
   enter_part(kPosition);
 }
 
-/// Loads the curve of this part, from where the proof begins.
+/// Begins a part, position or a derivative: loads its curve from the parameter at which the proof begins.
 void Proof::enter_part(int part) noexcept {
   part_ = part;
   pieces_ = 0;
@@ -249,7 +250,7 @@ bool Proof::holds(const Piece& piece, int count, ProofEnd& end) noexcept {
   return keeps_limit(piece, count);
 }
 
-/// The earliest loss of a segment's parts counts.
+/// Notes a loss. Of the losses in a segment's parts, the earliest counts.
 void Proof::lose(double u, ProofEnd end) noexcept {
   height_ = 0;
   if (report_.end != ProofEnd::kProven && u >= lost_) return;
@@ -282,7 +283,7 @@ void Proof::look_at_piece() noexcept {
   stack_[height_++] = first;
 }
 
-/// 0 after the last one.
+/// The part that follows; kPosition after the last one.
 int Proof::part_after(int part) const noexcept {
   if (part == kPosition && has_limits_) return kVelocity;
   if (part == kVelocity) return kAcceleration;

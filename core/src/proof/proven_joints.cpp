@@ -25,7 +25,8 @@ double size_of(const Segment& segment) {
   return most;
 }
 
-/// `step` is 1 at the beginning and -1 at the end: derivatives of even order look the same from both.
+/// The end at control point `first`. `step` is 1 at the segment's beginning and -1 at its end: derivatives of even
+/// order look the same from both ends.
 End end_of(const Segment& segment, int first, int step) {
   const Vec3* const p = segment.points;
   const double rate = kDegree / segment.duration;

@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// A lower limit of 0 stands for the upper one's opposite.
+/// The limits widened by kProofExcess and `rounding`. A lower limit of 0 stands for minus the upper limit.
 Allowed widened(const Vec3& least, const Vec3& most, double horizontal, double rounding) {
   constexpr double kWider = 1.0 + kProofExcess;
   Allowed allowed{kWider * least, kWider * most, 0.0};

@@ -8,22 +8,22 @@
 
 namespace tern {
 
-/// What a velocity, an acceleration or a jerk may be: a convex set.
+/// The values that a velocity, an acceleration or a jerk may have: a convex set.
 struct Allowed {
   Vec3 least;
   Vec3 most;
   double horizontal;  ///< 0: no limit
 };
 
-/// With kProofExcess, and `rounding` on top.
+/// The values that the limits allow, widened by kProofExcess and by `rounding`.
 Allowed allowed_velocity(const Limits& limits, double rounding) noexcept;
 Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept;
 Allowed allowed_jerk(const Limits& limits, double rounding) noexcept;
 
-/// True where some jerk is not allowed.
+/// True if the limits limit the jerk on some axis or on the horizontal norm.
 bool limits_jerk(const Limits& limits) noexcept;
 
-/// True where all points are allowed, and so their hull.
+/// True if all points are allowed; their hull then is, too.
 bool hull_allowed(const Allowed& allowed, const Vec3* points, int count) noexcept;
 
 }  // namespace tern
