@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -152,7 +153,9 @@ void every_budget_gives_a_plan(double weight, const Limits& limits) {
   const std::uint32_t all = full.stage->iterations;
   const double rate = weight * full.stage->refinement.unit;
   double last = 1e9;
-  for (std::uint32_t budget = 0; budget <= all + 1; ++budget) {
+  const std::uint32_t stride = all / static_cast<std::uint32_t>(tern_test::scaled(static_cast<int>(all)));
+  for (std::uint32_t budget = 0; budget <= all + 1;
+       budget = budget < all ? std::min(budget + stride, all) : budget + 1) {
     query.max_iterations = budget;
     const Flight run(corridor, query);
     ASSERT_EQ(run.status, Status::kOk);
