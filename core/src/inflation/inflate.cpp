@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Inflation, 64 voxels a word. A word of the blocked layer depends only on obstacles nearby. So only words near changed
-// ones are made again; after bind() all words count as changed. Of the words to make, rows that equal those of the
-// plane below are copied.
+// ones are made again; after bind(), all words count as changed. A row to be made is copied from the plane below if it
+// equals the row there.
 #include "base/work.hpp"
 #include "grid/changes.hpp"
 #include "grid/stencil.hpp"
@@ -14,13 +14,13 @@
 namespace tern {
 namespace {
 
-/// Instructions of beginning; of a word of the change map; of a plane of a window, and a word of it.
+/// Instructions of: beginning; a word of the change map; a plane of a window; a word of that plane.
 constexpr std::uint32_t kBeginEffort = 3000;
 constexpr std::uint32_t kExtentEffort = 8;
 constexpr std::uint32_t kPlaneEffort = 500;
 constexpr std::uint32_t kReachedEffort = 90;
 
-/// Changed rows of a block in two planes together, word by word.
+/// The rows of a block that changed in either of two planes, word by word.
 struct ChangedRows {
   const std::uint64_t* below;
   const std::uint64_t* above;
@@ -30,8 +30,8 @@ struct ChangedRows {
   std::uint64_t at(std::int32_t k) const { return below[k] | above[k]; }
 };
 
-/// Adds to reached[k] the rows of the block that changes in planes `below` and `above` reach in word k. If the reach is
-/// more than 64 rows, whole blocks count as reached.
+/// Adds to reached[k] the rows of the block that changes in planes `below` and `above` can affect in word k. If the
+/// reach is more than 64 rows, whole blocks count as reached.
 void add_reached(const Changes& changes, std::int32_t below, std::int32_t above, std::int32_t block, std::int32_t reach,
                  const IndexRange& words, std::uint64_t* reached) {
   if (!changes.plane(below) && !changes.plane(above)) return;
@@ -50,7 +50,7 @@ void add_reached(const Changes& changes, std::int32_t below, std::int32_t above,
   }
 }
 
-/// The rows of a block that are marked, for each word of a window.
+/// Marked rows of a block, for each word of a window.
 struct WindowRows {
   std::uint64_t words[kStepWords];
 
@@ -67,15 +67,15 @@ struct WindowRows {
   }
 };
 
-/// Runs of consecutive rows.
+/// Number of runs of consecutive rows.
 std::int32_t count_runs(std::uint64_t rows) {
   std::int32_t runs = 0;
   for (std::uint64_t begins = rows & ~(rows << 1); begins != 0; begins &= begins - 1) ++runs;
   return runs;
 }
 
-/// Adds the rows of gaps between runs that are shorter than 8 rows, and a few past the last run: a patch takes longer
-/// to begin than so many rows to make, and a row that is made although nothing reaches it stays the same.
+/// Fills gaps of fewer than 8 rows between runs, and adds a few rows past the last run. Beginning a patch takes longer
+/// than making 8 rows. A row that is made without need keeps its content.
 std::uint64_t without_gaps(std::uint64_t rows) {
   for (int step = 1; step < 8; step *= 2) rows |= rows << step;
   std::uint64_t gaps = ~rows;
@@ -83,13 +83,13 @@ std::uint64_t without_gaps(std::uint64_t rows) {
   return ~gaps;
 }
 
-/// From the first row to the last one.
+/// Number of rows from the first to the last one that is set.
 std::int32_t extent_of(std::uint64_t rows) {
   return rows == 0 ? 0 : kBlockRows - __builtin_clzll(rows) - __builtin_ctzll(rows);
 }
 
-/// Prepares the rows for patches that take as little as possible: closes small gaps, and makes the same rows in all
-/// words if that is less than a patch for each word with the words beside it.
+/// Prepares the rows so that their patches cost as little as possible. Closes small gaps. Gives all words the same rows
+/// if one common patch costs less than a patch for each word, which includes the words beside it.
 void merge(WindowRows& rows, std::int32_t count) {
   std::uint64_t any = 0;
   std::int32_t apart = 0;
@@ -116,8 +116,8 @@ Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   return patch;
 }
 
-/// The cost of a patch that is not narrow, in narrow ones; and how many narrow ones, in addition to one a word, are
-/// cheaper than the whole window.
+/// kWidePatch: the cost of a patch that is not narrow, in narrow patches. kFewPatches: making differences costs less
+/// than making the whole window up to this many narrow patches more than it has words.
 constexpr std::int32_t kWidePatch = 2;
 constexpr std::int32_t kFewPatches = 2;
 
@@ -127,12 +127,12 @@ struct Inflation {
   const Stencil& stencil;
   const PatchMaker& maker;
   const Regions regions;
-  const std::uint64_t content;  ///< of the obstacle layer
+  const std::uint64_t content;  ///< content number of the obstacle layer
   std::uint64_t* const
-      contents;           ///< of the blocked layer's regions: the content of the obstacles when they were last made
+      contents;           ///< for each region of the blocked layer, the obstacles' `content` when it was last made
   std::uint32_t& effort;  ///< see Work
 
-  /// The rows of the window that changes reach in plane z.
+  /// The rows of the window that changes can affect in plane z.
   WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
     WindowRows reached{};
     const std::int32_t count = window.words.end - window.words.begin;
@@ -175,7 +175,7 @@ struct Inflation {
     for_each_patch(window, z, rows, [this](const Patch& patch) { make(patch); });
   }
 
-  /// Makes what may differ from the plane below. The patch has been copied from it.
+  /// Makes the voxels that may differ from the plane below, from which the patch has been copied.
   void make_differing(const Patch& patch, const PlaneSteps& steps) const {
     const IndexRange x = steps.voxels(patch.words);
     if (!maker.narrow(x)) return make(patch);
@@ -183,8 +183,8 @@ struct Inflation {
     maker.make_narrow(patch, x);
   }
 
-  /// Makes the rows from the plane below and the differences. If it is cheaper to make all rows from obstacles, does
-  /// nothing and returns false. The rows that were made are removed.
+  /// Makes the rows of `reached` by copying the plane below and making the differences, and removes them from
+  /// `reached`. If it is cheaper to make all rows from obstacles, does nothing and returns false.
   bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps, WindowRows& reached) const {
     if (!steps.known()) return false;
     const std::int32_t count = window.words.end - window.words.begin;
@@ -207,7 +207,7 @@ struct Inflation {
     return true;
   }
 
-  /// Makes the rows of one window that changes reach, plane by plane.
+  /// Makes the rows of one window that changes can affect, plane by plane.
   void make_window(const BlockWindow& window, const IndexRange& planes, PlaneSteps& steps) const {
     const std::int32_t count = window.words.end - window.words.begin;
     bool follows = false;
@@ -229,7 +229,7 @@ struct Inflation {
     }
   }
 
-  /// Rows of the block that changes in the rows of the extent reach.
+  /// The rows of the block that changes in the extent's rows can affect.
   static std::uint64_t rows_reached(const ChangeExtent& extent, std::int32_t block, std::int32_t reach) {
     const std::int32_t far = words_for(reach);
     const auto rows = [&extent](std::int32_t b) { return b >= 0 && b < kMaxBlocks ? extent.rows[b] : 0; };
@@ -239,7 +239,7 @@ struct Inflation {
     return any != 0 ? kAllBits : 0;
   }
 
-  /// Makes what changes reach in the planes and blocks that are wanted.
+  /// Makes the part of the blocked layer that changes can affect, in the planes `wanted` and these blocks.
   void run(PlaneSteps& steps, const IndexRange& wanted, const IndexRange& blocks) const {
     const std::int32_t far_z = stencil.gap_z() + 1;
     const std::int32_t far_y = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Blocked rows are the OR of the obstacle rows around them. In a tile, neighbouring rows are neighbours in memory. Each
-// step is therefore one long OR, which the compiler vectorises.
+// step is therefore one long OR that the compiler vectorises.
 #include "inflation/inflation_tile.hpp"
 
 #include "grid/lattice.hpp"
@@ -23,7 +23,7 @@ struct Ring {
   std::int32_t outer;
 };
 
-/// Obstacle rows y .. y + rows - 1 in the tile's window, of the planes gap_z_begin <= gap_z < gap_z_end ORed into one.
+/// Obstacle rows y .. y + rows - 1 within the tile's words: the OR of all planes with gap_z_begin <= gap_z < gap_z_end.
 struct Column {
   std::int32_t gap_z_begin;
   std::int32_t gap_z_end;
@@ -81,7 +81,7 @@ std::int32_t count_planes(const Column& column) {
 /// Runs of words that are contiguous both in the layer and in a column.
 struct Pieces {
   std::int32_t count;
-  std::int32_t words;  ///< of a piece
+  std::int32_t words;  ///< words of one run
 };
 
 /// ORs the column's planes, from number `first` on, into its rows.
@@ -106,8 +106,8 @@ void or_planes(const Grid& grid, const InflationTile& tile, std::int32_t first, 
   }
 }
 
-/// The same for a tile with a shift: 64 voxels of each row, from two neighbouring words. Past the ends of a row there
-/// are no obstacles.
+/// ORs the column's planes into its rows, for a tile with a shift: 64 voxels of each row, from two neighbouring words.
+/// Past the ends of a row there are no obstacles.
 void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexRange& rows, Column& column) {
   const BitRows obstacles = GridView::obstacles(grid);
   const std::int32_t planes = count_planes(column);
@@ -118,7 +118,7 @@ void or_shifted_planes(const Grid& grid, const InflationTile& tile, const IndexR
   for (std::int32_t done = 0; done < planes; done += kSources) {
     const std::uint64_t* source[kSources];
     for (std::int32_t s = 0; s < kSources; ++s) {
-      // If no planes are left, the last one again, which changes nothing.
+      // If no planes are left, uses the last one again, which changes nothing.
       const std::int32_t index = done + s < planes ? done + s : planes - 1;
       source[s] = obstacles.row(column.y + rows.begin, plane_of(column, index, tile.z, grid.spec().dims.z));
     }
@@ -142,7 +142,7 @@ bool any_bit(const std::uint64_t* words, std::int32_t count) {
   return any != 0;
 }
 
-/// Fills a column whose planes and rows are set. Rows past the grid are empty.
+/// Fills the words of a column whose ranges of planes and rows are set. Rows past the grid are empty.
 void gather_column(const Grid& grid, const InflationTile& tile, Column& column) {
   const std::int32_t past = grid.spec().dims.y - column.y;
   const IndexRange rows{column.y < 0 ? -column.y : 0, past < column.rows ? past : column.rows};
@@ -162,7 +162,7 @@ void gather_column(const Grid& grid, const InflationTile& tile, Column& column) 
   for (std::int32_t k = rows.end * width; k < column.rows * width; ++k) column.words[k] = 0;
 }
 
-/// ORs into each row of the tile the column's rows at distances begin <= dy < end; none if end <= begin.
+/// For each row of the tile, ORs into it the column's rows at distances begin <= dy < end; none if end <= begin.
 void add_span(const Column& column, std::int32_t begin, std::int32_t end, InflationTile& tile) {
   if (end <= begin) return;
   const std::uint64_t* rows = column.words + (tile.y + begin - column.y) * tile.width;
@@ -231,8 +231,8 @@ void part_rows(const InflationTile& tile, const std::uint64_t* from, std::uint64
   }
 }
 
-/// Spreads every bit to its two neighbours along x, as if all rows were one long row. Rows of one word that are apart
-/// need nothing from their neighbours.
+/// Spreads every bit to its two neighbours along x, as if all rows were one long row. Rows of one word that do not
+/// spread into each other need no bits of their neighbours.
 void spread(InflationTile& tile) {
   const std::int32_t count = tile.rows * tile.width;
   const std::uint64_t* __restrict from = tile.words[tile.made] + 1;
@@ -264,8 +264,8 @@ void clear_rows(InflationTile& tile) {
 
 }  // namespace
 
-/// Rows that reach furthest along x come first. Each round spreads everything added so far by one voxel. Rows of the
-/// round of gap_x are thus spread gap_x + 1 times in the end.
+/// Obstacle rows that reach furthest along x come first. Each round spreads everything added so far by one voxel. In
+/// the end, rows added in the round of gap_x have been spread gap_x + 1 times.
 void make_inflation_tile(const Grid& grid, const Stencil& stencil, InflationTile& tile) noexcept {
   tile.made = 0;
   if (stencil.gap_x() < 0) return copy_rows(grid, tile);

@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of a patch, of a tile of it, and of a plane of the ball in each round of it; of a row of the ball, for
-/// each word that it is added to.
+/// Instructions of: a patch; a tile of it; a plane of the ball in each round of the tile; a row of the ball, for each
+/// word that it is added to.
 constexpr std::uint32_t kPatchEffort = 200;
 constexpr std::uint32_t kTileEffort = 600;
 constexpr std::uint32_t kRingEffort = 350;
@@ -48,7 +48,7 @@ std::uint32_t PatchMaker::make_effort(const Patch& patch) const noexcept {
   const std::int32_t width = words.end - words.begin;
   const std::int32_t rows = patch.rows.end - patch.rows.begin;
   const std::int32_t tile_rows = kTileWords / width;
-  // Whole rows are contiguous, and take less.
+  // Whole rows are contiguous and cost less.
   const std::uint32_t word = width == rows_.row_words ? word_effort_ * 2 / 3 : word_effort_;
   return kPatchEffort + effort_of(tile_effort_, (rows + tile_rows - 1) / tile_rows) + effort_of(word, rows * width);
 }
@@ -68,7 +68,7 @@ bool PatchMaker::rows_apart(std::int32_t first, std::int32_t end) const noexcept
   return kWordBits * rows_.row_words - grid_.spec().dims.x > reach_x_;
 }
 
-/// Along x, words this far outside the patch can reach into it.
+/// The patch's words and, on both sides, the words whose obstacles can block voxels of the patch.
 IndexRange PatchMaker::with_halo(const IndexRange& words) const noexcept {
   const std::int32_t halo = words_for(reach_x_);
   return overlap({0, rows_.row_words}, {words.begin - halo, words.end + halo});
@@ -101,7 +101,7 @@ void PatchMaker::store(const InflationTile& tile, const IndexRange& words) const
       copy(tile.row(r) + words.begin - tile.first, width, row + r * rows_.row_words + words.begin);
     }
   }
-  // Only few words of a row reach outside the boundary.
+  // Only a few words of a row lie partly outside the boundary.
   for (std::int32_t k = words.begin; k < words.end; ++k) {
     for (std::int32_t r = 0; r < tile.rows && outside_x_[k] != 0; ++r) row[r * rows_.row_words + k] |= outside_x_[k];
   }

@@ -28,14 +28,14 @@ class PatchMaker {
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
-  /// What a patch takes, in instructions (see Work): making it, making it where it is narrow, and copying it.
+  /// The cost of a patch, in instructions (see Work): of making it, of making it with make_narrow(), and of copying it.
   std::uint32_t make_effort(const Patch& patch) const noexcept;
   std::uint32_t narrow_effort(const Patch& patch) const noexcept;
   static std::uint32_t copy_effort(const Patch& patch) noexcept;
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch) const noexcept;
-  /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. All must lie within the patch's
-  /// words, and be few enough for narrow().
+  /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. They must all lie within the
+  /// patch's words, and narrow() must be true for them.
   void make_narrow(const Patch& patch, const IndexRange& x) const noexcept;
   /// True if a word can hold this many voxels together with everything along x that can block them.
   bool narrow(const IndexRange& x) const noexcept { return x.end - x.begin + 2 * reach_x_ <= kWordBits; }
@@ -50,7 +50,7 @@ class PatchMaker {
 
   const Grid& grid_;
   const Stencil& stencil_;
-  const BitRows rows_;  ///< also places rows of the blocked layer
+  const BitRows rows_;  ///< the obstacle layer; also locates rows of the blocked layer
   std::uint64_t* blocked_;
   const std::int32_t reach_x_;
   IndexRange rows_inside_;

@@ -18,7 +18,7 @@ bool differ(const std::uint64_t* a, const std::uint64_t* b, std::int32_t count) 
   return difference != 0;
 }
 
-/// Adds rows with these bits; nothing if there are no bits.
+/// Adds these rows and bits to the mark; adds nothing if there are no bits.
 void add(WordMark& mark, std::uint64_t rows, std::uint64_t bits) {
   if (bits == 0) return;
   mark.rows |= rows;
@@ -66,7 +66,7 @@ std::uint32_t PlaneSteps::effort(const BlockWindow& window, bool follows) const 
 void PlaneSteps::judge(bool useful) {
   if (!known_) return;
   useless_ = useful ? 0 : useless_ + 1;
-  // A slab that begins and ends makes this many planes differ.
+  // One slab makes this many planes differ: reach_z_ planes at its beginning and at its end.
   if (useless_ > 2 * reach_z_) rest_ = kRestPlanes;
 }
 
@@ -105,7 +105,7 @@ void PlaneSteps::take(std::int32_t step) {
   mark_planes(step + 1, step + reach_z_ + 1, vanishing);
 }
 
-/// Adds the differences in one row to all rows of the block that they reach.
+/// Adds the differences in one row, for all rows of the block that they can affect.
 void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& appearing,
                          Differences& vanishing) const {
   const std::uint64_t* below = row - obstacles_.index(0, 1);
@@ -122,7 +122,8 @@ void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& 
   }
 }
 
-/// In planes begin .. end - 1, as far as they are still to come, marks what the differences reach along x.
+/// Marks the voxels that the differences can affect along x, in those of planes begin .. end - 1 that are still to
+/// come.
 void PlaneSteps::mark_planes(std::int32_t begin, std::int32_t end, const Differences& differences) {
   for (std::int32_t k = 0; k < window_.words.end - window_.words.begin; ++k) {
     const WordMark* words = differences.words + k;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Finds the rows of the blocked layer that equal those of the plane below. Obstacles are mostly boxes and walls, so
-// most rows do.
+// Finds the rows of the blocked layer that equal those of the plane below. Most rows do, because obstacles are mostly
+// boxes and walls.
 #ifndef TERN_INFLATION_PLANE_STEPS_HPP
 #define TERN_INFLATION_PLANE_STEPS_HPP
 
@@ -16,19 +16,20 @@ namespace tern {
 /// Planes whose marks are kept at the same time. If the radius reaches more planes up and down, planes are not
 /// compared.
 constexpr std::int32_t kStepPlanes = 13;
-/// Planes for which comparing is switched off after the marks were of no use.
+/// Number of planes for which comparing is switched off after marks were of no use.
 constexpr std::int32_t kRestPlanes = 32;
 /// Words of a row that are compared together.
 constexpr std::int32_t kStepWords = 8;
 
-/// Some words of the rows of one block.
+/// A range of words of the rows of one block.
 struct BlockWindow {
   std::int32_t block;
   IndexRange rows;   ///< rows of the block; others do not matter
   IndexRange words;  ///< at most kStepWords
 };
 
-/// The voxels that may differ, in one word of the rows of a block: all of them are in `rows` and in `bits`.
+/// The voxels that may differ, in one word of the rows of a block: each of them is in one of `rows` and at one of
+/// `bits`.
 struct WordMark {
   std::uint64_t rows;
   std::uint64_t bits;
@@ -47,12 +48,13 @@ class PlaneSteps {
   void begin(const BlockWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
-  /// Instructions of advance(), if the window `follows`, or of begin(); see Work.
+  /// Instructions of advance() if `follows`, else of begin(); see Work.
   std::uint32_t effort(const BlockWindow& window, bool follows) const;
-  /// Notes whether the marks were of use for this plane. If they were of no use for many planes, comparing is switched
-  /// off for some.
+  /// Notes whether the marks were of use for this plane. If they were of no use for many planes in a row, comparing is
+  /// switched off for kRestPlanes planes.
   void judge(bool useful);
-  /// What may differ between the plane and the one below it, in word k. Bits of rows past the grid have no meaning.
+  /// The voxels in word k that may differ between the plane and the one below it. Bits of rows past the grid have no
+  /// meaning.
   WordMark mark(std::int32_t k) const {
     return known_ ? marks_[z_ % kStepPlanes][k - window_.words.begin] : WordMark{kAllBits, kAllBits};
   }
@@ -66,7 +68,8 @@ class PlaneSteps {
   bool known() const { return known_; }
 
  private:
-  /// Differences of two planes, or what they reach, from one word before the window to one word after it.
+  /// Voxels that differ between two planes, with the rows that they can affect, from one word before the window to one
+  /// word after it.
   struct Differences {
     WordMark words[kStepWords + 2];
   };
@@ -85,8 +88,8 @@ class PlaneSteps {
   BlockWindow window_{};
   std::int32_t z_ = 0;
   bool known_ = false;
-  std::int32_t useless_ = 0;  ///< planes in a row without use
-  std::int32_t rest_ = 0;     ///< planes left without comparing
+  std::int32_t useless_ = 0;  ///< planes in a row whose marks were of no use
+  std::int32_t rest_ = 0;     ///< planes for which comparing is still switched off
   WordMark marks_[kStepPlanes][kStepWords];
 };
 
