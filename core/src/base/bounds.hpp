@@ -12,15 +12,15 @@ namespace tern {
 
 /// A box around zero, cut by an upright cylinder.
 struct Bounds {
-  Vec3 lower;         ///< < 0 on every axis; -kUnlimited where there is no limit
-  Vec3 upper;         ///< > 0 on every axis; kUnlimited where there is none
+  Vec3 lower;         ///< < 0 on every axis; -kUnlimited if there is no limit
+  Vec3 upper;         ///< > 0 on every axis; kUnlimited if there is no limit
   double horizontal;  ///< radius of the cylinder; 0: there is none
 };
 
 /// A limit that no value reaches: value / kUnlimited is 0.
 constexpr double kUnlimited = __builtin_inf();
 
-/// A lower limit of 0 stands for the upper one's opposite.
+/// Bounds from a request's limits. A lower limit of 0 stands for the negative of the upper one.
 inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal) {
   Bounds bounds{least, most, horizontal};
   for (int a = 0; a < 3; ++a) {
@@ -29,7 +29,7 @@ inline Bounds make_bounds(const Vec3& least, const Vec3& most, double horizontal
   return bounds;
 }
 
-/// Symmetrical; 0 stands for no limit.
+/// Symmetrical bounds, in which 0 stands for no limit.
 inline Bounds make_optional_bounds(const Vec3& most, double horizontal) {
   Bounds bounds{{}, {}, horizontal};
   for (int a = 0; a < 3; ++a) {
@@ -39,13 +39,13 @@ inline Bounds make_optional_bounds(const Vec3& most, double horizontal) {
   return bounds;
 }
 
-/// True where some value is beyond the bounds.
+/// True if the bounds limit anything: some value lies outside them.
 inline bool limits_anything(const Bounds& bounds) {
   return bounds.horizontal > 0.0 || bounds.upper.x < kUnlimited || bounds.upper.y < kUnlimited ||
          bounds.upper.z < kUnlimited;
 }
 
-/// A request's limits as every stage but the check takes them: made once, where the request is accepted.
+/// A request's limits as all stages except the check use them. Made once, when the request is accepted.
 struct MotionLimits {
   Bounds velocity;      ///< m/s
   Bounds acceleration;  ///< m/s^2
@@ -58,8 +58,8 @@ struct MotionLimits {
         jerk(make_optional_bounds(limits.j_max, limits.j_horizontal)) {}
 };
 
-/// The bounds' gauge: the least g >= 0 for which `value` is within g times the bounds. 1 where it touches them, and
-/// convex: over the hull of some points it is largest at one of them.
+/// The bounds' gauge: the least g >= 0 for which `value` is within g times the bounds. It is 1 if `value` touches the
+/// bounds. It is convex, so over a convex hull it is largest at one of the hull's points.
 inline double gauge(const Bounds& bounds, const Vec3& value) {
   double result = 0.0;
   for (int a = 0; a < 3; ++a) {
@@ -70,8 +70,8 @@ inline double gauge(const Bounds& bounds, const Vec3& value) {
   return larger(result, square_root(value.x * value.x + value.y * value.y) / bounds.horizontal);
 }
 
-/// Limits of the same flight backwards in time: velocities change sign, accelerations do not. Those of jerk, which
-/// does, are symmetrical.
+/// The limits of the same flight backwards in time. Velocities and jerks change sign, accelerations do not; the limits
+/// of jerk are symmetrical.
 inline MotionLimits backwards(const MotionLimits& limits) {
   MotionLimits result = limits;
   result.velocity.upper = -1.0 * limits.velocity.lower;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a capacity or a budget is used up. The core asks is_full() each time, so that a test can let any one of these
-// questions be answered with yes: the tiny library of the tests brings a function of its own (tests/capacity). In every
-// other build, is_full(x) is x.
+// The test for a capacity or a budget that is used up. The core always asks is_full(), so that a test can make any one
+// of these calls return true: the tiny library of the tests has its own is_full() (tests/capacity). In every other
+// build, is_full(x) is x.
 #ifndef TERN_BASE_CAPACITY_HPP
 #define TERN_BASE_CAPACITY_HPP
 

@@ -24,12 +24,12 @@ constexpr CommonCells make_common_cells() {
 }
 inline constexpr CommonCells kCommonCells = make_common_cells();
 
-/// A set of cells around a place, numbered as they lie around the end of a move from there. Those further away are left
-/// out; all for kHere.
+/// Renumbers a set of cells around a voxel as cells around the end of a move from that voxel. Cells that are not around
+/// the end are left out; for kHere, all are.
 ///
-/// A search need not repeat the moves of the place before: what leads there directly is shorter than the way round.
+/// A search need not move to a cell that the voxel before could move to: the direct move is shorter than the way round.
 constexpr CellMask cells_after(CellMask cells, int move) {
-  // By 13 up and by the move's number down, so that no branch depends on the direction.
+  // Shifts up by kHere and down by the move's number, so that no branch depends on the direction.
   return static_cast<CellMask>(std::uint64_t{cells} << kHere >> move) & kCommonCells.after[move];
 }
 

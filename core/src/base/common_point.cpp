@@ -7,12 +7,14 @@
 namespace tern {
 namespace {
 
-/// A plane this many metres away is as good as one that is further away; products of coordinates beyond would overflow.
+/// Planes further away than this, in metres, are moved to this distance. Products of larger coordinates would overflow.
 constexpr double kBeyondAnyMap = 1e100;
-/// No line is longer, in lengths of its direction.
+/// A line initially extends this far to both sides, in lengths of its direction vector: further than any half-space
+/// lies.
 constexpr double kEndless = 1e250;
-/// Rounding of a sum of products, in parts of their sizes, in doubles and in twice their precision: 2^-48, 2^-75.
-/// Products are good to 2^-52 and 2^-102, and a line's points to what the angle of its planes leaves of that.
+/// Rounding error of a sum of products, relative to their sizes: 2^-48 in doubles, 2^-75 in twice their precision.
+/// Products are accurate to 2^-52 and 2^-102. A line's points are less accurate, the more so the smaller the angle
+/// between its planes.
 constexpr double kQuickRounding = 1.0 / 281474976710656.0;
 constexpr double kRounding = 1.0 / 37778931862957161709568.0;
 
@@ -36,7 +38,7 @@ bool CommonPoint::breaks(const Wall& wall, const Place& p) noexcept {
   return (dot(exact(wall.normal), p) - wall.offset).high > kRounding * size;
 }
 
-/// Leaves the part of the line that is in the half-space; false where none is.
+/// Cuts the line to its part in the half-space; false if it has none.
 bool CommonPoint::shorten(const Wall& wall, Line& line) noexcept {
   const Place normal = exact(wall.normal);
   const DoubleDouble slope = dot(normal, line.along);
@@ -50,7 +52,8 @@ bool CommonPoint::shorten(const Wall& wall, Line& line) noexcept {
   return !(line.upper < line.lower);
 }
 
-/// To the nearest point of the line of two planes that the half-spaces before both hold.
+/// Moves the nearest point onto the line in which two planes meet: to its nearest point in all half-spaces before
+/// `other`. False if there is none.
 bool CommonPoint::move_onto(int plane, int other) noexcept {
   const Place a = exact(walls_[plane].normal);
   const Place b = exact(walls_[other].normal);
@@ -70,7 +73,7 @@ bool CommonPoint::move_onto(int plane, int other) noexcept {
   return true;
 }
 
-/// To the nearest point of a plane that the half-spaces before it hold.
+/// Moves the nearest point onto a plane: to its nearest point in all half-spaces before it. False if there is none.
 bool CommonPoint::move_onto(int plane) noexcept {
   const Place normal = exact(walls_[plane].normal);
   nearest_ = (walls_[plane].offset / dot(normal, normal)) * normal;

@@ -1,10 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Do half-spaces have a point in common? The point that is nearest to a given one is kept up to date while they come
-// one by one (Seidel's incremental method). A half-space that does not hold the nearest point has the new one on its
-// plane; there the earlier half-spaces are gone through in the same way, down to a line. All of it is in twice the
-// precision of doubles, because users' normals may be parallel but for rounding.
+// Finds out whether half-spaces have a point in common. Half-spaces are added one by one, and their common point
+// nearest to a given point is kept up to date (Seidel's incremental method). If a new half-space does not contain the
+// nearest point, the new nearest point lies on its plane. There, the earlier half-spaces are tried again in the same
+// way, first on the plane and then on a line. All numbers have twice the precision of doubles, because users' normals
+// may be parallel but for rounding.
 #ifndef TERN_BASE_COMMON_POINT_HPP
 #define TERN_BASE_COMMON_POINT_HPP
 
@@ -16,31 +17,31 @@
 
 namespace tern {
 
-/// For kMaxFencePlanes half-spaces: at most their number to the power of three, over six, tests of a point.
+/// Takes up to kMaxFencePlanes half-spaces. For n of them, it makes at most n^3 / 6 tests of a point.
 class CommonPoint {
  public:
-  /// The points near `center` matter; world frame, metres. Each half-space counts as larger by `margin`. `scale`: how
-  /// far from the centre planes can be expected, > 0.
+  /// Finds the common point nearest to `center`; world frame, metres. Each half-space is enlarged by `margin`. `scale`
+  /// is how far from the centre planes are expected, > 0.
   CommonPoint(const Vec3& center, double margin, double scale) noexcept;
 
-  /// Adds a half-space whose normal and offset are finite, the normal's length within the bounds for fences. False if
-  /// it has no point in common with the earlier ones; then there is nothing to add any more.
+  /// Adds a half-space. Its normal and offset must be finite, and the normal's length within the bounds for fences.
+  /// False if it has no point in common with the earlier ones; then no more may be added.
   bool add(const Halfspace& plane) noexcept;
-  /// True if the nearest common point is at most kFarthest times as far away as the scale, or as one of the planes.
-  /// Planes that should be parallel, but for rounding, meet further away.
+  /// True if the distance of the nearest common point is at most kFarthest times the scale or the distance of the
+  /// farthest plane, whichever is larger. Planes that are parallel but for rounding meet further away.
   bool within_reach() const noexcept;
 
   static constexpr double kFarthest = 1e5;
 
  private:
   using Place = Triple<DoubleDouble>;
-  /// normal . p <= offset, p relative to the centre.
+  /// The half-space normal . p <= offset, with p relative to the centre.
   struct Wall {
     Vec3 normal;
     double norm;
     DoubleDouble offset;
   };
-  /// Points from + s along of a line, from lower to upper.
+  /// The points from + s * along with lower <= s <= upper.
   struct Line {
     Place from;
     Place along;

@@ -36,8 +36,8 @@ constexpr int axes_of(int d) {
   return (o.x != 0 ? 1 : 0) + (o.y != 0 ? 1 : 0) + (o.z != 0 ? 1 : 0);
 }
 
-/// Path costs, fixed point with 36 bits after the point: sums are associative, so that ties are exact and every
-/// platform agrees. An optimal path visits no voxel twice; its cost and the heuristic of one map stay below 2^64.
+/// Path costs, fixed point with 36 fractional bits. Sums are associative, so ties are exact and all platforms agree. An
+/// optimal path visits no voxel twice; its cost and the heuristic of one map stay below 2^64.
 using Cost = std::uint64_t;
 constexpr int kCostFraction = 36;
 constexpr Cost kStraightCost = Cost{1} << kCostFraction;
@@ -49,7 +49,7 @@ constexpr Cost move_cost(int d) {
   return axes_of(d) == 1 ? kStraightCost : (axes_of(d) == 2 ? kPlaneDiagonalCost : kSpaceDiagonalCost);
 }
 
-/// The moves as the search takes them.
+/// A move of the search: what it changes, and what it costs.
 struct Move {
   Voxel step;
   Cost cost;
@@ -64,11 +64,11 @@ constexpr MoveTable make_moves() {
 }
 inline constexpr MoveTable kMoveOf = make_moves();
 
-/// How often each kind of move occurs in the cheapest path between two voxels of an empty map.
+/// Number of moves of each kind in the cheapest path between two voxels of an empty map.
 struct MoveCounts {
   std::int32_t space;     ///< along three axes
-  std::int32_t plane;     ///< along two
-  std::int32_t straight;  ///< along one
+  std::int32_t plane;     ///< along two axes
+  std::int32_t straight;  ///< along one axis
 };
 
 constexpr std::int32_t magnitude(std::int32_t v) {
@@ -85,7 +85,8 @@ constexpr MoveCounts octile_moves(const Voxel& a, const Voxel& b) {
   return {low, middle - low, high - middle};
 }
 
-/// The cost of that path: a consistent heuristic, and the cost of a jump, which is always such a path.
+/// The cost of the cheapest path between two voxels of an empty map. It is a consistent heuristic. It is also the cost
+/// of a jump, which is always such a path.
 constexpr Cost octile(const Voxel& a, const Voxel& b) {
   const MoveCounts moves = octile_moves(a, b);
   return static_cast<Cost>(moves.space) * kSpaceDiagonalCost + static_cast<Cost>(moves.plane) * kPlaneDiagonalCost +

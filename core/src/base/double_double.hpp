@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Numbers of twice a double's precision: the unevaluated sum of two doubles, after Dekker (1971) and Knuth. For what
-// must not depend on how far from the origin, or how nearly parallel, the caller's planes are.
+// Numbers of twice a double's precision: the unevaluated sum of two doubles, after Dekker (1971) and Knuth. Used for
+// results that must not depend on how far the caller's planes are from the origin, or how nearly parallel they are.
 #ifndef TERN_BASE_DOUBLE_DOUBLE_HPP
 #define TERN_BASE_DOUBLE_DOUBLE_HPP
 
@@ -10,8 +10,8 @@
 
 namespace tern {
 
-/// high + low, where low is at most half a unit in the last place of high. Sums and products are good to 2^-102 of the
-/// greatest term; magnitudes up to 1e150.
+/// The number high + low; low is at most half a unit in the last place of high. Sums and products are accurate to
+/// 2^-102 of the greatest term. Magnitudes may be up to 1e150.
 struct DoubleDouble {
   double high;
   double low;
@@ -28,7 +28,7 @@ inline DoubleDouble exact_sum(double a, double b) noexcept {
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
-/// The same where |a| >= |b|.
+/// a + b without rounding, for |a| >= |b|.
 inline DoubleDouble exact_sum_sorted(double a, double b) noexcept {
   const double sum = a + b;
   return {sum, b - (sum - a)};

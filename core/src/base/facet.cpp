@@ -5,7 +5,8 @@
 namespace tern {
 namespace {
 
-/// Beyond `by` by so much, in the facet's coordinates: linear in them.
+/// The distance by which a point of the facet lies beyond the cutting plane: a linear function of the facet's
+/// coordinates.
 struct Excess {
   double constant;
   double along_u;
@@ -14,7 +15,7 @@ struct Excess {
   double at(const Vector2& corner) const { return (constant + along_u * corner[0]) + along_v * corner[1]; }
 };
 
-/// Corners [first, last] in the order around the facet, which may pass its end.
+/// Corners first .. last in the order around the facet. The run may wrap around the end of the list.
 struct Run {
   int first;
   int last;
@@ -28,8 +29,8 @@ int before(int k, int count) {
   return k == 0 ? count - 1 : k - 1;
 }
 
-/// The corners beyond around the furthest one. Another run of them is one but for rounding, on a polygon of a hair's
-/// breadth: it stays, so that a cut takes nothing that it should not.
+/// The run of corners beyond the plane that contains the furthest one. There is a second run only because of rounding,
+/// on a very thin polygon. It stays, so that the cut does not remove more than it should.
 Run run_about(int furthest, const double* beyond, int count) {
   Run run{furthest, furthest};
   for (int k = 1; k < count && beyond[before(run.first, count)] > 0.0; ++k) run.first = before(run.first, count);
@@ -41,7 +42,7 @@ bool in_run(const Run& run, int k) {
   return run.first <= run.last ? k >= run.first && k <= run.last : k >= run.first || k <= run.last;
 }
 
-/// Takes the run away; where the facet's edge leaves and enters it, a corner joins.
+/// Removes the run, and adds a corner on each of the two edges that cross the plane.
 void keep_within(const double* beyond, const Run& run, Facet& facet) {
   Facet left;
   left.count = 0;

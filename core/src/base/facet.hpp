@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A facet of a polyhedron: the polygon that is left of one plane when the others have cut it.
+// A facet of a polyhedron: the polygon that remains of one plane after the other planes have cut it.
 #ifndef TERN_BASE_FACET_HPP
 #define TERN_BASE_FACET_HPP
 
@@ -12,7 +12,8 @@
 
 namespace tern {
 
-/// Cuts that one facet may go through: by all planes of a corridor's polyhedron, or of a fence and the box around it.
+/// The most cuts of one facet: by all planes of a corridor's polyhedron, or by those of a fence and of the box around
+/// it.
 constexpr int kMaxCuts = kMaxPlanes > kMaxFencePlanes + 6 ? kMaxPlanes : kMaxFencePlanes + 6;
 
 /// A convex polygon in a plane, corners in order around it. Each cut adds one corner at most.
@@ -24,11 +25,12 @@ struct Facet {
   Vector2 corner[kMaxCuts + 4];  ///< corner k is foot + corner[k][0] u + corner[k][1] v
 };
 
-/// The square of half edge `reach` (metres, > 0) on the plane, about its foot.
+/// A square on the plane, centred on its foot. `reach` is half its edge, in metres, > 0.
 Facet square_on(const Halfspace& plane, double reach) noexcept;
 
-/// Cuts off what lies beyond the half-space, where anything does by more than `slack` metres. False where nothing is
-/// left. But for rounding, 2.2e-15 of the facet's reach, it takes no point of the facet that is in the half-space.
+/// Cuts off the part of the facet outside the half-space, if a corner is more than `slack` metres outside. False if
+/// nothing is left. Removes no point of the facet that is inside the half-space by more than the rounding error,
+/// 2.2e-15 of the facet's reach.
 bool cut(const Halfspace& by, Facet& facet, double slack = 0.0) noexcept;
 
 }  // namespace tern

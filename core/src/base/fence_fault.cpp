@@ -10,17 +10,18 @@
 namespace tern {
 namespace {
 
-/// By so much, as a share of the map's diagonal, half-spaces may miss each other and count as flat. The stage that
-/// reads keep-outs (fence/fences.cpp) moves their planes out by twice as much, so it finds what is not empty here.
+/// Half-spaces that miss each other by at most this share of the map's diagonal count as a flat fence, not as an empty
+/// one. The stage that reads keep-outs (fence/fences.cpp) moves their planes out by twice as much, so that it also
+/// finds points in every fence that is not empty here.
 constexpr double kFlat = 5e-14;
 
-/// What the map is about, for half-spaces that are to meet.
+/// Centre and size of the map, the `center` and `scale` of a CommonPoint.
 struct Around {
   Vec3 center;
   double scale;
 };
 
-/// The whole grid: how flat is flat must not depend on its boundary, or on keep-ins.
+/// Measures the whole grid, because what counts as flat must not depend on the boundary or on keep-ins.
 Around around(const GridSpec& grid) {
   const Vec3 size{grid.dims.x * grid.cell, grid.dims.y * grid.cell, grid.dims.z * grid.cell};
   return {grid.origin + 0.5 * size, length(size) + grid.clearance()};
@@ -30,7 +31,7 @@ CommonPoint anywhere(const Around& map) {
   return CommonPoint(map.center, kFlat * map.scale, map.scale);
 }
 
-/// Adds all of the fence; false where nothing is left, or only what is out of reach.
+/// Adds all half-spaces of the fence. False if no common point is left, or only one out of reach.
 bool meets(const Fence& fence, CommonPoint& common) {
   for (std::int32_t p = 0; p < fence.count; ++p) {
     if (!common.add(fence.planes[p])) return false;
@@ -67,7 +68,7 @@ Status check_plane(const Halfspace& plane) {
   return finite(plane.offset / norm) ? Status::kOk : Status::kNonFiniteInput;
 }
 
-/// A fence that fits among half-spaces of which `left` are left.
+/// Checks one fence by itself. `left`: the number of half-spaces for which there is room.
 Status check_fence(const Fence& fence, std::int32_t left) {
   if (!well_formed(fence)) return Status::kInvalidArgument;
   if (is_full(fence.count > left)) return Status::kFencePlanesFull;

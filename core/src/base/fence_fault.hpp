@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is wrong with a caller's fences. Plans, flights and proofs ask the same question and give the same answer.
+// Finds what is wrong with a caller's fences. Plans, flights and proofs all use this check, so they give the same
+// answer.
 #ifndef TERN_BASE_FENCE_FAULT_HPP
 #define TERN_BASE_FENCE_FAULT_HPP
 
@@ -13,16 +14,16 @@
 
 namespace tern {
 
-/// kOk; or why the fences are refused, and the index of the one that is wrong: kNoFence where it is the list itself.
+/// kOk, or why the fences are refused and the index of the fence at fault: kNoFence if the list itself is at fault.
 struct FenceFault {
   Status status;
   std::int32_t fence;
 };
 
-/// Of `count` fences, world frame, on a grid that is bound. kOk; kInvalidArgument for a null pointer, a negative
+/// Checks `count` fences, world frame, on a grid that is bound. kOk; kInvalidArgument for a null pointer, a negative
 /// `count`, a fence without half-spaces, an unknown kind, or a normal that is too short or too long; kNonFiniteInput;
 /// kFencesFull; kFencePlanesFull; kFenceEmpty for the first keep-in that has no point in common with the keep-ins
-/// before it, or for a keep-out without a point. tern/fence.hpp says when that is so.
+/// before it, or for a keep-out without a point. tern/fence.hpp says when a fence counts as having no point.
 FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept;
 
 }  // namespace tern

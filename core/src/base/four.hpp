@@ -15,7 +15,7 @@ using FourInts __attribute__((vector_size(16), __may_alias__)) = std::int32_t;
 inline Four all(float x) noexcept {
   return Four{x, x, x, x};
 }
-/// NaN becomes `low`.
+/// Limits each number to low .. high; NaN becomes `low`.
 inline Four clamp(Four x, float low, float high) noexcept {
   const Four above = x > low ? x : all(low);
   return above < high ? above : all(high);

@@ -8,8 +8,8 @@
 
 namespace tern {
 
-/// The point of a free voxel that paths lead through: its centre, or the point of the boundary nearest to that, where
-/// the boundary is thinner than the voxel.
+/// The point of a free voxel that paths lead through: its centre or, if the centre is outside a thin boundary, the
+/// nearest point inside.
 inline Vec3 free_point(const Grid& grid, const Voxel& voxel) {
   const Box boundary = grid.local_boundary();
   Vec3 point = grid.center(voxel);

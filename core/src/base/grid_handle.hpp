@@ -20,7 +20,7 @@ constexpr Grid kNoGrid{};
 inline bool holds_grid(const tern_grid* grid) {
   return *static_cast<const volatile std::uint64_t*>(grid->opaque) == kGridTag;
 }
-/// Null if there is none.
+/// The grid behind the handle; null if there is none.
 inline Grid* object(tern_grid* grid) {
   if (grid == nullptr || !holds_grid(grid)) return nullptr;
   return std::launder(reinterpret_cast<Grid*>(grid->opaque + 1));

@@ -9,7 +9,7 @@ namespace tern {
 
 /// A tern_grid's first word once a grid was bound there; the grid follows it.
 constexpr std::uint64_t kGridTag = 0x7465726E2D677269u;
-/// The same of a tern_map and its map.
+/// A tern_map's first word once a map was bound there; the map follows it.
 constexpr std::uint64_t kMapTag = 0x7465726E2D6D6170u;
 
 }  // namespace tern

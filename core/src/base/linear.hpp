@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Vectors and matrices: fixed-size types of Eigen, for sums, differences, multiples and blocks, which have one result.
-// What adds coefficients up - scalar products, lengths, products of matrices - is below instead: Eigen does not promise
-// the order of its own sums.
+// Vectors and matrices: fixed-size types of Eigen, used for sums, differences, multiples and blocks, whose results are
+// unique. Operations that add up coefficients (scalar products, lengths, products of matrices) are written here
+// instead, because Eigen does not promise the order of its sums.
 #ifndef TERN_BASE_LINEAR_HPP
 #define TERN_BASE_LINEAR_HPP
 

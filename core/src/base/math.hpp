@@ -23,7 +23,7 @@ inline double square_root(double x) { return __builtin_sqrt(x); }
 inline double length(const Vec3& a) { return square_root(dot(a, a)); }
 inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
-/// The compiler's own: one instruction everywhere, where a comparison would have to keep the sign of -0.
+/// Uses the compiler's builtin: one instruction on all platforms. A comparison would need care for the sign of -0.
 inline double absolute(double x) { return __builtin_fabs(x); }
 inline double smaller(double a, double b) { return b < a ? b : a; }
 inline double larger(double a, double b) { return a < b ? b : a; }
@@ -67,7 +67,7 @@ inline double cube_root(double x) {
   return root * (1.0 + 1e-15);
 }
 
-/// x^7: snap falls with it where a trajectory is stretched in time.
+/// x^7: the snap cost of a trajectory stretched in time by x falls by this factor.
 inline double seventh_power(double x) {
   const double cube = x * x * x;
   return cube * cube * x;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a point is in a polyhedron. `count` half-spaces count; redundant ones say nothing more.
+// The position of a point relative to a polyhedron. Only the first `count` half-spaces matter; redundant ones add
+// nothing.
 #ifndef TERN_BASE_POLYHEDRON_HPP
 #define TERN_BASE_POLYHEDRON_HPP
 
@@ -10,11 +11,12 @@
 
 namespace tern {
 
-/// True where every half-space keeps `margin` metres from `point`; a negative margin lets the point lie that far
+/// True if `point` is at least `margin` metres inside every half-space. A negative margin lets the point lie that far
 /// outside.
 bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexcept;
 
-/// Metres from `point` to the nearest half-space's plane, negative outside; count >= 1.
+/// Metres from `point` to the nearest plane of a half-space, negative outside the polyhedron. The polyhedron must have
+/// at least one half-space.
 double room_at(const Polyhedron& polyhedron, const Vec3& point) noexcept;
 
 }  // namespace tern

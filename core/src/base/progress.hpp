@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How a stage answers. Every stage is a plain structure with two functions: begin() prepares it, and advance() spends
-// units of a slice of work until the slice is empty or the stage has ended.
+// The result of a slice of a stage. Every stage is a plain structure with two functions: begin() prepares it, and
+// advance() spends units of a slice of work until the slice is empty or the stage has ended.
 #ifndef TERN_BASE_PROGRESS_HPP
 #define TERN_BASE_PROGRESS_HPP
 
@@ -12,14 +12,14 @@
 
 namespace tern {
 
-/// What advance() answers.
+/// The result of advance().
 enum class Progress : std::uint8_t {
   kMore,    ///< the slice is empty, and there is work left
   kDone,    ///< the result is complete
   kFailed,  ///< there is no result; the stage's `status` says why
 };
 
-/// Ends a stage, which keeps `status`: kDone for kOk, else kFailed.
+/// Ends a stage: stores `status` in `kept`, and returns kDone for kOk, else kFailed.
 constexpr Progress conclude(Status status, Status& kept) noexcept {
   kept = status;
   return status == Status::kOk ? Progress::kDone : Progress::kFailed;

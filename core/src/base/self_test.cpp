@@ -48,7 +48,7 @@ bool flushes_to_zero() {
 bool rounds_to_nearest_even() {
   const double one = opaque(1.0);
   const double tie_down = opaque(from_bits(kHalfUlpOfOneBits));       // the tie goes to the even 1
-  const double above_tie = opaque(from_bits(kHalfUlpOfOneBits + 1));  // a little more: up
+  const double above_tie = opaque(from_bits(kHalfUlpOfOneBits + 1));  // a little more than the tie rounds up
   const double up = opaque(one + above_tie);
   const bool positive = !(opaque(one + tie_down) > one) && up > one;
   const bool negative = !(opaque(-one - tie_down) < -one) && opaque(-one - above_tie) < -one;

@@ -17,7 +17,7 @@ inline bool lacks_goal_voxel(Status status) {
   return status == Status::kGoalOccupied || status == Status::kGoalTooNarrow;
 }
 
-/// The same of a via.
+/// No voxel near a via is free, whether it has room or not.
 inline bool lacks_via_voxel(Status status) {
   return status == Status::kViaOccupied || status == Status::kViaTooNarrow;
 }

@@ -12,14 +12,14 @@
 
 namespace tern {
 
-/// Writes the turning points of a path over voxels to Path::raw as they come, and its cost. A point in line with the
-/// two before it replaces the last one.
+/// Writes the turning points of a path over voxels to Path::raw one by one, and then the path's length. A point in line
+/// with the last two replaces the last one.
 struct TurnWriter {
   const Grid& grid;
   Path& path;
-  int capacity;  ///< points
+  int capacity;  ///< most points of Path::raw
   Voxel last;
-  int heading = kHere;  ///< direction of the last run, kHere before the first
+  int heading = kHere;  ///< direction of the last run; kHere before the first run
   bool full = false;
   MoveCounts moves{0, 0, 0};
 
@@ -34,7 +34,7 @@ struct TurnWriter {
     if (!full) path.raw[path.raw_count++] = free_point(grid, voxel);
   }
 
-  /// Goes on by so many equal moves.
+  /// Continues the path by `steps` equal moves.
   void run(int move, std::int32_t steps) noexcept {
     if (steps == 0) return;
     const Voxel step = offset(move);
@@ -48,7 +48,7 @@ struct TurnWriter {
     point(last);
   }
 
-  /// After the last run: kOk, or kJumpPointsFull.
+  /// Ends the path after its last run, and sets Path::grid_length. kOk, or kJumpPointsFull.
   Status finish() noexcept {
     constexpr double kSqrt2 = 1.4142135623730951;
     constexpr double kSqrt3 = 1.7320508075688772;

@@ -7,7 +7,7 @@
 
 namespace tern {
 
-/// Whether an input is accepted; if not, why, and which field the refusal is about.
+/// The result of checking an input: kOk, or why it is refused and which field is at fault.
 struct Verdict {
   Status status;
   Field field;

@@ -12,8 +12,8 @@ namespace tern {
 /// Where a plan passes its vias, in order.
 struct ViaMarks {
   std::int32_t count;
-  std::int32_t waypoint[kMaxVias];    ///< of the path; increasing
-  std::int32_t polyhedron[kMaxVias];  ///< of the corridor: the one that begins at the via; increasing
+  std::int32_t waypoint[kMaxVias];    ///< index of the via's waypoint in the path; increasing
+  std::int32_t polyhedron[kMaxVias];  ///< index of the corridor's polyhedron that begins at the via; increasing
 };
 
 }  // namespace tern
