@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t kPlaneEffort = 300;
 constexpr std::uint32_t kCutEffort = 70;
 constexpr std::uint32_t kNormalEffort = 250;
-/// Of making a plane anew, besides its patch: the stencil, and a row.
+/// Instructions of making a plane of voxels anew, besides its patch: of the stencil, and of a row.
 constexpr std::uint32_t kStencilEffort = 8000;
 constexpr std::uint32_t kRowEffort = 40;
 
@@ -91,7 +91,7 @@ void collect_normals(const Fences& fences, const KeepOut& fence, double radius, 
 }
 
 /// Rows whose cubes the keep-out, grown by the radius, may reach. They follow from the first six planes, which are
-/// those of the axes, two for each.
+/// across the axes, two for each.
 IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
   const double cell = view.spec().cell;
   const std::int32_t count = axis(view.spec().dims, a);

@@ -15,7 +15,8 @@
 
 namespace tern {
 
-/// Normals tried for one keep-out: the axes, those of the faces, and half way between those of two faces.
+/// Normals tried for one keep-out: the axes, the normals of its faces, and the directions half way between two of
+/// these.
 constexpr int kMaxFenceNormals = 6 + kMaxFencePlanes + kMaxFencePlanes * (kMaxFencePlanes - 1) / 2;
 
 /// Room for a blocked layer, and scratch. Plain data.
@@ -23,22 +24,23 @@ struct FenceLayer {
   std::uint64_t words[kMaxFenceWords];
   bool narrowed;  ///< by narrow_boundary(): the view's boundary is not the grid's
   std::int32_t clear_count;
-  Halfspace clear[kMaxFenceNormals];  ///< normal . p >= offset is clear of the current keep-out,
-  IndexRange planes;                  ///< which reaches these planes and rows
-  IndexRange rows;
+  Halfspace clear[kMaxFenceNormals];  ///< points with normal . p >= offset are clear of the current keep-out
+  IndexRange planes;                  ///< planes that the current keep-out reaches
+  IndexRange rows;                    ///< rows that the current keep-out reaches
 };
 
 /// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kFenceLayerFull.
 Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept;
 
 /// Blocks each voxel in plane z of the view whose closed cube is not inside every keep-in. In a view that was narrowed,
-/// first makes the plane anew within its boundary. Returns what it took, in instructions (see Work).
+/// first makes the plane anew within its boundary. Returns the instructions that it took (see Work).
 std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;
 
 /// Blocks the voxels that the keep-out, grown by the radius, may reach: prepare_keep_out() once, then plane by plane. A
 /// voxel stays free if one plane cuts it off with the radius to spare. The normals of these planes are the coordinate
-/// axes, those of the faces, and half way between those of two faces, because the grown keep-out is round at its edges.
-/// At a corner, a voxel too many may be blocked, but never one too few. Both return what they took.
+/// axes, the normals of the faces, and the directions half way between two of these, because the grown keep-out is
+/// round at its edges. At a corner, a voxel too many may be blocked, but never one too few. Both functions return the
+/// instructions that they took.
 std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,
                                const Grid& view) noexcept;
 std::uint32_t block_keep_out(FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;

@@ -34,8 +34,8 @@ constexpr double kBeyondAnyMap = 1e100;
 
 /// The region where the robot's centre may be, grown by the radius: the boundary within keep-ins along the axes.
 /// Nothing beyond it matters. A keep-in therefore cuts keep-outs short just as a boundary of its size does. The region
-/// grows by a voxel at least: in one without height, a keep-out would have no inside, and a path through it would touch
-/// it.
+/// grows by a voxel at least: in a region without height, a keep-out would have no inside, and a path through the
+/// keep-out would only touch it.
 struct Surroundings {
   Vec3 center;
   double reach;  ///< radius of a ball about the centre that contains the box
@@ -62,8 +62,8 @@ Surroundings surroundings_of(const Grid& grid, const Fences& fences) {
   return around;
 }
 
-/// To the local frame, with a unit normal. The offset is shifted without rounding: far from the world's origin, both
-/// the offset and the shift are large, and between two nearly parallel planes a small error grows.
+/// The half-space in the local frame, with a unit normal. The offset is shifted without rounding: far from the world's
+/// origin, both the offset and the shift are large, and between two nearly parallel planes a small error grows.
 Halfspace to_local_plane(const Grid& grid, const Halfspace& world) {
   const double norm = length(world.normal);
   const bool far = absolute(world.offset) > kBeyondAnyMap;  // products would overflow, and the shift is negligible
@@ -96,8 +96,8 @@ Status add_corners(const Facet& facet, const Surroundings& around, double same, 
   return Status::kOk;
 }
 
-/// The keep-out's half-spaces and the faces of the surroundings, relative to the centre of the surroundings and moved
-/// out by `out`.
+/// Half-space `index` of the keep-out's half-spaces followed by the faces of the surroundings. It is relative to the
+/// centre of the surroundings, and moved out by `out`.
 Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surroundings& around, int index, double out) {
   const bool own = index < fence.planes;
   const Halfspace& plane = own ? fences.planes[fence.first_plane + index] : around.faces[index - fence.planes];
@@ -105,7 +105,7 @@ Halfspace plane_about(const Fences& fences, const KeepOut& fence, const Surround
   return {plane.normal, offset + out};
 }
 
-/// The corners of all facets.
+/// Adds the corners of all facets.
 Status find_corners(const Surroundings& around, const Fineness& fine, Fences& fences, KeepOut& fence) {
   const int count = fence.planes + kBoxPlanes;
   for (int i = 0; i < count; ++i) {

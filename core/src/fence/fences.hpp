@@ -19,8 +19,8 @@ namespace tern {
 /// A polyhedron with n facets has at most 2 n - 4 corners. Each keep-out has six more facets from the box that cuts it.
 constexpr int kMaxFenceCorners = 2 * kMaxFencePlanes + 8 * kMaxFences;
 
-/// One keep-out: its half-spaces, and the corners of that part of it that matters. The part lies within the radius of
-/// the boundary, and of each keep-in's half-space across an axis.
+/// One keep-out: its half-spaces, and the corners of the part of it that matters. This part lies within the radius of
+/// the boundary and of each keep-in half-space that stands across an axis.
 struct KeepOut {
   std::int32_t first_plane;
   std::int32_t planes;
@@ -48,17 +48,17 @@ inline Hull hull_of(const Fences& fences, const KeepOut& fence) noexcept {
 }
 
 /// Reads `count` fences (world frame) for planning on `grid`. A keep-out without a part that matters is left out. kOk;
-/// what find_fence_fault() says; kFencePlanesFull where the corners of a keep-out do not fit. `fences` is undefined
-/// unless kOk.
+/// what find_fence_fault() says; kFencePlanesFull if the corners of a keep-out do not fit. `fences` is undefined unless
+/// kOk.
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept;
 
 /// True if the segment (local frame; equal ends make a point) lies inside every keep-in and keeps `radius` from every
 /// keep-out, both to within `touching`.
 bool fences_clear(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept;
 
-/// The first fence, likewise, that the closed cube of a voxel does not obey: it is not all inside a keep-in, or beyond
-/// no face and no side of a keep-out by the radius. If there is none, the blocked layer of a grid with such voxels
-/// leaves it free (fence/fence_layer.hpp).
+/// The first fence that the closed cube of a voxel breaks, as its index in the request's list: a keep-in that does not
+/// contain the whole cube, or a keep-out for which the cube is not beyond any face, or side along an axis, by the
+/// radius. kNoFence if there is none: then the fence layer leaves a voxel with this cube free (fence/fence_layer.hpp).
 std::int32_t fence_over(const Fences& fences, const Box& cube, double radius) noexcept;
 
 /// The first fence for which fences_clear does not hold, as its index in the request's list. Keep-ins are tested first.

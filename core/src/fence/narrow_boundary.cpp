@@ -8,8 +8,8 @@
 namespace tern {
 namespace {
 
-/// A unit normal with other components than this one no larger than that stands across the axis: that is the rounding
-/// of a sine, and over the whole map it moves the plane by less than the rounding of its offset may.
+/// A unit normal stands across an axis if its components along the other axes are no larger than this. Such components
+/// are the rounding of a sine. Over the whole map they move the plane by less than the rounding of its offset does.
 constexpr double kAcross = 1e-14;
 
 bool stands_across(const Vec3& normal, int a) {
@@ -19,7 +19,7 @@ bool stands_across(const Vec3& normal, int a) {
   return true;
 }
 
-/// False if there are none.
+/// Drops the half-spaces of keep-ins that stand across axis `a`. False if there are none.
 bool drop_keep_ins(Fences& fences, int a) {
   std::int32_t kept = 0;
   for (int p = 0; p < fences.keep_in_count; ++p) {

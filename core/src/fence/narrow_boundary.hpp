@@ -12,10 +12,10 @@ namespace tern {
 /// face of the boundary counts as on it. Faces that rounding leaves in the wrong order meet.
 Box within_keep_ins(const Fences& fences, const Box& boundary, int a) noexcept;
 
-/// Reads keep-ins that are thinner than voxels as a thin boundary (docs/grid.md). Where keep-ins with planes across an
-/// axis leave no whole voxel of the boundary on it, these planes leave `fences` and become faces of the view's
-/// boundary. Some point must obey the fences and the boundary, but for rounding. True if the boundary changed: the
-/// view's blocked layer is then that of another boundary.
+/// Turns keep-ins that are thinner than voxels into a thin boundary (docs/grid.md). If the keep-in planes across an
+/// axis leave no whole voxel of the boundary on it, they leave `fences` and become faces of the view's boundary. Some
+/// point must obey the fences and the boundary, up to rounding. True if the boundary changed: the view's blocked layer
+/// is then that of the old boundary.
 bool narrow_boundary(Fences& fences, Grid& view) noexcept;
 
 }  // namespace tern
