@@ -14,7 +14,7 @@ std::int32_t legs_of(const Path& path) {
   return path.count - 1;
 }
 
-/// Where piece `index` of the leg ends; the last one exactly at the waypoint.
+/// The end of the current piece of the leg; the last piece ends exactly at the waypoint.
 Vec3 piece_end(const CorridorStage& stage, const Path& path) {
   const Vec3& to = path.points[stage.leg + 1];
   if (stage.piece + 1 == stage.pieces) return to;
@@ -37,7 +37,7 @@ std::int32_t pieces_of(const CorridorStage& stage, const Path& path) {
   return pieces;
 }
 
-/// Where the leg begins at a via, so does the next polyhedron, number `next`.
+/// If the leg begins at a via, so does the next polyhedron, number `next`.
 void pass_via(CorridorStage& stage, std::int32_t next) {
   ViaMarks* marks = stage.marks;
   stage.at_via = marks != nullptr && stage.passed < marks->count && marks->waypoint[stage.passed] == stage.leg;
@@ -119,7 +119,7 @@ void drop_held(Corridor& out, double margin, std::int32_t fixed) {
   }
 }
 
-/// Begins the polyhedron of the current piece. False where there is no room for it.
+/// Begins the polyhedron of the current piece. False if the capacity for segments has no room for it.
 bool begin_piece(CorridorStage& stage, const Grid& grid, const Path& path) {
   if (is_full(stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments)) return false;
   grow_begin(stage.growth, grid, stage.from, stage.ends[stage.pending - 1], stage.grow);
@@ -128,7 +128,7 @@ bool begin_piece(CorridorStage& stage, const Grid& grid, const Path& path) {
   return true;
 }
 
-/// Once the polyhedron is done, or failed. kMore if pieces are left.
+/// Goes on after the polyhedron of the current piece is done, or has failed. kMore if pieces are left.
 Progress end_piece(CorridorStage& stage, const Grid& grid, const Path& path, Corridor& out) {
   const Status status = stage.growth.status;
   stage.growing = false;

@@ -23,7 +23,7 @@ namespace tern {
 /// around a long oblique leg would contain obstacles that are nowhere near the leg.
 constexpr double kLongLeg = 8.0;
 
-/// Segments that are not used for cutting legs, if there are many in all: coming to rest needs some too.
+/// Segments that are not used for cutting legs, if the capacity is large: coming to rest needs some too.
 constexpr std::int32_t kKeptForEnds = kMaxSegments < 16 ? 0 : 8;
 
 /// How many times, at most, a piece is halved because its polyhedron does not fit.
@@ -44,18 +44,18 @@ struct CorridorStage {
   std::int32_t planes_high;  ///< of the fullest polyhedron
   std::int32_t boxes_high;   ///< of the busiest local box
 
-  std::int32_t leg;    ///< index of the current leg of the path
-  std::int32_t piece;  ///< index of the current piece of the leg, and how many there are
-  std::int32_t pieces;
+  std::int32_t leg;      ///< index of the current leg of the path
+  std::int32_t piece;    ///< index of the current piece of the leg
+  std::int32_t pieces;   ///< pieces of the leg
   ViaMarks* marks;       ///< null: no vias
   std::int32_t passed;   ///< vias that the current leg begins at or after
   bool at_via;           ///< the current piece begins at a via
   std::int32_t fixed;    ///< polyhedra before the one that begins at the last via
   std::int32_t built;    ///< polyhedra so far, dropped ones included; <= kMaxSegments
   Vec3 from;             ///< where the next polyhedron begins
-  std::int32_t pending;  ///< count of `ends`: where the halves of the piece end, the next half last
+  std::int32_t pending;  ///< count of `ends`, the ends of the piece's halves, the next half's last
   Vec3 ends[kMaxHalvings + 1];
-  bool growing;  ///< the polyhedron of the piece is in work
+  bool growing;  ///< the polyhedron of the piece is being grown
   Growth growth;
   GrowScratch grow;
 };
@@ -65,7 +65,7 @@ struct CorridorStage {
 void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
                     const Fences* fences = nullptr, ViaMarks* marks = nullptr) noexcept;
 
-/// One unit of work is one of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
+/// The units of work are those of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
 ///
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the

@@ -24,7 +24,8 @@ constexpr double kThickness = 0.3;
 /// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
-/// Instructions of the local box, of a keep-in and a keep-out, and of the end: of a half-space, and a cut of a facet.
+/// Instructions of the local box, of a keep-in, of a keep-out, of finishing a polyhedron, of a half-space in that, and
+/// of a cut of a facet.
 constexpr std::uint32_t kBoxEffort = 1500;
 constexpr std::uint32_t kKeepInEffort = 200;
 constexpr std::uint32_t kKeepOutEffort = 20000;
@@ -87,7 +88,7 @@ Enclosure enclosure_of(const Growth& growth, const GridSpec& spec, const GrowScr
   return {obstacles, growth.segment, kLeastSlackCells * spec.cell, growth.given};
 }
 
-/// The half-spaces that are there before any obstacle.
+/// Makes the half-spaces that come before those for obstacles: the faces of the local box, and the fences.
 Progress make_box(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.take()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
@@ -121,7 +122,7 @@ Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work)
   return progress;
 }
 
-/// The half-spaces in the order that a reader of the polyhedron expects, and its ellipsoid.
+/// Puts the half-spaces into the order that a reader of the polyhedron expects, and makes its ellipsoid.
 Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.take()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
@@ -137,7 +138,7 @@ Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& wor
   return Progress::kDone;
 }
 
-/// Goes on with the phase at hand; kDone at its end.
+/// Goes on with the current phase; kDone at its end.
 Progress advance_phase(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
   const GridSpec& spec = grid.spec();
   switch (growth.phase) {
@@ -161,7 +162,7 @@ Progress advance_phase(Growth& growth, const Grid& grid, GrowScratch& scratch, P
   return Progress::kDone;
 }
 
-/// Begins again with a smaller local box if that may help. False where there is none.
+/// Begins again with a smaller local box if that may help. False if it may not, or there is none.
 bool shrink_box(Growth& growth) {
   const bool full = growth.status == Status::kPlanesFull || growth.status == Status::kObstaclesFull;
   if (!full || growth.level + 1 == kBoxLevels) return false;

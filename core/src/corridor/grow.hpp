@@ -34,18 +34,18 @@ constexpr int kBoxLevels = 6;
 constexpr std::uint32_t kGrowBound =
     static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds + kLeaveOuts) * kMaxPlanes);
 
-/// What comes next.
+/// The phase of a growing polyhedron: what it makes next.
 enum class GrowPhase : std::uint8_t {
   kBox,      ///< the half-spaces of the local box and of the fences
-  kExtract,  ///< the obstacles in it
-  kFit,      ///< the segment's ellipsoid between them
+  kExtract,  ///< the obstacles in the local box
+  kFit,      ///< the segment's ellipsoid between the obstacles
   kSieve,    ///< the obstacles that box and fences leave
-  kCutOff,   ///< half-spaces that cut these off
+  kCutOff,   ///< half-spaces that cut off the obstacles that are left
   kImprove,  ///< a larger polyhedron
   kFinish,
 };
 
-/// A polyhedron in work. Plain data; needs no initialisation before grow_begin.
+/// A polyhedron that is being grown. Plain data; needs no initialisation before grow_begin.
 struct Growth {
   Status status;  ///< why it failed; else kOk
   GrowPhase phase;
@@ -64,7 +64,7 @@ struct Growth {
 void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& to,
                 const GrowScratch& scratch) noexcept;
 
-/// A unit of work is one of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
+/// A unit of work is a unit of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
 /// the half-spaces of the local box, or finishes the polyhedron.
 ///
 /// kDone: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
@@ -74,7 +74,7 @@ void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& 
 /// too many; a shorter segment may fit. kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
 Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
 
-/// All of it: kOk, or why it failed.
+/// Grows the polyhedron in one call. Returns kOk, or why it failed.
 Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept;
 

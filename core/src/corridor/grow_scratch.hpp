@@ -24,8 +24,9 @@ struct GrowScratch {
 
   LocalBox boxes[kMaxLocalBoxes];
   std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet, in ascending order
-  double scale[kMaxLocalBoxes];            ///< at which the growing ellipsoid meets each of these, or a bound of it
-  Polyhedron trial;                        ///< of the current round
+  double scale[kMaxLocalBoxes];            ///< scale at which the growing ellipsoid meets each remaining box, or a
+                                           ///< lower bound of it
+  Polyhedron trial;                        ///< the polyhedron of the current round or trial
   ExtractScratch extract;
 };
 

@@ -14,7 +14,7 @@ constexpr double kNoSize = 1e-7;
 
 constexpr int kCorners = 8;
 
-/// Instructions of the box, of a unit, of a box held against a half-space, of the gap to a box, of fences.
+/// Instructions of the box, of a unit, of a test of a box against a half-space, of the gap to a box, and of fences.
 constexpr std::uint32_t kHullEffort = 3000;
 constexpr std::uint32_t kPieceEffort = 300;
 constexpr std::uint32_t kPlaneTestEffort = 80;
@@ -46,9 +46,10 @@ struct Faces {
   int count;
 };
 
-/// If the gap is below `too_close`, its normal is rounding, if it exists at all. Then these normals are tried too: the
-/// axes and the solid's faces, and the cross products of the hull's direction with the axes and with the solid's edges.
-/// The products separate an edge that the curve grazes.
+/// The normal that leaves the most room between hull and solid. If their gap is below `too_close`, its normal is only
+/// rounding, or there is none. Then more normals are tried: the axes, the solid's faces, and the cross products of the
+/// hull's direction with the axes and with the solid's edges. The products separate the hull from an edge that the
+/// curve grazes.
 Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, double too_close) {
   const HullGap gap = hull_gap(hull, solid);
   if (gap.distance >= too_close) return gap.normal;
@@ -101,7 +102,7 @@ Status append_box(const Grid& grid, const Hull& hull, Box& box, GrowScratch& scr
   return status;
 }
 
-/// The hull's box, and what `out` needs besides half-spaces.
+/// Makes the half-spaces of the hull's box, and everything else in `out` except further half-spaces.
 Status make_box(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhedron& out) {
   out.count = 0;
   out.redundant = 0;
@@ -142,7 +143,7 @@ bool keeps_in(const Fences& fences, const Hull& hull) {
   return true;
 }
 
-/// All keep-ins first, then one keep-out after the other.
+/// Keeps the next fence: first all keep-ins together, then one keep-out after the other.
 Status keep_fence(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
                   Polyhedron& out, Work& work) {
   const Fences& fences = *scratch.fences;
@@ -163,7 +164,7 @@ Progress extract(HullGrowth& growth, const Grid& grid, GrowScratch& scratch, Wor
   return progress == Progress::kFailed ? conclude(Status::kObstaclesFull, growth.status) : progress;
 }
 
-/// What the phase at hand has to look at.
+/// How many items the phase has to look at.
 int count_of(HullPhase phase, const GrowScratch& scratch) {
   if (phase == HullPhase::kBox) return 1;
   if (phase == HullPhase::kObstacles) return scratch.extract.count;
@@ -179,7 +180,7 @@ Status do_unit(HullGrowth& growth, const Grid& grid, const Hull& hull, double sl
   return make_box(grid, hull, scratch, out);
 }
 
-/// Goes on with the phase at hand; kDone at its end.
+/// Goes on with the current phase; kDone at its end.
 Progress advance_phase(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
                        Polyhedron& out, Work& work) {
   if (growth.phase == HullPhase::kExtract) return extract(growth, grid, scratch, work);

@@ -24,15 +24,15 @@ enum class HullPhase : std::uint8_t { kBox, kExtract, kObstacles, kFences, kDone
 struct HullGrowth {
   Status status;  ///< why it failed; else kOk
   HullPhase phase;
-  int next;  ///< solid box, or keep-out, to look at next
+  int next;  ///< the solid box or fence to look at next
 };
 
 /// Fills `out` with the box around the hull, and adds a half-space for each obstacle and keep-out that none of the
 /// others cuts off by the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads
 /// from the hull's first point to its last. Its ellipsoid is a tiny ball half way between them.
 ///
-/// A unit of work is one of extract_advance, or looks at kHullTests solid boxes, up to the first that needs a
-/// half-space; or makes the box around the hull, or looks at one fence.
+/// A unit of work is a unit of extract_advance, or makes the box around the hull, or looks at one keep-out or all
+/// keep-ins. Or it looks at kHullTests solid boxes, but at none after the first that needs a half-space.
 ///
 /// kDone: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kFailed, with
 /// `status`. kOutOfMap: a point lies outside the boundary. kCorridorBlocked: an obstacle or a keep-out is closer than
@@ -46,7 +46,7 @@ void enclose_begin(HullGrowth& growth) noexcept;
 Progress enclose_advance(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
                          Polyhedron& out, Work& work) noexcept;
 
-/// All of it: kOk, or why it failed.
+/// Encloses the hull in one call. Returns kOk, or why it failed.
 Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
 
 }  // namespace tern

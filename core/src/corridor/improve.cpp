@@ -60,7 +60,7 @@ void compare(Improvement& improvement, const Enclosure& enclosure, const GrowScr
   copy_planes(scratch.trial, out);
 }
 
-/// After a round or a trial. Where the half-spaces did not fit (`fits` is false), there are no further rounds.
+/// Goes on after a round or a trial. If its half-spaces did not fit (`fits` is false), there are no further rounds.
 void go_on(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, bool fits) {
   improvement.phase = ImprovePhase::kLeaveOut;
   if (improvement.rounds == kImprovingRounds) return;
@@ -68,7 +68,7 @@ void go_on(Improvement& improvement, const Enclosure& enclosure, GrowScratch& sc
   if (improvement.rounds < kImprovingRounds) begin_tangents(improvement, enclosure, scratch);
 }
 
-/// The next trial, if it is worth one.
+/// Leaves out the next half-space, and begins a trial without it if that is promising.
 void leave_out(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, const Polyhedron& out,
                Work& work) {
   copy_all_but(improvement.plane++, out, scratch.trial);
@@ -78,7 +78,7 @@ void leave_out(Improvement& improvement, const Enclosure& enclosure, GrowScratch
   begin_tangents(improvement, enclosure, scratch);
 }
 
-/// A unit that is none of tangents_advance.
+/// Does a unit of work that is not one of tangents_advance.
 void find_next(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
                Work& work) {
   if (improvement.phase == ImprovePhase::kBegin) return begin(improvement, enclosure, scratch, out, work);

@@ -37,7 +37,7 @@ struct Enclosure {
   int given;           ///< half-spaces that come first and stay: those of the local box and the fences
 };
 
-/// What comes next.
+/// The phase of an improvement: what it does next.
 enum class ImprovePhase : std::uint8_t {
   kBegin,     ///< the ellipsoid in the polyhedron as it is
   kTangents,  ///< half-spaces tangent to an ellipsoid, in a round or a trial
@@ -45,16 +45,16 @@ enum class ImprovePhase : std::uint8_t {
   kLeaveOut,  ///< the next trial
 };
 
-/// Polyhedra tried in work. Plain data; needs no initialisation before improve_begin.
+/// An improvement in progress. Plain data; needs no initialisation before improve_begin.
 struct Improvement {
   ImprovePhase phase;
-  int rounds;              ///< done
+  int rounds;              ///< rounds done
   int plane;               ///< the half-space that the next trial leaves out
-  int trials;              ///< begun
-  BarrierEllipsoid inner;  ///< the half-spaces at hand are tangent to it
-  TangentPass pass;        ///< makes them
-  Vector center;           ///< of the largest polyhedron so far,
-  double size;             ///< and what stands for its size
+  int trials;              ///< trials begun
+  BarrierEllipsoid inner;  ///< the current half-spaces are tangent to it
+  TangentPass pass;        ///< makes the current half-spaces
+  Vector center;           ///< analytic centre of the largest polyhedron so far
+  double size;             ///< BarrierEllipsoid::size of the largest polyhedron so far
 };
 
 /// Tries other half-spaces for the polyhedron `out`, which encloses the segment. `out` becomes the largest polyhedron
@@ -62,8 +62,8 @@ struct Improvement {
 /// a polyhedron. Uses scratch.trial and everything that tangents_advance uses.
 void improve_begin(Improvement& improvement) noexcept;
 
-/// A unit of work is one of tangents_advance, or finds one ellipsoid. kDone, or kFailed with `status` kCorridorBlocked
-/// or kBudgetCorridor.
+/// A unit of work is a unit of tangents_advance, or finds one ellipsoid. kDone, or kFailed with `status`
+/// kCorridorBlocked or kBudgetCorridor.
 Progress improve_advance(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
                          Work& work, Status& status) noexcept;
 

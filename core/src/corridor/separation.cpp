@@ -23,17 +23,19 @@ Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double 
   return {unit, larger(support(unit, box_of(box)) - radius - kHairline * segment.least, far)};
 }
 
-/// The same for a hull. `far` is how far the segment reaches along `unit`.
+/// The half-space with normal `unit` that keeps the radius from the hull. `far` is how far the segment reaches along
+/// `unit`.
 Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3& unit, double far) {
   return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
 }
 
-/// What a normal's room may lack of the gap, as a share of what counts as touching.
+/// By how much a normal's room may fall short of the gap, as a share of SegmentMargin::touching.
 constexpr double kShortOfGap = 0.25;
 
-/// The normal that leaves the segment the most room, and that room. The closest pair has it, and the room is the gap.
-/// Rounding turns the direction of a pair that is very close. Then the room falls short of the gap, the more the longer
-/// the segment is, and the box's separating axes are tried, and the direction without its part along the segment.
+/// The normal that leaves the segment the most room, and that room. In exact arithmetic it is the direction of the
+/// closest pair, and the room is the gap. If the pair is very close, rounding turns its direction, and the room falls
+/// short of the gap. It falls short by more if the segment is longer. Then two more candidates are tried: the box's
+/// separating axes, and the pair's direction without its part along the segment.
 WidestNormal widest_normal(const SegmentMargin& segment, const Box& box) {
   const ClosestPair pair = segment_box_closest(segment.from, segment.to, box);
   const Vec3 across = pair.on_box - pair.on_segment;

@@ -25,12 +25,12 @@ struct SegmentMargin {
   double direction = kMetricDirection;  ///< direction_tolerance
 };
 
-/// If there is room, half-spaces keep a little more than the radius from an obstacle: this share of `least` more. That
-/// outweighs the rounding of everything that follows, so no polyhedron enters an obstacle, however little.
+/// If there is room, half-spaces keep slightly more than the radius from an obstacle: this share of `least` more. That
+/// outweighs the rounding of all later steps, so that no polyhedron enters an obstacle, not even slightly.
 constexpr double kHairline = 1e-8;
 
-/// Half-spaces leave the segment this share of the room, but no more than kMostMargin metres. What they cut off near a
-/// waypoint, the trajectory lacks where it turns.
+/// Half-spaces leave the segment this share of the room, but no more than kMostMargin metres. Room that they cut off
+/// near a waypoint is missing where the trajectory turns.
 constexpr double kMarginShare = 0.5;
 constexpr double kMostMargin = 0.25;
 
@@ -41,8 +41,9 @@ constexpr double kMostMargin = 0.25;
 Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
                 Halfspace& out) noexcept;
 
-/// The same for the hull of a keep-out, with the normal that leaves the most room. `faces` are the keep-out's
-/// half-spaces; they are needed if the segment touches it.
+/// Writes the half-space that keeps `radius` from the hull of a keep-out and contains the segment. Its normal leaves
+/// the most room. `faces` are the keep-out's half-spaces, which are needed if the segment touches it. kOk, or
+/// kCorridorBlocked as for a box.
 Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
                 Halfspace& out) noexcept;
 

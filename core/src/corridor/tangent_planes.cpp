@@ -11,10 +11,10 @@ namespace {
 /// A box counts as cut off even if it falls short by this much, relative to the size of its coordinates. Otherwise
 /// rounding would give each box of a row along one face a half-space of its own.
 constexpr double kRounding = 1e-15;
-/// Scale of the next box where only one remains: above all that matter.
+/// Stands for the scale of the second box if only one remains: above all scales that matter.
 constexpr double kNoOther = 1e300;
 
-/// Instructions of a unit, and of one turn of its loops.
+/// Instructions of a unit, and of one turn of each of its loops.
 constexpr std::uint32_t kPassEffort = 200;
 constexpr std::uint32_t kPointEffort = 40;
 constexpr std::uint32_t kListEffort = 170;
@@ -42,11 +42,11 @@ void list_some(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scrat
   work.effort += kPassEffort + effort_of(kListEffort, end - begin);
 }
 
-/// The least scale or bound of the remaining boxes; of equals, the first, whose box has the lowest index.
+/// The remaining box with the least scale, or bound of a scale; of equals, the one with the lowest index.
 struct Nearest {
   int place;  ///< among the remaining
   double scale;
-  double second;  ///< least of all others
+  double second;  ///< the least scale or bound of all others
 };
 
 Nearest nearest_remaining(const GrowScratch& scratch, int count) {
@@ -63,9 +63,9 @@ Nearest nearest_remaining(const GrowScratch& scratch, int count) {
   return nearest;
 }
 
-/// Computes the contact of the remaining box with the least bound, which it takes the place of. Most boxes are cut off
-/// before their bound is the least, and never need one. True once a box with a contact has the least scale: the growing
-/// ellipsoid meets that one first.
+/// Computes the contact of the remaining box with the least bound, and replaces the bound by the contact's scale. Most
+/// boxes are cut off before their bound is the least, and never need a contact. True once a box with a contact has the
+/// least scale: the growing ellipsoid meets that box first.
 bool meets_first(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scratch, Work& work) {
   work.effort += kPassEffort + effort_of(kScanEffort, pass.count);
   const Nearest nearest = nearest_remaining(scratch, pass.count);

@@ -14,32 +14,32 @@
 
 namespace tern {
 
-/// A sieve in work. Plain data; all 0 at first.
+/// A sieve in progress. Plain data; all 0 at first.
 struct Sieve {
   int next;  ///< the box to look at next
   int kept;  ///< boxes so far that no half-space cuts off
 };
 
 /// Moves the boxes that no half-space cuts off by `radius` to the front, in their order. A unit of work looks at
-/// kSieved of them. kDone: they are the first sieve.kept boxes.
+/// kSieved boxes. kDone: the first sieve.kept boxes are those that no half-space cuts off.
 constexpr int kSieved = 64;
 Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
                     Work& work) noexcept;
 
-/// A pass over the obstacles in work. Plain data; needs no initialisation before tangents_begin.
+/// A pass over the obstacles in progress. Plain data; needs no initialisation before tangents_begin.
 struct TangentPass {
   EllipsoidMetric metric;
   int listed;          ///< obstacles that are listed as remaining
-  int count;           ///< remaining, once all are listed
-  int met;             ///< the one whose contact is known, by its place among the remaining; -1: none yet
-  BoxContact contact;  ///< of that one
-  int looks;           ///< contacts computed for the half-space that comes next
+  int count;           ///< obstacles that remain, once all are listed
+  int met;             ///< place, among the remaining obstacles, of the one that `contact` belongs to; -1: none yet
+  BoxContact contact;  ///< of obstacle `met`
+  int looks;           ///< contacts computed for the next half-space
 };
 
 /// Step (2) of the paper's Section 3.3.1: adds half-spaces to `out` until each obstacle is beyond one of them by the
 /// radius. The obstacles are those that `out` does not cut off yet. The next half-space is made for the obstacle that
-/// the growing ellipsoid meets first; of two met at once, for the one with the lower index. It also settles every other
-/// obstacle that it cuts off. Each half-space settles at least one obstacle.
+/// the growing ellipsoid meets first; if it meets two at once, for the one with the lower index. It also settles every
+/// other obstacle that it cuts off. Each half-space settles at least one obstacle.
 void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept;
 
 /// A unit of work lists kListed obstacles, or computes a contact; with the last contact that it needs, it makes the
