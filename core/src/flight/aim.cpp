@@ -12,11 +12,11 @@
 namespace tern {
 namespace {
 
-/// A new aim is chosen where less than this part of the horizon is left.
+/// A new aim is chosen when less than this part of the horizon is left.
 constexpr double kAimRest = 0.6;
 /// Voxels around the vehicle that are looked at for a way out, along each axis and direction.
 constexpr std::int32_t kMaxWayOut = 8;
-/// Radii from a goal in an obstacle, besides some voxels, within which a vehicle that finds no plan is before it.
+/// A vehicle that finds no plan counts as right before a goal in an obstacle within this many radii and some voxels.
 constexpr double kBeforeRadii = 2.0;
 /// A direction is held this much longer than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
@@ -28,7 +28,7 @@ Vec3 offset_after_move(const RollingMap& map) {
   return map.safe().spec().cell * Vec3{0.5 * kWordBits + map.slack() + 1.0, 1.0, 1.0};
 }
 
-/// How far a plan leads away from a point from `t` on, along an axis.
+/// How far a plan leads away from `center` along an axis, from time `t` on.
 double reach_along(const Trajectory& plan, double t, const Vec3& center, int a) {
   double reach = 0.0;
   double end = 0.0;
@@ -49,7 +49,7 @@ Vec3 offset_of(int direction) noexcept {
   return {kCosines[direction], kCosines[(direction + 6) % kDirections], 0.0};
 }
 
-/// The target, or the point on the straight line to it that is at most so far away and within the window.
+/// Aims at the target, or at the point on the straight line to it that is at most `most` away and within the window.
 void FlightState::choose_aim(const Vec3& from, double most) noexcept {
   const GridSpec& window = map.safe().spec();
   const double margin = window.clearance() + kAimVoxels * window.cell;
@@ -66,7 +66,7 @@ void FlightState::choose_aim(const Vec3& from, double most) noexcept {
   aim = aims_at_goal ? goal : from + part * way;
 }
 
-/// Straight away from what is within the radius, by that much.
+/// Aims straight away from what is within the radius, and one radius far.
 void FlightState::choose_way_out(const Vec3& from) noexcept {
   const Grid& safe = map.safe();
   const GridSpec& window = safe.spec();
@@ -93,9 +93,9 @@ bool FlightState::keeps_aim(const Vec3& from) const noexcept {
          way_length(from, now.aim) > kAimRest * spec.horizon;
 }
 
-/// The window follows the vehicle only as far as it must: what leaves it is forgotten, and may be the only way to the
-/// goal. It keeps the horizon around the vehicle where it is wide enough, and cannot cut off what will be flown, with
-/// the radius around it.
+/// The window follows the vehicle only as far as it must: space that leaves it is forgotten, and may hold the only way
+/// to the goal. If it is wide enough, the window covers the horizon around the vehicle. It never cuts off the committed
+/// plan, with the radius around it.
 void FlightState::follow_window() noexcept {
   const GridSpec& window = map.safe().spec();
   const Vec3 at = sample_at(time).position;
@@ -113,7 +113,7 @@ void FlightState::follow_window() noexcept {
   map.follow(center);
 }
 
-/// What the sensor should see next: what ended the last proof, or while looking around one direction after the other.
+/// What the sensor should see next: what ended the last proof or, during a look around, one direction after the other.
 Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
   if (!is_looking) return look_at;
   const int sector = sector_at(t);
@@ -123,7 +123,7 @@ Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
 
 double FlightState::seconds_per_direction() const noexcept {
   double held = kEighthTurn / spec.yaw_rate + kLookTime;
-  // A planned turn begins late, and gathers its rate and loses it.
+  // A planned turn begins late, and takes time to speed up and to slow down.
   if (nose.planned)
     held += spec.yaw_rate / nose.yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
   return held;
@@ -135,7 +135,8 @@ int FlightState::sector_at(std::int64_t t) const noexcept {
   return sector < kLast ? static_cast<int>(sector) : kLast;
 }
 
-/// From rest, towards the voxel that ended the proof. It may be so near that only the direction says anything.
+/// At rest, looks towards the voxel that ended the proof, at a point 1 m away at least: the voxel may be so near that
+/// only its direction means anything.
 void FlightState::look_at_obstacle() noexcept {
   const Vec3 at = sample_at(time).position;
   const Grid& safe = map.safe();
@@ -144,8 +145,9 @@ void FlightState::look_at_obstacle() noexcept {
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-/// A cycle ended without a commit. At rest the vehicle then looks around, once, and goes to see what blocks its way.
-/// Where the goal is still cut off, it is as near as it gets. If nothing helps, it gives up.
+/// A cycle ended without a commit. After kIdleCycles of them at rest, the vehicle looks around, then flies to lookouts
+/// to see what blocks its way. If the goal is still cut off, the vehicle is as near to it as it gets. If nothing helps,
+/// it gives up.
 void FlightState::note_idle() noexcept {
   if (!rests() || parked) return;
   ++idle_cycles;
@@ -170,7 +172,7 @@ void FlightState::note_idle() noexcept {
 }
 
 /// The goal is in an obstacle that was seen, and the vehicle is right before it: a look around would show no way. A
-/// stare shows whether a wrong pixel is all that is there.
+/// stare shows whether the obstacle is only a wrong pixel.
 bool FlightState::is_before_goal() const noexcept {
   const GridSpec& window = map.safe().spec();
   const double near = kBeforeRadii * window.clearance() + kAimVoxels * window.cell;
@@ -181,8 +183,8 @@ bool FlightState::is_before_goal() const noexcept {
   return seen.inside(seen.voxel_of(local)) && !point_clear(seen, local, window.clearance());
 }
 
-/// There is no point in going on, unless to the point after the next one. Without new frames nothing is known of the
-/// points.
+/// Gives up, or leaves out the next point as the mission's policy says. Without new frames nothing is known about the
+/// points, so the flight gives up as a whole.
 void FlightState::park(FlightReason why) noexcept {
   if (why == FlightReason::kNoProgress && is_stale()) why = FlightReason::kMapStale;
   const bool is_general = why == FlightReason::kHemmedIn || why == FlightReason::kMapStale;
@@ -198,7 +200,7 @@ void FlightState::park(FlightReason why) noexcept {
   if (why == FlightReason::kHemmedIn) note_block_near(start.d[0], map.safe());
 }
 
-/// True where the vehicle will rest, and the nearest free point to an aim in an obstacle is no nearer than where it is.
+/// True if the vehicle will rest, and the nearest free point to an aim in an obstacle is no nearer than its own place.
 /// If the goal itself is in an obstacle that was seen, this is as near as it gets. If only its voxel is, the vehicle
 /// looks around first. Otherwise something unseen is in between.
 bool FlightState::is_nearest() noexcept {
@@ -213,7 +215,7 @@ bool FlightState::is_nearest() noexcept {
   return true;
 }
 
-/// An aim in an obstacle moves to the nearest free point, once. False where that leads nowhere.
+/// An aim in an obstacle moves to the nearest free point, once. False if that leads nowhere.
 bool FlightState::move_aim(const Report& found) noexcept {
   if (!lacks_goal_voxel(found.status) || !found.has_nearest_free || moved_aim) return false;
   moved_aim = true;
@@ -228,8 +230,8 @@ bool FlightState::move_aim(const Report& found) noexcept {
   return true;
 }
 
-/// Even with all that is unseen free, no way leads to the aim through the window. So the vehicle goes as near to it as
-/// it can, unless it rests there already.
+/// If no way through the window leads to the aim even with all unseen voxels free, plans to the reachable point nearest
+/// to the aim. False if the vehicle rests there already.
 bool FlightState::move_to_reachable(const Report& found) noexcept {
   const bool no_way = found.status == Status::kNoPath && found.has_reachable && all_free && !to_reachable;
   if (!no_way || asked_count > 0) return false;
@@ -262,14 +264,14 @@ void FlightState::note_progress() noexcept {
   if (fruitless > kFruitless || wandering > kWandering) park(FlightReason::kNoProgress);
 }
 
-/// At the goal, there is nothing left to plan.
+/// At rest at the goal, the flight has arrived, and plans no more.
 void FlightState::note_rest() noexcept {
   if (!has_goal || parked || !rests() || !reaches_goal()) return;
   itinerary.state[itinerary.last()] = PointState::kPassed;
   park(FlightReason::kArrived);
 }
 
-/// What is flown ends at the goal.
+/// The plan in flight ends at the goal.
 bool FlightState::reaches_goal() const noexcept {
   return now.to_goal && now.target == itinerary.last() && now.goal == goal_number && now.branch >= duration(now.wished);
 }

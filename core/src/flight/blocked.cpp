@@ -13,14 +13,14 @@
 namespace tern {
 namespace {
 
-/// Instructions of a row or word of a search for a solid voxel.
+/// Instructions for a row or word in the search for a solid voxel.
 constexpr std::uint32_t kSolidEffort = 40;
-/// Instructions of comparing two faces of a fence with a place.
+/// Instructions to compare two faces of a fence with a place.
 constexpr std::uint32_t kFenceEffort = 100;
-/// Voxels beyond the radius in which that voxel is looked for.
+/// How many voxels beyond the radius a solid voxel is sought.
 constexpr double kBeyondRadius = 2.0;
 
-/// Of a coordinate from the voxel's extent along an axis.
+/// The distance of a coordinate from a voxel's extent along an axis.
 double gap(double at, std::int32_t index, double cell) {
   return larger(0.0, larger(index * cell - at, at - (index + 1) * cell));
 }
@@ -30,8 +30,8 @@ IndexRange indices_around(double at, double reach, double cell, std::int32_t cou
   return {floor_index((at - reach) / cell, 0, count), ceil_index((at + reach) / cell, 0, count)};
 }
 
-/// Takes the voxels of a row that are marked within a range, from both of its ends towards the place: in each word the
-/// last marked voxel before the place, and the first one after it.
+/// Updates `best` with the marked voxels of a row within a range. In each word, only the last marked voxel before the
+/// place and the first one after it can be the nearest.
 void look_at_row(const Grid& grid, const Vec3& local, const IndexRange& range, const Voxel& first, double aside,
                  NearestSolid& best) {
   const double cell = grid.spec().cell;
@@ -77,8 +77,8 @@ NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) no
   return best;
 }
 
-/// Reports what ended the proof of the draft. If the flight gave up, its reason is kept. If something is too near to
-/// where the vehicle rests, that is kept.
+/// Reports what ended the proof of the draft. If the flight gave up, or something is too near to the resting vehicle,
+/// the report keeps that instead.
 void FlightState::note_unproven() noexcept {
   if (parked || is_beside()) return;
   const ProofReport& found = proof.report();
@@ -96,8 +96,8 @@ Blockage FlightState::block_at(const Voxel& voxel) const noexcept {
   return {is_seen ? BlockedBy::kObstacle : BlockedBy::kUnseen, safe.spec().origin + safe.center(voxel), kNoFence};
 }
 
-/// What of the safe grid, or of what was seen, is too near to a place, and how far it is from there; further than the
-/// radius if there is nothing. Nothing is known of the map while it slides.
+/// Reports the solid voxel of the safe or route grid that is too near to a place, and returns its distance, or more
+/// than the radius if there is none. Returns kAnywhere while the map slides, because nothing is known of it then.
 double FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept {
   if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
@@ -108,8 +108,8 @@ double FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcep
   return solid.distance;
 }
 
-/// No way leads on from the point nearest to the goal: what comes next on the straight line. A fence does not go away,
-/// whatever is seen there.
+/// Reports what comes next on the straight line from the reachable point to the goal. A fence counts before any voxel:
+/// it does not go away, whatever is seen there.
 void FlightState::note_block_beyond(const Vec3& reachable) noexcept {
   const Vec3 way = goal - reachable;
   const double far = length(way);
@@ -125,7 +125,7 @@ void FlightState::note_block_beyond(const Vec3& reachable) noexcept {
   note_block_near(place, map.safe());
 }
 
-/// There is no plan: what is in its way, unless a proof told before.
+/// Reports what is in the way of a plan that failed, unless an earlier proof named a voxel that is still solid.
 void FlightState::note_no_plan(const Report& found) noexcept {
   const Grid& safe = map.safe();
   if (!safe.bound()) return;

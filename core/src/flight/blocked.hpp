@@ -16,7 +16,7 @@ struct NearestSolid {
   bool found;
   Voxel voxel;
   double distance;      ///< of the place from the voxel's cube, metres
-  std::uint32_t words;  ///< of the obstacle layer that were read, and rows
+  std::uint32_t words;  ///< words of the obstacle layer that were read, plus rows
 };
 
 /// The marked voxel whose cube is nearest to a place of the local frame, of those less than `reach` away. Of equal

@@ -14,36 +14,37 @@
 
 namespace tern {
 
-/// The longest time in which the jerk goes to zero, seconds, and how often it may be halved so that the limits hold.
+/// The longest time that the jerk takes to go to zero, seconds, and how often it may be halved to keep the limits.
 constexpr double kSettleTime = 0.05;
 constexpr int kSettleHalvings = 5;
 
-/// How long it takes from this state.
+/// How long the jerk takes to go to zero from this state, seconds.
 double settle_time(const JointState& from, const MotionLimits& limits) noexcept;
-/// The state then: the jerk falls to zero at a constant rate.
+/// The state after `time` seconds in which the jerk falls to zero at a constant rate.
 JointState settled(const JointState& from, double time) noexcept;
 
-/// Position to jerk of a trajectory, the position relative to `origin`.
+/// Position to jerk of a trajectory at time `t`, the position relative to `origin`.
 JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexcept;
 
-/// `out` becomes what follows `t` of the plan, with the segments that begin in the next `ahead` seconds; rest at the
-/// plan's end where nothing follows. 0 <= t.
+/// `out` becomes the part of the plan after `t`, up to the last segment that begins within `ahead` seconds. If nothing
+/// follows `t`, `out` rests at the plan's end. 0 <= t.
 void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept;
 
-/// Appends the segment between two states. False where there is no room: kMaxSegments.
+/// Appends the segment between two states. False if there is no room (kMaxSegments).
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept;
 
-/// Seconds: in a shorter segment, the rounding of control points is tens of m/s^3 of jerk.
+/// In a segment shorter than this, seconds, the rounding of control points makes tens of m/s^3 of jerk.
 constexpr double kSliver = 1e-3;
-/// The joint before `t` where that is nearer than kSliver, else `t`: a plan that is cut there ends in no sliver.
+/// The joint before `t` if that is nearer than kSliver, otherwise `t`. A plan that is cut there does not end in a
+/// sliver.
 double off_joints(const Trajectory& plan, double t) noexcept;
 
 /// `out` becomes the part of the plan before `t`, bit for bit but for its last segment. `t` > 0.
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept;
 
-/// Takes the jerk to zero, which is sharper than a brake that goes on with it, and brakes straight ahead in way 0 ..
-/// kStops - 1, sharp ones first. False where there is no room, or where the limits do not hold. `scratch` would be
-/// large for the stack.
+/// Appends a segment that takes the jerk to zero, then a brake straight ahead. To lose the jerk first makes the sharper
+/// stop. `way` is 0 .. kStops - 1, the sharpest first. False if there is no room, or if the limits do not hold.
+/// `scratch` is the caller's because it is large for the stack.
 constexpr int kStops = kBrakeShapes;
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
                  Trajectory& out) noexcept;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a tick spends. Whoever is at work does one piece after the other as long as any of the tick's units are left,
-// and pays for each what it took. What the last piece took beyond that is owed to the ticks that follow.
+// How a tick spends its units. Work is done piece by piece as long as any of the tick's units are left, and each piece
+// is paid for by what it took. If the last piece took more than was left, later ticks pay the rest.
 #include "base/math.hpp"
 #include "flight/flight_state.hpp"
 #include "map/map_state.hpp"
@@ -12,12 +12,12 @@ namespace {
 
 /// Instructions that a unit stands for.
 constexpr std::uint32_t kUnitEffort = 1000;
-/// Instructions of what a plan takes besides the planner: choosing an aim and a draft, and copies of trajectories.
+/// Instructions that a plan takes besides the planner: choosing an aim and a draft, and copies of trajectories.
 constexpr std::uint32_t kPlanEffort = 40000;
 
 }  // namespace
 
-/// The units that the tick has: what earlier ones owe comes off first. A brake in work does not wait for that.
+/// The units of this tick, less what earlier ticks owe. While an evasion runs, deferred debt is not paid.
 Work FlightState::begin_work() noexcept {
   Work work{spec.work_per_tick};
   if (job != Job::kEvade) {
@@ -57,7 +57,7 @@ void FlightState::begin_planner(const Request& request) noexcept {
   owed += kPlanEffort;
 }
 
-/// A unit of the planner's.
+/// Runs one unit of the planner.
 Status FlightState::step_planner(Work& work) noexcept {
   const Status status = planner->step(1);
   owe(planner->effort() - planner_effort, work);
@@ -65,14 +65,14 @@ Status FlightState::step_planner(Work& work) noexcept {
   return status;
 }
 
-/// The map gets half of the work, or most of it where nothing else is in work.
+/// The map gets half of the tick's work, or most of it if there is no job.
 void FlightState::step_map(Work& work) noexcept {
   if (reads_map()) return;
   if (!map.busy()) follow_window();
   if (!map.busy()) return;
   const std::uint32_t kept = job == Job::kIdle ? work.left / 4 : work.left / 2;
   while (map.busy() && work.left > kept) owe(map.state_->advance(), work);
-  // Before the next frame comes: there may always be one waiting.
+  // Slide before the next frame begins, because a frame may always be waiting.
   if (!map.busy()) follow_window();
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is flown, and times.
+// Committed plans, and conversions of their times.
 #ifndef TERN_FLIGHT_COMMITMENT_HPP
 #define TERN_FLIGHT_COMMITMENT_HPP
 
@@ -14,36 +14,36 @@
 
 namespace tern {
 
-/// A committed plan, or one that may become it.
+/// A committed plan, or a draft of one.
 struct Commitment {
-  Trajectory flown;                    ///< ends at rest; proven
-  Trajectory wished;                   ///< the plan whose first part is flown
-  double branch;                       ///< seconds since the beginning up to which both are the same
+  Trajectory flown;                    ///< the trajectory to fly: it ends at rest, and is proven
+  Trajectory wished;                   ///< the planner's plan, which `flown` follows up to the branch
+  double branch;                       ///< seconds since the beginning: until then `flown` and `wished` are the same
   std::int64_t begin;                  ///< nanoseconds
   Vec3 aim;                            ///< where `wished` ends
-  bool to_goal;                        ///< the aim is the target,
-  bool beside_goal;                    ///< or the nearest free point to it
-  std::uint32_t goal;                  ///< number of the mission that it was made for,
-  std::int32_t target;                 ///< and the point that the aim is, or leads to
-  Passage passage[kMaxMissionPoints];  ///< of the points that `wished` passes, in order
+  bool to_goal;                        ///< the aim is the target
+  bool beside_goal;                    ///< the aim is the nearest free point to the target
+  std::uint32_t goal;                  ///< number of the mission that the plan was made for
+  std::int32_t target;                 ///< the mission's point that the aim is, or leads to
+  Passage passage[kMaxMissionPoints];  ///< when `wished` passes its points, in order
   std::int32_t passages;
-  bool evades;  ///< a brake that was made for a threat, proven or not
-  bool leaves;  ///< it begins at rest with something within the radius of this place, world frame
-  Vec3 left;
-  bool looks_out;  ///< it leads to where this may be seen, world frame
-  Vec3 hidden;
+  bool evades;     ///< a brake that was made for a threat, proven or not
+  bool leaves;     ///< it begins at rest at `left`, with something within the radius
+  Vec3 left;       ///< world frame
+  bool looks_out;  ///< it leads to a place from where `hidden` may be seen
+  Vec3 hidden;     ///< world frame
 };
 
-/// The first instant at which what is flown is not proven.
+/// The first instant at which a committed plan is not proven.
 struct Contact {
   std::int64_t time;  ///< nanoseconds
   double speed;       ///< m/s, there
 };
 
-/// What a brake that is not proven would do.
+/// What would happen on a brake that is not proven clear.
 struct Evasion {
   int number;    ///< negative: none
-  double until;  ///< seconds from its beginning; clear so far
+  double until;  ///< seconds since its beginning: until then it is clear
   double speed;  ///< m/s, there
   bool known;    ///< clear of everything but the alarm
 };

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One plan, from the copy of the route to the commit. When it begins is known beforehand; late results are dropped.
+// One cycle: a plan, from the copy of the route grid to the commit. Its takeover is fixed beforehand; late results are
+// dropped.
 #include "base/math.hpp"
 #include "base/too_narrow.hpp"
 #include "flight/branch.hpp"
@@ -11,18 +12,18 @@
 namespace tern {
 namespace {
 
-/// Units of a plan's work for each iteration that the optimiser may spend: where it needs more, it answers with the
-/// best plan so far.
+/// Units of a plan's work for each iteration that the optimiser may spend: if it needs more, it answers with the best
+/// plan so far.
 constexpr std::uint32_t kUnitsPerIteration = 64;
-/// A new plan replaces the rest of the one that is flown if it arrives earlier by more than this, seconds.
+/// A new plan replaces the rest of the committed plan if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
-/// Where plans from rest fail, they are tried in turn with the unseen nearby solid; the same but for voxels next to the
-/// vehicle, which may leave it no voxel to begin at; and with the unseen free.
+/// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels nearby are solid. In the
+/// second, they are, except next to the vehicle, where they may leave it no voxel to begin at. In the third, they are
+/// free. Every kFruitlessAttempt new plans that come no nearer to the goal also bring on the next kind.
 constexpr int kAttempts = 3;
 constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
-/// Ticks from the beginning of a plan to the instant when it takes over: twice as many for each plan that was dropped
-/// before.
+/// Ticks from the start of planning to the takeover. They double for each plan that was dropped before.
 std::int64_t lead_ticks(const FlightSpec& spec, int late) {
   const std::uint32_t half = spec.work_per_tick / 2;
   return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
@@ -34,15 +35,15 @@ Progress FlightState::prove(Work& work) noexcept {
   return step_proof(proof, work);
 }
 
-/// The vehicle will rest, and something was found within its radius meanwhile: an error of a sensor, or something that
-/// moved. It may get away from there.
+/// True if the vehicle will rest at the takeover with something within its radius: an error of a sensor, or something
+/// that moved. The vehicle may get away from there.
 bool FlightState::is_hemmed_in() const noexcept {
   const Grid& safe = map.safe();
   return rests_at_takeover() &&
          !point_clear(safe, safe.to_local(sample_at(takeover).position), safe.spec().clearance());
 }
 
-/// Nothing to plan for, or nothing to plan on.
+/// Begins a plan, unless there is nothing to plan for, or no map to plan on.
 void FlightState::begin_cycle() noexcept {
   if (!has_goal || parked || has_next || stopping || watching || !map.safe().bound()) return;
   takeover = time + lead_ticks(spec, late) * spec.tick;
@@ -54,8 +55,8 @@ void FlightState::begin_cycle() noexcept {
   seeks && !goes_away() ? begin_lookout() : begin_copy();
 }
 
-/// A straight way to a lookout needs no route around what was not seen, which may leave the vehicle no voxel to begin
-/// at.
+/// A straight way to a lookout needs no route around unseen voxels. If those were solid, they might leave the vehicle
+/// no voxel to begin at.
 void FlightState::begin_copy() noexcept {
   const GridSpec& window = map.route().spec();
   int attempt = (idle_cycles + wandering / kFruitlessAttempt) % kAttempts;
@@ -113,7 +114,8 @@ Progress FlightState::run_job(Work& work) noexcept {
 }
 // clang-format on
 
-/// The rest of the plan that is flown is a candidate as long as the vehicle is still on it at the takeover.
+/// Copies the route grid, then begins to prove the rest of the committed plan on it. That rest is a candidate if the
+/// takeover comes before the branch.
 Progress FlightState::run_copy(Work& work) noexcept {
   while (!route.done()) {
     if (work.left == 0) return Progress::kMore;
@@ -137,7 +139,7 @@ Progress FlightState::run_keep(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// From where the vehicle will be at the takeover.
+/// Plans from the state of the vehicle at the takeover.
 void FlightState::begin_plan() noexcept {
   planned_goal = goal_number;
   start = joint_at(now.flown, seconds_between(now.begin, takeover), kZero);
@@ -160,7 +162,7 @@ void FlightState::begin_plan() noexcept {
   way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
 }
 
-/// A plan to the aim of which only the path is made.
+/// Asks the planner for a plan to the aim, of which only the path will be made.
 void FlightState::ask_route() noexcept {
   Request request{};
   request.start.position = start.d[0];
@@ -174,7 +176,7 @@ void FlightState::ask_route() noexcept {
   job = Job::kRoute;
 }
 
-/// The aim is on the way to the goal as far as it is known. Where there is no way, it is on the straight line.
+/// Moves the aim onto the way to the goal, or onto the straight line if there is no way.
 Progress FlightState::run_route(Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning && planner->path() == nullptr) {
@@ -240,13 +242,13 @@ Progress FlightState::run_plan(Work& work) noexcept {
   }
   Report found;
   report.plan = planner->finish(plan, found);
-  // Would it have been in time with half the lead?
+  // Halve the lead again if the plan would have been in time with half of it.
   if (late > 0 && takeover - time > (lead_ticks(spec, late) - lead_ticks(spec, late - 1) + 1) * spec.tick) --late;
   end_plan(found);
   return Progress::kDone;
 }
 
-/// Where the planner found none, there may be one that asks for less.
+/// If the planner found no plan, asks it for less, if there is anything to leave out.
 void FlightState::end_plan(const Report& found) noexcept {
   const bool planned = found.status == Status::kOk;
   if (planned) list_passages(found);
@@ -256,7 +258,7 @@ void FlightState::end_plan(const Report& found) noexcept {
   if (!move_aim(found) && !move_to_reachable(found) && !ask_for_less(found)) choose_draft(false);
 }
 
-/// The rest of the plan that is flown wins unless the new one leads elsewhere or arrives earlier.
+/// The rest of the committed plan wins, unless the new plan leads elsewhere or arrives earlier.
 void FlightState::choose_draft(bool planned) noexcept {
   extends = false;
   if (planned) compose();
@@ -270,7 +272,7 @@ void FlightState::choose_draft(bool planned) noexcept {
   job = Job::kWait;
 }
 
-/// The planner's trajectory, as a draft.
+/// Makes a draft of the planner's trajectory.
 void FlightState::compose() noexcept {
   draft.wished = plan;
   draft.begin = takeover;

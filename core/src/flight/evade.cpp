@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Brakes from a few ticks ahead: where something came into the way, and where the user says stop.
+// Evasions: brakes that begin a few ticks ahead, because something came into the way or the user says stop.
 #include "base/math.hpp"
 #include "curve/brake.hpp"
 #include "flight/branch.hpp"
@@ -23,7 +23,7 @@ bool is_contact(ProofEnd end) {
   return end == ProofEnd::kObstacle || end == ProofEnd::kOutside || end == ProofEnd::kFence;
 }
 
-/// Instructions of making a brake straight ahead, and one along what is flown.
+/// Instructions to make a brake straight ahead, and one along the committed plan.
 constexpr std::uint32_t kStopEffort = 25000;
 constexpr std::uint32_t kSlowDownEffort = 90000;
 
@@ -33,16 +33,16 @@ constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, k
 
 }  // namespace
 
-/// Until a brake begins. A yaw plan may take a quarter of each tick's units.
+/// Ticks until the brake of an evasion begins. A yaw plan may take a quarter of each tick's units.
 std::int64_t FlightState::evade_ticks() const noexcept {
   const std::uint32_t units = spec.work_per_tick - spec.work_per_tick / 4;
   const std::int64_t needed = 1 + (kEvadeWork + units - 1) / units;
   return (needed > kEvadeTicks ? needed : kEvadeTicks) << (missed / 2);
 }
 
-/// Where the vehicle rests, a plan that is about to take over is dropped. Otherwise it stays until a brake is proven:
-/// what is flown may be blocked beyond its takeover. No brake begins after that takeover, so one that comes too soon is
-/// waited for.
+/// If the vehicle hovers, a stop drops the waiting plan. Otherwise the waiting plan stays until a brake is proven,
+/// because the plan in flight may be blocked beyond that takeover. A brake never begins after the takeover of a waiting
+/// plan. If that takeover comes before a brake could begin, the evasion begins after it.
 void FlightState::begin_evade() noexcept {
   const std::int64_t lead = evade_ticks() * spec.tick;
   if (stopping && hovers()) has_next = meets_before = false;
@@ -89,7 +89,7 @@ bool FlightState::make_evasion() noexcept {
   return true;
 }
 
-/// Straight ahead, or along what is flown.
+/// Appends brake number `branch`: straight ahead, or along the committed plan.
 bool FlightState::append_evasion(const Commitment& flown, double from) noexcept {
   const JointState at = joint_at(flown.flown, from, draft.flown.origin);
   if (branch == 0) return append_sharp_stop(at, limits, draft.flown);
@@ -97,8 +97,8 @@ bool FlightState::append_evasion(const Commitment& flown, double from) noexcept 
   return append_slow_down(flown.flown, from, slow_down_time(at.d[1], limits, branch - kStraight), draft.flown);
 }
 
-/// The sharpest brake straight ahead comes first, and hardly any other meets what is in the way more slowly. Then those
-/// along the path, which may be clear, and the gentler ones straight ahead.
+/// The sharpest brake straight ahead comes first: hardly any other meets what is in the way more slowly. Once a brake
+/// is judged, those along the path follow, which may be clear; the gentler ones straight ahead come last.
 int FlightState::number_of_next() noexcept {
   const bool none_is_judged = best.number < 0;
   if (straight < kStraight && (none_is_judged || along == kSlowDowns)) return straight++;
@@ -112,7 +112,8 @@ void FlightState::next_evasion() noexcept {
   end_evade();
 }
 
-/// Limits alone are proven from the contact on, with no obstacle in the way; the brake must end within the window.
+/// A proof of kLimits begins at the contact and takes no obstacle into account, but the brake must stay within the
+/// window.
 bool FlightState::begin_brake_proof(BrakeProof what) noexcept {
   proves = what;
   proven_on = map.safe().revision();
@@ -137,8 +138,8 @@ Progress FlightState::run_evade(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True where
-/// there is more to prove of it.
+/// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True if
+/// there is more to prove of the brake.
 bool FlightState::go_on_proving(bool proven) noexcept {
   if (proves == BrakeProof::kClear) {
     if (!is_contact(proof.report().end)) return false;
@@ -156,10 +157,10 @@ bool FlightState::go_on_proving(bool proven) noexcept {
   return false;
 }
 
-/// Of the brakes that touch at most the alarm, the one with the slowest contact is flown; of the others, only where
-/// what is flown may touch more than the alarm, too. Either must be slower there than what is flown, unless that has
-/// its contact before any brake begins and is not such a brake itself. What was not proven yet to touch more than the
-/// alarm counts as if it did not.
+/// True if the brake is better than the committed plan, although it is not proven. If that plan touches at most the
+/// alarm, the brake must touch no more either; until this is proven, the plan counts as if it did. The brake's contact
+/// must be slower than the plan's, unless only the brake touches at most the alarm. It need not be slower either if the
+/// plan has its contact before the brake begins and is no brake itself.
 bool FlightState::helps(const Evasion& brake) const noexcept {
   const bool is_kept = known || (watching && watched_part == Watched::kAlarm);
   if (brake.number < 0 || (is_kept && !brake.known)) return false;
@@ -167,8 +168,8 @@ bool FlightState::helps(const Evasion& brake) const noexcept {
   return is_too_late || brake.speed < contact.speed || (brake.known && !is_kept);
 }
 
-/// None is proven. The threat remains. A stop is tried again from a plan that waits, once that has taken over. Where
-/// there was no time to judge any brake, or to find one for a stop, they get more.
+/// Ends an evasion that has proven no brake: a threat remains. A stop is tried again once the waiting plan has taken
+/// over. If there was no time to judge any brake, or to find one for a stop, the next evasion gets more time.
 void FlightState::end_evade() noexcept {
   const bool is_late = branch < kEvasions && (best.number < 0 || !threat);
   if (is_late) {
@@ -190,16 +191,16 @@ void FlightState::end_evade() noexcept {
   contact = {takeover + nanoseconds(best.until), best.speed};
 }
 
-/// Ticks were skipped until the brake at hand was due. Brakes are tried again from here, unless there is a new goal now
-/// and no threat.
+/// The evasion was not done in time, for example because ticks were skipped. It is tried again, unless there is no
+/// threat and a new goal.
 void FlightState::miss_evasion() noexcept {
   evaded = false;
   stopping = stopping || (stops && !has_goal);
   if (missed < 2 * kMostDoublings) ++missed;
 }
 
-/// A plan in work may go on under a threat if its end leaves time to brake, should it fail: twice as long as the
-/// sharpest brake takes, and what comes before it.
+/// True if the pending plan may go on under a threat because there is time left to brake if it fails. That is the time
+/// before a brake begins, and twice the time that the sharpest brake takes.
 bool FlightState::leaves_time_to_brake() const noexcept {
   if (job == Job::kIdle || takeover >= contact.time) return false;
   const Vec3& most = spec.limits.a_max;

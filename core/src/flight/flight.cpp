@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The calls after the beginning, and one tick.
+// The calls of a flight after its start, and one tick.
 #include "tern/flight.hpp"
 
 #include "base/math.hpp"
@@ -38,17 +38,17 @@ Status Flight::stop() noexcept {
   state_->has_goal = state_->is_looking = false;
   state_->stopping = true;
   state_->reason = FlightReason::kNoGoal;
-  if (state_->job != Job::kEvade) state_->job = Job::kIdle;  // its plan led to the goal
+  if (state_->job != Job::kEvade) state_->job = Job::kIdle;  // the job's plan led to the goal
   return Status::kOk;
 }
 
-/// What is past is never commanded again.
+/// The flight's time to answer for: never before the last tick, because the past is never commanded again.
 std::int64_t FlightState::time_to_answer(std::int64_t t) const noexcept {
   const std::int64_t wanted = clock.time_of(t);
   return wanted < time ? time : wanted;
 }
 
-/// The map begins to count anew as well: its frames carry times of the same clock.
+/// The map, too, takes any time for its next frame: frames carry times of the same clock.
 void FlightState::set_clock(std::int64_t t) noexcept {
   clock.set(t, time + spec.tick);
   shown = clock.shown_at(time);
@@ -76,8 +76,8 @@ void FlightState::take_over() noexcept {
   has_next = meets_before = false;
 }
 
-/// At rest, what is too near and comes no nearer is a threat for a while alone: nothing can be done about it but to
-/// leave, or to say why not.
+/// At rest, something that is too near but comes no nearer is a threat only for kTold: the flight can only leave, or
+/// say why not.
 FlightMode FlightState::mode() const noexcept {
   const bool is_told = rests() && time - alarm_time > kTold;
   if (alarmed || ((threat || meets_before) && !is_told)) return FlightMode::kThreat;
@@ -85,7 +85,7 @@ FlightMode FlightState::mode() const noexcept {
   return seconds_between(now.begin, time) < now.branch ? FlightMode::kFly : FlightMode::kStop;
 }
 
-/// Copies and proofs are about one map, which must not change meanwhile.
+/// True while a copy or a proof reads the map, which must not change meanwhile.
 bool FlightState::reads_map() const noexcept {
   switch (job) {
     case Job::kIdle:
@@ -99,7 +99,7 @@ bool FlightState::reads_map() const noexcept {
   }
 }
 
-/// A flight that gave up for want of frames goes on.
+/// Notes new frames. A flight that gave up because none came goes on.
 void FlightState::note_frame() noexcept {
   if (map.frames() == frames) return;
   frames = map.frames();

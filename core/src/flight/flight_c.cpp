@@ -25,7 +25,7 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-/// The memory may never have been written: read as volatile, the word has one value.
+/// The memory may never have been written; reading the word as volatile makes sure that it has one value.
 bool holds(const std::uint64_t* opaque, std::uint64_t tag) {
   return *static_cast<const volatile std::uint64_t*>(opaque) == tag;
 }

@@ -9,10 +9,11 @@
 
 namespace tern {
 
-/// No time of a flight is further from its start, nanoseconds: 73 years. Sums with leads and durations stay in range.
+/// The largest distance of a flight's times from its start, nanoseconds: 73 years. Sums with leads and durations stay
+/// in range.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
 
-/// Within the farthest times.
+/// The time, or the nearest one that is at most kFarthest from the start.
 inline std::int64_t within_reach(std::int64_t time) noexcept {
   if (time > kFarthest) return kFarthest;
   return time < -kFarthest ? -kFarthest : time;
@@ -26,7 +27,7 @@ class FlightClock {
     time_ = within_reach(time);
   }
 
-  /// The flight's time when the clock shows this.
+  /// The flight's time when the clock shows `shown`.
   std::int64_t time_of(std::int64_t shown) const noexcept {
     const bool is_later = shown >= shown_;
     // The difference may not fit into 63 bits; unsigned, it is exact.
@@ -37,7 +38,7 @@ class FlightClock {
     return within_reach(is_later ? time_ + part : time_ - part);
   }
 
-  /// What the clock shows then: the nearest number that there is.
+  /// What the clock shows at `time`, or the nearest number that 64 bits can hold.
   std::int64_t shown_at(std::int64_t time) const noexcept {
     const std::int64_t after = time - time_;
     if (after > 0 && shown_ > INT64_MAX - after) return INT64_MAX;

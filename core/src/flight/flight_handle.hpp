@@ -15,8 +15,8 @@ namespace tern {
 /// A tern_flight's first word once a flight was started there; the flight follows it.
 constexpr std::uint64_t kFlightTag = 0x7465726E2D666C79u;
 
-/// A flight that was not started where there is none. The memory may never have been written: read as volatile, the
-/// word has one value.
+/// The flight in this memory, or one that was not started if there is none. The memory may never have been written;
+/// reading its first word as volatile makes sure that the word has one value.
 inline Flight object(const tern_flight* flight) {
   if (flight == nullptr || *static_cast<const volatile std::uint64_t*>(flight->opaque) != kFlightTag) return Flight{};
   return *std::launder(reinterpret_cast<const Flight*>(flight->opaque + 1));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A flight's state, in the first of the caller's words; the route's copy follows it.
+// A flight's state, in the first of the caller's words; the copy of the route grid follows it.
 #ifndef TERN_FLIGHT_FLIGHT_STATE_HPP
 #define TERN_FLIGHT_FLIGHT_STATE_HPP
 
@@ -23,28 +23,29 @@
 
 namespace tern {
 
-/// Plans without a commit, at rest, after which the vehicle looks around; and directions of a full turn.
+/// Cycles at rest without a commit after which the vehicle looks around, and directions of a full turn.
 constexpr int kIdleCycles = 3;
 constexpr int kDirections = 8;
-/// Then it looks at what ended the last proof for as long as so many directions take: a noisy sensor needs some frames.
+/// After a look around, the vehicle looks at what ended the last proof for the time of this many directions: a noisy
+/// sensor needs some frames.
 constexpr int kStares = 5;
-/// Voxels that an aim keeps from the window's faces, besides the radius; and by which one must be nearer to the goal to
-/// count as nearer.
+/// Voxels that an aim keeps from the window's faces, besides the radius. An aim must also be nearer to the goal by more
+/// than this to count as nearer.
 constexpr double kAimVoxels = 2.0;
-/// New plans that may be committed without coming nearer to the goal than before, or learning what so many words of the
-/// map hold; and in all, until it comes nearer.
+/// kFruitless: new plans that may be committed without coming nearer to the goal and without learning kLearned words of
+/// the map. kWandering: new plans that may be committed without coming nearer, whatever they learn.
 constexpr int kFruitless = 150;
 constexpr std::uint64_t kLearned = 64;
 constexpr int kWandering = 1500;
-/// Nanoseconds for which the report calls something a threat that is too near to where the vehicle rests, and comes no
-/// nearer.
+/// Nanoseconds for which something that is too near to the resting vehicle, but comes no nearer, is reported as a
+/// threat.
 constexpr std::int64_t kTold = 300000000;
 /// Metres: further than any window is wide.
 constexpr double kAnywhere = 1e9;
-/// Bits of directions from which lookouts were sought: all of a full turn, and straight away from what is to be seen.
+/// Bits of FlightState::sought: all directions of a full turn, and straight away from what is to be seen.
 constexpr std::uint32_t kAround = (1u << kDirections) - 1;
 constexpr std::uint32_t kAway = 1u << kDirections;
-/// Points of a way that are so near are the same, metres.
+/// Points of a way that are nearer to each other than this count as the same, metres.
 constexpr double kSamePlace = 1e-6;
 
 /// What keeps the flight from going on, and where, world frame.
@@ -59,8 +60,8 @@ constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
 /// A place from where something may be seen.
 struct Lookout {
   Vec3 place;              ///< world frame
-  double drop;             ///< of the line of sight across a voxel, in voxels
-  std::int32_t direction;  ///< of the place from what is seen; negative: none
+  double drop;             ///< how far the line of sight drops or climbs across a voxel, in voxels
+  std::int32_t direction;  ///< from what is to be seen to the place; negative: no lookout
   bool is_straight;        ///< the straight way there is known to be free
 };
 
@@ -72,106 +73,106 @@ class FlightState {
   Planner* planner;
   RouteCopy route;
   FlightClock clock;
-  std::int64_t shown;      ///< by the clock at the last tick
-  std::int64_t time;       ///< of the last tick, as are all others here: nanoseconds since the start
-  std::int64_t gap;        ///< from the tick before to the last one
-  std::uint32_t owed;      ///< instructions that were done and not paid for yet: some pieces at most
-  std::uint32_t deferred;  ///< and those that wait until no brake is in work
-  Commitment now;
-  Commitment next;
+  std::int64_t shown;      ///< what the clock showed at the last tick
+  std::int64_t time;       ///< of the last tick, in nanoseconds since the start, as all times here
+  std::int64_t gap;        ///< between the last two ticks
+  std::uint32_t owed;      ///< instructions that are done but not paid for yet: a few pieces at most
+  std::uint32_t deferred;  ///< instructions to pay for once no evasion is running
+  Commitment now;          ///< the plan in flight
+  Commitment next;         ///< the waiting plan: committed, but its takeover is still ahead
   bool has_next;
 
-  // The mission; to a goal alone, it has one point.
+  // The mission. A goal alone is a mission of one point.
   Itinerary itinerary;
   bool has_goal;
   std::uint32_t goal_number;  ///< counts the missions
   bool parked;                ///< no more plans until the next goal
-  bool stopping;              ///< a brake is due
-  bool stops;                 ///< the brakes at hand were due for that
+  bool stopping;              ///< a stop was asked for, and its brake is not made yet
+  bool stops;                 ///< the current evasion serves a stop
   FlightReason reason;
 
-  // The job at hand.
+  // The current job.
   Job job;
-  std::int64_t takeover;  ///< when its result begins
-  std::int64_t deadline;  ///< the last tick that may commit it
+  std::int64_t takeover;  ///< when the job's result begins
+  std::int64_t deadline;  ///< the last tick that may commit the result
   Proof proof;
-  std::uint64_t proven_on;       ///< the safe grid's revision when that began
-  std::uint32_t planner_effort;  ///< what of the plan in work is paid for, as Planner counts it
-  Commitment draft;              ///< the plan at hand
-  Trajectory plan;               ///< of the planner
+  std::uint64_t proven_on;       ///< the safe grid's revision when `proof` began
+  std::uint32_t planner_effort;  ///< how much of the pending plan's effort is paid for, as Planner counts it
+  Commitment draft;              ///< the candidate for the next commit
+  Trajectory plan;               ///< the planner's trajectory
   Stopping stop;                 ///< the brake that was tried last
-  JointState start;              ///< at the takeover, world frame
-  Via asked[kMaxVias];           ///< what the plan passes
+  JointState start;              ///< the state at the takeover, world frame
+  Via asked[kMaxVias];           ///< the points that the pending plan passes
   std::int32_t asked_point[kMaxVias];
   std::int32_t asked_count;
-  std::int32_t target;         ///< the point after those
-  std::uint32_t planned_goal;  ///< the mission that they belong to
-  Vec3 goal;                   ///< its place
+  std::int32_t target;         ///< the mission's point that the pending plan ends at, or leads to
+  std::uint32_t planned_goal;  ///< number of the mission that the pending plan is for
+  Vec3 goal;                   ///< where the target is, world frame
   Vec3 aim;
   bool aims_at_goal;  ///< the aim is the target
-  bool moved_aim;     ///< the nearest free point took the aim's place,
-  bool beside_goal;   ///< which was the goal
-  bool all_free;      ///< the route has nothing unseen that is solid
-  bool to_reachable;  ///< on it no way leads to the aim, and the nearest point to it that one leads to took its place
-  bool cut_off;       ///< the vehicle rests as near as that to the target
-  bool looks_out;     ///< it is a lookout
+  bool moved_aim;     ///< the nearest free point to the aim replaced it
+  bool beside_goal;   ///< the aim is the nearest free point to the target
+  bool all_free;      ///< no unseen voxel is solid in the route copy
+  bool to_reachable;  ///< no way led to the aim, and the reachable point nearest to it replaced it
+  bool cut_off;       ///< no way leads to the target, and the vehicle rests as near to it as it can
+  bool looks_out;     ///< the aim is a lookout, or on the way to one
   bool leaves;        ///< something is within the radius of where the vehicle rests
-  bool keeps;         ///< the rest of the plan that is flown is free on the route
-  bool extends;       ///< `draft` goes on along the plan that is flown
+  bool keeps;         ///< the rest of the committed plan is free on the route copy
+  bool extends;       ///< `draft` goes on along the committed plan
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
-  int straight;       ///< brakes straight ahead that were tried,
-  int along;          ///< and along what is flown
-  bool tries_branch;  ///< it is being proven
-  Evasion tried;      ///< the brake at hand
-  Evasion best;       ///< of those that were tried
-  BrakeProof proves;  ///< what is being proven of it
+  int straight;       ///< brakes straight ahead that were tried
+  int along;          ///< brakes along the committed plan that were tried
+  bool tries_branch;  ///< the candidate is being proven
+  Evasion tried;      ///< the brake that is being judged
+  Evasion best;       ///< the best brake of those that were judged
+  BrakeProof proves;  ///< what `proof` shows of the brake that is being judged
 
-  // The proof of what is flown.
+  // The proof of the committed plan.
   Proof watch;
   bool watching;
-  Watched watched_part;  ///< that is being proven
-  bool has_added;        ///< only near this, which became solid
-  Box added;
-  bool watch_all;         ///< of what is flown, not only what is near to what was added
-  std::uint64_t watched;  ///< the safe grid's revision then
+  Watched watched_part;   ///< the part that is being proven
+  bool has_added;         ///< the proof covers only what is near `added`
+  Box added;              ///< around what became solid since the last proof
+  bool watch_all;         ///< the next proof covers all of the plan, not only what is near `added`
+  std::uint64_t watched;  ///< the safe grid's revision when the last proof began
   bool threat;
-  bool alarmed;             ///< in this tick
-  std::int64_t alarm_time;  ///< of the last such tick
+  bool alarmed;             ///< a threat was found in this tick
+  std::int64_t alarm_time;  ///< of the last tick with `alarmed`
   double beside;            ///< at rest under a threat: how near the nearest thing was, metres
-  bool evaded;              ///< it was tried on this map
-  int missed;               ///< evasions that were dropped, one after the other
-  Contact contact;          ///< of the threat, along what was flown when it was found
-  bool meets_before;        ///< what comes before the takeover is not proven; what takes over is,
-  Contact before;           ///< or has a later contact than this one
+  bool evaded;              ///< an evasion of the threat was tried on this map
+  int missed;               ///< evasions in a row that were too late; one that judged no brake counts twice
+  Contact contact;          ///< of the threat, on the committed plan when it was found
+  bool meets_before;        ///< the plan in flight is not proven up to the takeover of `next`
+  Contact before;           ///< the contact there; any contact of `next` is later
   bool has_alarm;
-  Alarm alarm;  ///< what became solid since what is flown was proven
-  bool known;   ///< what is flown is clear of everything but the alarm
+  Alarm alarm;  ///< what became solid since the committed plan was proven
+  bool known;   ///< the committed plan is clear of everything but the alarm
 
   Blockage block;  ///< what ended the last proof or plan to the goal
 
   Nose nose;
 
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
-  std::int64_t frame_time;  ///< when it grew
+  std::int64_t frame_time;  ///< when that number last grew
 
   // At rest.
   int idle_cycles;
   int late;               ///< plans that were dropped, one after the other
   int fruitless;          ///< new plans since the vehicle was nearest to the goal, or learned something
-  int wandering;          ///< new plans since it was nearest
-  std::uint64_t learned;  ///< RollingMap::learned() then
-  double nearest;         ///< metres to the goal; negative: not known yet
+  int wandering;          ///< new plans since the vehicle was nearest to the goal
+  std::uint64_t learned;  ///< RollingMap::learned() when the vehicle last learned something
+  double nearest;         ///< the vehicle's least distance to the next point, metres; negative: not known yet
   bool is_looking;
   std::int64_t look_since;
-  Vec3 stuck_at;          ///< where the vehicle rested when it began to look for a way on,
-  bool turned;            ///< and whether it looked around there
+  Vec3 stuck_at;          ///< where the vehicle rested when it began to look for a way on
+  bool turned;            ///< the vehicle looked around at `stuck_at`
   bool seeks;             ///< the next plan leads to a lookout
-  int lookouts;           ///< that were flown to since the vehicle came nearer to the goal
-  std::uint32_t sought;   ///< directions from which one was sought, bit by bit
+  int lookouts;           ///< lookouts flown to since the vehicle last came nearer to the goal
+  std::uint32_t sought;   ///< directions in which a lookout was sought, as bits
   std::int32_t searched;  ///< places that the search for a lookout has looked at
-  Lookout lookout;        ///< the best one so far
-  Vec3 look_at;           ///< what the next plan needs to know
+  Lookout lookout;        ///< the best lookout so far
+  Vec3 look_at;           ///< the place that the sensor should see for the next plan, world frame
   FlightReport report;
 
   // flight.cpp
@@ -179,15 +180,16 @@ class FlightState {
   void set_clock(std::int64_t t) noexcept;
   Sample sample_at(std::int64_t t) const noexcept;
   const Commitment& commitment_at(std::int64_t t) const noexcept;
-  /// The one that will be flown to its end. What comes before a takeover lasts a few ticks.
+  /// The committed plan that will be flown to its end: the waiting plan, if there is one.
   const Commitment& latest() const noexcept { return has_next ? next : now; }
   std::int64_t rest_begins() const noexcept;
   bool rests() const noexcept { return !has_next && time >= rest_begins(); }
   /// Something is nearer than the radius to where the vehicle rests.
   bool is_beside() const noexcept { return threat && rests(); }
-  /// Also before the takeover of what was committed at rest, and on what start() begins with.
+  /// The vehicle hovers: the plan in flight is over, even if another one waits, or it is the hover that start() begins
+  /// with.
   bool hovers() const noexcept { return time >= rest_begins() || !(duration(now.flown) > kMinDuration); }
-  /// Where nothing new takes over before; two ticks more or less do not matter.
+  /// The vehicle rests at the takeover, if no other plan takes over before. Two ticks more or less do not matter.
   bool rests_at_takeover() const noexcept { return takeover + 2 * spec.tick >= rest_begins(); }
   void take_over() noexcept;
   FlightMode mode() const noexcept;
@@ -308,7 +310,7 @@ class FlightState {
   Status prove_start(FlightRefusal& refusal) noexcept;
   void refuse_start(FlightRefusal& refusal) const noexcept;
 
-  // prove_draft.cpp: what of it is flown
+  // prove_draft.cpp: how much of the draft may be committed
   ProofGrounds grounds_of(const Commitment& commitment) const noexcept;
   Status begin_proof(const Trajectory& trajectory, double from) noexcept;
   double start_of_proof() const noexcept;
@@ -357,10 +359,10 @@ class FlightState {
   void run_watch(Work& work) noexcept;
 };
 
-/// Unit vectors of a full turn, level.
+/// One of the kDirections level unit vectors of a full turn.
 Vec3 offset_of(int direction) noexcept;
 
-/// What is wrong with a mission; kOk where nothing is.
+/// What is wrong with a mission; kOk if nothing is.
 Status check_mission(const Via* points, std::int32_t count, ViaPolicy policy) noexcept;
 
 }  // namespace tern

@@ -12,7 +12,8 @@
 
 namespace tern {
 
-/// A point that is found blocked by so many plans is taken for unreachable: a wrong pixel does not block it for long.
+/// How many plans must find a point blocked before it counts as unreachable. A wrong pixel does not block it for that
+/// long.
 constexpr int kBlockedPlans = 3;
 
 struct Itinerary {
@@ -21,12 +22,12 @@ struct Itinerary {
   std::int32_t count;
   std::int32_t leg;  ///< the next point
   ViaPolicy policy;
-  std::int32_t suspect;  ///< the point that was last found blocked,
-  int suspicions;        ///< and by how many plans
+  std::int32_t suspect;  ///< the point that was last found blocked
+  int suspicions;        ///< how many plans found the suspect blocked
 
   std::int32_t last() const noexcept { return count - 1; }
   bool is_ahead(std::int32_t point) const noexcept { return point >= leg && state[point] == PointState::kAhead; }
-  /// The next point after that one. The goal is never skipped.
+  /// The first point after `point` that is not skipped. The goal is never skipped.
   std::int32_t after(std::int32_t point) const noexcept {
     while (point < last() && state[++point] == PointState::kSkipped) {
     }
@@ -34,7 +35,7 @@ struct Itinerary {
   }
 };
 
-/// A plan passes a point.
+/// When a plan passes a point.
 struct Passage {
   std::int32_t point;  ///< of the itinerary
   double time;         ///< seconds since the plan's beginning

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a flight works on: the jobs of a plan and of a brake, what is being proven, and how many candidates there are.
+// The jobs of a flight, for plans and for brakes: what each of them proves, and how many candidates it tries.
 #ifndef TERN_FLIGHT_JOBS_HPP
 #define TERN_FLIGHT_JOBS_HPP
 
@@ -12,48 +12,48 @@
 
 namespace tern {
 
-/// Instants of a plan from which a brake is tried, and brakes from each, sharp ones first: those need the least room,
-/// and with limits on jerk the sharpest may be too sharp.
+/// How many instants of a plan a brake is tried from, and how many brakes from each, the sharpest first. Sharp brakes
+/// need the least room, but the sharpest may break the limits on jerk.
 constexpr int kBranches = 16;
 constexpr int kBranchShapes = kStops;
-/// Brakes for a threat: straight ahead, the sharpest one first, and along what is flown.
+/// How many brakes are tried under a threat: straight ahead, the sharpest first, and along the committed plan.
 constexpr int kStraight = 1 + kStops;
 constexpr int kEvasions = kStraight + kSlowDowns;
-/// Ticks that getting out of the way may take before it begins, at least. Twice as many after every second time that
-/// ticks were skipped until it was too late for that, and after every time that no brake was judged by then.
+/// The fewest ticks from the start of an evasion to its brake. They double after every second evasion that skipped
+/// ticks made late, and after every evasion that had no time to judge a brake.
 constexpr int kEvadeTicks = 3;
-/// Units for proving that what is flown touches at most the alarm, and for judging the sharpest brake. They must fit
-/// into the ticks after the first one, next to the yaw's part of each.
+/// Units to prove that the committed plan touches at most the alarm, and to judge the sharpest brake. They must fit
+/// into the ticks after the first, beside the share that the yaw takes of each tick.
 constexpr std::uint32_t kEvadeWork = 900;
 /// The most doublings of the lead of plans and brakes.
 constexpr int kMostDoublings = 3;
-/// What is being proven of what is flown.
+/// Which part of the committed plan is being proven.
 enum class Watched : std::uint8_t {
-  kBefore,  ///< what comes before the takeover
-  kLatest,  ///< what is flown to its end
-  kAlarm,   ///< the same, but for the alarm
+  kBefore,  ///< the plan in flight, up to the takeover of the waiting plan
+  kLatest,  ///< the latest committed plan, to its end
+  kAlarm,   ///< the latest committed plan, without the obstacles of the alarm
 };
 
-/// What is being proven of a brake.
+/// Which property of a brake is being proven.
 enum class BrakeProof : std::uint8_t {
-  kClear,   ///< that it may be flown
-  kLimits,  ///< where it is not clear: that it keeps the limits after its contact, too
-  kAlarm,   ///< that it is clear of everything but the alarm
+  kClear,   ///< it is clear and keeps the limits: it may be flown
+  kLimits,  ///< it is not clear, but keeps the limits after its contact as well
+  kAlarm,   ///< it is clear of everything but the alarm
 };
 
-/// What the flight works on. A cycle makes one plan; evading makes a brake.
+/// The flight's current job. A cycle makes one plan; an evasion makes a brake.
 enum class Job : std::uint8_t {
   kIdle,
-  kCopy,     ///< the route grid
-  kKeep,     ///< is the rest of the plan that is flown still free on the route?
-  kLookout,  ///< a place from where what blocks the way may be seen
-  kRoute,    ///< the way to the goal, of which the plan is the first part
-  kPlan,     ///< the planner
-  kWait,     ///< for the window to be done with its slide
-  kReach,    ///< until when is the best plan proven?
-  kBranch,   ///< a brake from there or before
-  kConfirm,  ///< the whole of what would be flown
-  kEvade,    ///< brakes from a few ticks ahead
+  kCopy,     ///< copies the route grid
+  kKeep,     ///< proves the rest of the committed plan free on the copy
+  kLookout,  ///< seeks a place from where the sensor may see what blocks the way
+  kRoute,    ///< finds the way to the goal; the plan follows its first part
+  kPlan,     ///< runs the planner
+  kWait,     ///< waits until the window has slid
+  kReach,    ///< finds until when the draft is proven
+  kBranch,   ///< finds a proven brake that leaves the draft there or earlier
+  kConfirm,  ///< proves the draft with its brake as a whole
+  kEvade,    ///< finds a brake that begins a few ticks ahead
 };
 
 }  // namespace tern

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From where the vehicle may see what blocks its way and cannot be seen from where it rests.
+// Finds places from where the vehicle may see what blocks its way, if that is hidden from where it rests.
 #include "base/math.hpp"
 #include "base/work.hpp"
 #include "flight/flight_state.hpp"
@@ -12,32 +12,35 @@ namespace {
 
 /// Lookouts to fly to before the vehicle gives up.
 constexpr int kLookouts = 8;
-/// How far a lookout is from what is to be seen, and how far the vehicle goes away from that, in radii.
+/// The largest and the least distance of a lookout from what is to be seen, in radii. A vehicle that moves straight
+/// away moves at most by the largest.
 constexpr int kMostRadii = 10;
 constexpr int kLeastRadii = 3;
 constexpr int kRanges = kMostRadii - kLeastRadii + 1;
-/// Heights of lookouts at one place, half a radius apart: that of what is to be seen, then above and below it in turn.
+/// Heights of lookouts at one place, half a radius apart: level with what is to be seen first, then above and below it
+/// in turn.
 constexpr int kHeights = 21;
-/// A place that is less than so many radii away is the same.
+/// Places that are fewer radii apart than this count as the same.
 constexpr double kSamePlaceRadii = 4.0;
 /// The steepest line of sight: how far it drops or climbs across a voxel, in voxels.
 constexpr double kSteepest = 1.0;
-/// Instructions of a row of voxels near a way.
+/// Instructions for a row of voxels near a way.
 constexpr std::uint32_t kRowEffort = 60;
-/// Times that the rows are read if a line of sight is checked: gaps of width zero between obstacles are none.
+/// How often a check of a line of sight reads the rows: it also makes sure that no gap of width zero between obstacles
+/// counts as an opening.
 constexpr int kSightPasses = 4;
 
-/// Instructions of finding out whether a straight way is free with a radius around it.
+/// Instructions to find out whether a straight way is free with a radius around it.
 std::uint32_t way_effort(const GridSpec& window, const Vec3& way, double radius) {
   const int rows = static_cast<int>((absolute(way.y) + 2.0 * radius) / window.cell) + 2;
   const int planes = static_cast<int>((absolute(way.z) + 2.0 * radius) / window.cell) + 2;
   return effort_of(kRowEffort, rows * planes);
 }
 
-/// Is a lookout better than another one for a vehicle that rests here? A straight free way there counts most, because
-/// it can be flown wherever the vehicle rests. Next a flat line of sight, because what is right below or above a voxel
-/// hides it from steep ones; and one along the grid's axes, which crosses the voxel on the shortest way. Of equal ones,
-/// the one nearest to the vehicle.
+/// Is `one` a better lookout than `other` for a vehicle that rests at `at`? A free straight way to it counts most,
+/// because it can be flown wherever the vehicle rests. The next criterion is a small drop of the line of sight across a
+/// voxel, because what is right below or above a voxel hides it from steep lines. Lines along the grid's axes drop
+/// least, because they cross a voxel on the shortest way. Of equal lookouts, the one nearest to the vehicle is better.
 bool is_better(const Lookout& one, const Lookout& other, const Vec3& at) {
   if (other.direction < 0) return true;
   if (one.is_straight != other.is_straight) return one.is_straight;
@@ -53,7 +56,7 @@ void FlightState::forget_lookouts() noexcept {
   turned = false;
 }
 
-/// What was tried counts near the place where it was tried.
+/// Forgets what was tried once the vehicle is no longer near the place where it was tried.
 void FlightState::note_place() noexcept {
   const Vec3 at = sample_at(time).position;
   if (distance(at, stuck_at) <= kSamePlaceRadii * map.safe().spec().clearance()) return;
@@ -62,7 +65,7 @@ void FlightState::note_place() noexcept {
   turned = false;
 }
 
-/// True where the next plan leads to a lookout. A look around comes first: it shows more, sooner.
+/// True if the next plan leads to a lookout. A look around comes first: it shows more, sooner.
 bool FlightState::seek_lookout() noexcept {
   seeks = false;
   const bool is_voxel = block.by == BlockedBy::kUnseen || block.by == BlockedBy::kObstacle;
@@ -81,7 +84,7 @@ void FlightState::begin_lookout() noexcept {
   job = Job::kLookout;
 }
 
-/// Nothing is known of the map while it slides.
+/// Waits while the map slides, because nothing is known of it then.
 Progress FlightState::run_lookout(Work& work) noexcept {
   if (!map.safe().bound()) return Progress::kMore;
   for (; searched < kDirections * kRanges * kHeights; ++searched) {
@@ -94,7 +97,7 @@ Progress FlightState::run_lookout(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// Is the best lookout so far at a place in a direction from what is to be seen?
+/// Looks at the place in a direction from what is to be seen, and keeps it if it is the best lookout so far.
 void FlightState::look_from(std::int32_t direction, int radii, int height) noexcept {
   const Grid& safe = map.safe();
   const double radius = safe.spec().clearance();
@@ -117,20 +120,20 @@ void FlightState::look_from(std::int32_t direction, int radii, int height) noexc
   if (segment_clear(map.route(), safe.to_local(place), safe.to_local(block.at), 0.0)) lookout = found;
 }
 
-/// Where there is none, the plan leads to the goal as ever.
+/// If no lookout was found, the next plan leads to the goal as usual.
 void FlightState::end_lookout() noexcept {
   seeks = lookout.direction >= 0;
   sought |= seeks ? 1u << lookout.direction : kAround;
   begin_copy();
 }
 
-/// The next plan does not lead to the goal.
+/// Aims at the lookout, or straight away from what is to be seen, instead of at the goal.
 void FlightState::aim_at_lookout() noexcept {
   aims_at_goal = false;
   aim = goes_away() ? place_away() : lookout.place;
 }
 
-/// A plan is committed. One that leads straight away is the first part of the way to a lookout.
+/// Notes a commit: counts the lookouts that plans lead to. A plan straight away is the first part of the way to one.
 void FlightState::note_lookout() noexcept {
   if (!seeks || extends || same(draft.aim, now.aim)) return;
   seeks = goes_away();
@@ -140,8 +143,8 @@ void FlightState::note_lookout() noexcept {
   turned = false;
 }
 
-/// What the sensor should see next. On the way to a lookout: what it is for. After a lookout: the voxel that ended the
-/// last proof. Otherwise: the point where that proof ended.
+/// What the sensor should see next. On the way to a lookout, it is what the lookout is for. After a lookout, it is the
+/// voxel that ended the last proof. Otherwise, it is the point where that proof ended.
 Vec3 FlightState::place_to_see() const noexcept {
   if (draft.looks_out) return draft.hidden;
   const Grid& safe = map.safe();
@@ -149,8 +152,8 @@ Vec3 FlightState::place_to_see() const noexcept {
   return at_voxel ? safe.spec().origin + safe.center(proof.report().voxel) : evaluate(draft.wished, reached).position;
 }
 
-/// Straight away, as far as that is known to be free: where the vehicle touches what it cannot see, no plan may lead
-/// elsewhere.
+/// The place straight away from what is to be seen, as far as the space is known to be free. If the vehicle touches
+/// what it cannot see, no plan may lead elsewhere.
 Vec3 FlightState::place_away() noexcept {
   const Grid& safe = map.safe();
   const double radius = safe.spec().clearance();

@@ -51,7 +51,7 @@ bool FlightState::in_window(const Vec3& place) const noexcept {
 }
 
 /// The next plan passes all points that are less than a horizon away, along straight lines, and then leads towards the
-/// target: the first one that is further away or where the vehicle stays for a while, or the goal.
+/// target. That is the first point that is further away or has a dwell, or the goal.
 void FlightState::choose_points(const Vec3& from) noexcept {
   const Grid& seen = map.route();
   const bool is_clear = itinerary.suspicions > 0 && seen.bound() && !is_blocked(itinerary.suspect);
@@ -74,7 +74,7 @@ void FlightState::ask_for(std::int32_t point) noexcept {
   asked[asked_count++] = itinerary.points[point];
 }
 
-/// What the plan that is flown still passes, for a plan to the same aim.
+/// Asks for the points that the committed plan still passes, for a plan to the same aim.
 void FlightState::keep_points() noexcept {
   const std::int32_t leg = leg_at(takeover);
   asked_count = 0;
@@ -86,7 +86,7 @@ void FlightState::keep_points() noexcept {
   goal = itinerary.points[target].position;
 }
 
-/// No point that is ahead of the plan that is flown was skipped since.
+/// True if no point that the committed plan passes was skipped since, and its target is still ahead.
 bool FlightState::still_fits() const noexcept {
   for (std::int32_t i = 0; i < now.passages; ++i) {
     if (itinerary.state[now.passage[i].point] == PointState::kSkipped) return false;
@@ -94,7 +94,7 @@ bool FlightState::still_fits() const noexcept {
   return itinerary.state[now.target] == PointState::kAhead;
 }
 
-/// Metres along straight lines from a place past the points that are asked for to another.
+/// Metres along straight lines from `from`, past the points that are asked for, to `to`.
 double FlightState::way_length(const Vec3& from, const Vec3& to) const noexcept {
   double sum = 0.0;
   Vec3 place = from;
@@ -109,8 +109,8 @@ Vec3 FlightState::place_before_target(const Vec3& from) const noexcept {
   return asked_count > 0 ? asked[asked_count - 1].position : from;
 }
 
-/// A plan that passes all points that were asked for failed: the next one ends at rest at the last point that may be
-/// reached. False where there is none to leave out, and where the plan that is flown goes on anyway.
+/// A plan past all points that were asked for failed. Asks for one that ends at rest at the last point that may be
+/// reached. False if there is no point to leave out, or if the committed plan goes on anyway.
 bool FlightState::ask_for_less(const Report& found) noexcept {
   if (asked_count == 0 || keeps) return false;
   const bool on_way = found.status == Status::kNoPath || lacks_via_voxel(found.status) ||
@@ -129,7 +129,7 @@ bool FlightState::is_blocked(std::int32_t point) const noexcept {
   return in_window(place) && !point_clear(seen, seen.to_local(place), seen.spec().clearance());
 }
 
-/// The point at which a plan failed, where it may be left out; otherwise negative.
+/// The point at which a plan failed, if it may be left out; otherwise negative.
 std::int32_t FlightState::point_at_fault(const Report& found) const noexcept {
   const bool at_via = lacks_via_voxel(found.status) || found.status == Status::kViaFenced;
   const bool at_aim = lacks_goal_voxel(found.status) || found.status == Status::kGoalFenced;
@@ -137,7 +137,7 @@ std::int32_t FlightState::point_at_fault(const Report& found) const noexcept {
   return at_aim && aims_at_goal && target != itinerary.last() ? target : -1;
 }
 
-/// True if a point was left out: the plan at hand is for another mission.
+/// True if a point was left out: then the pending plan no longer fits the mission.
 bool FlightState::note_fault(const Report& found) noexcept {
   const std::int32_t point = point_at_fault(found);
   if (point < 0) return false;
@@ -149,7 +149,7 @@ bool FlightState::note_fault(const Report& found) noexcept {
   return leave_out(point, FlightReason::kViaBlocked);
 }
 
-/// As the mission's policy says. A mission ends before a point only once that is the next one.
+/// Leaves out a point as the mission's policy says. The mission ends only if the point is the next one.
 bool FlightState::leave_out(std::int32_t point, FlightReason why) noexcept {
   if (itinerary.policy == ViaPolicy::kSkip) {
     itinerary.state[point] = PointState::kSkipped;
@@ -164,7 +164,7 @@ bool FlightState::leave_out(std::int32_t point, FlightReason why) noexcept {
   return true;
 }
 
-/// Only so many points are passed; the next one becomes the target.
+/// Passes only the first `points` of the points that are asked for; the one after them becomes the target.
 void FlightState::ask_for_first(std::int32_t points) noexcept {
   if (points < asked_count) target = asked_point[points];
   asked_count = points;
@@ -173,7 +173,7 @@ void FlightState::ask_for_first(std::int32_t points) noexcept {
   if (ends_beside) end_at_point(points - 1);
 }
 
-/// The plan ends at rest at that point of those that are asked for.
+/// Lets the plan end at rest at point `number` of those that are asked for.
 void FlightState::end_at_point(std::int32_t number) noexcept {
   asked_count = number;
   target = asked_point[number];
@@ -182,7 +182,7 @@ void FlightState::end_at_point(std::int32_t number) noexcept {
   moved_aim = beside_goal = false;
 }
 
-/// The way past the points that are asked for and on to the aim: where a horizon of it ends, so does the plan.
+/// Puts the aim onto the way, one horizon along it, if the way past the points that are asked for is longer than that.
 void FlightState::shorten_way(const Path& way) noexcept {
   const Vec3& origin = route.grid().spec().origin;
   double left = spec.horizon;
@@ -201,8 +201,8 @@ void FlightState::shorten_way(const Path& way) noexcept {
   }
 }
 
-/// There is a new mission since the plan at hand was begun. The plan may be flown, but reaches none of its points, and
-/// where it fails, that says nothing about them.
+/// There is a new mission since the pending plan was begun. The plan may be flown, but counts as passing none of the
+/// new points; if it fails, that says nothing about them.
 bool FlightState::is_outdated() const noexcept {
   return planned_goal != goal_number;
 }

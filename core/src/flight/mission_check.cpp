@@ -10,8 +10,8 @@
 namespace tern {
 namespace {
 
-/// kOk where nothing is. Tolerance, stop and dwell of the goal mean nothing. A velocity cannot be promised in unknown
-/// space.
+/// kOk if nothing is wrong with the point. Tolerance, stop and dwell of the goal mean nothing. A velocity cannot be
+/// promised in unknown space.
 Status check_point(const Via& point, bool is_goal) {
   if (!finite(point.position)) return Status::kNonFiniteInput;
   if (point.has_velocity) return Status::kInvalidArgument;

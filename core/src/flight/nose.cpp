@@ -18,14 +18,14 @@ namespace {
 constexpr double kNoseAhead = 4.0;
 /// The part of a tick's units that yaw plans may spend.
 constexpr std::uint32_t kNoseShare = 4;
-/// A yaw plan is flown for so long, nanoseconds, before the next one takes over: a plan brings the acceleration of its
-/// start to 0 first, so that plans that follow each other faster would never turn.
+/// How long a yaw plan is flown before the next one takes over, nanoseconds. A yaw plan first brings the acceleration
+/// of its start to 0, so plans that followed each other faster would never turn the nose.
 constexpr std::int64_t kNoseHold = 400000000;
-/// Ticks that are further apart than this, nanoseconds, count as this: no yaw plan waits for them.
+/// A longer gap between ticks counts as this, nanoseconds: no yaw plan waits longer for a tick.
 constexpr std::int64_t kLongestGap = std::int64_t{10} * 1000000000;
-/// What is flown ends soon where it is less than this part of the horizon away.
+/// The committed plan ends soon if its end is less than this part of the horizon away.
 constexpr double kSeekPart = 0.5;
-/// A place that moved by less is the same, metres.
+/// A point that moved by less than this counts as the same, metres.
 constexpr double kSameWish = 0.1;
 
 Status check_headings(const FlightYaw& yaw) {
@@ -38,7 +38,7 @@ Status check_headings(const FlightYaw& yaw) {
   return Status::kOk;
 }
 
-/// What the mode reads.
+/// Checks the fields that the mode reads.
 Status check_mode(const FlightYaw& yaw) {
   switch (yaw.mode) {
     case FlightYawMode::kTowardsUnseen:
@@ -73,13 +73,13 @@ bool same_wish(const NoseWish& a, const NoseWish& b) {
          distance(a.point, b.point) < kSameWish;
 }
 
-/// From one tick to the next, as far as the last two tell.
+/// Nanoseconds from one tick to the next, as far as the last two ticks tell.
 std::int64_t tick_gap(const FlightState& flight) {
   if (flight.gap > kLongestGap) return kLongestGap;
   return flight.gap > flight.spec.tick ? flight.gap : flight.spec.tick;
 }
 
-/// When a yaw plan that begins now may take over: later by as much as ticks come late.
+/// The earliest takeover of a yaw plan that is begun now. It is later by as much as ticks come late.
 std::int64_t soonest_turn(const FlightState& flight) {
   return flight.time + (kNoseTicks - 1) * flight.spec.tick + tick_gap(flight);
 }
@@ -94,8 +94,8 @@ Status FlightState::check_yaw(const FlightYaw& yaw) const noexcept {
   return start_fits != Status::kOk ? start_fits : check_mode(yaw);
 }
 
-/// A plan in work takes over as ever, unless it turns more sharply than the nose may now: a wish that changes at every
-/// tick would never be followed otherwise.
+/// A pending yaw plan still takes over, unless it turns more sharply than the nose may now. Otherwise the nose would
+/// never follow a wish that changes at every tick.
 void FlightState::set_yaw(const FlightYaw& yaw) noexcept {
   if (!nose.planned) {
     nose.now = at_rest(yaw.start);
@@ -118,7 +118,8 @@ YawSample FlightState::yaw_at(std::int64_t t) const noexcept {
   return at;
 }
 
-/// As asked for, unless what is flown ends soon and the next thing to see is out of view: then the nose turns to it.
+/// The wish is as asked for, unless the nose must turn to the next thing to see. It must if the vehicle rests or flies
+/// to a lookout, or if the committed plan ends soon and that thing is out of view.
 NoseWish FlightState::nose_wish(std::int64_t t) const noexcept {
   NoseWish wish{nose.yaw.mode, nose.yaw.point, nose.yaw.heading, report.committed};
   const Trajectory& flown = latest().flown;
@@ -132,7 +133,7 @@ NoseWish FlightState::nose_wish(std::int64_t t) const noexcept {
   return wish;
 }
 
-/// A share of the tick's work, and never a plan for the trajectory waits for it.
+/// Spends a share of the tick's work. No plan for the trajectory waits for it.
 void FlightState::turn_nose(Work& work) noexcept {
   if (!nose.planned) return;
   if (nose.has_next && time >= nose.next_begin) {
@@ -147,8 +148,8 @@ void FlightState::turn_nose(Work& work) noexcept {
   if (nose.busy) advance_yaw(work, work.left - least(work.left, spec.work_per_tick / kNoseShare));
 }
 
-/// Ticks were skipped until it was too late: as with plans of the trajectory, what is not done one tick before its
-/// takeover is dropped. It begins where the nose was to be then, and the nose would jump there.
+/// Drops a pending yaw plan that is not done one tick before its takeover, as is done with plans of the trajectory. It
+/// begins where the nose was to be at that takeover, so a late one would make the nose jump.
 void FlightState::drop_late_yaw() noexcept {
   if (!nose.busy || time <= nose.next_begin - spec.tick) return;
   nose.busy = false;
@@ -174,7 +175,8 @@ void FlightState::begin_yaw(const NoseWish& wish) noexcept {
   nose.busy = nose.planner.begin(nose.way, request) == Status::kRunning;
 }
 
-/// The headings of the points that are passed, each at its time; where none is, that of the next point.
+/// Asks for the heading of each point that the committed plan passes, at its time. If it passes none, asks for the
+/// heading of the next point.
 void FlightState::time_headings(YawRequest& request) noexcept {
   const Commitment& flown = latest();
   const std::int32_t last = nose.yaw.heading_count - 1;
@@ -194,8 +196,8 @@ void FlightState::time_headings(YawRequest& request) noexcept {
   request.heading = nose.headings[itinerary.leg < last ? itinerary.leg : last];
 }
 
-/// As long as more than `kept` units are left. A plan that would be late at the next tick is taken as it is: it keeps
-/// the limits, too.
+/// Works on the yaw plan as long as more than `kept` units are left. A plan that would be late at the next tick is
+/// taken unfinished: it keeps the limits as well.
 void FlightState::advance_yaw(Work& work, std::uint32_t kept) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning && work.left > kept) {
@@ -211,7 +213,7 @@ void FlightState::advance_yaw(Work& work, std::uint32_t kept) noexcept {
   nose.has_next = true;
 }
 
-/// What ended the proof at hand: something that was not seen yet?
+/// Notes whether something that was not seen yet ended the last proof.
 void FlightState::note_view() noexcept {
   const Grid& safe = map.safe();
   const Grid& seen = map.route();

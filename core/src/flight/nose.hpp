@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The yaw plan beside what is flown. Nothing that is flown depends on it.
+// The yaw plan beside the committed plan. No trajectory depends on it.
 #ifndef TERN_FLIGHT_NOSE_HPP
 #define TERN_FLIGHT_NOSE_HPP
 
@@ -14,15 +14,15 @@
 
 namespace tern {
 
-/// Ticks from the beginning of a yaw plan to the instant when it takes over, where ticks come in time.
+/// Ticks from the start of work on a yaw plan to its takeover, if ticks come in time.
 constexpr int kNoseTicks = 8;
 
-/// What a yaw plan is made for; another one is made where this changes.
+/// What a yaw plan is made for. When this changes, the flight makes another one.
 struct NoseWish {
   FlightYawMode mode;
   Vec3 point;             ///< for kTowardsPoint
   Heading heading;        ///< for kFixed
-  std::uint32_t commits;  ///< so far
+  std::uint32_t commits;  ///< plans committed so far
 };
 
 struct Nose {
@@ -30,7 +30,7 @@ struct Nose {
   Heading headings[kMaxMissionPoints];
   bool planned;  ///< the flight plans yaws
 
-  /// A plan begins within half a turn of 0. The nose turns on from where it is: whole turns are counted.
+  /// A yaw plan begins within half a turn of 0. `turns` counts whole turns, so that the nose turns on from where it is.
   YawPlan now;
   double turns;
   std::int64_t begin;  ///< nanoseconds
@@ -39,17 +39,17 @@ struct Nose {
   std::int64_t next_begin;
   bool has_next;
 
-  // The plan in work.
+  // The pending yaw plan.
   bool busy;
   NoseWish wish;
   YawPlanner planner;
-  Trajectory way;  ///< what is flown from the takeover on
+  Trajectory way;  ///< the committed plan from the yaw plan's takeover on
   TimedHeading timed[kMaxMissionPoints];
 
   // What the flight needs to see.
-  double least_cosine;  ///< of the angle from the nose, within the field of view
-  bool has_unseen;      ///< something unseen ended the last proof:
-  Vec3 unseen;          ///< this, world frame
+  double least_cosine;  ///< cosine of the largest angle from the nose within the field of view
+  bool has_unseen;      ///< something unseen ended the last proof
+  Vec3 unseen;          ///< where that is, world frame
 };
 
 }  // namespace tern

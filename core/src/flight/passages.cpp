@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// A new plan may pass the next point so many seconds later than the one that is flown.
+/// How much later than the committed plan a new plan may pass the next point, seconds.
 constexpr double kLaterAtPoint = 0.25;
 /// Later than any plan passes a point, seconds.
 constexpr double kNever = 1e9;
@@ -23,7 +23,8 @@ double time_of(const Commitment& plan, std::int32_t point) {
 
 }  // namespace
 
-/// The next point at that time, if nothing else is committed before. A point with a dwell is passed once it is over.
+/// The next point at that time, if nothing else is committed before. A point with a dwell is passed once the dwell is
+/// over.
 std::int32_t FlightState::leg_at(std::int64_t t) const noexcept {
   std::int32_t leg = itinerary.leg;
   if (now.goal != goal_number) return leg;
@@ -36,13 +37,14 @@ std::int32_t FlightState::leg_at(std::int64_t t) const noexcept {
   return leg;
 }
 
-/// What is flown ends at a point where the vehicle has to stay for a while, and that while is not over.
+/// The plan in flight ends at a point with a dwell, and the dwell is not over.
 bool FlightState::ends_at_dwell() const noexcept {
   if (!now.to_goal || now.goal != goal_number || now.branch < duration(now.wished)) return false;
   return now.target == itinerary.leg && itinerary.points[now.target].dwell > 0.0;
 }
 
-/// Notes what was passed until now: what the plan that is flown says, and a point that is within its tolerance.
+/// Notes the points that were passed until now: those that the plan in flight says, and the next one if the vehicle is
+/// within its tolerance.
 void FlightState::pass_points() noexcept {
   if (!has_goal) return;
   const std::int32_t leg = leg_at(has_next && next.begin < time ? next.begin : time);
@@ -63,7 +65,7 @@ void FlightState::go_on_from(std::int32_t point) noexcept {
   try_anew();
 }
 
-/// When the planner's trajectory passes the points that it was asked for, and the target where it ends there.
+/// Lists when the planner's trajectory passes the points that it was asked for, and the target if it ends there.
 void FlightState::list_passages(const Report& found) noexcept {
   if (is_outdated()) {
     asked_count = 0;
@@ -75,7 +77,7 @@ void FlightState::list_passages(const Report& found) noexcept {
   if (aims_at_goal) draft.passage[draft.passages++] = {target, duration(plan)};
 }
 
-/// The plan at hand passes the next point much later than the plan that is flown: right before a point, the planner may
+/// True if the draft passes the next point much later than the committed plan: right before a point, the planner may
 /// find no way through it but to stop and come back.
 bool FlightState::passes_later() const noexcept {
   const std::int32_t leg = leg_at(takeover);

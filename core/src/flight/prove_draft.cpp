@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a plan to what is flown: until when it is proven, where a brake from it is proven, and the commit.
+// From a draft to the committed plan: until when the draft is proven, which brake from it is proven, and the commit.
 #include "base/math.hpp"
 #include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
@@ -9,8 +9,8 @@
 
 namespace tern {
 
-/// From here on the map stands still. In the middle of a frame its words are true; in the middle of a slide they are
-/// not.
+/// Waits for the end of a slide, then begins the proof; from here on the map stands still. Its words are true in the
+/// middle of a frame, but not in the middle of a slide.
 Progress FlightState::run_wait() noexcept {
   if (!map.safe().bound()) return Progress::kMore;
   const Status begun = begin_proof(draft.wished, start_of_proof());
@@ -24,7 +24,7 @@ ProofGrounds FlightState::grounds_of(const Commitment& commitment) const noexcep
   return {nullptr, commitment.leaves ? &commitment.left : nullptr, nullptr, spec.fences, spec.fence_count};
 }
 
-/// Boxes were marked between two ticks, while something was being proven: the proof begins anew on the map as it is.
+/// Begins the current proof anew on the map as it is, if boxes were marked between two ticks while the proof ran.
 void FlightState::note_changed_map() noexcept {
   const bool proves_draft = job == Job::kReach || job == Job::kBranch || job == Job::kConfirm;
   if (proven_on == map.safe().revision()) return;
@@ -32,7 +32,7 @@ void FlightState::note_changed_map() noexcept {
   if (proves_draft) job = Job::kWait;
 }
 
-/// On the safe grid, with limits.
+/// Begins the proof of a trajectory on the safe grid, with limits.
 Status FlightState::begin_proof(const Trajectory& trajectory, double from) noexcept {
   proven_on = map.safe().revision();
   return proof.begin_accepted(map.safe(), trajectory, from, &spec.limits, Beyond::kSolid, grounds_of(draft));
@@ -65,7 +65,8 @@ Progress FlightState::run_reach(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// A branch that is no later than the one that is flown already would change nothing; from rest it must lead somewhere.
+/// Branches must be later than this, in seconds since the draft's beginning. In an extension, a branch no later than
+/// the committed one would change nothing. A new plan must lead somewhere before its branch.
 double FlightState::earliest_branch() const noexcept {
   return extends ? now.branch : 2.0 * 1e-9 * static_cast<double>(spec.tick);
 }
@@ -77,7 +78,7 @@ bool FlightState::leads_on() const noexcept {
   return !rests_at_takeover() || draft.to_goal || distance(end, start.d[0]) >= map.safe().spec().cell;
 }
 
-/// The candidates: from the last proven instant back, each with its brakes.
+/// Makes candidate `branch`. The candidates go back from the last proven instant, and each instant has all brakes.
 bool FlightState::make_branch() noexcept {
   const double earliest = earliest_branch();
   const int from_last = branch / kBranchShapes;
@@ -91,10 +92,10 @@ bool FlightState::make_branch() noexcept {
   return begin_proof(draft.flown, at) == Status::kRunning;
 }
 
-/// What making a candidate costs.
+/// Units that making a candidate costs.
 constexpr std::uint32_t kBranchPrice = 32;
 
-/// The candidate after `branch`.
+/// Makes the candidate after `branch`. After the last one, the draft has failed.
 Progress FlightState::next_branch(Work& work) noexcept {
   if (branch + 1 == kBranches * kBranchShapes) {
     fail();
@@ -127,8 +128,8 @@ Progress FlightState::run_confirm(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// The proofs of obstacles and limits take each segment alone. This one says that the draft goes on from what is flown,
-/// without a jump at any joint, and ends at rest.
+/// Proves that the draft goes on from the committed plan, without a jump at any joint, and ends at rest. The proofs of
+/// obstacles and limits look at each segment alone.
 bool FlightState::joins_what_is_flown() noexcept {
   const Commitment& flown = commitment_at(takeover);
   owed += effort_of(kJointEffort, draft.flown.count + 2);
@@ -137,8 +138,8 @@ bool FlightState::joins_what_is_flown() noexcept {
          joints_hold(draft.flown);
 }
 
-/// An extension is the same curve up to the branch that is flown, and so replaces it in place. A new plan takes over at
-/// its beginning. A contact before it begins stays one.
+/// Makes the draft the committed plan or the waiting one. An extension is the same curve up to the committed branch, so
+/// it replaces the committed plan in place. A new plan becomes the waiting plan. A contact before its takeover remains.
 void FlightState::enter_draft() noexcept {
   if (!extends && job != Job::kEvade && !draft.looks_out) note_progress();
   job = Job::kIdle;
@@ -160,7 +161,7 @@ void FlightState::enter_draft() noexcept {
   }
 }
 
-/// False, and nothing is committed, where the draft does not join what is flown.
+/// Commits the draft. False, and nothing is committed, if it does not join the committed plan.
 bool FlightState::commit() noexcept {
   if (!joins_what_is_flown()) {
     fail();

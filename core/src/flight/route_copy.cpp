@@ -10,9 +10,9 @@
 namespace tern {
 namespace {
 
-/// Words that a piece copies, or one row.
+/// Words that a piece copies; one row if that is longer.
 constexpr std::int32_t kCopiedWords = 256;
-/// Instructions of a row, and of a word that is the same as before and one that is not.
+/// Instructions for a row, for each word of it, and on top of that for each word that changed.
 constexpr std::uint32_t kCopiedRowEffort = 180;
 constexpr std::uint32_t kWordEffort = 36;
 constexpr std::uint32_t kChangedEffort = 140;
@@ -24,7 +24,7 @@ std::int32_t rows_of_piece(std::int32_t row_words) {
   return row_words < kCopiedWords ? kCopiedWords / row_words : 1;
 }
 
-/// Along one axis, in voxels; none for a reach of 0.
+/// The voxels within `reach` of `center` along one axis, both in voxels; none for a reach of 0.
 IndexRange voxels_around(double center, double reach, std::int32_t count) {
   if (!(reach > 0.0)) return kNone;
   return {floor_index(center - reach, 0, count), ceil_index(center + reach, 0, count)};
@@ -56,7 +56,7 @@ void RouteCopy::begin(const RollingMap& map, const Vec3& center, double near, do
   row_ = piece_ = 0;
 }
 
-/// The voxels of a row that the ball meets.
+/// The voxels of a row that the ball of the radius `emptied` meets.
 IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexcept {
   const double off_y = center_.y - clamp(center_.y, y, y + 1);
   const double off_z = center_.z - clamp(center_.z, z, z + 1);
@@ -65,7 +65,7 @@ IndexRange RouteCopy::emptied_voxels(std::int32_t y, std::int32_t z) const noexc
   return voxels_around(center_.x, square_root(rest), grid_.spec().dims.x);
 }
 
-/// Returns how many words changed.
+/// Copies a row, and returns how many words changed.
 std::int32_t RouteCopy::copy_row(const RollingMap& map, std::int32_t row) noexcept {
   const Grid& route = map.route();
   const std::int32_t rows_along_y = grid_.spec().dims.y;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The grid that a flight plans on: a copy of the map's route grid, so that the map may go on while a plan is made.
-// Unseen voxels near the vehicle are obstacles in it: what nobody has seen there, nothing will show before it is flown.
+// Unseen voxels near the vehicle are obstacles in the copy, because no sensor will show them before the vehicle is
+// there.
 #ifndef TERN_FLIGHT_ROUTE_COPY_HPP
 #define TERN_FLIGHT_ROUTE_COPY_HPP
 
@@ -18,14 +19,14 @@ namespace tern {
 
 class RouteCopy {
  public:
-  /// Storage of grid_words(dims).
+  /// Binds the copy to storage of grid_words(dims) words.
   Status bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept;
-  /// Begins to copy. From `hole` to `near` away from `center` along some axis, the unseen is solid. Nothing is solid
-  /// within `emptied` of the center.
+  /// Begins to copy. Unseen voxels are solid within `near` of `center` along every axis, but not if they are within
+  /// `hole` along every axis. Nothing is solid within the distance `emptied`. All in metres, world frame.
   void begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept;
   bool done() const noexcept;
-  /// Does a piece: some rows copied, or a piece of the inflation. Not where it is done; the map must not change before
-  /// that. Returns what it took, in instructions (see Work).
+  /// Does one piece: it copies some rows, or inflates a part. Must not be called once done() is true; the map must not
+  /// change before that. Returns the instructions that the piece took (see Work).
   std::uint32_t advance(const RollingMap& map) noexcept;
 
   const Grid& grid() const noexcept { return grid_; }
@@ -36,11 +37,11 @@ class RouteCopy {
 
   Grid grid_;
   IndexRange hole_[3];
-  IndexRange near_[3];  ///< voxels along x, y and z
-  Vec3 center_{};       ///< in voxels, and the voxels around it in which nothing is solid
-  double emptied_ = 0.0;
-  std::int32_t row_ = 0;    ///< next to copy
-  std::int32_t piece_ = 0;  ///< of the inflation, next
+  IndexRange near_[3];      ///< voxels along x, y and z
+  Vec3 center_{};           ///< in voxels
+  double emptied_ = 0.0;    ///< radius around the centre in which nothing is solid, in voxels
+  std::int32_t row_ = 0;    ///< the next row to copy
+  std::int32_t piece_ = 0;  ///< the next piece of the inflation
 };
 
 }  // namespace tern

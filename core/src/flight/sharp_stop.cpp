@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Halvings of the range in which the shortest ramp is searched: below a millionth of it.
+/// Halvings of the range in which the shortest ramp is sought. They leave less than a millionth of it.
 constexpr int kRampHalvings = 20;
 constexpr double kLeastJerk = 1e-6;  ///< m/s^3
 constexpr double kEndless = 1e300;
@@ -22,7 +22,8 @@ struct Ramps {
   Vec3 deceleration;
 };
 
-/// With ramps of this length. The first one undoes the acceleration; what speed is left then, a ramp and the hold take.
+/// The brake with ramps of this length, seconds. The first ramp undoes the acceleration. The deceleration, over one
+/// ramp and the hold, takes the speed that is left then.
 Ramps ramps_of(const JointState& from, const MotionLimits& limits, double ramp) {
   const Vec3 excess = from.d[1] + (0.5 * ramp) * from.d[2];
   const double needed = gauge(limits.acceleration, kZero - excess) - ramp;
@@ -37,7 +38,7 @@ bool keeps_jerk(const JointState& from, const MotionLimits& limits, const Ramps&
   return kSmoothStepPeak * larger(first, second) <= (1.0 - kJerkMargin) * ramps.ramp;
 }
 
-/// Bisection. The longest ramp loses all the speed at the limit of jerk, without a hold.
+/// Finds the shortest ramps by bisection. The longest ones lose all the speed at the limit of jerk, without a hold.
 Ramps shortest_ramps(const JointState& from, const MotionLimits& limits) {
   Ramps best = ramps_of(from, limits, kMinDuration);
   if (keeps_jerk(from, limits, best)) return best;
@@ -72,7 +73,8 @@ bool keeps_limits(const Trajectory& plan, int first, const MotionLimits& limits)
   return true;
 }
 
-/// The jerk goes to zero in `time`; 0: it is zero. Nothing is appended where that is not possible.
+/// Appends a brake that takes the jerk to zero in `time` seconds first; 0 if the jerk is zero. False, and nothing is
+/// appended, if there is no room or the limits do not hold.
 bool append_settled(const JointState& from, const MotionLimits& limits, double time, Trajectory& out) {
   const int count = out.count;
   const JointState calm = time > 0.0 ? settled(from, time) : from;

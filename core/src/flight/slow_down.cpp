@@ -10,19 +10,19 @@
 namespace tern {
 namespace {
 
-/// The largest slope of the pace, times the duration, and of the slope's slope, times its square.
+/// The largest first derivative of the pace times the duration, and the largest second derivative times its square.
 constexpr double kSteepestBlend = 1.875;
 constexpr double kMostCurved = 5.7735026918962576;
-/// From one slow-down to the next one, and the shortest one, seconds.
+/// How many times as long each slow-down is as the one before it, and the shortest duration, seconds.
 constexpr double kSlower = 1.3;
 constexpr double kShortest = 0.2;
-/// How long a segment of a slow-down should be, seconds, and how many there are then, besides those that the plan's
-/// joints add. Their error falls with the eighth power of their length.
+/// The wanted length of a slow-down's segments, seconds, and the least and the largest number of them, without those
+/// that the plan's joints add. Their error falls with the eighth power of their length.
 constexpr double kSlowPiece = 0.06;
 constexpr double kLeastPieces = 10.0;
 constexpr double kMostPieces = 24.0;
-/// Where the plan's next joint is nearer than this, no segment ends there: rounding of its jerk would be worse than
-/// what the joint's jump of snap makes of the path. Seconds.
+/// If the plan's next joint is nearer than this, seconds, no segment ends there. In so short a segment, the rounding of
+/// the jerk would harm the path more than the joint's jump in snap does.
 constexpr double kLeastPiece = 1e-4;
 constexpr int kHalvings = 50;
 constexpr double kNoJoint = 1e300;
@@ -50,7 +50,7 @@ struct Pace {
     const double u = t / time;
     return -60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (time * time);
   }
-  /// When the time along the plan is `planned`.
+  /// Seconds after which the time along the plan is `planned`.
   double time_at(double planned) const {
     double low = 0.0;
     double high = time;
@@ -62,7 +62,8 @@ struct Pace {
   }
 };
 
-/// Position to jerk, the position relative to the plan's origin and so without its rounding.
+/// Position to jerk at `t`. The position is relative to the plan's origin, so it is free of the rounding of world
+/// coordinates.
 JointState local_state(const Trajectory& plan, double t) {
   double begin = 0.0;
   int index = 0;
@@ -80,7 +81,7 @@ JointState local_state(const Trajectory& plan, double t) {
   return state;
 }
 
-/// The chain rule, to the third derivative.
+/// The state after `t` seconds of the slow-down: the chain rule, to the third derivative.
 JointState paced(const Trajectory& plan, const Pace& pace, double t, const Vec3& shift) {
   JointState s = local_state(plan, pace.at(t));
   s.d[0] = s.d[0] + shift;
@@ -92,7 +93,7 @@ JointState paced(const Trajectory& plan, const Pace& pace, double t, const Vec3&
                      (r1 * r1 * r1) * s.d[3] + (3.0 * r1 * r2) * s.d[2] + r3 * s.d[1]}};
 }
 
-/// The plan's first joint after that time, its end included.
+/// When the plan's first joint after `planned` is; the plan's end counts as one.
 double joint_after(const Trajectory& plan, double planned) {
   double joint = 0.0;
   for (int i = 0; i < plan.count && joint <= planned; ++i) joint += plan.segments[i].duration;

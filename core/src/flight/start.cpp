@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The beginning of a flight, and what is refused there.
+// The start of a flight, and why it may be refused.
 #include <new>
 
 #include "base/fence_fault.hpp"
@@ -16,7 +16,7 @@
 namespace tern {
 namespace {
 
-/// What the spec's numbers may be.
+/// Ranges of the spec's numbers.
 constexpr std::uint32_t kLeastWork = 256;
 constexpr std::int64_t kLongestTick = std::int64_t{10} * 1000000000;
 constexpr double kLeastYawRate = 1e-3;
@@ -86,7 +86,7 @@ void hover(const Vec3& position, Commitment& commitment) {
   commitment.branch = kMinDuration;
 }
 
-/// The call's arguments, before anything is written.
+/// Checks the call's arguments before anything is written.
 Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t* words, std::size_t word_count,
               const Vec3& position, FlightRefusal& refusal) {
   Verdict verdict{Status::kNonFiniteInput, Field::kStartPosition};
@@ -121,7 +121,7 @@ size_t flight_words(const Voxel& dims) noexcept {
   return grid == 0 ? 0 : state_words() + grid;
 }
 
-/// The vehicle may stay where it is: kOk, or why not.
+/// kOk if the vehicle may stay where it is, otherwise why not.
 Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
   proof.begin_accepted(map.safe(), now.flown, 0.0, nullptr, Beyond::kSolid, grounds_of(now));
   const ProofReport& found = proof.report();
@@ -133,7 +133,7 @@ Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
   return Status::kStartOccupied;
 }
 
-/// What is too near to where the vehicle would rest.
+/// Writes into the refusal what is too near to the place where the vehicle would rest.
 void FlightState::refuse_start(FlightRefusal& refusal) const noexcept {
   const Grid& safe = map.safe();
   const GridSpec& window = safe.spec();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is flown is proven anew where the map became solid.
+// Proves the committed plan anew near voxels that became solid.
 #include "base/math.hpp"
 #include "flight/flight_state.hpp"
 
@@ -21,14 +21,15 @@ Box around(const Box& a, const Box& b) {
 
 }  // namespace
 
-/// The alarm grows until what is flown is proven.
+/// The alarm grows until the committed plan is proven.
 void FlightState::note_added() noexcept {
   alarm.box = has_alarm ? around(alarm.box, added) : added;
   alarm.seen = map.seen_rows();
   has_alarm = true;
 }
 
-/// Only near what became solid since the last time. Under a threat all of it: what was solid may have become free.
+/// Proves the committed plan anew, but only near what became solid since the last proof. Under a threat, it proves all
+/// of the plan, because what was solid may have become free.
 void FlightState::begin_watch() noexcept {
   const bool is_added = map.take_added(added);
   if (is_added) note_added();
@@ -72,7 +73,7 @@ void FlightState::end_part() noexcept {
   if (watched_part == Watched::kAlarm) {
     known = proven;
   } else if (watched_part == Watched::kBefore && (!meets || next.evades)) {
-    // A brake that takes over answers for what is flown until then: no other one begins earlier.
+    // If the waiting plan is a brake, a contact before its takeover calls for no other: none could begin earlier.
     meets_before = meets || (meets_before && has_added);
     if (meets) before = watched_contact();
     watch_part(Watched::kLatest);
@@ -83,12 +84,13 @@ void FlightState::end_part() noexcept {
   }
 }
 
-/// What is too near to where the vehicle rests, once: it may have come to rest after that was found.
+/// Notes what is too near to the resting vehicle, once: it may have come to rest after the threat was found.
 void FlightState::note_beside() noexcept {
   if (is_beside() && !(beside < kAnywhere)) beside = note_block_near(sample_at(time).position, map.safe());
 }
 
-/// At rest, only what is nearer than before: it comes towards the vehicle.
+/// True if a threat is news. At rest, it is news only if something is nearer than before, and so comes towards the
+/// vehicle.
 bool FlightState::is_news() noexcept {
   const double gap_before = is_beside() ? beside : kAnywhere;
   beside = rests() ? note_block_near(sample_at(time).position, map.safe()) : kAnywhere;
@@ -106,7 +108,7 @@ void FlightState::note_threat() noexcept {
   evaded = known = false;
   contact = watched_contact();
   if (has_next && !next.evades) {
-    has_next = has_added = meets_before = false;  // what is flown until then may still be proven
+    has_next = has_added = meets_before = false;  // without the waiting plan, the flight may still be proven
     watch_part(Watched::kLatest);
   } else if (has_alarm) {
     watch_part(Watched::kAlarm);
