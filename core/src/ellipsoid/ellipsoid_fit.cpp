@@ -59,13 +59,14 @@ double square(double x) {
   return x * x;
 }
 
-/// Radius of the unit ball's cross-section where the other axes have used up `used` of the squared radius; 0 beyond the
-/// tips.
+/// Radius of the unit ball's cross-section at a point whose other coordinates have squares of sum `used`; 0 outside the
+/// ball.
 double remaining(double used) {
   return used < 1.0 ? square_root(1.0 - used) : 0.0;
 }
 
-/// Shrinks y and z together until the ellipsoid touches the first contact. In the end, y points towards the last one.
+/// Shrinks y and z together until the ellipsoid touches the contact, and turns y towards it. After the last round, y
+/// points towards the last contact.
 void shrink_both(EllipsoidFrame& frame, const BoxContact& contact, double thinnest) {
   const double along = dot(contact.point, frame.direction.col(0));
   const Vector across = contact.point - along * frame.direction.col(0);
@@ -87,7 +88,7 @@ void shrink_z(EllipsoidFrame& frame, const BoxContact& contact) {
   frame.semi_axis[2] = clamp(touching, frame.semi_axis[1], frame.semi_axis[2]);
 }
 
-/// Begins a round with the candidates that are left; false where the phase is over.
+/// Begins a round with the candidates that are left. False if the phase is over.
 bool begin_round(EllipsoidFit& fit) {
   const EllipsoidFrame& frame = fit.frame;
   const double least = fit.phase == FitPhase::kShrink ? kThinnest * fit.half : frame.semi_axis[1];
@@ -97,7 +98,7 @@ bool begin_round(EllipsoidFit& fit) {
   return fit.step < kFitSteps && shrinking > least;
 }
 
-/// After all candidates: shrinks the ellipsoid, and begins the next round. False where the phase is over.
+/// Ends a round: shrinks the ellipsoid, and begins the next round. False if the phase is over.
 bool end_round(EllipsoidFit& fit) {
   if (fit.kept == 0) return false;
   if (fit.phase == FitPhase::kShrink) {
@@ -114,7 +115,7 @@ void end_phase(EllipsoidFit& fit) {
   fit.phase = fit.phase == FitPhase::kShrink ? FitPhase::kCollectAgain : FitPhase::kDone;
 }
 
-/// Once the candidates are collected.
+/// Begins to shrink or to stretch, once the candidates are collected.
 void begin_phase(EllipsoidFit& fit) {
   const bool again = fit.phase == FitPhase::kCollectAgain;
   fit.phase = again ? FitPhase::kStretch : FitPhase::kShrink;
@@ -123,7 +124,7 @@ void begin_phase(EllipsoidFit& fit) {
   if (!begin_round(fit)) end_phase(fit);
 }
 
-/// The ball for a hover, where no direction is special.
+/// The ball for a hover, which has no direction.
 EllipsoidFrame ball_about(const Vec3& center, double cell) {
   return {to_vector(center), Matrix::Identity(), Vector::Constant(0.5 * cell)};
 }

@@ -34,19 +34,19 @@ EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
 enum class FitPhase : std::uint8_t {
   kCollect,       ///< the obstacles near the sphere, before y and z shrink
   kShrink,        ///< y and z together, so that the ellipsoid stays round about the segment
-  kCollectAgain,  ///< before z shrinks
-  kStretch,       ///< z alone, from the length of x
+  kCollectAgain,  ///< the obstacles near the sphere, before z is stretched
+  kStretch,       ///< z alone: it starts as long as x, and shrinks
   kDone,
 };
 
-/// A fit in work. Plain data; needs no initialisation before fit_begin.
+/// A fit in progress. Plain data; needs no initialisation before fit_begin.
 struct EllipsoidFit {
   EllipsoidFrame frame;  ///< when done, the ellipsoid
   FitPhase phase;
-  double half;  ///< of the segment's length, metres
-  // The round at hand: it looks at the candidates, and keeps those that the ellipsoid meets.
+  double half;  ///< half the segment's length, metres
+  // The current round: it looks at the candidates, and keeps those that the ellipsoid meets.
   EllipsoidMetric metric;
-  int step;   ///< rounds of this phase before it
+  int step;   ///< rounds of this phase before the current one
   int count;  ///< candidates
   int next;   ///< the one to look at next
   int kept;
@@ -61,13 +61,13 @@ struct EllipsoidFit {
 /// with a polyhedron is inscribed in it afterwards.
 void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
 
-/// A unit of work collects the candidates, or looks at kFitScreens of them, of which it computes the contacts of
-/// kFitContacts at most. `inside` is scratch for obstacles.count indices, which stays until kDone.
+/// A unit of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
+/// `inside` is scratch for obstacles.count indices, which stays until kDone.
 constexpr int kFitScreens = 256;
 constexpr int kFitContacts = 16;
 Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept;
 
-/// All of it.
+/// Fits the ellipsoid in one call.
 EllipsoidFrame fit_ellipsoid(const Vec3& from, const Vec3& to, const Obstacles& obstacles, double cell,
                              std::int32_t* inside) noexcept;
 

@@ -18,8 +18,8 @@ struct Bounds {
   Vector upper;
 };
 
-/// What least_scale keeps of its bound. The fixed-point iteration may stop early and understate a scale; with this
-/// share, the bound rarely exceeds what contact_of says, and boxes keep their order.
+/// least_scale reduces its bound by this factor. The fixed-point iteration of contact_of may stop early and understate
+/// a scale. The factor makes it rare that the bound exceeds that scale, so that boxes keep their order.
 constexpr double kBoundShare = 0.99;
 
 Bounds bounds_about(const Vector& center, const LocalBox& box) {
@@ -53,7 +53,7 @@ void offer(Best& best, const EllipsoidMetric& metric, const Vector& d) {
   best = {d, gradient, value};
 }
 
-/// The axis that is neither.
+/// The axis that is neither `a` nor `b`.
 constexpr int third_axis(int a, int b) {
   return 3 - a - b;
 }

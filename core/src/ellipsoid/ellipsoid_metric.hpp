@@ -38,7 +38,7 @@ Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept;
 /// it. At most three faces with two edges each are tried.
 Vector nearest_offset(const EllipsoidMetric& metric, const Vector& center, const LocalBox& box) noexcept;
 
-/// Where the growing ellipsoid meets a box grown by the radius (the box with a ball at each of its points).
+/// The contact of the growing ellipsoid with a box grown by the radius (the box with a ball at each of its points).
 struct BoxContact {
   Vector point;   ///< relative to the ellipsoid's centre, on the grown box
   Vector normal;  ///< unit, away from the centre; zero if the box contains the centre
