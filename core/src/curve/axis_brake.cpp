@@ -8,17 +8,17 @@
 namespace tern {
 namespace {
 
-/// Holds longer than this many quarters of a ramp are as good as no stop.
+/// The longest hold, in quarters of a ramp. A longer one is as good as no stop.
 constexpr double kMostQuarters = 1e6;
 
-/// One axis: from acceleration `from` to `to` within a ramp, a hold of `to`, and back to none.
+/// The motion of one axis: a ramp from acceleration `from` to `to`, a hold of `to`, and a ramp back to none.
 struct AxisMotion {
   double position;
   double velocity;
   double from;
   double to;
   double hold;
-  double jerk;  ///< that it begins with
+  double jerk;  ///< jerk at the beginning
 };
 
 /// Smallest multiple of a quarter of the ramp that is no less than `time`.
@@ -33,7 +33,7 @@ double in_quarters(double time, double ramp) {
 AxisMotion motion_of(const State& state, const Bounds& bounds, double ramp, int a) {
   AxisMotion motion{axis(state.position, a), axis(state.velocity, a), axis(state.acceleration, a), 0.0, 0.0,
                     axis(state.jerk, a)};
-  // What the first ramp leaves when it only undoes the acceleration; the rest takes a ramp and the hold.
+  // The velocity that is left if the first ramp only undoes the acceleration. A ramp and the hold have to take it away.
   const double excess = motion.velocity + 0.5 * ramp * motion.from + kJerkToVelocity * ramp * ramp * motion.jerk;
   const double limit = excess > 0.0 ? -axis(bounds.lower, a) : axis(bounds.upper, a);
   motion.hold = in_quarters(absolute(excess) / limit - ramp, ramp);
@@ -41,7 +41,8 @@ AxisMotion motion_of(const State& state, const Bounds& bounds, double ramp, int 
   return motion;
 }
 
-/// The motion's derivatives `time` seconds into a ramp from one acceleration to another (3 u^2 - 2 u^3), from a state.
+/// Moves `jet`, derivatives 0 to 3 at the beginning of a ramp to acceleration `to`, on by `time` seconds. The
+/// acceleration follows 3 u^2 - 2 u^3.
 void ramp_on(double time, double ramp, double to, double* jet) {
   const double u = time / ramp;
   const double change = to - jet[2];
@@ -55,7 +56,7 @@ void ramp_on(double time, double ramp, double to, double* jet) {
   jet[0] = position;
 }
 
-/// Derivatives 0 to 3 of the axis after `time` seconds, a ramp at least.
+/// Derivatives 0 to 3 of the axis after `time` >= `ramp` seconds.
 void jet_at(const AxisMotion& motion, double ramp, double time, double* jet) {
   jet[0] = motion.position;
   jet[1] = motion.velocity;
@@ -76,7 +77,7 @@ void jet_at(const AxisMotion& motion, double ramp, double time, double* jet) {
   if (rest >= ramp) jet[1] = jet[2] = jet[3] = 0.0;
 }
 
-/// The times at which some axis changes its piece, in order, each once.
+/// The times at which the motion of some axis changes from ramp to hold or back, in order, each once.
 int sorted_times(const AxisMotion* motions, double ramp, double* times) {
   int count = 0;
   times[count++] = ramp;

@@ -22,7 +22,7 @@ double hull_between(const Curve& curve, const Bounds& bounds) {
   return result;
 }
 
-/// Pieces still to be looked into, the deepest on top. Each level leaves one sibling at most.
+/// Pieces that are still to be examined, the deepest on top. Each level of halving leaves at most one piece waiting.
 struct Pieces {
   Curve curve[kPeakDepth + 1];
   int depth[kPeakDepth + 1];
@@ -91,8 +91,8 @@ Curve split(Curve& curve) noexcept {
   return second;
 }
 
-// The ends of all pieces are values of the curve, and `lower` has counted them: a piece's hull needs only the control
-// points between its ends, and a cut adds one value, where the halves meet.
+// The ends of all pieces are values of the curve, and `lower` already covers them. So a piece's hull needs only the
+// control points between its ends, and a cut adds one value: the point where the halves meet.
 double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept {
   double lower = larger(gauge(bounds, curve.c[0]), gauge(bounds, curve.c[curve.degree]));
   double bound = larger(lower, floor);

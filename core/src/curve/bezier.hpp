@@ -11,8 +11,8 @@
 
 namespace tern {
 
-/// Bernstein coefficients c[0 .. degree] over u in [0, 1]. Those beyond have no meaning and are not set: setting them
-/// would cost more than most of what is done with a curve.
+/// Bernstein coefficients c[0 .. degree] over u in [0, 1]. Coefficients beyond the degree have no meaning and are not
+/// set: setting them would cost more than most operations on a curve.
 struct Curve {
   Vec3 c[kControlPoints];
   int degree;
@@ -53,11 +53,11 @@ void keep_last_part(double u, Point* points) {
   }
 }
 
-/// A bound on the gauge of the curve (see base/bounds.hpp) over the whole of [0, 1] that is tight: at least the
-/// supremum, and at most the larger of `floor` and (1 + tolerance) * supremum. A positive floor says what is small
-/// enough not to be looked into: with tolerance 0 the answer is `floor` exactly where the curve stays below it.
-/// Subdivides until the hulls of all pieces are that close, kPeakDepth times at most (a hull's excess shrinks fourfold
-/// each time) and within kPeakPieces pieces; what is left then counts with its hull, which is still a bound.
+/// A tight upper bound of the curve's gauge (see base/bounds.hpp) over [0, 1]. It is at least the supremum, and at most
+/// the larger of `floor` and (1 + tolerance) * supremum. Values below a positive `floor` are not resolved: with
+/// tolerance 0 the bound is exactly `floor` if the curve stays below it. Halves pieces until the hulls of all are close
+/// enough: at most kPeakDepth times, each of which makes a hull's excess four times smaller, and at most kPeakPieces
+/// pieces. If that does not suffice, the hulls of the remaining pieces count, which keeps the result a bound.
 double peak_bound(const Curve& curve, const Bounds& bounds, double floor, double tolerance) noexcept;
 constexpr int kPeakDepth = 16;
 constexpr int kPeakPieces = 1024;

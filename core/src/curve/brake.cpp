@@ -9,13 +9,15 @@
 namespace tern {
 namespace {
 
-/// A ramp's acceleration goes with the smooth step 3 u^2 - 2 u^3, whose integral over [0, 1] is 1/2 and whose second
-/// integral is 3/20: it gains the mean of both accelerations in speed, and these parts of them in way.
+/// A ramp's acceleration follows the smooth step 3 u^2 - 2 u^3. The step's integral over [0, 1] is 1/2, so the speed
+/// changes by the mean of both accelerations times the ramp's time. The second integral is 3/20, so the way changes by
+/// these parts of the first and the second acceleration, times the squared time.
 constexpr double kFirstPart = 0.35;
 constexpr double kSecondPart = 0.15;
 
-/// A ramp of r seconds that changes the acceleration by c has a jerk of 1.5 c / r at most. A brake's first changes it
-/// by no more than 1.5 times what it is, plus the speed over r.
+/// Length of a ramp that surely keeps the limits on jerk. A ramp of r seconds that changes the acceleration by c has a
+/// jerk of 1.5 c / r at most. A brake's first ramp changes it by no more than 1.5 times the acceleration, plus the
+/// speed over r.
 double gentle_ramp(const State& state, const MotionLimits& limits) {
   return square_root(kSmoothStepPeak * gauge(limits.jerk, state.velocity)) +
          kSmoothStepPeak * 1.5 * gauge(limits.jerk, state.acceleration);
@@ -31,11 +33,11 @@ double ramp_time(const State& state, const MotionLimits& limits, int shape, doub
   return larger(larger(least, time), smooth);
 }
 
-/// In place: a brake that is returned would stand on the stack twice.
+/// Makes the brake in place: a returned brake would take up the stack twice.
 void fill(const State& state, const MotionLimits& limits, int shape, double least, Brake& brake) {
   const double ramp = ramp_time(state, limits, shape, least);
-  // Speed that is left when the first ramp has undone the acceleration: the steady deceleration takes it over a ramp
-  // and the hold.
+  // The velocity that is left if the first ramp only undoes the acceleration. The steady deceleration takes it away
+  // over a ramp and the hold.
   const Vec3 excess = state.velocity + (0.5 * ramp) * state.acceleration + (kJerkToVelocity * ramp * ramp) * state.jerk;
   const double hold = larger(least, gauge(limits.acceleration, kZero - excess) - ramp);
   const Vec3 deceleration = (-1.0 / (ramp + hold)) * excess;

@@ -23,7 +23,7 @@ Sample sample(const Segment& segment, double u) {
   return result;
 }
 
-/// What remains past the end: the goal's position, at rest.
+/// The sample past the end: the last position, at rest.
 Sample hold(const Trajectory& trajectory, const Segment& last) {
   return Sample{trajectory.origin + last.points[kDegree], kZero, kZero, kZero, kZero};
 }
@@ -41,7 +41,7 @@ Sample evaluate(const Trajectory& trajectory, double t) noexcept {
   const int count = segments_of(trajectory);
   if (count <= 0) return Sample{kZero, kZero, kZero, kZero, kZero};
   const double time = t > 0.0 ? t : 0.0;  // NaN compares false
-  // Joints lie where duration() adds them up, so that a time of duration() is past the end.
+  // Sums the durations in the same order as duration(), so that a time of duration() is past the end.
   double begin = 0.0;
   int index = 0;
   while (index < count && time >= begin + trajectory.segments[index].duration) {

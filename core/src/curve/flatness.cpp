@@ -7,7 +7,7 @@
 namespace tern {
 namespace {
 
-/// Level unit vectors: where the nose should point, and left of it.
+/// Horizontal unit vectors: the direction in which the nose should point, and the direction to its left.
 struct Heading {
   Vector forward;
   Vector left;
@@ -21,7 +21,7 @@ Heading heading_of(const Yaw& yaw) {
   return {Vector(c, s, 0.0), Vector(-s, c, 0.0)};
 }
 
-/// Shepperd's method: divides by the largest of the four components, which is 1/2 at least.
+/// Sets the quaternion by Shepperd's method: it divides by the largest of the four components, which is at least 1/2.
 void set_quaternion(const Matrix& r, FlatState& state) {
   const double trace = r(0, 0) + r(1, 1) + r(2, 2);
   const double squares[4] = {trace, r(0, 0), r(1, 1), r(2, 2)};
@@ -47,7 +47,7 @@ void set_quaternion(const Matrix& r, FlatState& state) {
   for (int i = 0; i < 4; ++i) state.quaternion[i] = q[0] < 0.0 ? -q[i] : q[i];
 }
 
-/// From the body's axes in the world frame.
+/// Sets the attitude from the body's axes in the world frame.
 void set_attitude(const Vector& x, const Vector& y, const Vector& z, FlatState& state) {
   Matrix body;
   body << x, y, z;
@@ -83,11 +83,12 @@ FlatState flat_state(const Sample& sample, const Yaw& yaw) noexcept {
   const Vector nose = cross(heading.left, z);
   const double sine = length(nose);
   const bool lost = sine < kLeastHeading;
-  // Thrust along the heading's left is square to the heading itself: but for rounding, the nose may point there.
+  // If the thrust points along heading.left, it is at right angles to heading.forward. So the nose can point along
+  // heading.forward, up to rounding.
   const Vector ahead = lost ? Vector(heading.forward - dot(heading.forward, z) * z) : nose;
   const Vector x = (1.0 / length(ahead)) * ahead;
   const Vector y = cross(z, x);
-  // The thrust's direction turns with the jerk across it; about itself, as the heading asks.
+  // The jerk across the thrust turns the thrust's direction. The rate about the thrust follows from the heading.
   const Vector jerk = to_vector(sample.jerk);
   const Vector turn = (1.0 / thrust) * (jerk - dot(jerk, z) * z);
   FlatState state{};

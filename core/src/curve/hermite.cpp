@@ -7,7 +7,8 @@
 namespace tern {
 namespace {
 
-/// Control point k from the end that it is next to; `step` is the duration, negative seen from the second end.
+/// Control point k, counted from the end that it is next to. `step` is the duration for the first end, and minus the
+/// duration for the second end.
 Vec3 point_beside(const JointState& end, double step, int k) {
   Vec3 point = end.d[0];
   double power = step;

@@ -11,7 +11,7 @@ namespace tern {
 double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept {
   const Curve velocity = hodograph(curve_of(segment), segment.duration);
   const double speed = peak_bound(velocity, limits.velocity, 0.0, kPeakTolerance);
-  // A peak of the acceleration that asks for no more than the speed does is not looked into.
+  // Peaks of the acceleration that need no more stretch than the speed does are not resolved.
   const Curve acceleration = hodograph(velocity, segment.duration);
   const double factor = square_root(peak_bound(acceleration, limits.acceleration, speed * speed, kPeakTolerance));
   if (!limits_anything(limits.jerk)) return factor;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether a segment stays where and as slow as it should, exactly: what a plan must pass before the stage gives it out.
+// Exact tests of whether a segment stays inside its polyhedron and within the limits. A plan must pass them before a
+// stage returns it.
 #ifndef TERN_CURVE_MOTION_LIMITS_HPP
 #define TERN_CURVE_MOTION_LIMITS_HPP
 
@@ -16,24 +17,24 @@ namespace tern {
 constexpr double kLimitTolerance = 1e-9;
 constexpr double kInsideTolerance = 1e-9;
 
-/// The same for jerk, whose rounding is larger; and the part of its limit that plans leave free, so that what they
-/// evaluate to is within it.
+/// Accepted excess over a limit on jerk, relative; the rounding of jerk is larger. Plans leave kJerkMargin of the limit
+/// free, so that the jerk that they evaluate to keeps the limit.
 constexpr double kJerkTolerance = 2e-8;
 constexpr double kJerkMargin = 1e-6;
 
-/// How closely peaks are found, relative.
+/// Relative accuracy of a peak.
 constexpr double kPeakTolerance = 1e-7;
 
 /// The factor by which a segment between states at rest must be stretched in time to meet its limits exactly: the
 /// largest over all t of the gauge of v, the root of the gauge of a and the cube root of the gauge of the jerk (see
-/// base/bounds.hpp); below 1 where it could be faster. Never less than the truth, and more by kPeakTolerance at most,
-/// or by kJerkMargin where the jerk decides.
+/// base/bounds.hpp); below 1 if the segment could be faster. Never less than the exact factor. More by at most
+/// kPeakTolerance, or by kJerkMargin if the jerk decides.
 double stretch_to_limits(const Segment& segment, const MotionLimits& limits) noexcept;
 
-/// True where v and a are within (1 + tolerance) times the limits for all t, and the jerk within (1 + kJerkTolerance).
+/// True if v and a are within (1 + tolerance) times the limits for all t, and the jerk within (1 + kJerkTolerance).
 bool within_limits(const Segment& segment, const MotionLimits& limits, double tolerance = kLimitTolerance) noexcept;
 
-/// True where all control points are inside, so that the segment is.
+/// True if all control points are inside the polyhedron; the whole segment then is.
 bool inside(const Segment& segment, const Polyhedron& polyhedron) noexcept;
 
 }  // namespace tern

@@ -15,18 +15,18 @@ namespace tern {
 /// end): at u = 1/2 and at u = (5 - sqrt 5) / 10.
 constexpr double kRestPeakSpeed = 35.0 / 16.0;
 constexpr double kRestPeakAcceleration = 7.51318840439929325;  // 84 sqrt(5) / 25
-/// Peak of its jerk, at u = 1/2.
+/// Peak jerk of this profile, at u = 1/2.
 constexpr double kRestPeakJerk = 52.5;
 
-/// True where velocity, acceleration and jerk are zero.
+/// True if velocity, acceleration and jerk are zero.
 bool at_rest(const State& state) noexcept;
 
-/// The same state flown backwards in time, and the same segment.
+/// The state, or the segment, flown backwards in time.
 State backwards(const State& state) noexcept;
 Segment reversed(const Segment& segment) noexcept;
 
-/// The straight segment from rest to rest, as fast as that profile keeps the limits. kMinDuration at least; where both
-/// ends are the same point it stays there that long.
+/// The straight segment from rest to rest, with the profile of kRestPeakSpeed and as fast as the limits allow. It lasts
+/// at least kMinDuration. If both ends are the same point, it stays there for kMinDuration.
 Segment straight_segment(const Vec3& from, const Vec3& to, int polyhedron, const MotionLimits& limits) noexcept;
 
 }  // namespace tern

@@ -18,7 +18,7 @@ struct Swerve {
   int side;
   double size;      ///< part of the largest sideways displacement that the limits allow
   double strength;  ///< part of the limits on acceleration that the braking takes
-  int shape;        ///< of the braking
+  int shape;        ///< Brake shape of the braking
 };
 
 Swerve swerve_of(int index) {
@@ -39,8 +39,8 @@ Swerve swerve_of(int index) {
 struct Turn {
   int side;
   double strength;  ///< part of the limit on acceleration towards the side
-  double braking;   ///< part of the limit that slows down meanwhile
-  double hold;      ///< part of the time that braking at the limit takes
+  double braking;   ///< part of the limit on acceleration that brakes during the turn
+  double hold;      ///< duration, in parts of the time that braking at the limit takes
 };
 
 Turn turn_of(int index) {
@@ -78,7 +78,8 @@ Vec3 sideways(const Vec3& heading, int side) {
   return kCosines[side] * u + kCosines[(side + 6) % kSwerveSides] * cross(heading, u);
 }
 
-/// The acceleration of a turn. The last side is where the state turns already, as sharply as it does or in part.
+/// The acceleration of a turn. The last side is the one to which the state already turns; the turn is as sharp as that,
+/// or a part of it.
 Vec3 turning(const State& state, const MotionLimits& limits, const Turn& turn) {
   const Vec3 heading = heading_of(state.velocity);
   const Bounds& bounds = limits.acceleration;
@@ -91,14 +92,15 @@ Vec3 turning(const State& state, const MotionLimits& limits, const Turn& turn) {
   return (1.0 / larger(1.0, gauge(bounds, wanted))) * wanted;
 }
 
-/// Bernstein coefficients of 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7 over [begin, end] within [0, 1]: from rest to rest.
+/// Bernstein coefficients of 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7, the step from rest to rest, over [begin, end] within
+/// [0, 1].
 void step_between(double begin, double end, double* coefficients) {
   for (int k = 0; k <= kDegree; ++k) coefficients[k] = k < kControlPoints / 2 ? 0.0 : 1.0;
   keep_first_part(end, coefficients);
   keep_last_part(begin / end, coefficients);
 }
 
-/// Moves the braking's end sideways, from its beginning on.
+/// Adds a sideways step to the braking, which lasts as long as the braking and moves its end by `displacement`.
 void add_swerve(const Vec3& displacement, const Brake& brake, Segment* segments) {
   double total = 0.0;
   for (const double duration : brake.duration) total += duration;
@@ -113,7 +115,7 @@ void add_swerve(const Vec3& displacement, const Brake& brake, Segment* segments)
   }
 }
 
-/// Neighbours share their joint's position to the bit, whatever adding the swerve rounded.
+/// Makes neighbours share their joint's position bit for bit, whatever rounding the swerve added.
 void close_joints(Stopping& stopping) {
   for (int i = 1; i < stopping.count; ++i) stopping.segments[i].points[0] = stopping.segments[i - 1].points[kDegree];
 }
@@ -185,7 +187,7 @@ void add_axis_brake(const State& state, const MotionLimits& limits, double ramp,
   }
 }
 
-/// Adds manoeuvre 0 .. kStoppingManoeuvres - 1, with ramps of `least` seconds at least.
+/// Adds manoeuvre `index`, 0 .. kStoppingManoeuvres - 1, with ramps of at least `least` seconds.
 void add_manoeuvre(const State& state, const MotionLimits& limits, int index, double least, Stopping& out) {
   if (index < kBrakeShapes) return add_brake(state, limits, straight(index), least, out);
   index -= kBrakeShapes;
@@ -197,8 +199,8 @@ void add_manoeuvre(const State& state, const MotionLimits& limits, int index, do
   add_axis_brake(turned, limits, least, out);
 }
 
-/// A ramp that takes the acceleration back to none. The speed changes by half of acceleration times duration, and so
-/// stays within its limit where the end does.
+/// Adds a ramp that takes the acceleration back to none. The velocity changes by half of acceleration times duration,
+/// so it keeps its limit if it does so at the end.
 State level_off(const State& state, const MotionLimits& limits, Stopping& out) {
   const Bounds& bounds = limits.velocity;
   double time = kMinDuration;

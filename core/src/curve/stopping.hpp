@@ -17,49 +17,51 @@ namespace tern {
 /// Relative excess over a speed limit that a stop may have: a state at its limit cannot level off at once.
 constexpr double kStopTolerance = 2e-8;
 
-/// Shortest time in which an acceleration levels off before the brakes, seconds: 0.05 s halved this many times.
+/// An acceleration that levels off before the braking takes kMinDuration, halved at most this many times.
 constexpr int kLevelHalvings = 12;
 
-/// Turns before the brakes: towards a side (eight around the velocity, or where the state turns already), how sharply,
-/// how much of the limits goes into braking at the same time, and for how long, in parts of what braking takes.
+/// Turns before the braking. They differ in their side (eight around the velocity, and the one to which the state
+/// already turns), in how sharp they are, in how much of the limits brakes at the same time, and in how long they last,
+/// in parts of what braking takes.
 constexpr int kTurnSides = 9;
 constexpr int kTurnStrengths = 3;
 constexpr int kTurnBrakings = 3;
 constexpr int kTurnHolds = 4;
 constexpr int kTurns = kTurnSides * kTurnStrengths * kTurnBrakings * kTurnHolds;
 
-/// Swerves while braking: sides, sizes (each half the one before; the first takes all of the limit on acceleration),
-/// and parts of the limits that the braking takes.
+/// Swerves while braking. They differ in their side, their size (each half the one before; the first takes all of the
+/// limit on acceleration), the part of the limits that the braking takes, and its shape.
 constexpr int kSwerveSides = 8;
 constexpr int kSwerveSizes = 3;
 constexpr int kSwerveStrengths = 2;
 constexpr int kSwerveShapes = 2;
 constexpr int kSwerves = kSwerveSides * kSwerveSizes * kSwerveStrengths * kSwerveShapes;
 
-/// Axes on their own: with ramps as short as may be, and four times that.
+/// Brakings of each axis on its own: one with the shortest ramps, one with ramps four times as long.
 constexpr int kAxisBrakes = 2;
 
-/// In this order: braking straight ahead, the sharpest last; braking each axis on its own; turns, each followed by
-/// either kind of braking; swerves. First all of them with the usual ramps, then all again with ramps that may be as
-/// short as kSharpRamp.
+/// The manoeuvres, in this order: braking straight ahead, the sharpest last; braking each axis on its own; turns, each
+/// followed by either kind of braking; swerves. The choices are all manoeuvres with the usual ramps, then all again
+/// with ramps that may be as short as kSharpRamp.
 constexpr int kStoppingManoeuvres = kBrakeShapes + kAxisBrakes + 2 * kTurns + kSwerves;
 constexpr int kStoppingChoices = 2 * kStoppingManoeuvres;
 constexpr int kStoppingSegments = 2 + kAxisBrakeSegments;
 constexpr double kSharpRamp = 0.01;  ///< seconds
 
-/// Segments that lead from the state to rest, continuous to jerk, which is zero at either end. Same frame as the state.
+/// Segments that lead from a state to rest, in the state's frame. They are continuous to jerk, which is that of the
+/// state at the beginning and zero at the end.
 struct Stopping {
   int count;
   Segment segments[kStoppingSegments];
 };
 
-/// The stop of that choice, 0 .. kStoppingChoices - 1. False where it breaks the limits by more than kStopTolerance.
+/// Makes the stop of `choice`, 0 .. kStoppingChoices - 1. False if it breaks the limits by more than kStopTolerance.
 bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept;
 
-/// The same flown backwards in time.
+/// Turns the stop into the same motion flown backwards in time.
 void reverse(Stopping& stopping) noexcept;
 
-/// Where it ends.
+/// The position at which the stop ends.
 inline const Vec3& rest_of(const Stopping& stopping) noexcept {
   return stopping.segments[stopping.count - 1].points[kDegree];
 }
