@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the goal's node back to turning points.
+// Follows the path of the search from the goal's node back, and writes its turning points.
 #include "base/turn_writer.hpp"
 #include "search/search.hpp"
 
@@ -27,7 +27,7 @@ void write_jump(TurnWriter& writer, const Voxel& to) {
   writer.run(part(middle), counts.straight);
 }
 
-/// Turns the parents from goal to start around, so that they lead from start to goal. Returns the start's node.
+/// Reverses the parents between goal and start, so that they lead from start to goal. Returns the start's node.
 std::uint32_t reverse_parents(NodeStore& store, std::uint32_t goal) {
   std::uint32_t next = goal;
   std::uint32_t node = goal;

@@ -10,13 +10,13 @@
 namespace tern {
 namespace {
 
-/// Instructions of a node that is reached, of a scan along a line, and of a step of a sweep.
+/// Instructions of: a node that is reached; a scan along a line; a step of a sweep.
 constexpr std::uint32_t kReachEffort = 250;
 constexpr std::uint32_t kScanEffort = 300;
 constexpr std::uint32_t kSweepEffort = 200;
 
-/// Records a path of cost g to `voxel`, h from the goal, that arrives by `arrival`: a better one replaces what was
-/// known, an equally good one adds its arrival, a worse one changes nothing.
+/// Records a path of cost g that arrives at `voxel` by the move `arrival`; h is the voxel's heuristic. A better path
+/// replaces the known one. An equally good path adds its arrival. A worse path changes nothing.
 void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
   search.effort += kReachEffort;
@@ -63,13 +63,13 @@ void scan_axis(const Expansion& from, const Voxel& cursor, Cost g, std::int32_t 
   scan_line<kAxis, false>(from, cursor, g);
 }
 
-/// True where a sweep must leave the voxel, g from the start and h from the goal, to a node of its own. The goal's own
-/// is the only h of 0.
+/// True if a sweep must end at a voxel and make it a node. g and h are the voxel's cost so far and heuristic. Only the
+/// goal has h = 0.
 bool stops_at(const Expansion& from, Cost g, Cost h, int step) {
   return step >= kSweepSteps || h == 0 || g + h > from.limit;
 }
 
-/// How often a step can be made before it leaves the grid; kSweepSteps at most.
+/// How many such steps stay inside the grid; at most kSweepSteps.
 int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
   int steps = kSweepSteps;
   for (int a = 0; a < 3; ++a) {
@@ -79,7 +79,8 @@ int steps_inside(const Grid& grid, const Voxel& at, const Voxel& step) {
   return steps;
 }
 
-/// Sweeps the plane diagonal `move`, in the plane that kNormal leaves: scans along both its parts from every step.
+/// Sweeps along the plane diagonal `move`; kNormal is the axis at right angles to its plane. From every step, scans
+/// along both parts of the move.
 template <int kNormal>
 void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   constexpr int kFirst = kNormal == 0 ? 1 : 0;
@@ -112,7 +113,8 @@ void follow(const Expansion& from, const Voxel& cursor, Cost g, int move) {
   scan_axis<2>(from, cursor, g, step.z);
 }
 
-/// Sweeps a space diagonal: from every step, the parts of the move along fewer axes. Nothing is ever forced on it.
+/// Sweeps along a space diagonal. From every step, follows the parts of the move along fewer axes. A space diagonal
+/// never forces a move.
 void sweep_space(const Expansion& from, int move, CellMask free) {
   const CellMask parts = natural_moves(move) & ~cell_bit(move);
   const Voxel step = kMoveOf.at[move].step;

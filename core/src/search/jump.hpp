@@ -18,16 +18,16 @@ struct Expansion {
   std::uint32_t node;
   Voxel at;
   Cost g;
-  Cost limit;  ///< a sweep stops, to be resumed from an open node, where f = g + h exceeds this
+  Cost limit;  ///< a sweep ends at an open node, which can resume it, if f = g + h exceeds this
 };
 
 /// Puts the voxel next to expansion.at along the legal move `move` into the search.
 void step(const Expansion& expansion, int move) noexcept;
 
 /// Puts every jump point that the legal move `move` leads to into the search, with `expansion.node` as its parent:
-/// straight moves scan; diagonal moves sweep, step by step, with a jump in each part of the move along fewer axes from
-/// every step. `free` holds the cells around expansion.at. A sweep that reaches a jump point, its limit or the goal
-/// leaves it to that node to go on. Overflows show in the search's flags.
+/// straight moves scan; diagonal moves sweep step by step. From every step, a sweep jumps along each part of the move
+/// along fewer axes. `free` holds the cells around expansion.at. A sweep ends at a jump point, at its limit or at the
+/// goal; that node continues it. Overflows set nodes_full or open_full of the search.
 void jump(const Expansion& expansion, int move, CellMask free) noexcept;
 
 }  // namespace tern

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forced neighbours of straight moves on words: an arrival at n from p = n - u, u straight, forces a move
-// where for a side s, straight or diagonal, p + s is blocked and
+// Finds forced neighbours of straight moves, 64 voxels a word. An arrival at n from p = n - u, with u straight, forces
+// a move if there is a side s, straight or diagonal, for which p + s is blocked and
 // - s straight: n + s is free;
 // - s = a + b diagonal: n + a, n + b, n + s and the same three beside n + u are free, and n + u is (the move s + u).
 // All other rules of prune.hpp for straight arrivals follow from these.
@@ -31,7 +31,7 @@ IndexRange with_neighbours(std::int32_t begin, std::int32_t end, std::int32_t co
   return {begin > 0 ? begin - 1 : 0, end < count ? end + 1 : count};
 }
 
-/// Forgets the tiles that hold what is given of their third axis, of x and of their own axis, in tiles' measures.
+/// Forgets the tiles in these ranges: of the third axis, of blocks along x, and of words along the tiles' own axis.
 void forget_tiles(JumpStopLayer& layer, const IndexRange& third, const IndexRange& block, const IndexRange& word) {
   for (std::int32_t t = third.begin; t < third.end; ++t) {
     for (std::int32_t b = block.begin; b < block.end; ++b) {
@@ -44,20 +44,20 @@ void forget_tiles(JumpStopLayer& layer, const IndexRange& third, const IndexRang
   }
 }
 
-/// A word of a blocked row with its neighbours in the row; nothing is free past the grid's faces.
+/// A word of a blocked row with the words before and after it. Everything past the grid's faces counts as blocked.
 struct RowWords {
   std::uint64_t before;
   std::uint64_t word;
   std::uint64_t after;
 
-  /// The bit of the voxel at x - 1, or x + 1, in the place of x.
+  /// The bit of voxel x - 1 (lesser) or of voxel x + 1 (greater), in the place of voxel x.
   std::uint64_t lesser() const { return word << 1 | before >> 63; }
   std::uint64_t greater() const { return word >> 1 | after << 63; }
 };
 
 constexpr RowWords kNoRow{kAllBlocked, kAllBlocked, kAllBlocked};
 
-/// Word `block` of the blocked rows, with what they are beside each other worked out once.
+/// Reads word `block` of blocked rows. Finds out only once whether a row has words before and after it.
 struct RowReader {
   BitRows rows;
   std::int32_t word;
@@ -89,18 +89,19 @@ void add_straight_side(JumpStopWord& stop, const RowWords& side) {
   stop.down |= side.greater() & ~side.word;
 }
 
-/// Adds those of one diagonal side; `square` is blocked where it, its two straight parts or the line are.
+/// Adds the stops that one diagonal side of a line along x makes. A voxel of `square` is blocked if the diagonal side,
+/// one of its two straight parts or the line is.
 void add_diagonal_side(JumpStopWord& stop, const RowWords& side, const RowWords& square) {
   stop.up |= side.lesser() & ~(square.word | square.greater());
   stop.down |= side.greater() & ~(square.word | square.lesser());
 }
 
-/// Blocked voxels beside 64 lines along y or z, at one step along them.
+/// Blocked voxels of 64 lines along y or z and beside them, at one step along the lines.
 struct Slice {
   std::uint64_t own;
   std::uint64_t side[4];      ///< straight sides: lesser and greater x, lesser and greater third axis
-  std::uint64_t diagonal[4];  ///< lesser x and lesser third, greater x and lesser third, then greater third
-  std::uint64_t square[4];    ///< blocked where the diagonal side, its straight parts or the line are
+  std::uint64_t diagonal[4];  ///< lesser x and lesser third, greater x and lesser third, then both with greater third
+  std::uint64_t square[4];    ///< blocked if the diagonal side, one of its straight parts or the line is
 };
 
 /// Step `along` of the lines along kAxis at `third`.
@@ -128,7 +129,7 @@ std::uint64_t stops_between(const Slice& from, const Slice& at, const Slice& to)
   return stop;
 }
 
-/// The stops of a tile before it is transposed: one word of 64 lines a step.
+/// Computes the stops of a tile before it is transposed: for each step, one word for 64 lines.
 template <int kAxis>
 void compute_tile(const Grid& grid, std::int32_t block, std::int32_t third, std::int32_t word,
                   std::uint64_t (&up)[kSide], std::uint64_t (&down)[kSide]) {
@@ -179,7 +180,7 @@ void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) no
   for (std::int32_t k = 0; k < bits; ++k) layer.walked[k] = 0;
 }
 
-// A stop depends on voxels one step away on every axis.
+// A stop depends on voxels up to one step away on every axis.
 void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t z, std::int32_t block,
                        std::int32_t word) noexcept {
   if (layer.words == 0) return;

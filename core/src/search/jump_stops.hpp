@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where straight scans stop: one bit a voxel, axis and sense, 64 voxels along the axis to a word, so that a scan is a
-// load and a count of zeros. Words are made when a scan first reads them.
+// The voxels at which straight scans stop: one bit for each voxel, axis and sense. A word holds 64 voxels along the
+// axis, so that a scan is a load and a count of zeros. Words are made when a scan first reads them.
 #ifndef TERN_SEARCH_JUMP_STOPS_HPP
 #define TERN_SEARCH_JUMP_STOPS_HPP
 
@@ -13,11 +13,12 @@
 
 namespace tern {
 
-/// Words along one axis. A map that does not fit (it is thin along the axis) is scanned there voxel by voxel.
+/// Words along one axis. If a map does not fit because it is thin along the axis, it is scanned voxel by voxel along
+/// that axis.
 constexpr std::int32_t kJumpStopWords = static_cast<std::int32_t>((kMaxCells + 63) / 64);
 
-/// Where scans stop that go towards greater coordinates (`up`) and towards lesser ones: voxels that are blocked or past
-/// the grid's end, and free ones at which an arrival from the voxel before forces a move (prune.hpp).
+/// The stops of scans towards greater coordinates (`up`) and towards lesser ones (`down`). A stop is a voxel that is
+/// blocked or past the grid's end, or a free voxel at which an arrival from the voxel before forces a move (prune.hpp).
 struct JumpStopWord {
   std::uint64_t up;
   std::uint64_t down;
@@ -26,20 +27,20 @@ struct JumpStopWord {
 /// The stops along one axis. Lines along x are numbered y + dims.y z and made word by word; lines along y are numbered
 /// x + dims.x z, along z x + dims.x y, and made in tiles of one word of 64 lines side by side along x.
 struct JumpStopLayer {
-  std::int32_t words;                            ///< of a line; 0 where the layer does not fit and is not used
-  std::int32_t width;                            ///< lines side by side: dims.y for lines along x, dims.x else
+  std::int32_t words;                            ///< of a line; 0 if the layer does not fit and is not used
+  std::int32_t width;                            ///< lines side by side: dims.y for lines along x, otherwise dims.x
   std::int32_t blocks;                           ///< tiles side by side along x; not used for lines along x
-  std::uint64_t ready[kJumpStopWords / 64 + 1];  ///< one bit a word along x, one a tile along y and z
+  std::uint64_t ready[kJumpStopWords / 64 + 1];  ///< one bit for each word along x, or for each tile along y or z
   std::uint8_t walked[kJumpStopWords];           ///< steps that scans walked through a tile before it was made
   std::uint32_t effort;                          ///< instructions of making stops and walking, see Work; modulo 2^32
   JumpStopWord bits[kJumpStopWords];
 };
 
-/// A tile is made once scans have walked so many steps through it voxel by voxel. Making it costs as much as about 160
-/// steps, so scans that come once or twice never pay for it.
+/// A tile is made once scans have walked this many steps through it, voxel by voxel. Making it costs as much as about
+/// 160 steps, so a tile that is scanned only once or twice is never made.
 constexpr std::uint8_t kWalkFirst = 64;
 
-/// Prepares the layer of an axis with nothing made yet: clears one bit a word or tile.
+/// Prepares the layer of an axis, with nothing made yet: clears one bit for each word or tile.
 void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis) noexcept;
 
 /// Forgets what depends on a region of the blocked layer (grid/regions.hpp).
@@ -58,7 +59,7 @@ inline bool jump_stops_ready(const JumpStopLayer& layer, std::int32_t index) noe
   return (layer.ready[index >> 6] >> (index & 63) & 1u) != 0;
 }
 
-/// Place of word `word` of the line along kAxis through a voxel, and of the tile that holds it.
+/// Index of word `word` of the line along kAxis through a voxel, and index of the tile that holds the word.
 template <int kAxis>
 std::int32_t jump_stops_index(const JumpStopLayer& layer, const Voxel& v, std::int32_t word) noexcept {
   const std::int32_t line = (kAxis == 0 ? v.y : v.x) + layer.width * (kAxis == 2 ? v.y : v.z);

@@ -11,7 +11,7 @@
 namespace tern {
 
 /// Blocked cells across a line along kAxis (1 or 2) at a voxel: x - 1 .. x + 1 fastest, then three levels of the third
-/// axis; the line's own in bit 4.
+/// axis; the line's own cell is in bit 4.
 template <int kAxis>
 CellMask cross_section(const Grid& grid, const Voxel& v) noexcept {
   constexpr int kY = kAxis == 2 ? 1 : 0;
@@ -20,8 +20,8 @@ CellMask cross_section(const Grid& grid, const Voxel& v) noexcept {
          triple_at(grid, v.x, v.y + kY, v.z + kZ) << 6;
 }
 
-/// True where an arrival at `at` from `from`, one step along the line, forces a move; `beyond` is one step further.
-/// The same rule as in jump_stops.cpp, for one voxel.
+/// True if an arrival at `at` from `from`, one step along the line, forces a move; `beyond` is one step further. The
+/// same rule as in jump_stops.cpp, for one voxel.
 inline bool section_forces(CellMask from, CellMask at, CellMask beyond) noexcept {
   constexpr CellMask kStraight = 1u << 1 | 1u << 3 | 1u << 5 | 1u << 7;
   constexpr CellMask kSquares[] = {0x1Bu, 0x36u, 0xD8u, 0x1B0u};  // around the corners 0, 2, 6 and 8
@@ -34,9 +34,8 @@ inline bool section_forces(CellMask from, CellMask at, CellMask beyond) noexcept
   return false;
 }
 
-/// The first voxel after `from` on its line, up to and including `last` on kAxis, where a scan stops; `last` + 1 (kUp)
-/// or
-/// - 1 where it goes on.
+/// The coordinate on kAxis of the first voxel after `from`, up to and including `last`, at which a scan stops. If there
+/// is none: the coordinate after `last`, which is `last` + 1 if kUp, otherwise `last` - 1.
 template <int kAxis, bool kUp>
 std::int32_t walk_line(const Grid& grid, Voxel from, std::int32_t last) noexcept {
   constexpr CellMask kOwn = 1u << 4;

@@ -24,7 +24,7 @@ inline CellMask blocked_triple(const std::uint64_t* row, std::int32_t words, std
   return static_cast<CellMask>(row[word] >> 62) | above << 2;
 }
 
-/// Blocked voxels at x - 1, x and x + 1 of a row, bits 0 to 2; all of them where the row lies outside the grid.
+/// Blocked voxels at x - 1, x and x + 1 of a row, bits 0 to 2; all three if the row lies outside the grid.
 inline CellMask triple_at(const Grid& grid, std::int32_t x, std::int32_t y, std::int32_t z) noexcept {
   const Voxel& dims = grid.spec().dims;
   if (y < 0 || z < 0 || y >= dims.y || z >= dims.z) return 7;
@@ -41,7 +41,8 @@ inline CellMask free_cells_at_face(const Grid& grid, const Voxel& v) noexcept {
   return blocked ^ kAllCells;
 }
 
-/// As above: most voxels are not at the grid's faces and have their neighbours along x in the same word.
+/// The free cells of the 3x3x3 neighbourhood of a voxel inside the grid. Fast for most voxels: those that are not at
+/// the grid's faces and have their neighbours along x in the same word.
 inline CellMask free_cells(const Grid& grid, const Voxel& v) noexcept {
   const Voxel& dims = grid.spec().dims;
   const int bit = v.x & 63;

@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::uint32_t kBlocks = kNodeSlots / kBlockSlots;
 
-/// The voxel's slot if no other has taken it: its block by multiplicative hashing (the golden ratio, upper bits), and
-/// its place in the block.
+/// The voxel's slot, unless another voxel has taken it: its block by multiplicative hashing (the golden ratio, upper
+/// bits), and its place in the block.
 std::uint32_t home_slot(const Voxel& v) {
   const auto block = static_cast<std::uint32_t>((v.x >> 2) | (v.y >> 2) << 10 | (v.z >> 2) << 20);
   const auto place = static_cast<std::uint32_t>((v.x & 3) | (v.y & 3) << 2 | (v.z & 3) << 4);
@@ -16,7 +16,7 @@ std::uint32_t home_slot(const Voxel& v) {
   return static_cast<std::uint32_t>(spread >> 32) * kBlockSlots + place;
 }
 
-/// Clears the 64 slots around a slot that this search has not looked at yet.
+/// Clears the 64 slots of a block of slots that this search has not looked at yet.
 void clear_block(NodeStore& store, std::uint32_t block) {
   store.cleared[block / 64] |= std::uint64_t{1} << (block % 64);
   std::uint32_t* slots = store.slots + block * kBlockSlots;

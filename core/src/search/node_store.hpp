@@ -9,7 +9,7 @@
 
 namespace tern {
 
-/// A voxel that the search generated. 32 bytes, and 8 of the table below.
+/// A voxel that the search generated. Takes 32 bytes, and 8 bytes of the table in NodeStore.
 struct SearchNode {
   Cost g;                ///< cost of the best path found from the start
   std::int16_t x, y, z;  ///< the voxel
@@ -39,19 +39,20 @@ static_assert(kNodeSlots >= kBlockSlots && kMaxNodes < INT32_MAX, "a slot is a n
 
 /// All nodes of one search, found by voxel: an open-addressing table over a pool. Voxels of one block of 4 x 4 x 4 have
 /// their slots side by side, since a search asks for neighbours. The 64 slots of a block are cleared when they are
-/// first looked at, so that a search costs what it visits, whatever the table began with.
+/// first looked at, so that the cost of a search depends only on the voxels that it visits.
 struct NodeStore {
   std::uint32_t count;
-  std::uint32_t nx, ny;                                      ///< of the grid
+  std::uint32_t nx, ny;                                      ///< voxels of the grid along x and y
   std::uint64_t cleared[kNodeSlots / kBlockSlots / 64 + 1];  ///< one bit for 64 slots
-  std::uint32_t slots[kNodeSlots];                           ///< 0 where free, otherwise 1 + the node
+  std::uint32_t slots[kNodeSlots];                           ///< 0 if free, otherwise 1 + the node
   SearchNode nodes[kMaxNodes];
 };
 
-/// Empties the store for a grid of so many voxels along the axes; touches one bit for 64 slots.
+/// Empties the store for a grid of these dimensions. Writes only one bit for 64 slots.
 void store_reset(NodeStore& store, const Voxel& dims) noexcept;
 
-/// The node of a voxel, made with no arrivals, not open, where there is none yet; kMaxNodes where the store is full.
+/// The node of a voxel. If there is none yet, makes one that has no arrivals and is not open. kMaxNodes if the store is
+/// full.
 std::uint32_t store_find_or_add(NodeStore& store, const Voxel& voxel) noexcept;
 
 }  // namespace tern

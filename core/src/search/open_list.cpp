@@ -10,7 +10,7 @@ constexpr std::uint32_t kBinWords = kBins / 64;
 constexpr std::uint32_t kBinGroups = kBinWords / 64;
 static_assert(kBinGroups >= 1, "the ring is whole groups of words of bins");
 
-/// Entries that one call moves from a bin to the heap at most.
+/// The most entries that one call moves from a bin to the heap.
 constexpr int kMovedAtOnce = 256;
 
 std::uint64_t bin_of(Cost f) {
@@ -59,8 +59,8 @@ void sink(OpenList& open, const OpenEntry& entry) {
   open.heap[at] = entry;
 }
 
-/// Puts an entry into the heap. Where its first was just taken, the place is free: a successor of the node taken often
-/// precedes everything else, and then stays there.
+/// Puts an entry into the heap: into the place of the first entry, if that was just taken. A successor of the node
+/// taken often precedes all other entries, and then stays there.
 void put_in_heap(OpenList& open, const OpenEntry& entry) {
   if (!open.hole) return rise(open, open.heap_count++, entry);
   open.hole = false;
@@ -80,7 +80,7 @@ bool word_is_busy(const OpenList& open, std::uint32_t word) {
   return (open.groups[word / 64] >> (word % 64) & 1u) != 0;
 }
 
-/// True where the bin is busy; marks it.
+/// Marks the bin as busy. True if it was busy before.
 bool mark_busy(OpenList& open, std::uint32_t bin) {
   const std::uint32_t word = bin / 64;
   const std::uint64_t bit = std::uint64_t{1} << (bin % 64);
@@ -96,7 +96,7 @@ void mark_empty(OpenList& open, std::uint32_t bin) {
   if (open.busy[word] == 0) open.groups[word / 64] &= ~(std::uint64_t{1} << (word % 64));
 }
 
-/// The first busy bin of the ring from `from` on; there is one.
+/// The first busy bin of the ring from `from` on. There must be one.
 std::uint32_t next_busy(const OpenList& open, std::uint32_t from) {
   std::uint32_t word = from / 64;
   if (word_is_busy(open, word)) {
@@ -106,7 +106,7 @@ std::uint32_t next_busy(const OpenList& open, std::uint32_t from) {
   word = (word + 1) % kBinWords;
   std::uint64_t words = open.groups[word / 64] & ~std::uint64_t{0} << (word % 64);
   std::uint32_t group = word / 64;
-  // Once around the ring, back to the first group's other words.
+  // Goes once around the ring, at last to the other words of the first group.
   for (std::uint32_t k = 0; k < kBinGroups && words == 0; ++k) {
     group = (group + 1) % kBinGroups;
     words = open.groups[group];
@@ -126,7 +126,7 @@ void put_in_bin(OpenList& open, std::uint32_t bin, std::uint32_t node) {
   open.first[bin] = link;
 }
 
-/// Goes on to the next bin that holds something; there is one.
+/// Goes on to the next busy bin. There must be one.
 void next_bin(OpenList& open) {
   const auto bin = static_cast<std::uint32_t>(open.bin % kBins);
   const std::uint32_t next = next_busy(open, (bin + 1) % kBins);
@@ -135,7 +135,7 @@ void next_bin(OpenList& open) {
   mark_empty(open, next);
 }
 
-/// Moves a link from the heap's bin to the heap, or drops it where its node has gone on with a better path.
+/// Moves a link from the heap's bin to the heap, or drops it if a better path to its node has made it outdated.
 void move_link(OpenList& open, const NodeStore& store, const Voxel& goal) {
   const std::int32_t link = open.moving;
   const std::uint32_t index = open.links[link].node;

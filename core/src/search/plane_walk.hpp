@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Steps along a plane diagonal. Whether a step from p to n = p + u + v is legal, and whether it forces a move at n,
-// both show in the 2 x 2 x 3 voxels around the step: {p, p + u, p + v, n}, with those on either side of the plane.
+// depends on the 2 x 2 x 3 voxels around the step: {p, p + u, p + v, n}, and their neighbours on either side of the
+// plane.
 #ifndef TERN_SEARCH_PLANE_WALK_HPP
 #define TERN_SEARCH_PLANE_WALK_HPP
 
@@ -13,7 +14,7 @@ namespace tern {
 
 namespace plane_walk {
 
-/// A row outside the grid.
+/// A row outside the grid, all of it blocked.
 struct BlockedRow {
   std::uint64_t words[kMaxRowWords];
 };
@@ -32,8 +33,8 @@ struct Row {
 
 }  // namespace plane_walk
 
-/// A walk from `at` by `step` in a plane that holds the x axis; kNormal (1 or 2) is the axis that leaves the plane. No
-/// step may leave the grid.
+/// A walk from `at` by `step` in a plane that holds the x axis; kNormal (1 or 2) is the axis at right angles to the
+/// plane. No step may leave the grid.
 template <int kNormal>
 class PlaneWalk {
  public:
@@ -51,7 +52,7 @@ class PlaneWalk {
     cells_ = slab();
   }
 
-  /// Goes one step on; false where that cuts a corner or meets an obstacle.
+  /// Makes one step; false if it cuts a corner or meets an obstacle.
   bool step() noexcept {
     x_ += step_x_;
     for (plane_walk::Row& row : rows_) row.words += row.stride;
@@ -63,7 +64,8 @@ class PlaneWalk {
     forced_ = ((p | u | v) & ~n & kBesidePlane) != 0;
     return ((n | u | v) & kInPlane) == 0;
   }
-  /// True where the last step forces a move: something beside it is blocked, and what is beside n is not.
+  /// True if the last step forces a move: on one side of the plane, a voxel beside p, p + u or p + v is blocked, and
+  /// the voxel beside n is free.
   bool forced() const noexcept { return forced_; }
 
  private:

@@ -4,9 +4,10 @@
 // Which moves a search must follow from a voxel that it reached by a given move: natural and forced neighbours of jump
 // point search in three dimensions, without corner cutting.
 //
-// With p the voxel before n and m the one after, m is pruned where the 3x3x3 cells around n hold a path from p to m
-// that avoids n and is shorter, or as long with a first move along more axes (space diagonals before plane diagonals
-// before straight moves). Of all cheapest paths the one that turns to fewer axes last survives this in every step.
+// Let p be the voxel before n, and m the voxel after it. The move to m is pruned if the 3x3x3 cells around n hold a
+// path from p to m that avoids n and is shorter. It is also pruned if such a path is as long but begins with a move
+// along more axes (space diagonals before plane diagonals before straight moves). Of all cheapest paths, the one that
+// turns to moves along fewer axes as late as possible is never pruned.
 #ifndef TERN_SEARCH_PRUNE_HPP
 #define TERN_SEARCH_PRUNE_HPP
 
@@ -15,13 +16,13 @@
 
 namespace tern {
 
-/// True where the move is allowed from the centre of a neighbourhood: every cell of its 1x2, 2x2 or 2x2x2 box is free.
+/// True if the move is legal from the centre of a neighbourhood: every cell of its 1x2, 2x2 or 2x2x2 box is free.
 inline bool legal_move(int move, CellMask free) noexcept {
   return prune::covers(free, prune::kPrune.box[move]);
 }
 
-/// All moves that are allowed: a diagonal's box is its end and the boxes of its parts along fewer axes. Cells of one
-/// kind lie a step along an axis from cells of the next: 1, 3 or 9 places in the mask.
+/// All legal moves. A diagonal's box consists of its end and the boxes of its parts along fewer axes. A step along an
+/// axis from a cell of one kind to a cell of the next is 1, 3 or 9 places in the mask.
 inline CellMask legal_moves(CellMask free) noexcept {
   using prune::kSets;
   const CellMask x = free & kSets.straight[0];
@@ -34,13 +35,13 @@ inline CellMask legal_moves(CellMask free) noexcept {
   return x | y | z | xy | xz | yz | xyz;
 }
 
-/// Moves that continue an arrival by `arrival` whatever the map: the arrival itself and its parts along fewer axes;
-/// all moves for kHere, which is how a search starts. Not all of them need be legal.
+/// Moves that continue an arrival by `arrival` in any map: the arrival itself and its parts along fewer axes. For
+/// kHere, with which a search starts, these are all moves. Some of them may not be legal.
 inline CellMask natural_moves(int arrival) noexcept {
   return prune::kPrune.rule[arrival].natural;
 }
 
-/// False where nothing can be forced: the cells beside the voxel come from are all free.
+/// False if nothing can be forced because the cells beside the voxel before are all free.
 inline bool may_force(int arrival, CellMask free) noexcept {
   return !prune::covers(free, prune::kPrune.rule[arrival].watch);
 }

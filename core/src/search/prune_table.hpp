@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The table behind prune.hpp, made at compile time: for every arrival its natural moves and, for each move that an
-// obstacle may force, the cells whose being free prunes it.
+// The table behind prune.hpp, made at compile time: for every arrival, its natural moves and, for each move that an
+// obstacle may force, the cells that prune the move if they are free.
 #ifndef TERN_SEARCH_PRUNE_TABLE_HPP
 #define TERN_SEARCH_PRUNE_TABLE_HPP
 
@@ -22,7 +22,8 @@ constexpr CellMask box_cells(int move) {
   return cells;
 }
 
-/// A move that is pruned where all cells of one of two ways around are free; a mask beyond kAllCells is no way.
+/// A move and the cells of two ways around the voxel that it starts from. The move is pruned if all cells of either way
+/// are free. A mask with bits beyond kAllCells stands for no way.
 struct Detour {
   CellMask first;
   CellMask second;
@@ -30,12 +31,13 @@ struct Detour {
 };
 constexpr CellMask kNoWay = ~CellMask{0};
 
-/// Straight arrivals have 8 sideways and 8 sideways-and-on moves; plane diagonals 4 on each side of their plane.
+/// The most moves that an arrival may force. A straight arrival has 8 moves sideways, and 8 both sideways and forwards.
+/// A plane diagonal has 4 on each side of its plane.
 constexpr int kMaxDetours = 16;
 
 struct PruneRule {
   CellMask natural;
-  CellMask watch;  ///< where all of these are free nothing is forced
+  CellMask watch;  ///< if all of these are free, nothing is forced
   int count;
   Detour detours[kMaxDetours];
 };
@@ -54,7 +56,8 @@ constexpr void add(PruneRule& rule, const Voxel& move, CellMask first, CellMask 
   ++rule.count;
 }
 
-/// Sideways step s of a straight arrival u, from p = -u: whatever keeps p from stepping sideways itself forces it at n.
+/// Adds moves s and s + u for a straight arrival u from p = -u, with s at right angles to u. They are forced at n if an
+/// obstacle keeps p from making the step s itself.
 constexpr void add_straight_detours(PruneRule& rule, const Voxel& u, const Voxel& s) {
   const Voxel p{-u.x, -u.y, -u.z};
   rule.watch |= cell_at(p + s);
@@ -63,14 +66,15 @@ constexpr void add_straight_detours(PruneRule& rule, const Voxel& u, const Voxel
     add(rule, s + u, cell_at(p + s), kNoWay);
     return;
   }
-  // The two straight parts of a sideways diagonal.
+  // a and b are the two straight parts of a sideways diagonal.
   const Voxel a = u.x != 0 ? Voxel{0, s.y, 0} : Voxel{s.x, 0, 0};
   const Voxel b = u.z != 0 ? Voxel{0, s.y, 0} : Voxel{0, 0, s.z};
   add(rule, s, cell_at(p + a), cell_at(p + b));
   add(rule, s + u, cell_at(p + a) | cell_at(p + b) | cell_at(p + s), kNoWay);
 }
 
-/// Step w out of the plane of a plane diagonal u + v, from p = -u - v: forced where p has no space diagonal.
+/// Adds the moves out of the plane of a plane diagonal u + v from p = -u - v, on the side of w. They are forced if an
+/// obstacle keeps p from moving along the space diagonal u + v + w.
 constexpr void add_plane_detours(PruneRule& rule, const Voxel& u, const Voxel& v, const Voxel& w) {
   const Voxel p{-u.x - v.x, -u.y - v.y, -u.z - v.z};
   const CellMask above = cell_at(p + w) | cell_at(p + u + w) | cell_at(p + v + w);
@@ -109,7 +113,7 @@ constexpr PruneTable make_table() {
     if (axes_of(d) == 0) table.rule[d] = {kAllCells & ~cell_bit(kHere), 0, 0, {}};
     if (axes_of(d) == 1) table.rule[d] = straight_rule(d);
     if (axes_of(d) == 2) table.rule[d] = plane_rule(d);
-    // A space diagonal's whole box is free: whatever is not natural, p reaches as well without n.
+    // The whole box of a space diagonal is free, so p reaches every cell that is not natural as cheaply without n.
     if (axes_of(d) == 3) table.rule[d] = {box_cells(d), 0, 0, {}};
   }
   return table;
@@ -117,7 +121,8 @@ constexpr PruneTable make_table() {
 
 inline constexpr PruneTable kPrune = make_table();
 
-/// Cells by how they lie to the centre: a step along one axis; along all but one axis; along three.
+/// Cells around a centre. straight[a]: one step along axis a. plane[a]: one step along each axis but a. space: one step
+/// along all three.
 struct CellSets {
   CellMask straight[3];
   CellMask plane[3];

@@ -9,15 +9,15 @@ namespace tern {
 
 namespace {
 
-/// Beyond this part of the regions it is cheaper to forget everything: a region's stops cost about as much to forget as
-/// 64 regions' in one go.
+/// If more than one region in this many has changed, it is cheaper to forget all stops. Forgetting those of one region
+/// costs about as much as 64 regions' share of forgetting all.
 constexpr std::int32_t kFewRegions = 64;
 
 bool same_map(const ScanMap& map, const Grid& grid) {
   return map.kept && GridView::contents(grid) != nullptr && same(map.dims, grid.spec().dims);
 }
 
-/// Regions that changed.
+/// Number of regions that have changed.
 std::int32_t count_changed(const ScanMap& map, const Grid& grid, std::int32_t count) {
   const std::uint64_t* contents = GridView::contents(grid);
   std::int32_t changed = 0;

@@ -18,15 +18,15 @@ namespace tern {
 /// Regions of the largest map whose stops are kept from one search to the next.
 constexpr std::int32_t kStopRegions = static_cast<std::int32_t>((kMaxCells + 1023) / 1024);
 
-/// What scans read. It outlives a search: stops stay as long as the map around them does.
+/// The data that scans read. It outlives a search: stops stay as long as the map around them stays the same.
 struct ScanMap {
-  bool kept;   ///< the stops belong to a map whose regions had these contents
+  bool kept;   ///< the stops belong to a map whose regions had the numbers in `contents`
   Voxel dims;  ///< of that map
   std::uint64_t contents[kStopRegions];
   JumpStopLayer along[3];
 };
 
-/// Instructions of making a word of stops along x, or a tile of them along y or z, and of a step of a walk.
+/// Instructions of: making a word of stops along x; making a tile of stops along y or z; a step of a walk.
 constexpr std::uint32_t kFillRowEffort = 800;
 constexpr std::uint32_t kFillTileEffort = 20000;
 constexpr std::uint32_t kWalkEffort = 60;
@@ -36,19 +36,20 @@ inline void scan_forget(ScanMap& map) noexcept {
   map.kept = false;
 }
 
-/// Prepares scans of a grid, which must not change until they end: forgets the stops near regions that are not what
-/// they were when the last scans began, all of them where most are not or that is not known.
+/// Prepares scans of a grid, which must not change until they end. Forgets the stops near regions that have changed
+/// since the last call. Forgets all stops if many regions have changed, or if the changes are not known.
 void scan_begin(ScanMap& map, const Grid& grid) noexcept;
 
 namespace scan {
 
-/// Where a scan stops that has neither jump point nor goal ahead.
+/// The result of a scan that has neither a jump point nor the goal ahead.
 constexpr std::int32_t kNowhere = -1;
 
-/// Voxel by voxel, along an axis that has no stops. As scan_straight.
+/// Does what scan_straight does, but voxel by voxel, along an axis whose layer has no stops.
 std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, int move) noexcept;
 
-/// Walks through word k of the line, from `from` or from where the word begins, and counts the steps through the tile.
+/// Walks through word k of the line: from `from`, or from the beginning of the word if `from` lies before it. Counts
+/// the steps through the tile. Returns the bit of the stop at which the walk ends; 0 if that lies beyond the word.
 template <int kAxis, bool kUp>
 std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& grid, Voxel from,
                         std::int32_t k) noexcept {
@@ -65,8 +66,8 @@ std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& gri
   return stop >> 6 == k ? std::uint64_t{1} << (stop & 63) : 0;
 }
 
-/// Stops ahead in word k of the line; those of a tile that is not made yet are the one where a walk through the word
-/// ends, if it ends in the word.
+/// The stops ahead in word k of the line. If the tile has not been made yet, only the first of them, which a walk
+/// finds.
 template <int kAxis, bool kUp>
 std::uint64_t stops_in_word(JumpStopLayer& layer, const Grid& grid, const Voxel& from, std::int32_t k) noexcept {
   const std::int32_t index = jump_stops_index<kAxis>(layer, from, k);
@@ -86,7 +87,7 @@ std::uint64_t stops_in_word(JumpStopLayer& layer, const Grid& grid, const Voxel&
   return kUp ? layer.bits[index].up : layer.bits[index].down;
 }
 
-/// The first stop beyond `from` on its line; past the grid's face where there is none.
+/// The first stop beyond `from` on its line; past the grid's face if there is none.
 template <int kAxis, bool kUp>
 std::int32_t next_stop(JumpStopLayer& layer, const Grid& grid, const Voxel& from) noexcept {
   const std::int32_t at = axis(from, kAxis);
@@ -99,7 +100,7 @@ std::int32_t next_stop(JumpStopLayer& layer, const Grid& grid, const Voxel& from
   return kUp ? axis(grid.spec().dims, kAxis) : -1;
 }
 
-/// True where the goal lies on the line through `from`, after it and no later than `stop`.
+/// True if the goal lies on the line through `from`, after it and no later than `stop`.
 template <int kAxis, bool kUp>
 bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcept {
   constexpr int kB = (kAxis + 1) % 3;
@@ -111,9 +112,9 @@ bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcep
 
 }  // namespace scan
 
-/// Where on kAxis the first voxel after `from` lies, towards greater (kUp) or lesser coordinates, that is the goal or
-/// has a forced neighbour, with nothing blocked before it; scan::kNowhere where an obstacle or the grid's face comes
-/// first. The goal is free.
+/// Scans along kAxis from `from`, towards greater (kUp) or lesser coordinates. Returns the coordinate on kAxis of the
+/// first voxel that is the goal or has a forced neighbour; scan::kNowhere if an obstacle or the grid's face comes
+/// first. The goal must be free.
 template <int kAxis, bool kUp>
 std::int32_t scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
   constexpr int kStep = kUp ? 1 : -1;

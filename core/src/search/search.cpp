@@ -10,11 +10,12 @@
 namespace tern {
 namespace {
 
-/// Instructions of clearing what jumps look up, for so many voxels one; and for each voxel that steps have reached.
+/// Preparing the data that jumps read takes one instruction for every kVoxelsPerInstruction voxels of the grid, and
+/// kKnownEffort for each voxel that steps have reached.
 constexpr std::int64_t kVoxelsPerInstruction = 60;
 constexpr std::uint32_t kKnownEffort = 60;
 
-/// While the search makes progress it goes on step by step, for so many times the least number of steps at most.
+/// While the search makes progress, it goes on step by step, for up to this many times its least number of steps.
 constexpr std::uint32_t kMostSteps = 4;
 
 /// A search begins step by step, as A* does, but without the moves that jump point search prunes. An easy query ends
@@ -27,7 +28,7 @@ bool steps_pay(const Search& search) {
   return search.expanded * whole <= kMostSteps * search.steps * made;
 }
 
-/// Clears what jumps look up, and lets them know of the voxels that steps have reached.
+/// Clears the data that jumps read, and enters the voxels that steps have reached.
 void begin_jumps(Search& search, const Grid& grid) {
   const Voxel& dims = grid.spec().dims;
   search.jumps = true;
@@ -41,18 +42,18 @@ void begin_jumps(Search& search, const Grid& grid) {
   }
 }
 
-/// How far beyond the expanded node's f its sweeps go on, in voxels: nothing at first, so that easy queries do not
-/// sweep what they never need; more the longer the search lasts, so that hard ones open few nodes. Any value gives the
-/// same cost of path; these were measured on the six maps and on random ones.
+/// The slack is how far sweeps go on beyond the expanded node's f; this is its maximum, in voxels. It is 0 at first, so
+/// that easy queries do not sweep voxels that they never need. It grows as the search lasts, so that hard queries open
+/// few nodes. Any slack gives a path of the same cost; these constants were tuned on the six maps and on random ones.
 constexpr Cost kMostSlack = 16;
-constexpr Cost kSlackPace = 1024;  ///< expansions for one voxel more
+constexpr Cost kSlackPace = 1024;  ///< expansions until the slack grows by a voxel
 
 Cost sweep_slack(const Search& search) {
   const Cost grown = search.expanded / kSlackPace;
   return (grown < kMostSlack ? grown : kMostSlack) * kStraightCost;
 }
 
-/// Moves to follow from a node: those that some arrival calls for, without those that were followed at this cost.
+/// Moves to follow from a node: those that some arrival calls for, except those already followed at this cost.
 CellMask moves_to_follow(const SearchNode& node, CellMask free) {
   const CellMask legal = legal_moves(free);
   CellMask moves = 0;

@@ -26,8 +26,9 @@ namespace tern {
 constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 
-/// A search begins with so many expansions step by step (docs/search.md). Steps take more nodes than sweeps do: fewer
-/// of them where the store is small. The profiles mcu and companion step alike, so that they break ties alike.
+/// The least number of expansions step by step with which a search begins (docs/search.md). Steps take more nodes than
+/// sweeps do, so there are fewer steps if the store is small. The profiles mcu and companion have the same number, so
+/// that they break ties alike.
 constexpr std::uint32_t kLeastSteps = kMaxNodes < 32 * 1024 ? kMaxNodes / 128 : 32;
 
 /// A search between two free voxels. Plain data; needs no initialisation before search_begin.
@@ -37,12 +38,12 @@ struct Search {
   bool nodes_full;
   bool open_full;
   bool jumps;              ///< false while the search goes step by step
-  std::uint32_t steps;     ///< expansions that go step by step at least
-  std::uint32_t expanded;  ///< nodes so far
-  std::uint32_t jumped;    ///< those of them that jumped
-  std::uint32_t units;     ///< of work so far, <= kExpansionBound
+  std::uint32_t steps;     ///< least number of expansions that go step by step
+  std::uint32_t expanded;  ///< nodes expanded so far
+  std::uint32_t jumped;    ///< expanded nodes that jumped
+  std::uint32_t units;     ///< units of work so far; <= kExpansionBound
   std::uint32_t effort;    ///< instructions of the last unit's jumps, see Work
-  Cost least_h;            ///< of the nodes expanded so far
+  Cost least_h;            ///< least h of the nodes expanded so far
   NodeStore store;
   OpenList open;
   ScanMap* map;  ///< outlives the search
@@ -50,9 +51,9 @@ struct Search {
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-/// `map` holds what searches before found out about this map or another, or is forgotten (scan_forget); it changes what
-/// the search costs, never what it finds.
-/// `steps`, 2^24 at most, changes what the search costs and which of the cheapest paths it finds: 0 jumps at once.
+/// `map` holds what earlier searches have found out about this map or another, or has been reset by scan_forget(). It
+/// changes the cost of the search, but never its result. `steps`, at most 2^24, changes the cost of the search, and
+/// which of the cheapest paths it finds; with 0, the search jumps at once.
 void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
