@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A plan that a programme's solution stands for, and the best one so far.
+// The plan that a programme's solution stands for, and the best plan so far.
 #ifndef TERN_TRAJECTORY_CANDIDATE_HPP
 #define TERN_TRAJECTORY_CANDIDATE_HPP
 
@@ -22,10 +22,11 @@ struct Candidate {
 /// Integral of squared snap, m^2/s^7.
 double snap_of(const Candidate& candidate) noexcept;
 
-/// The factor for all durations with which the peaks meet the limits exactly, between states at rest.
+/// The factor by which all durations must be multiplied for the peaks to meet the limits exactly. Only for plans from
+/// rest to rest.
 double stretch_to_limits(const Candidate& candidate, const MotionLimits& limits) noexcept;
 
-/// True where the candidate, stretched by the factor, stays in its polyhedra and within the limits.
+/// True if the candidate, stretched by the factor, stays in its polyhedra and within the limits.
 bool keeps_everything(const Candidate& candidate, double factor, const Corridor& corridor,
                       const MotionLimits& limits) noexcept;
 
@@ -41,7 +42,8 @@ struct BestPlan {
 /// Copies the candidate into the best plan.
 void keep(const Candidate& candidate, BestPlan& best) noexcept;
 
-/// Writes count and segments of `out`: the best plan, stretched by the factor. `chain` as kept.
+/// Writes the best plan, stretched by the factor, to count and segments of `out`. `chain` has the polyhedra of the plan
+/// that was kept.
 void give_out(const BestPlan& best, double factor, const Chain& chain, Trajectory& out) noexcept;
 
 }  // namespace tern

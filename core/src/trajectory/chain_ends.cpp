@@ -9,7 +9,7 @@
 namespace tern {
 namespace {
 
-/// Lengths are looked at in this many steps of kEndStep before an end's duration is given up: a factor of 1e5.
+/// An end's duration is multiplied by kEndStep at most this many times, which makes it 1e5 times shorter.
 constexpr int kEndTries = 52;
 constexpr double kEndStep = 0.8;
 
@@ -17,7 +17,7 @@ bool moves(const JointState& state) {
   return dot(state.d[1], state.d[1]) > 0.0 || dot(state.d[2], state.d[2]) > 0.0 || dot(state.d[3], state.d[3]) > 0.0;
 }
 
-/// True where the rows that depend on the first four control points only keep the limit.
+/// True if those rows keep the limit that depend on the first four control points alone.
 bool fixed_rows_hold(int order, const Vec3* points, double duration, const Bounds& bounds) {
   const OrderRows rows = rows_of(order);
   const double scale = 1.0 / power_of(duration, order);
@@ -76,7 +76,7 @@ bool goes_from_rest_to_rest(const Segment& segment) {
   return true;
 }
 
-/// The same state flown backwards in time.
+/// The state flown backwards in time.
 JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Changes to a chain that its trajectory asks for: at ends that move, and where the fallback shows the way.
+// Changes to a chain that its trajectory needs: at ends that move, and to follow the fallback.
 #ifndef TERN_TRAJECTORY_CHAIN_ENDS_HPP
 #define TERN_TRAJECTORY_CHAIN_ENDS_HPP
 
@@ -13,14 +13,15 @@
 
 namespace tern {
 
-/// Shortens the first and the last segment until what follows from the boundary states alone (half of their control
-/// points, and the hodographs' there) keeps the polyhedra and the limits; kMinDuration at least. Likewise those
-/// that meet at a via with a velocity. No effect at rest. Returns how many lengths it tried.
+/// Shortens the first and the last segment until everything that follows from the boundary states alone keeps the
+/// polyhedra and the limits: half of their control points, and those of the hodographs there. Likewise shortens
+/// segments that meet at a via with a velocity. No segment becomes shorter than kMinDuration. No effect on ends at
+/// rest. Returns how many durations it tried.
 int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain) noexcept;
 
-/// The segments of a plan that keeps everything, from the chain's start to its goal, with their durations: a programme
-/// over them has a solution. Segments from rest to rest become halves, which gives the programme freedom there, as far
-/// as kMaxSegments allows. Start, goal and centre stay.
+/// Gives the chain the segments and durations of a plan from its start to its goal. The plan must stay in its polyhedra
+/// and within the limits, so a programme over these segments has a solution. Segments from rest to rest become two
+/// halves, which gives the programme freedom there, if kMaxSegments allows it. Start, goal and centre stay.
 void follow(const Trajectory& plan, Chain& chain) noexcept;
 
 }  // namespace tern

@@ -7,12 +7,12 @@
 namespace tern {
 namespace {
 
-/// A curvature along a step counts as this part of the one that was thought, at least.
+/// A learned curvature along a step is at least this part of the curvature expected there.
 constexpr double kLeastPart = 0.2;
-/// A pivot is this part of its diagonal entry, at least: rounding may leave less.
+/// A pivot is at least this part of its diagonal entry: rounding may leave less.
 constexpr double kLeastPivot = 1e-12;
 
-/// Where row i of a triangle begins.
+/// Index at which row i of a triangle begins.
 constexpr int row(int i) {
   return i * (i + 1) / 2;
 }
@@ -24,14 +24,14 @@ void multiply(const double* triangle, const double* x, int count, double* produc
   }
 }
 
-/// Adds scale x x'.
+/// Adds scale * x x' to the triangle.
 void add_square(double* triangle, const double* x, double scale, int count) {
   for (int i = 0; i < count; ++i) {
     for (int k = 0; k <= i; ++k) triangle[row(i) + k] += scale * x[i] * x[k];
   }
 }
 
-/// Cholesky's factor of entries + diag(extra).
+/// Computes Cholesky's factor of entries + diag(extra).
 void factorise(Curvature& curvature, const double* extra, int count) {
   for (int i = 0; i < count; ++i) {
     double* const own = curvature.factor + row(i);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How the prices of all segments' time change with all durations, learned from programme to programme: the quasi-Newton
-// method BFGS.
+// How the prices of all segments' time change with all durations. The search learns this from programme to programme,
+// by the quasi-Newton method BFGS.
 #ifndef TERN_TRAJECTORY_CURVATURE_HPP
 #define TERN_TRAJECTORY_CURVATURE_HPP
 
@@ -17,7 +17,7 @@ constexpr int kTriangle = kMaxSegments * (kMaxSegments + 1) / 2;
 /// positive definite. Lower triangles, row by row.
 struct Curvature {
   double entries[kTriangle];
-  double factor[kTriangle];  ///< what the last step was solved with
+  double factor[kTriangle];  ///< Cholesky's factor that the last newton_step used
 };
 
 inline double sum_of_products(const double* a, const double* b, int count) {
@@ -26,20 +26,21 @@ inline double sum_of_products(const double* a, const double* b, int count) {
   return sum;
 }
 
-/// Knows nothing yet but the diagonal, > 0.
+/// Begins with a diagonal matrix, whose entries must be > 0.
 void curvature_begin(Curvature& curvature, const double* diagonal, int count) noexcept;
 
-/// Learns that the gradient changed by `change` over `step`. Where that says that the curvature along the step is much
-/// less than thought, or negative, it learns a part of it only (Powell's damping), and so stays positive definite.
+/// Learns that the gradient changed by `change` over `step`. If the curvature along the step is then much less than
+/// expected, or negative, only a part of the change is learned (Powell's damping). So the matrix stays positive
+/// definite.
 void curvature_learn(Curvature& curvature, const double* step, const double* change, int count) noexcept;
 
-/// All second derivatives times the factor, > 0.
+/// Multiplies all second derivatives by the factor, > 0.
 void curvature_scale(Curvature& curvature, double factor, int count) noexcept;
 
-/// The step with  (curvature + diag(extra)) step = descent.  extra >= 0.
+/// Solves (curvature + diag(extra)) step = descent for the step. extra >= 0.
 void newton_step(Curvature& curvature, const double* extra, const double* descent, int count, double* step) noexcept;
 
-/// The same for another descent, with the factor of the last newton_step.
+/// Solves for the step of another descent, with the factor of the last newton_step.
 void solve_curvature(const Curvature& curvature, const double* descent, int count, double* step) noexcept;
 
 }  // namespace tern

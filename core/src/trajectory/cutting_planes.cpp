@@ -7,26 +7,27 @@
 namespace tern {
 namespace {
 
-/// A plane may rise above the snap at the base by this part of what it does where it was found: less time is worth some
-/// snap.
+/// At the step's end, a plane may rise above the snap at the base by this part of its rise at the durations where it
+/// was found: less time is worth some snap.
 constexpr double kAllowedRise = 0.5;
-/// Passes over the planes' weights.
+/// How often the weights of all planes are adjusted.
 constexpr int kSweeps = 100;
 
 int kept(const CuttingPlanes& planes) {
   return planes.found < kMaxCuttingPlanes ? planes.found : kMaxCuttingPlanes;
 }
 
-/// How far the step must go along the plane's prices. Never more than staying at the base does.
+/// The least product of the step with the plane's prices; never more than 0, the product of no step.
 double least_fall(const CuttingPlane& plane, double base_snap) {
   const double allowed = base_snap + kAllowedRise * larger(0.0, plane.snap - base_snap);
   return smaller(0.0, plane.at_base - allowed);
 }
 
-/// The dual of the step's problem, by coordinates: how much each plane counts, 0 .. 1.
+/// The dual of the step's problem, solved one coordinate after the other: each plane has a weight, 0 .. 1.
 struct Weights {
   double of[kMaxCuttingPlanes];
-  double gram[kMaxCuttingPlanes][kMaxCuttingPlanes];  ///< the step that one plane asks for, along the prices of another
+  double gram[kMaxCuttingPlanes][kMaxCuttingPlanes];  ///< product of the step that one plane asks for with the prices
+                                                      ///< of another
   double missing[kMaxCuttingPlanes];                  ///< by how much the step falls short on each plane
 };
 

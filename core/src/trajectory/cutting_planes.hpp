@@ -1,11 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What programmes that were abandoned say about durations. The multipliers of such a programme are a lower bound of the
-// snap at its durations, and its prices say how that bound falls where durations grow. So each one is a plane over the
-// logarithms of the durations, and the least snap lies above all of them: Kelley's cutting planes. A step of the search
-// bends away from where they are too high. It gives time back to the segments at which a limit presses, and goes on
-// with the others.
+// What the search learns about durations from abandoned programmes. The multipliers of an abandoned programme give a
+// lower bound of the snap at its durations. Its prices tell how that bound falls as durations grow. So each such
+// programme gives a plane over the logarithms of the durations, and the least snap lies above all planes: Kelley's
+// cutting planes. A step of the search bends away from durations at which the planes are too high. It gives time back
+// to segments that press against a limit, and keeps shortening the others.
 #ifndef TERN_TRAJECTORY_CUTTING_PLANES_HPP
 #define TERN_TRAJECTORY_CUTTING_PLANES_HPP
 
@@ -13,26 +13,26 @@
 
 namespace tern {
 
-/// Planes that are kept: the last ones.
+/// The most planes that are kept; the last ones are.
 constexpr int kMaxCuttingPlanes = 8;
 
-/// A bound of the snap, by the logarithms of the durations, m^2/s^7.
+/// A lower bound of the snap, m^2/s^7, linear in the logarithms of the durations.
 struct CuttingPlane {
-  double prices[kMaxSegments];  ///< by how much it falls for each part by which a segment lasts longer
-  double snap;                  ///< where it was found
-  double at_base;               ///< at the durations from which steps begin
+  double prices[kMaxSegments];  ///< by how much the bound falls for a unit of the logarithm of each segment's duration
+  double snap;                  ///< the bound at the durations of the programme that it came from
+  double at_base;               ///< the bound at the base, the durations from which steps begin
 };
 
 struct CuttingPlanes {
-  int found;  ///< since the search began; the last kMaxCuttingPlanes are kept
+  int found;  ///< planes found since the search began; the last kMaxCuttingPlanes are kept
   CuttingPlane list[kMaxCuttingPlanes];
 };
 
-/// Adds a plane, instead of the oldest one where there is no room. `step`: the logarithms of its durations over the
+/// Adds a plane; it replaces the oldest one if there is no room. `step`: the logarithms of its durations divided by the
 /// base's.
 void add_plane(CuttingPlanes& planes, double snap, const double* prices, const double* step, int count) noexcept;
 
-/// The base has moved by `step`, in the logarithms of its durations.
+/// Moves the base by `step`, in the logarithms of its durations.
 void move_base(CuttingPlanes& planes, const double* step, int count) noexcept;
 
 /// Changes Newton's step so that it also minimises by how much the planes rise above the snap at the base. The

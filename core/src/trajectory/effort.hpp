@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What units of the trajectory stage take besides the solver's, in instructions (see Work). Measured on aarch64 and
-// x86-64, and rounded up.
+// Instructions of the trajectory stage's units besides those of the solver (see Work). Measured on aarch64 and x86-64,
+// and rounded up.
 #ifndef TERN_TRAJECTORY_EFFORT_HPP
 #define TERN_TRAJECTORY_EFFORT_HPP
 
@@ -14,9 +14,9 @@
 
 namespace tern {
 
-/// A length tried for a segment at an end.
+/// A duration tried for a segment at an end.
 constexpr std::uint32_t kEndEffort = 6000;
-/// An assembly: what it makes, and the snap of the chain with all unknowns zero.
+/// The assembly of a programme, and the snap of the chain with all unknowns zero.
 inline std::uint32_t assembly_effort(const Chain& chain, const QpProblem& problem) {
   return 2000 + effort_of(5000, chain.count) + effort_of(170, problem.point_count) + effort_of(25, problem.plane_count);
 }
@@ -24,17 +24,17 @@ inline std::uint32_t assembly_effort(const Chain& chain, const QpProblem& proble
 /// A judgement, whatever it decides.
 constexpr std::uint32_t kJudgementEffort = 3000;
 
-/// The points of a solution, and all that is held against the limits.
+/// Reading the points of a solution, and checking them against polyhedra and limits.
 inline std::uint32_t points_effort(const Chain& chain) {
   return effort_of(6000, chain.count);
 }
 
-/// What the durations are worth.
+/// Computing the prices of the durations.
 inline std::uint32_t prices_effort(const Chain& chain, const QpSolution& solution) {
   return effort_of(3000, chain.count) + effort_of(400, solution.active_count);
 }
 
-/// Stop-and-go along so many polyhedra. At ends in motion, brakes are tried.
+/// Stop-and-go along `polyhedra` polyhedra. At ends in motion, brakings are tried.
 inline std::uint32_t rest_effort(int polyhedra, bool at_rest) {
   return effort_of(600, polyhedra) + (at_rest ? 0 : 150000);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a programme's points are made of: a weighted sum of control points is a weighted sum of the normalised
-// derivatives at both ends of its segment. The weights depend on no map and no plan: constants.
+// The weights of a programme's points. A point is a weighted sum of control points, and so a weighted sum of the
+// normalised derivatives at both ends of its segment. The weights are constants: they depend on no map and no plan.
 #ifndef TERN_TRAJECTORY_END_WEIGHTS_HPP
 #define TERN_TRAJECTORY_END_WEIGHTS_HPP
 
@@ -11,13 +11,13 @@
 
 namespace tern {
 
-/// Weights of the derivatives of both ends: those of the first end, then those of the second.
+/// Weights of the derivatives of both ends: first those of the first end, then those of the second.
 struct EndWeights {
   double of[2 * kJointOrder];
   bool touches[2];  ///< false: the point does not depend on that end
 };
 
-/// What derivative j of an end counts for in the weighted sum of its four control points.
+/// The weight of derivative j of an end in the weighted sum of that end's four control points.
 constexpr double end_weight(const double* weights, int end, int j) {
   double sum = 0.0;
   for (int k = j; k < kJointOrder; ++k) {
@@ -42,7 +42,8 @@ constexpr EndWeights end_weights(const double* weights) {
   return result;
 }
 
-/// By the order of the derivative: the control points themselves, and the rows of HodographRows.
+/// The weights of all points, by the order of the derivative: the control points (order 0), and the rows of
+/// HodographRows.
 struct EndWeightTable {
   EndWeights position[kControlPoints];
   EndWeights velocity[kVelocityRows];
@@ -65,7 +66,7 @@ constexpr EndWeightTable make_end_weight_table() {
 
 constexpr EndWeightTable kEndWeightTable = make_end_weight_table();
 
-/// The points of a segment, order 0 to 3.
+/// The weights of a segment's points of one order, 0 to 3.
 struct EndWeightRows {
   const EndWeights* rows;
   int count;

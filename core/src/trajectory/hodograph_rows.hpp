@@ -1,8 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which points a limit is put on. The control points of a hodograph bound it (its hull), but by up to a third too much;
-// those of its two halves are four times closer. Their weights on the eight control points of the position, constants.
+// The points that a limit applies to: control points of pieces of a hodograph. The control points of the whole
+// hodograph bound it (its hull), but by up to a third too much; those of its two halves are four times closer. The
+// weights of the eight control points of the position in each point are constants.
 #ifndef TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
 #define TERN_TRAJECTORY_HODOGRAPH_ROWS_HPP
 
@@ -10,8 +11,8 @@
 
 namespace tern {
 
-/// Equal pieces that the hodographs are cut into: 1, 2 or 4. An acceleration varies more within a segment. A jerk does
-/// so too, but its hull is that of degree 4, and closer.
+/// Equal pieces that the hodographs are cut into: 1, 2 or 4. An acceleration varies more within a segment than a
+/// velocity. A jerk also varies more, but its hull is closer, since its degree is only 4.
 constexpr int kVelocityPieces = 2;
 constexpr int kAccelerationPieces = 4;
 constexpr int kJerkPieces = 2;
@@ -20,14 +21,15 @@ constexpr int kVelocityRows = 6 * kVelocityPieces + 1;
 constexpr int kAccelerationRows = 5 * kAccelerationPieces + 1;
 constexpr int kJerkRows = 4 * kJerkPieces + 1;
 
-/// Row r is the weights of c[0 .. 7]; times 1 / duration^order. Dyadic: exact.
+/// Row r has the weights of control points 0 .. 7, still to be divided by duration^order. They are dyadic numbers, so
+/// they are exact.
 struct HodographRows {
   double velocity[kVelocityRows][kControlPoints];
   double acceleration[kAccelerationRows][kControlPoints];
   double jerk[kJerkRows][kControlPoints];
 };
 
-/// Weights of the control points of one curve over the eight of the position.
+/// The control points of one curve, each as weights of the position's eight control points.
 struct WeightedCurve {
   double w[kControlPoints][kControlPoints];
   int degree;
@@ -47,7 +49,7 @@ constexpr WeightedCurve derivative_weights(int order) {
   return curve;
 }
 
-/// de Casteljau at u: `curve` becomes the rest over [u, 1], the piece over [0, u] is returned.
+/// Cuts the curve at u by de Casteljau: `curve` becomes the part over [u, 1], and the part over [0, u] is returned.
 constexpr WeightedCurve cut_weights(WeightedCurve& curve, double u) {
   const int n = curve.degree;
   WeightedCurve first{};

@@ -19,7 +19,7 @@ double least_limit(const Bounds& bounds) {
   return least;
 }
 
-/// `offset`: less the margin.
+/// Adds a half-space whose offset already leaves the margin free.
 void add(LimitPlanes& limit, const Vec3& normal, double offset) {
   limit.planes[limit.count] = Halfspace{normal, offset};
   ++limit.count;

@@ -15,10 +15,11 @@ namespace tern {
 constexpr int kHorizontalSides = 16;
 constexpr int kMaxLimitPlanes = 6 + kHorizontalSides;
 
-/// Part of a limit that its rows leave free, so that a solution within the solver's tolerance is within the limit.
+/// Part of a limit that its rows leave free, so that a solution to within the solver's tolerance keeps the limit.
 constexpr double kRowMargin = 1e-8;
 
-/// The half-spaces, over values divided by `unit`, the smallest limit among them: rows then have the size of metres.
+/// The half-spaces, for values divided by `unit`, the smallest limit. Rows then have values of the same size as
+/// positions in metres.
 struct LimitPlanes {
   double unit;
   int count;
@@ -27,9 +28,10 @@ struct LimitPlanes {
 
 double horizontal_length(const Vec3& value) noexcept;
 
-/// Both sides of every axis that has a limit and that the cylinder does not imply, then the polygon, with a corner in
-/// the horizontal direction of `along` (any length; none: along x). The same bounds give the same number of planes.
-/// Something must be limited. `margin`: the part of the limit left free.
+/// The half-spaces of the limits: first both sides of every axis, without those that are unlimited or that the
+/// horizontal limit implies; then the polygon. The polygon has a corner in the horizontal direction of `along`, which
+/// may have any length; if that is zero, along x. The same bounds give the same number of planes. At least one limit
+/// must exist. `margin`: the part of the limits that is left free.
 LimitPlanes limit_planes(const Bounds& bounds, const Vec3& along, double margin = kRowMargin) noexcept;
 
 }  // namespace tern

@@ -24,7 +24,7 @@ void free_end(const double* joint, double t, double* factor) {
   }
 }
 
-/// Takes what is given at a joint out of the unknowns.
+/// Fixes the derivatives that a hold gives at an end, so that they are no longer unknowns.
 void hold_end(const Hold& hold, const Vec3& center, double duration, int at, Piece& piece) {
   double power = 1.0;
   for (int k = 0; k < kJointOrder; ++k) {

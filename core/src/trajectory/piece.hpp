@@ -9,27 +9,28 @@
 
 namespace tern {
 
-/// Brings the scaled Hessian's unknowns to metres or so; of no influence on the minimum.
+/// Brings the unknowns of the scaled Hessian to the size of metres; it does not change the minimum.
 constexpr double kCostScale = 1e-5;
-/// Derivatives of both ends.
+/// Number of derivatives of both ends together.
 constexpr int kEnds = 2 * kJointOrder;
 
-/// One segment as the programme sees it.
+/// One segment in the form that the programme needs.
 struct Piece {
   int index;
-  double t;              ///< duration over the mean
+  double t;              ///< duration divided by the mean duration
   double cost;           ///< kCostScale / t^7
   bool free[2];          ///< whether its first and second end are unknown
   double factor[kEnds];  ///< normalised derivative = factor * unknown, of free ends only
   bool held;             ///< some derivatives of free ends are given
-  bool given[kEnds];     ///< which, where some are; their factors are 0
-  Vec3 fixed[kEnds];     ///< normalised derivative where it is given; of free ends only where some are, else 0
+  bool given[kEnds];     ///< if `held`: which derivatives are given; the factors of these are 0
+  Vec3 fixed[kEnds];     ///< normalised derivatives of fixed ends; if `held`, of free ends too, 0 if not given
 };
 
-/// The chain's segment `index`.
+/// The piece of the chain's segment `index`.
 Piece piece_of(const Chain& chain, const ProgrammeScale& scale, int index) noexcept;
 
-/// The unknown that derivative e (of both ends, 0 .. 7) of a piece is, per axis.
+/// Index of the unknown, per axis, that stands for derivative e of a piece: 0 .. 3 at its first end, 4 .. 7 at its
+/// second.
 inline int unknown_of(const Piece& piece, int e) noexcept {
   return kJointOrder * (piece.index - 1) + e;
 }

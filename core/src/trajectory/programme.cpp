@@ -12,7 +12,8 @@
 namespace tern {
 namespace {
 
-/// Of the springs at vias, over the Hessian's diagonal. Its part of the cost is below the solver's tolerance.
+/// Stiffness of the springs at vias, relative to the Hessian's diagonal. Their part of the cost is below the solver's
+/// tolerance.
 constexpr double kSpring = 1e-10;
 
 static_assert(kControlPoints + kVelocityRows + kAccelerationRows + kJerkRows <= kQpPointsPerSegment,
@@ -24,7 +25,8 @@ double mean_duration(const Chain& chain) {
   return sum / chain.count;
 }
 
-/// Roots of the Hessian's diagonal: what the two segments at a joint add to it.
+/// Sets the scales of the joints, from the roots of the Hessian's diagonal. The two segments at a joint contribute to
+/// it.
 void scale_joints(const Chain& chain, ProgrammeScale& scale) {
   for (int i = 0; i + 1 < chain.count; ++i) {
     const double before = chain.duration[i] / scale.tau;
@@ -67,7 +69,8 @@ void add_spring(const Hold& hold, const Vec3& center, const ProgrammeScale& scal
   for (int a = 0; a < kQpAxes; ++a) problem.linear[a][unknown] -= axis(at, a);
 }
 
-/// At the joints of vias: a unit diagonal for unknowns that are none, which stay 0, and springs.
+/// At the joints of vias: gives a unit diagonal to unknowns whose derivatives are given, so that they stay 0, and adds
+/// springs.
 void add_holds(const Chain& chain, const ProgrammeScale& scale, QpProblem& problem) {
   for (int i = 0; i < chain.hold_count; ++i) {
     const Hold& hold = chain.holds[i];
@@ -78,7 +81,7 @@ void add_holds(const Chain& chain, const ProgrammeScale& scale, QpProblem& probl
   }
 }
 
-/// True where the point depends on an unknown of that end.
+/// True if the point depends on an unknown of that end.
 bool depends_on(const Piece& piece, int end, const EndWeights& weights) {
   if (!weights.touches[end] || !piece.free[end]) return false;
   if (!piece.held) return true;
@@ -94,7 +97,7 @@ void add_given(const Piece& piece, int end, const EndWeights& weights, double mu
   }
 }
 
-/// Adds what one end counts for to the point.
+/// Adds the contribution of one end to the point.
 void add_end(const Piece& piece, int end, const EndWeights& weights, double multiplier, QpPoint& point) {
   if (!piece.free[end] || piece.held) add_given(piece, end, weights, multiplier, point);
   if (!depends_on(piece, end, weights)) return;
@@ -107,7 +110,7 @@ void add_end(const Piece& piece, int end, const EndWeights& weights, double mult
   point.terms = static_cast<std::int16_t>(point.terms + kJointOrder);
 }
 
-/// Appends a point times the multiplier; not where it is constant.
+/// Appends a point times the multiplier, unless the point is constant.
 void add_point(const Piece& piece, const EndWeights& weights, double multiplier, const PointOrigin& origin,
                ProgrammeScale& scale, QpProblem& problem) {
   QpPoint& point = problem.points[problem.point_count];
@@ -128,7 +131,7 @@ void add_group(int point_begin, int plane_begin, int plane_end, QpProblem& probl
   ++problem.group_count;
 }
 
-/// The planes of polyhedra [0, count), relative to the centre, one polyhedron after the other.
+/// Adds the planes of a polyhedron, relative to the centre.
 void add_polyhedron(const Polyhedron& polyhedron, const Vec3& center, QpProblem& problem) {
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];
@@ -158,7 +161,8 @@ void add_corridor(const Chain& chain, const Corridor& corridor, ProgrammeScale& 
   }
 }
 
-/// One kind of limit for every segment. The first row of a segment is the last one of the segment before.
+/// Adds the rows of one kind of limit for every segment. All segments but the first leave out their first row: it is
+/// the last row of the segment before.
 void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes& limit, int order,
                     QpProblem& problem) {
   const EndWeightRows points = end_weights_of(order);
@@ -177,7 +181,7 @@ void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes
   }
 }
 
-/// Keeps the joints at vias with a tolerance in their cubes.
+/// Adds the rows that keep the joints at vias with a tolerance in their cubes.
 void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem) {
   for (int i = 0; i < chain.hold_count; ++i) {
     const Hold& hold = chain.holds[i];
@@ -195,7 +199,8 @@ void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem)
   }
 }
 
-/// The horizontal direction in which a limit is kept without loss: that of a boundary state, which is given.
+/// The horizontal direction in which the polygon loses nothing of the limit: that of a boundary state, which the
+/// programme cannot change.
 Vec3 kept_direction(const Chain& chain, int order) {
   return horizontal_length(chain.start.d[order]) > 0.0 ? chain.start.d[order] : chain.goal.d[order];
 }
@@ -211,7 +216,7 @@ void clear(int unknowns, QpProblem& problem) {
   }
 }
 
-/// The state of interior joint `joint` (0 .. count - 2) that x stands for, local frame, seconds.
+/// The state of interior joint `joint` (0 .. count - 2) in the solution; local frame, metres and seconds.
 JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution, int joint) {
   JointState state;
   double power = 1.0;

@@ -3,9 +3,9 @@
 //
 // From a chain of segments to a quadratic programme and back (the paper's Sections 3.4.2 and 3.4.3).
 //
-// The unknowns of each axis are the states of the interior joints, 4 (count - 1), in normalised time (durations over
-// their mean) and divided by the roots of the Hessian's diagonal, which is then 1: conditioning depends neither on
-// where the map is nor on how long the flight takes.
+// The unknowns of each axis are the states of the interior joints, 4 (count - 1) numbers. They are in normalised time
+// (durations divided by their mean) and scaled so that the Hessian's diagonal is 1. So the conditioning depends neither
+// on where the map is nor on how long the flight takes.
 #ifndef TERN_TRAJECTORY_PROGRAMME_HPP
 #define TERN_TRAJECTORY_PROGRAMME_HPP
 
@@ -18,35 +18,35 @@
 
 namespace tern {
 
-/// What a point of a programme is: a control point (order 0) or one of a hodograph's pieces (order 1 to 3, the row of
-/// kHodographRows).
+/// What a point of a programme stands for: control point `row` of a segment (order 0), or row `row` of kHodographRows
+/// (order 1 to 3).
 struct PointOrigin {
   std::int16_t segment;
   std::int8_t order;
   std::int8_t row;
 };
 
-/// How a programme's unknowns read as states, its points as parts of segments, and its cost as snap.
+/// How to convert a programme's unknowns to states, its points to parts of segments, and its cost to snap.
 struct ProgrammeScale {
   double tau;                               ///< mean duration, seconds
   double joint[kMaxSegments][kJointOrder];  ///< derivative k of joint i + 1, times tau^k, is joint[i][k] * unknown
-  double unit[4];                           ///< of the rows of each order: metres, m/s, m/s^2, m/s^3
-  double snap_per_cost;                     ///< integral of squared snap over the programme's objective
+  double unit[4];                           ///< unit of the rows of each order: metres, m/s, m/s^2, m/s^3
+  double snap_per_cost;                     ///< integral of squared snap divided by the programme's objective
   PointOrigin origin[kQpMaxPoints];
 };
 
-/// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns (they follow from the
-/// boundary states and the durations alone) are left out: whoever accepts a solution checks all control points anyway.
-/// Rows keep their (point, plane) from one assembly of a chain to the next whatever its durations: a working set is a
-/// warm start.
+/// Fills the programme: minimum snap over the chain, and its rows. Rows without unknowns, which follow from the
+/// boundary states and the durations alone, are left out: whoever accepts a solution checks all control points anyway.
+/// A row keeps its (point, plane) from one assembly of a chain to the next, whatever the durations. So a working set
+/// can warm-start the next programme.
 void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
-/// Its inequalities: (point, plane) pairs.
+/// The number of inequalities of a programme, its (point, plane) pairs.
 int count_rows(const QpProblem& problem) noexcept;
 
-/// The control points that x stands for. `points`: chain.count rows of kControlPoints, local frame. Joints are the same
-/// bits on both sides; the outermost control points are the start and the goal, bit for bit.
+/// The control points of a solution. `points`: chain.count rows of kControlPoints, local frame. Segments have the same
+/// bits at a common joint. The first and the last control point are the start and the goal, bit for bit.
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,
                  Vec3 (*points)[kControlPoints]) noexcept;
 

@@ -9,11 +9,11 @@
 namespace tern {
 namespace {
 
-/// Above any cost: that of no plan.
+/// Stands for the cost of no plan: above every cost.
 constexpr double kNoPlan = 1e300;
-/// A step of this part of the radius is as long as the radius.
+/// A step longer than this part of the radius counts as being as long as the radius.
 constexpr double kAlmost = 0.99;
-/// A stretch that is to reach a duration stays this much below it, lest rounding carry it beyond.
+/// A stretch that should reach a given duration stays below it by this factor, so that rounding does not exceed it.
 constexpr double kJustBelow = 1.0 - 1e-12;
 
 int rung_of(double weight) {
@@ -29,14 +29,14 @@ double weight_of(const Refinement& refinement, int rung) {
   return weight;
 }
 
-/// Rungs below the first that the flight needs: a tenth of the weight each.
+/// How many rungs the ladder begins below rung 0 for this agility. Each has a tenth of the weight of the next.
 int rungs_below(double agility) {
   int rungs = 0;
   for (double rest = agility; rungs < kRungsBelow && rest > kAgile; rest /= kAgilityPerRung) ++rungs;
   return rungs;
 }
 
-/// Rungs that take no plan that lasts longer than the last one.
+/// True on rungs that accept no plan that lasts longer than the best one.
 bool bounded(const Refinement& refinement) {
   return refinement.first_rung < 0 || refinement.rung > 0;
 }
@@ -49,7 +49,8 @@ void enter(Refinement& refinement, RefinementPhase phase) {
   refinement.radius = 1.0;
 }
 
-/// The limits that stopped long steps on a rung stop them on the next one, too. Not from the first: it had its own.
+/// Begins the descent on the next rung. It keeps the radius, because the limits that stopped long steps on one rung
+/// stop them on the next one too. The radius of the first rung is not kept.
 void enter_rung(Refinement& refinement) {
   const double carried = refinement.rung == refinement.first_rung ? 1.0 : larger(refinement.radius, kLeastRadius);
   ++refinement.rung;
@@ -61,12 +62,12 @@ double eighth_root(double x) {
   return square_root(square_root(square_root(x)));
 }
 
-/// Snap falls with the seventh power of the stretch.
+/// Cost of the offer at its stretch: snap falls with the seventh power of the stretch.
 double cost_of(const Offer& offer, double rate) {
   return offer.snap / seventh_power(offer.stretch) + rate * offer.stretch * offer.duration;
 }
 
-/// The stretch of least cost: where 7 snap s^-8 = rate duration.
+/// The stretch s of least cost, for which 7 snap s^-8 = rate duration.
 double cheapest_stretch(const Offer& offer, double rate) {
   return eighth_root(7.0 * offer.snap / (rate * offer.duration));
 }
@@ -76,14 +77,15 @@ double exponential(double x) {
   return (1.0 + x * (0.5 + x / 12.0)) / (1.0 - x * (0.5 - x / 12.0));
 }
 
-/// The inverse.
+/// The natural logarithm, for the ratios of a step.
 double logarithm(double x) {
   const double z = (x - 1.0) / (x + 1.0);
   const double square = z * z;
   return 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0)));
 }
 
-/// Before anything is learned: snap alone falls with the seventh power of a duration, and so does its price.
+/// The curvature before anything is learned: without limits, snap falls with the seventh power of a duration, and so
+/// does its price.
 void guess_curvature(Refinement& refinement, int count) {
   double diagonal[kMaxSegments];
   for (int i = 0; i < count; ++i) {
@@ -93,8 +95,8 @@ void guess_curvature(Refinement& refinement, int count) {
   curvature_begin(refinement.curvature, diagonal, count);
 }
 
-/// Prices fall with the seventh power of the stretch, as snap does. What they changed by since the last plan tells of
-/// the curvature.
+/// Keeps a better plan. Its prices fall with the seventh power of the stretch, as snap does. The search learns the
+/// curvature from how the prices changed since the last plan.
 void keep(Refinement& refinement, const Round& round, const Chain& chain) {
   const bool first = !(refinement.best.cost < kNoPlan);
   const double stretch = round.offer.stretch;
@@ -115,15 +117,15 @@ void keep(Refinement& refinement, const Round& round, const Chain& chain) {
   curvature_learn(refinement.curvature, step, change, chain.count);
 }
 
-/// By how much the step goes beyond the longest ones, as a factor.
+/// The length of the step relative to the longest steps allowed.
 double excess(const double* step, int count) {
   double most = 0.0;
   for (int i = 0; i < count; ++i) most = larger(most, larger(step[i] / kLongestStep, -step[i] / kShortestStep));
   return most;
 }
 
-/// Newton's step from the best plan to where each segment's price would equal the cost of its time, or as much of it as
-/// the radius allows. The gain that the whole step promises.
+/// Takes Newton's step from the best plan to durations at which each segment's price would equal the cost of its time,
+/// or as much of that step as the radius allows. Returns the gain that the whole step promises.
 double retime(Refinement& refinement, Chain& chain) {
   double extra[kMaxSegments];
   double descent[kMaxSegments];
@@ -146,7 +148,8 @@ double retime(Refinement& refinement, Chain& chain) {
   return promise;
 }
 
-/// The best plan at a higher rate: as much shorter as that makes cheaper and the limits allow.
+/// Weighs the best plan at a higher rate. If plans may be stretched, shortens it as far as that makes it cheaper and
+/// the limits allow.
 void raise_rate(Refinement& refinement, const Chain& chain, double rate) {
   Offer& best = refinement.best;
   const double last = best.stretch;
@@ -164,7 +167,8 @@ void raise_rate(Refinement& refinement, const Chain& chain, double rate) {
   curvature_scale(refinement.curvature, 1.0 / seventh_power(factor), chain.count);
 }
 
-/// Above the last rung only the stretch answers to the weight, which no search can make longer.
+/// Goes on to the next rung. Above the last rung, only the stretch depends on the weight, which cannot make a plan
+/// longer.
 void next_rung(Refinement& refinement, Chain& chain) {
   if (refinement.rung == refinement.last_rung) {
     raise_rate(refinement, chain, refinement.unit * refinement.weight);
@@ -175,7 +179,8 @@ void next_rung(Refinement& refinement, Chain& chain) {
   retime(refinement, chain);
 }
 
-/// The ends' fitting may have shortened the chain's durations: each round starts from the last one's before that.
+/// A round of the feasibility phase. fit_ends() may have shortened the chain's durations, so each round starts from the
+/// durations of the last round before that.
 void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.better) {
     keep(refinement, round, chain);
@@ -196,8 +201,8 @@ void add_plane(Refinement& refinement, const Round& round, const Chain& chain) {
   add_plane(refinement.planes, round.offer.snap, round.prices, step, chain.count);
 }
 
-/// Halfway back to the best plan, and no further until a step succeeds. Where the programme that was abandoned says
-/// which durations are too short, a shorter step in another direction.
+/// Goes halfway back to the best plan, and takes no longer steps until one succeeds. If an abandoned programme tells
+/// which durations are too short, takes a shorter step in another direction instead.
 void retreat(Refinement& refinement, const Round& round, Chain& chain) {
   ++refinement.failures;
   if (round.bounded) add_plane(refinement, round, chain);
@@ -212,12 +217,13 @@ void retreat(Refinement& refinement, const Round& round, Chain& chain) {
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = square_root(chain.duration[i] * refinement.base[i]);
 }
 
-/// The gain that so many iterations should bring.
+/// The gain that this many iterations should bring.
 double worth(const Refinement& refinement, int iterations) {
   return larger(kLeastGain, kGainPerIteration * iterations) * refinement.best.cost;
 }
 
-/// From a better plan on: further where its gain was worth the iterations, and the next one's would be.
+/// Goes on from a better plan. Stays on the rung if the plan's gain was worth its iterations, and the next plan's gain
+/// promises to be.
 void advance(Refinement& refinement, const Round& round, Chain& chain) {
   const double enough = refinement.best.cost - worth(refinement, refinement.spent);
   keep(refinement, round, chain);

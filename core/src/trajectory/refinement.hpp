@@ -1,23 +1,25 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which durations to try next: a bounded search for the plan of least  snap + rate * duration.  One solve a round.
+// Finds the durations to try next, in a bounded search for the plan of least  snap + rate * duration.  Each round
+// solves one programme.
 //
 //   feasibility   durations grow from round to round until the programme has a solution: the first feasible plan.
 //   descent       a quasi-Newton method on the logarithms of the durations. The gradient comes with every solution
-//                 (time_prices.hpp), the second derivatives are learned from its changes (curvature.hpp). Halfway back
-//                 where a step leaves no plan or a worse one.
+//                 (time_prices.hpp), the second derivatives are learned from its changes (curvature.hpp). If a step
+//                 leaves no plan or a worse one, the search goes halfway back.
 //
 // A larger weight never gives a longer plan. The search for it first finds the default weight's plan, and then goes up
 // a ladder of weights. It passes through the plan of every weight below, and from there takes only plans that cost less
 // and last no longer. Since each of them also costs less at every larger weight, more budget never gives a more
 // expensive plan.
 //
-// Where the acceleration limit is far above what the way asks for, the unit of the weight is so large that snap hardly
-// counts, and a search at the default weight stops at the first wall. There the ladder begins further down.
+// If the acceleration limit is far above what the way needs, the unit of the weight is so large that snap hardly
+// counts. A search at the default weight then stops at the first limit. In this case the ladder begins at smaller
+// weights.
 //
-// Where the first durations come from an earlier plan (times/pace.hpp), they are near the best ones for the weight
-// already. There the ladder has only its last rung, and a larger weight may give a longer plan.
+// If the first durations come from an earlier plan (times/pace.hpp), they are already near the best ones for the
+// weight. The ladder then has only its last rung, and a larger weight may give a longer plan.
 #ifndef TERN_TRAJECTORY_REFINEMENT_HPP
 #define TERN_TRAJECTORY_REFINEMENT_HPP
 
@@ -31,16 +33,16 @@ namespace tern {
 
 enum class RefinementPhase : std::uint8_t { kFeasibility, kDescent, kDone };
 
-/// A plan as the search weighs it: the figures of a programme's solution, and by how much it is stretched in time.
+/// The figures of a plan that the search compares: those of a programme's solution, and its stretch in time.
 struct Offer {
   double snap;      ///< m^2/s^7, before the stretch
   double duration;  ///< seconds, before the stretch
-  double least;     ///< the stretch with which the limits are met exactly
-  double stretch;   ///< the one chosen, >= least; 1 where start or goal move
-  double cost;      ///< snap + rate * duration with it, m^2/s^7
+  double least;     ///< the least stretch: it meets the limits exactly
+  double stretch;   ///< the chosen stretch, >= least; 1 if start or goal move
+  double cost;      ///< snap + rate * duration of the stretched plan, m^2/s^7
 };
 
-/// What is searched for.
+/// What the search is to find.
 struct Question {
   double unit;     ///< m^2/s^8, > 0: what a second costs at weight 1
   double weight;   ///< > 0
@@ -52,56 +54,57 @@ struct Question {
 struct Refinement {
   RefinementPhase phase;
   bool elastic;                 ///< plans may be stretched: from rest to rest
-  int round;                    ///< of this phase, or of this rung of the descent
-  int failures;                 ///< of the rung's steps
+  int round;                    ///< rounds of this phase, or of this rung of the descent
+  int failures;                 ///< steps of this rung that failed
   int spent;                    ///< iterations since the last better plan
-  int first_rung;               ///< of the ladder of weights: 0, less where it begins further down, or the last one
-  int rung;                     ///< 0 is the default weight, or the one asked for if less
-  int last_rung;                ///< the highest one not above the weight asked for
+  int first_rung;               ///< where the ladder begins: 0, less for agile flights, or last_rung for a paced flight
+  int rung;                     ///< the current rung; rung 0 has the default weight, or the requested one if that is
+                                ///< less
+  int last_rung;                ///< the highest rung whose weight is not above the requested one
   double unit;                  ///< m^2/s^8: what a second costs at weight 1
-  double weight;                ///< that was asked for
+  double weight;                ///< the requested weight
   double rate;                  ///< m^2/s^8: what a second costs on this rung
-  double radius;                ///< of a step, as a part of the longest ones; <= 1
-  double reach;                 ///< of the last step, the same
+  double radius;                ///< the longest step allowed now, in parts of kShortestStep and kLongestStep; <= 1
+  double reach;                 ///< length of the last step, in the parts of `radius`
   Offer best;                   ///< the best plan so far
-  double base[kMaxSegments];    ///< durations of that plan, stretched; of the feasibility phase, the last ones tried
-  double prices[kMaxSegments];  ///< of each segment's time in that plan, m^2/s^7
-  Curvature curvature;          ///< of its snap
-  CuttingPlanes planes;         ///< of programmes that were abandoned
+  double base[kMaxSegments];    ///< durations of the best plan, stretched; in the feasibility phase, those tried last
+  double prices[kMaxSegments];  ///< prices of each segment's time in the best plan, m^2/s^7
+  Curvature curvature;          ///< of the best plan's snap
+  CuttingPlanes planes;         ///< of abandoned programmes
 };
 
-/// What became of the round's programme.
+/// The outcome of a round's programme.
 struct Round {
-  bool better;                  ///< a plan came of it that keeps everything and improves on the best one
-  bool bounded;                 ///< or it was abandoned, and its bound is known
-  int iterations;               ///< that it took
-  Offer offer;                  ///< that plan; of a bound, the snap alone
-  double prices[kMaxSegments];  ///< of each segment's time in that plan or bound, before the stretch
+  bool better;                  ///< it gave a plan that passes all tests and improves on the best one
+  bool bounded;                 ///< it was abandoned, and its bound is known
+  int iterations;               ///< that the programme took
+  Offer offer;                  ///< the plan; for a bound, only the snap is set
+  double prices[kMaxSegments];  ///< prices of each segment's time in the plan or bound, before the stretch
 };
 
 constexpr int kFeasibilityRounds = 6;
 constexpr double kLengthening = 1.35;
-/// Longest steps of one round, in the logarithm of a duration. A programme that shrank too far is costly to prove
-/// infeasible.
+/// The longest steps of one round, down and up, in the logarithm of a duration. It is costly to prove that a programme
+/// with much too short durations is infeasible.
 constexpr double kShortestStep = 0.12;
 constexpr double kLongestStep = 0.47;
-/// Steps of a next rung may begin as short as those of the last rung ended, but not shorter than this part of the
-/// longest.
+/// The radius at the beginning of a rung is that at the end of the rung before, but at least this.
 constexpr double kLeastRadius = 0.125;
-/// A price counts as this part of the cost of its time, at least, where nothing else is known of the curvature.
+/// In the first guess of the curvature, a price counts as at least this part of the cost of its time.
 constexpr double kLeastPrice = 0.1;
 
-/// How long the descent stays on a rung.
+/// The most rounds, and failures, of the descent on a rung.
 constexpr int kRungRounds = 24;
 constexpr int kRungFailures = 4;
-/// A step that bends away from cutting planes is this part of the last one, at most.
+/// A step that bends away from cutting planes is at most this part of the last step.
 constexpr double kBentPart = 0.7;
-/// Parts of the cost: what each iteration should gain, and what each round should.
+/// The least gain of each iteration, and of each round, in parts of the cost.
 constexpr double kGainPerIteration = 5e-5;
 constexpr double kLeastGain = 1e-5;
 
-/// The ladder begins a rung further down, at a tenth of the weight, where the agility is above kAgile, and one more for
-/// each further factor: the sixth root of ten, since the unit grows with the sixth power of the acceleration.
+/// If the agility is above kAgile, the ladder begins one rung further down, at a tenth of the weight. It begins one
+/// more rung down for each further factor of kAgilityPerRung, at most kRungsBelow in all. That factor is the sixth root
+/// of ten, since the unit grows with the sixth power of the acceleration.
 constexpr double kAgile = 6.0;
 constexpr double kAgilityPerRung = 1.468;
 constexpr int kRungsBelow = 2;
@@ -113,12 +116,12 @@ constexpr int kRungCount = sizeof(kRungs) / sizeof(kRungs[0]);
 /// Durations of the first round are the chain's own.
 void refinement_begin(Refinement& refinement, const Chain& chain, const Question& question) noexcept;
 
-/// Chooses the offer's stretch and sets its cost. True where it improves on the best plan: costs less and lasts no
-/// longer. On rung 0, where the ladder begins there, it may last longer. With least 0: whether any plan of that snap or
-/// more could.
+/// Chooses the offer's stretch and sets its cost. True if it improves on the best plan: it costs less and lasts no
+/// longer. If the ladder begins at rung 0, it may last longer on that rung. With offer.least 0: true if any plan of
+/// that snap or more could improve on the best plan.
 bool improves(const Refinement& refinement, Offer& offer) noexcept;
 
-/// Learns from a round and enters the next: fills the chain's durations, or answers kDone.
+/// Learns from a round and enters the next: fills the chain's durations, or sets the phase to kDone.
 void refinement_next(Refinement& refinement, const Round& round, Chain& chain) noexcept;
 
 }  // namespace tern

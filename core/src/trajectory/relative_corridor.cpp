@@ -13,7 +13,7 @@ Halfspace relative_plane(const Halfspace& plane, const Vec3& origin, const Vec3&
   return {plane.normal, larger(far, offset - kCorridorReserve)};
 }
 
-/// The holds' positions, where polyhedra meet there.
+/// Puts the ends of polyhedra that meet at a hold at the hold's position.
 void set_joints(const Holds& holds, Corridor& out) {
   for (int i = 0; i < holds.count; ++i) {
     const int after = holds.list[i].polyhedron;

@@ -15,7 +15,7 @@ const Vec3& leg_end(const Corridor& corridor, const Vec3& to, int i) {
   return i + 1 < corridor.count ? corridor.polyhedra[i].to : to;
 }
 
-/// Legs of a length.
+/// The number of legs whose length is not zero.
 int count_legs(const Corridor& corridor, Vec3 from, const Vec3& to) {
   int legs = 0;
   for (int i = 0; i < corridor.count; ++i) {

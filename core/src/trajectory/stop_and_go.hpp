@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What remains when optimising fails (contract C6): straight from waypoint to waypoint, at rest in each. Needs no
-// solver and no luck: a straight segment stays in the polyhedron that was grown around it. A start or goal that moves
-// is first braked (or last accelerated) inside its polyhedron, where that is possible.
+// The plan if optimising fails (contract C6): straight from waypoint to waypoint, at rest in each. It needs no solver:
+// a straight segment stays in the polyhedron that was grown around it. A moving start is first braked inside its
+// polyhedron if that is possible; the motion of a moving goal is reached last, inside its polyhedron.
 #ifndef TERN_TRAJECTORY_STOP_AND_GO_HPP
 #define TERN_TRAJECTORY_STOP_AND_GO_HPP
 
@@ -15,11 +15,12 @@
 
 namespace tern {
 
-/// How long a plan lasts whose start is its goal, seconds.
+/// Duration of a plan whose start is its goal, seconds.
 constexpr double kHoverDuration = 1.0;
 
-/// kOk, which fills count and segments of `out`. Otherwise `out` is untouched: kNoTrajectory if there is no room to
-/// brake or accelerate, kSegmentsFull if there are too few segments for that. Legs of no length are left out.
+/// Fills count and segments of `out`, and returns kOk. Otherwise `out` is untouched: kNoTrajectory if there is no room
+/// to brake or accelerate, kSegmentsFull if the plan needs more segments than there are. Legs of length zero are left
+/// out.
 Status stop_and_go(const Corridor& corridor, const State& start, const State& goal, const MotionLimits& limits,
                    Trajectory& out) noexcept;
 

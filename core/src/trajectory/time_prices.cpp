@@ -9,8 +9,8 @@
 namespace tern {
 namespace {
 
-/// drift[k] = T dc_k/dT with the states at both ends held. Of c_k = sum_j kFirstEnd[k][j] T^j d_j that is k (c_k -
-/// c_(k - 1)), and the same from the other end.
+/// drift[k] = T dc_k/dT, with the states at both ends fixed. For c_k = sum_j kFirstEnd[k][j] T^j d_j this is k (c_k -
+/// c_(k - 1)). The control points next to the second end follow in the same way, counted from that end.
 void drift_of(const Vec3* points, Vec3* drift) {
   for (int k = 0; k < kJointOrder; ++k) {
     drift[k] = k == 0 ? kZero : k * (points[k] - points[k - 1]);
@@ -30,7 +30,7 @@ double snap_price(const Vec3* points, const Vec3* drift, double duration) {
   return 7.0 * integral_of_product(snap, snap, duration) - 2.0 * integral_of_product(snap, change, duration);
 }
 
-/// T d/dT of a programme's point: sum_k w_k c_k / (T^order unit).
+/// T d/dT of a programme's point, which is sum_k w_k c_k / (T^order unit).
 Vec3 point_drift(const PointOrigin& origin, const Vec3* points, const Vec3* drift, double duration, double unit) {
   if (origin.order == 0) return drift[origin.row];
   const double* const weights = rows_of(origin.order).weights[origin.row];

@@ -10,9 +10,10 @@
 namespace tern {
 
 /// prices[i] = -T_i dJ/dT_i in m^2/s^7, where J is the least integral of squared snap that the rows allow: by how much
-/// it falls for each part by which segment i lasts longer. By the envelope theorem that is the derivative of the
-/// Lagrangian with the joints' states and the multipliers held, so that it costs no further solve: a row that presses
-/// on a segment raises its price. `points`: the solution's control points. Negative where a segment is better shorter.
+/// J falls per relative growth of segment i's duration. By the envelope theorem this is the derivative of the
+/// Lagrangian with the joints' states and the multipliers fixed, so it takes no further solve. An active row that
+/// presses on a segment raises its price. A price is negative if a shorter segment would have less snap. `points`: the
+/// solution's control points.
 void time_prices(const Chain& chain, const QpProblem& problem, const QpSolution& solution, const ProgrammeScale& scale,
                  const Vec3 (*points)[kControlPoints], double* prices) noexcept;
 

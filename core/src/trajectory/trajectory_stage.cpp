@@ -14,13 +14,13 @@
 namespace tern {
 namespace {
 
-/// Passes of the stage's loop at most: three a programme, and the last ones.
+/// The most passes of the stage's loop: three a programme, and some at the end.
 constexpr int kPasses = 3 * kMaxQpSolves + 4;
 
 /// Shortest segment of a chain with vias, in parts of the mean.
 constexpr double kShortestPart = 1.0 / 16.0;
 
-/// Iterations of a programme after which its bound is looked at, again and again.
+/// The lower bound of a programme is examined each time after this many iterations.
 constexpr std::uint32_t kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
@@ -56,7 +56,8 @@ double fixed_snap(TrajectoryStage& stage) {
   return snap_of(candidate_of(stage));
 }
 
-/// Lengthens what is much shorter than the mean: the Hessian of a long chain is too nearly singular otherwise.
+/// Lengthens segments that are much shorter than the mean. Otherwise the Hessian of a long chain is too nearly
+/// singular.
 void even_out(Chain& chain) {
   const double least = kShortestPart * chain_duration(chain) / chain.count;
   for (int i = 0; i < chain.count; ++i) chain.duration[i] = larger(chain.duration[i], least);
@@ -80,7 +81,8 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   stage.phase = TrajectoryPhase::kSolve;
 }
 
-/// True where no solution of the programme can improve on the best plan: not even with the snap of its lower bound.
+/// True if no solution of the programme can improve on the best plan, because not even its lower bound of the snap
+/// would.
 bool hopeless(const TrajectoryStage& stage) {
   if (!stage.best.found) return false;
   const double bound = qp_lower_bound(stage.solver);
@@ -95,7 +97,8 @@ void note_iterations(TrajectoryStage& stage, std::uint32_t used) {
   stage.longest_solve = most(stage.longest_solve, static_cast<int>(stage.iterations - stage.solve_begin));
 }
 
-/// Runs the solver to where its bound is looked at next, at most. kRunning there too.
+/// Runs the solver, at most until its bound is examined next. kRunning if the solver can go on; kIterationLimit if the
+/// programme is hopeless.
 Status solve_on(TrajectoryStage& stage, Work& work) {
   const std::uint32_t stride = kBoundStride - (stage.iterations - stage.solve_begin) % kBoundStride;
   const std::uint32_t allowed = stage.query.max_iterations - stage.iterations;
@@ -109,7 +112,7 @@ Status solve_on(TrajectoryStage& stage, Work& work) {
   return Status::kIterationLimit;
 }
 
-/// Runs the solver within the slice and the plan's budget. False where the slice is used up.
+/// Runs the solver within the slice and the plan's budget. False if the slice is used up.
 bool solve(TrajectoryStage& stage, Work& work) {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
@@ -137,7 +140,8 @@ void keep_best(TrajectoryStage& stage) {
   stage.best.kkt_residual = relative_residual(stage.solution);
 }
 
-/// A solution's plan, where it keeps what it should; a solution that does not is as good as none.
+/// Makes the solution's plan the best one if it improves on that and passes all tests. A solution whose plan fails a
+/// test counts as none.
 void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   work.effort += points_effort(stage.chain);
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
@@ -163,7 +167,7 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
                   agility(stage.chain, corridor, query.limits), is_elastic(stage), query.paced && !stage.has_fallback};
 }
 
-/// Where no programme had a solution: starts again from stop-and-go, along whose segments there is one.
+/// If no programme had a solution: starts again from the segments of stop-and-go, for which a solution exists.
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
   if (stage.best.found || stage.has_fallback || hurries(stage.chain)) return;
@@ -172,12 +176,12 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& wor
   stage.has_fallback = true;
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
-  if (!place_holds(stage.chain)) return;  // the way stays where it is from one via to the next
+  if (!place_holds(stage.chain)) return;  // false if the way from one via to the next has no length
   refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
 }
 
-/// Where a programme was too ill-conditioned: from now on the chain goes through its vias exactly, which conditions it
-/// better. False where it does already.
+/// After a programme that was too ill-conditioned: from now on the chain goes through its vias exactly, which improves
+/// the conditioning. False if it already does.
 bool give_up_tolerances(TrajectoryStage& stage) {
   bool had_some = false;
   for (int i = 0; i < stage.chain.hold_count; ++i) {
@@ -188,7 +192,7 @@ bool give_up_tolerances(TrajectoryStage& stage) {
   return had_some;
 }
 
-/// What an abandoned programme says about the durations of a chain with vias. Other chains do without.
+/// Reads what an abandoned programme tells about the durations of a chain with vias. Chains without vias do not use it.
 void weigh_bound(TrajectoryStage& stage, Work& work) {
   Round& round = stage.round;
   const double bound = qp_lower_bound(stage.solver);
@@ -217,7 +221,7 @@ void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   stage.phase = TrajectoryPhase::kPropose;
 }
 
-/// Where there is nothing better, from stop to stop.
+/// Falls back to stop-and-go, if there is no better plan.
 Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out, Work& work) {
   const TrajectoryQuery& query = stage.query;
   work.effort += rest_effort(corridor.count, rests(query));

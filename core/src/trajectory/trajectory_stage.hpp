@@ -25,8 +25,8 @@
 
 namespace tern {
 
-/// What is asked for. Local frame; boundary states within the limits, positions inside the first and the last
-/// polyhedron.
+/// The trajectory to be found. Local frame. The boundary states must keep the limits, and their positions must be
+/// inside the first and the last polyhedron.
 struct TrajectoryQuery {
   State start;
   State goal;
@@ -47,15 +47,15 @@ struct TrajectoryStage {
   // Results, valid whenever trajectory_advance has returned.
   Status status;  ///< why the stage failed; else kOk
   Quality quality;
-  Status optimiser;          ///< kOk, or why the plan is not the refined one
-  std::uint32_t iterations;  ///< of all programmes
+  Status optimiser;          ///< kOk, or why the plan is not an optimised one
+  std::uint32_t iterations;  ///< iterations of all programmes
   int active_high;           ///< the largest working set
   int solves;
   int longest_solve;    ///< iterations
   int variables;        ///< of one programme, all axes
   int inequalities;     ///< of the programme with the most rows
-  int active;           ///< of the plan given out
-  double kkt_residual;  ///< of the plan given out
+  int active;           ///< active rows of the returned plan
+  double kkt_residual;  ///< of the returned plan
 
   // State.
   TrajectoryPhase phase;
@@ -69,17 +69,17 @@ struct TrajectoryStage {
   Trajectory fallback;  ///< stop-and-go
   Status solve_status;
   std::uint32_t solve_begin;  ///< `iterations` when the programme was begun
-  double fixed_snap;          ///< of the chain with all unknowns zero: what the programme's cost leaves out
+  double fixed_snap;          ///< snap of the chain with all unknowns zero, which the programme's cost leaves out
   int warm_count;
   QpRow warm[kMaxActive];
-  Vec3 points[kMaxSegments][kControlPoints];  ///< the candidate's
+  Vec3 points[kMaxSegments][kControlPoints];  ///< control points of the candidate
   QpProblem problem;
   QpSolution solution;
   QpSolver solver;
 };
 
 /// Starts a plan from the chain that the times stage made of the corridor. The corridor must stay unchanged until the
-/// plan ends; polyhedra at least one, each around its segment.
+/// plan ends; it has at least one polyhedron, each around its segment.
 void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
                       const Chain& chain) noexcept;
 
