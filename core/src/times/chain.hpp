@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The segments that a trajectory will have, before anything but their durations is known.
+// The segments that a trajectory will have. So far, only their polyhedra and durations are known.
 #ifndef TERN_TIMES_CHAIN_HPP
 #define TERN_TIMES_CHAIN_HPP
 
@@ -10,12 +10,13 @@
 
 namespace tern {
 
-/// What holds at the joint of the chain where it passes a via. Local frame.
+/// What is given at the joint at which a chain passes a via. Local frame.
 struct Hold {
-  int polyhedron;     ///< the one that begins there
-  int segment;        ///< of the chain, the one that begins there
-  Vec3 position;      ///< the via's
-  double reach;       ///< half the edge of the cube around it that holds the joint, metres; 0: exactly there
+  int polyhedron;     ///< index of the polyhedron that begins there
+  int segment;        ///< index of the chain's segment that begins there
+  Vec3 position;      ///< position of the via
+  double reach;       ///< half the edge of the cube around the via that the joint stays in, metres; 0: the joint is at
+                      ///< the via
   bool stop;          ///< velocity, acceleration and jerk are zero
   bool has_velocity;  ///< the velocity is given
   Vec3 velocity;
@@ -27,18 +28,18 @@ struct Holds {
   int count = 0;
 };
 
-/// The segments that a quadratic programme is about, each inside a polyhedron, with their durations. A polyhedron may
-/// hold several segments in a row. Local frame.
+/// The segments that a quadratic programme optimises, with their durations. Each lies inside a polyhedron, which may
+/// contain several segments in a row. Local frame.
 struct Chain {
   int count;                      ///< 1 .. kMaxSegments
   int polyhedron[kMaxSegments];   ///< never decreasing
   double duration[kMaxSegments];  ///< seconds, >= kMinDuration
-  double length[kMaxSegments];    ///< metres of the way that each is for
+  double length[kMaxSegments];    ///< metres of the way that each segment covers
   JointState start;               ///< jerk zero
   JointState goal;
   int hold_count;
   Hold holds[kMaxVias];
-  Vec3 center;  ///< what the programme's positions are relative to
+  Vec3 center;  ///< origin of the programme's positions
 };
 
 /// Appends `pieces` segments of `length` metres each, without durations, to the polyhedron.
@@ -50,7 +51,7 @@ inline void append_pieces(double length, int polyhedron, int pieces, Chain& chai
   }
 }
 
-/// Derivative `k` (0: position) is given at the hold's joint.
+/// True if derivative `k` (0: position) is given at the hold's joint.
 inline bool gives(const Hold& hold, int k) noexcept {
   if (k == 0) return !(hold.reach > 0.0);
   return hold.stop || (k == 1 && hold.has_velocity);
@@ -83,7 +84,8 @@ inline double chain_duration(const Chain& chain) noexcept {
   return sum;
 }
 
-/// True where the chain passes a via with a given velocity: there is no stop-and-go, and no stretch in time.
+/// True if the chain passes a via with a given velocity. Such a chain has no stop-and-go, and cannot be stretched in
+/// time.
 inline bool hurries(const Chain& chain) noexcept {
   for (int i = 0; i < chain.hold_count; ++i) {
     if (chain.holds[i].has_velocity) return true;

@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// Farther than any place.
+/// A distance larger than that of any place, metres.
 constexpr double kFar = 1e300;
 
 int count_pieces(const Pace& pace) {
@@ -19,13 +19,13 @@ double duration_of(const Pace& pace, int piece) {
   return pace.plan->segments[piece / kPacePieces].duration / kPacePieces;
 }
 
-/// Where the piece ends, chain's frame.
+/// The end of the piece, in the chain's frame.
 Vec3 end_of(const Pace& pace, int piece) {
   const double u = static_cast<double>(piece % kPacePieces + 1) / kPacePieces;
   return value(curve_of(pace.plan->segments[piece / kPacePieces]), u) + pace.offset;
 }
 
-/// The part of the way from one point to another after which it passes nearest to a place.
+/// The part of the line from `from` to `to` after which it is nearest to `place`, 0 .. 1.
 double nearest_part(const Vec3& from, const Vec3& to, const Vec3& place) {
   const Vec3 along = to - from;
   const double square = dot(along, along);

@@ -11,7 +11,7 @@
 
 namespace tern {
 
-/// What is left of a plan from some instant on. A view: the plan must outlive it.
+/// The rest of a plan, from some instant on. A view: the plan must outlive it.
 struct Pace {
   const Trajectory* plan = nullptr;  ///< null: none; else at least one segment
   double from = 0.0;                 ///< seconds since the plan's beginning, >= 0
@@ -20,22 +20,24 @@ struct Pace {
 
 /// Each segment of the plan counts as this many straight pieces, each flown at constant speed.
 constexpr int kPacePieces = 8;
-/// The search for the nearest piece ends when this many in a row came no nearer.
+/// The search for the nearest piece ends after this many pieces in a row that come no nearer.
 constexpr int kPaceLookahead = 24;
 
 /// How far along the plan the search has come.
 struct PaceWalk {
-  int piece;          ///< of the whole plan
-  Vec3 begin;         ///< where that piece begins, chain's frame
-  double begin_time;  ///< when it begins, seconds since the plan's beginning
-  double time;        ///< when the plan passes the place that was looked for last, likewise; never decreases
+  int piece;          ///< index of the piece, of all pieces of the plan
+  Vec3 begin;         ///< where the piece begins, in the chain's frame
+  double begin_time;  ///< when the piece begins, seconds since the plan's beginning
+  double time;        ///< when the plan passes the last place that was looked for, seconds since its beginning; never
+                      ///< decreases
 };
 
 /// Begins at pace.from. The pace must have a plan.
 void pace_begin(const Pace& pace, PaceWalk& walk) noexcept;
 
-/// Advances to where the plan passes nearest to a place (chain's frame), as far as the lookahead sees. Answers that
-/// distance in metres, or 1e300 if the plan is over; walk.time is when. `pieces` grows by the number of pieces seen.
+/// Advances to the point at which the plan passes nearest to a place (chain's frame), within kPaceLookahead. Returns
+/// their distance in metres, or 1e300 if the plan is over. walk.time becomes the plan's time at that point. `pieces`
+/// grows by the number of pieces examined.
 double pace_to(const Pace& pace, const Vec3& place, PaceWalk& walk, int& pieces) noexcept;
 
 }  // namespace tern

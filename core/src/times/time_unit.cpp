@@ -7,17 +7,18 @@
 namespace tern {
 namespace {
 
-/// Part of the triangular profile's peak along the whole way. At usual weights the smoothest flight with no speed limit
-/// peaks above it. So where the unit still falls with a rising speed limit, that limit binds, and the flight gains.
+/// The speed that a flight has room for, in parts of the triangular profile's peak along the whole way. At usual
+/// weights, the smoothest flight without a speed limit is faster at its peak. So as long as a higher speed limit makes
+/// the unit smaller, the limit binds, and the flight gains from raising it.
 constexpr double kWholeWay = 0.5;
-/// The way of a flight that has none, metres.
+/// Stands for the length of a way that has none, metres.
 constexpr double kLeastWay = 1e-3;
 
 /// Sums over the legs of a way.
 struct Way {
   double length;   ///< metres
   double squares;  ///< of the legs' lengths
-  double cruise;   ///< seconds at the speed limit
+  double cruise;   ///< seconds for the way at the speed limit
   double push;     ///< length over the acceleration limit
 };
 
@@ -47,7 +48,7 @@ Way way_of(const Chain& chain, const Corridor& corridor, const MotionLimits& lim
   return way;
 }
 
-/// The mean over the way, not over the legs.
+/// The mean length of a leg, averaged over the way and not over the legs.
 double mean_leg(const Way& way) {
   return way.squares / way.length;
 }

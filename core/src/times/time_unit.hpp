@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a flight can reach, and from that what its seconds are worth at time weight 1.
+// The speed and acceleration that a flight can reach, and the cost of a second at time weight 1, which follows from
+// them.
 #ifndef TERN_TIMES_TIME_UNIT_HPP
 #define TERN_TIMES_TIME_UNIT_HPP
 
@@ -12,17 +13,18 @@
 
 namespace tern {
 
-/// The acceleration limit along the way, and the speed that matters on it: the speed limit along the way, or what there
-/// is room for if that is less. There is room for half the peak of the triangular profile along the whole way, and for
-/// the whole peak of that along a leg of mean length. A moving end counts as the way that it takes to stop. Both > 0.
+/// The acceleration limit along the way, and the speed that the flight can reach: the speed limit along the way, or the
+/// speed that there is room for if that is less. There is room for half the peak of the triangular profile along the
+/// whole way. And there is room for the whole peak of that profile along a leg of mean length; the lower one counts. A
+/// moving end counts as the way that it takes to stop. Both > 0.
 LineLimits reachable(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
 
-/// The length of a mean leg over the way that it takes to reach that speed and to stop again, > 0: at large values it
-/// is the speed limit that decides how long a flight takes, and the acceleration limit hardly matters.
+/// The length of a mean leg divided by the way that it takes to reach the speed of reachable() and to stop again, > 0.
+/// At large values the speed limit decides how long a flight takes, and the acceleration limit hardly matters.
 double agility(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
 
-/// The unit of Request::time_weight for this flight, m^2/s^8, > 0: a^6 / v^4 of what is reachable, so that limits have
-/// no say that the flight cannot reach.
+/// The unit of Request::time_weight for this flight, m^2/s^8, > 0: a^6 / v^4, with acceleration and speed of
+/// reachable(). So limits that the flight cannot reach have no influence.
 double time_unit(const Chain& chain, const Corridor& corridor, const MotionLimits& limits) noexcept;
 
 }  // namespace tern

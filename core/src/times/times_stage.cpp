@@ -9,35 +9,37 @@
 namespace tern {
 namespace {
 
-/// Instructions of a segment, and of a piece of the earlier plan that is looked at for it.
+/// Instructions of a segment, and of a piece of the earlier plan that is examined for it.
 constexpr std::uint32_t kSegmentEffort = 1500;
 constexpr std::uint32_t kPieceEffort = 700;
 
-/// First durations over those of the trapezoid: a curve of degree 7 needs a higher peak for the same way. To begin
-/// below what is feasible costs more than to begin above.
+/// Ratio of the first durations to those of the trapezoid. A curve of degree 7 needs a higher peak for the same way,
+/// and durations that are too short to be feasible cost more than durations that are too long.
 constexpr double kFirstSlack = 1.5;
 
 /// Segments that a straight flight needs to come near the trapezoid's duration: two to gain speed, one to hold it, two
-/// to lose it. Each polyhedron gets its part of them.
+/// to lose it. Each polyhedron gets a share of them, by its part of the way.
 constexpr double kFlightSplit = kMaxSplit;
-/// As many more for each via that is flown through.
+/// Further segments for each via that the flight passes without a stop.
 constexpr double kViaSplit = 2.0;
-/// Segments of a polyhedron around a moving end, at least; fewer where its way takes less than kEndPiece seconds each
-/// at the end's speed. Segments of that kind cannot get shorter, and the flight would have to brake to stay in them.
+/// The least number of segments of a polyhedron around a moving end. There are fewer if each would take less than
+/// kEndPiece seconds at the end's speed: such segments cannot get shorter, and the flight would have to brake to stay
+/// in them.
 constexpr int kEndSplit = 3;
 constexpr double kEndPiece = 0.15;
-/// A segment is at most this many times the way to the limit speed and back, but no polyhedron is split into more than
-/// kRunSplit for that.
+/// A segment is at most this many times as long as the way to reach the limit speed and to stop again. But no
+/// polyhedron is split into more than kRunSplit segments for that.
 constexpr double kLongestRun = 2.5;
 constexpr int kRunSplit = 3;
-/// Cosine of the angle between two pieces of one leg, at least.
+/// The least cosine of the angle between two pieces of one leg.
 constexpr double kStraight = 1.0 - 1e-9;
 
-/// Metres within which an earlier plan passes a joint, for its times to count.
+/// The times of an earlier plan count at joints that it passes within this distance, metres.
 constexpr double kBeside = 1.5;
-/// Its times are a little short for a chain that differs, and a programme without a solution is the dearest. So they
-/// count with a slack, and lie between this part of the segment's own first duration and the whole of it: an earlier
-/// plan that slows down to its end would be too slow for a chain that goes on.
+/// The times of an earlier plan are multiplied by kPaceSlack, because they are a little short for a chain that differs,
+/// and a programme without a solution costs most. The result is clamped between kLeastPaced of the segment's own first
+/// duration and the whole of it. Otherwise an earlier plan that slows down to its end would be too slow for a chain
+/// that goes on.
 constexpr double kPaceSlack = 1.05;
 constexpr double kLeastPaced = 0.4;
 
@@ -51,7 +53,8 @@ double way(const Polyhedron& polyhedron) {
   return distance(polyhedron.from, polyhedron.to);
 }
 
-/// Metres that it takes to reach the speed limit, or what the flight has room for, and to stop again.
+/// Metres that it takes to reach the speed limit, or the speed that the flight has room for if that is less, and to
+/// stop again.
 double comfortable_length(const TimesStage& stage, const Polyhedron& polyhedron) {
   const LineLimits line = limits_along(polyhedron.to - polyhedron.from, stage.limits);
   const double speed = smaller(line.speed, stage.speed);
@@ -62,21 +65,21 @@ int most(int a, int b) {
   return a < b ? b : a;
 }
 
-/// The way from stop to stop that a polyhedron is part of: the whole one, without stops.
+/// The way from stop to stop that a polyhedron is part of. Without stops it is the whole way.
 struct Run {
   double length;    ///< metres
-  double segments;  ///< that it is split into, but for rounding
+  double segments;  ///< that the way is split into, up to rounding
 };
 
-/// Its part of the segments of a flight, rounded.
+/// The polyhedron's share of the segments of its run, rounded.
 int split_by_part(const Polyhedron& polyhedron, const Run& run) {
   const double part = run.segments * (way(polyhedron) / run.length);
   const int floor = static_cast<int>(part);
   return part - floor < 0.5 ? floor : floor + 1;
 }
 
-/// True where the way runs straight through the polyhedron and both of its neighbours: a piece of a long leg, along
-/// which a flight cruises.
+/// True if the way runs straight through the polyhedron and both of its neighbours: a piece of a long leg, along which
+/// a flight cruises.
 bool runs_straight(const Corridor& corridor, int index) {
   if (index == 0 || index + 1 == corridor.count) return false;
   const Vec3 before = corridor.polyhedra[index - 1].to - corridor.polyhedra[index - 1].from;
@@ -108,7 +111,7 @@ int split_of(const TimesStage& stage, const Chain& chain, const Corridor& corrid
   return most(least, most(split_by_part(polyhedron, runs[index]), by_run));
 }
 
-/// The most that each polyhedron may be split for the sum to fit.
+/// The most segments that a polyhedron may be split into, so that all fit into kMaxSegments.
 int fitting_split(const TimesStage& stage, const Chain& chain, const Corridor& corridor, const Run* runs) {
   for (int most = kMaxSplit; most > 1; --most) {
     int sum = 0;
@@ -121,7 +124,7 @@ int fitting_split(const TimesStage& stage, const Chain& chain, const Corridor& c
   return 1;
 }
 
-/// The run of each polyhedron.
+/// Finds the run of each polyhedron.
 void measure_runs(const TimesStage& stage, const Chain& chain, const Corridor& corridor, Run* runs) {
   int begin = 0;
   for (int end = 1; end <= corridor.count; ++end) {
@@ -136,12 +139,12 @@ void measure_runs(const TimesStage& stage, const Chain& chain, const Corridor& c
   }
 }
 
-/// Part of the speed that the flight loses at the beginning of the segment, which is not the first.
+/// Part of the speed that the flight loses at the beginning of segment `i` > 0.
 double slowing_at(const TimesStage& stage, const Chain& chain, int i) {
   return chain.polyhedron[i] != chain.polyhedron[i - 1] ? stage.slowing[chain.polyhedron[i]] : 0.0;
 }
 
-/// Part of the speed that is lost where the way turns: none straight on, all of it where it goes back.
+/// Part of the speed that is lost where the way turns: 0 if it goes straight on, 1 if it goes back.
 double turn_at(const Corridor& corridor, int index) {
   const Vec3 before = corridor.polyhedra[index - 1].to - corridor.polyhedra[index - 1].from;
   const Vec3 after = corridor.polyhedra[index].to - corridor.polyhedra[index].from;
@@ -149,7 +152,8 @@ double turn_at(const Corridor& corridor, int index) {
   return lengths > 0.0 ? 0.5 * (1.0 - dot(before, after) / lengths) : 1.0;
 }
 
-/// Seconds that gaining (or losing) the cruising speed at an end of the chain takes beyond cruising the same way.
+/// Seconds by which a ramp to the cruising speed (or from it) at an end of the chain takes longer than cruising the
+/// same way.
 double ramp_time(const JointState& end, const LineLimits& line) {
   const double missing = larger(0.0, line.speed - length(end.d[1]));
   return missing * missing / (2.0 * line.speed * line.acceleration);
@@ -169,7 +173,8 @@ void take_holds(TimesStage& stage, const Holds& holds, const Corridor& corridor,
   }
 }
 
-/// Cruising along the segment's way, with the trapezoid's ramps only where the chain or a stop begins or ends.
+/// The segment's own first duration: cruising along its way, with the trapezoid's ramps at the chain's ends, and at
+/// vias that it slows down for.
 double time_of(const TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
   const MotionLimits& limits = stage.limits;
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
@@ -196,13 +201,13 @@ void begin_pace(TimesStage& stage, const Pace& pace) {
   if (stage.beside) pace_begin(pace, stage.walk);
 }
 
-/// Where the way of the segment ends.
+/// The point at which the way of the segment ends.
 Vec3 next_joint(TimesStage& stage, const Chain& chain, const Corridor& corridor, int i) {
   const Polyhedron& polyhedron = corridor.polyhedra[chain.polyhedron[i]];
   const bool is_last = i + 1 == chain.count || chain.polyhedron[i + 1] != chain.polyhedron[i];
   stage.along = is_last ? 0.0 : stage.along + chain.length[i];
   if (is_last) return polyhedron.to;
-  // A polyhedron of several segments has a way.
+  // The way has a length > 0, since only such polyhedra have several segments.
   return polyhedron.from + (stage.along / way(polyhedron)) * (polyhedron.to - polyhedron.from);
 }
 

@@ -16,10 +16,10 @@
 
 namespace tern {
 
-/// Segments that one polyhedron is split into at most.
+/// The most segments that one polyhedron is split into.
 constexpr int kMaxSplit = 5;
 
-/// Units of one run: a segment each.
+/// The most units of one run of the stage. A unit is one segment.
 constexpr std::uint32_t kTimesBound = static_cast<std::uint32_t>(kMaxSegments);
 
 /// Same frame as the corridor.
@@ -36,25 +36,26 @@ struct TimesStage {
   MotionLimits limits;
   bool after_stop[kMaxSegments];  ///< the polyhedron begins at a via at which the flight stops
   double slowing[kMaxSegments];   ///< part of the speed that is lost where the polyhedron begins
-  double speed;                   ///< m/s that the flight has room to reach
+  double speed;                   ///< speed that the flight has room to reach, m/s
   std::int32_t timed;             ///< segments that have a duration: the work done
   Pace pace;
   PaceWalk walk;  ///< up to the end of the last segment that has a duration
-  double along;   ///< metres of its polyhedron's way up to there, 0 if the next one begins
-  bool beside;    ///< the earlier plan passes near that place
+  double along;   ///< metres of its polyhedron's way up to that end; 0 if that polyhedron ends there
+  bool beside;    ///< the earlier plan passes near that end
   bool paced;     ///< at least one segment has its duration from the earlier plan
 };
 
-/// Cuts the corridor into a chain, which times_advance gives its durations: each segment the time of a trapezoidal
-/// profile (Section 3.3.2) along the whole way: cruising speed, with ramps at the ends that are at rest, at
-/// vias with a stop too, and some slack. One segment of degree 7 between given states has no freedom, and between two
-/// joints cannot hold a speed. So a polyhedron becomes several if it is a large part of the way, if it is longer than
-/// some times what it takes to reach the limit speed and stop again, or if it is around a moving start or goal: at most
-/// kMaxSplit, as far as kMaxSegments allows.
+/// Cuts the corridor into a chain. One segment of degree 7 between given states has no freedom, and between two joints
+/// it cannot hold a speed. So a polyhedron becomes several segments in three cases: if it is a large part of the way,
+/// if it is several times longer than the way to reach the limit speed and stop again, or if it is around a moving
+/// start or goal. It becomes at most kMaxSplit segments, and fewer if kMaxSegments requires it. times_advance gives the
+/// chain its durations. A segment gets its time in a trapezoidal profile (Section 3.3.2) along the whole way, with some
+/// slack: cruising speed, and ramps at the ends and at vias that the flight slows down for.
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
 
-/// If there is an earlier plan, segments between joints that it passes nearby take the time from one to the other,
-/// within bounds (docs/times.md). One unit is one segment. kDone with all durations set; this stage cannot fail.
+/// If there is an earlier plan, a segment between two joints that it passes nearby gets the time that the plan takes
+/// from one to the other, within bounds (docs/times.md). One unit is one segment. kDone with all durations set; this
+/// stage cannot fail.
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept;
 
 }  // namespace tern

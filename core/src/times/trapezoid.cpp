@@ -10,7 +10,8 @@ namespace tern {
 LineLimits limits_along(const Vec3& delta, const MotionLimits& limits) noexcept {
   const Vec3 direction = (1.0 / length(delta)) * delta;
   const Bounds& acceleration = limits.acceleration;
-  // Gaining and losing a speed each take their own limit; together they last as if both had the harmonic mean.
+  // Speeding up and slowing down each have a limit of their own. Together they last as long as if both had the harmonic
+  // mean.
   const double sluggishness = gauge(acceleration, direction) + gauge(acceleration, -1.0 * direction);
   return LineLimits{1.0 / gauge(limits.velocity, direction), 2.0 / sluggishness};
 }
