@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the solver's operations take, in instructions, from the sizes at hand (see Work). Measured on aarch64 and
-// x86-64, and rounded up.
+// Instructions of the solver's operations, from the current sizes (see Work). Measured on aarch64 and x86-64, and
+// rounded up.
 #ifndef TERN_QP_EFFORT_HPP
 #define TERN_QP_EFFORT_HPP
 
@@ -13,18 +13,18 @@
 
 namespace tern::qp {
 
-/// A loop over the unknowns: a substitution with the band of the Hessian's factor.
+/// A turn of a loop over the unknowns: a substitution with the band of the Hessian's factor.
 constexpr std::uint32_t kUnknownEffort = 70;
 /// An active row: its violation, or its part of A'y.
 constexpr std::uint32_t kRowEffort = 150;
-/// A batch that a scan passes over, and one that it prices; and a plane of its group.
+/// A batch that a scan skips, a batch that it prices, and a plane of the priced batch's group.
 constexpr std::uint32_t kSkipEffort = 16;
 constexpr std::uint32_t kBatchEffort = 900;
 constexpr std::uint32_t kPlaneEffort = 55;
-/// A point that is priced alone, and a plane.
+/// A point that is priced alone, and a plane of its group.
 constexpr std::uint32_t kPointEffort = 450;
 constexpr std::uint32_t kPointPlaneEffort = 20;
-/// A unit of work, besides what follows.
+/// A unit of work, besides the operations below.
 constexpr std::uint32_t kIterationEffort = 400;
 
 /// A pass over the basis: a projection on it, or a combination of its columns.

@@ -9,9 +9,10 @@ namespace {
 
 /// A pivot, positive or negative, is mostly rounding if its magnitude is below this share of its diagonal element.
 constexpr double kPivotRounding = 1e-13;
-/// Such a pivot is raised to at least this share of the diagonal element...
+/// A pivot that is mostly rounding is raised to at least this share of its diagonal element.
 constexpr double kPivotFloor = 1e-15;
-/// ...and far enough that its column subtracts at most 1 / kPivotShare of any other diagonal element.
+/// A pivot that is raised is raised so far that its column subtracts at most 1 / kPivotShare of any other diagonal
+/// element.
 constexpr double kPivotShare = 4.0;
 
 /// Below this share of its diagonal terms, beta' H^-1 beta is lost in rounding. The value only steers pricing.
@@ -125,7 +126,7 @@ void forward(const QpSolver& solver, const double* in, double* out) {
 
 namespace {
 
-/// Column i of the factor times the `reach` unknowns after i, taken from an unknown's 3-vector. The nearest unknown
+/// Subtracts column i of the factor times the `reach` unknowns after i from an unknown's 3-vector. The nearest unknown
 /// comes last, because it was computed just before.
 inline void subtract_later(const QpSolver& solver, int i, int reach, Pair& low, Pair& high) {
   const double* const column = solver.factor[i];

@@ -23,7 +23,7 @@ void unknowns_from(QpSolver& solver, const double* z);
 /// |row|^2. Returns the first element that is not zero by structure.
 int transform_row(const QpPoint& point, int plane, QpSolver& solver);
 
-/// 1 / |L^-1 beta|, from the band of H^-1; 0 where beta is zero.
+/// 1 / |L^-1 beta|, from the band of H^-1; 0 if beta is zero.
 double point_inverse_norm(const QpPoint& point, QpSolver& solver);
 
 }  // namespace tern::qp

@@ -16,12 +16,12 @@ void measure(const QpProblem& problem, QpSolver& solver, QpSolution& solution);
 /// True if the measured residuals are within the tolerances of kOk.
 bool accurate(const QpSolution& solution);
 
-/// Fills the solution with Farkas multipliers: 1 for the entering row, and -ratio for each active row where that is
+/// Fills the solution with Farkas multipliers: 1 for the entering row, and -ratio for each active row if that is
 /// positive. True if they prove that no feasible point lies within kProofRadius times the distance of the current point
 /// (in the Hessian's metric). Overwrites solver.row.
 bool prove_infeasible(const QpProblem& problem, QpSolver& solver, QpSolution& solution);
 
-/// The same for one violated constant row, which proves it for all points.
+/// Fills the solution with the Farkas multiplier of one violated constant row, which proves that no point is feasible.
 void contradict(const QpProblem& problem, const QpRow& row, QpSolution& solution);
 
 }  // namespace tern::qp

@@ -105,7 +105,7 @@ bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, Poi
   return larger(most[0], most[1]) > 0.0;
 }
 
-/// The same for a number of points, 1 .. kQpBatch, that is known only at run time.
+/// Calls scan() for `count` points, 1 .. kQpBatch, a number that is known only at run time.
 inline bool scan(const QpUnitPlanes& planes, const QpScreen& screen, int plane_end, int count, PointBatch& batch) {
   switch ((count + 1) / kPair) {
     case 1:

@@ -13,9 +13,9 @@ namespace {
 /// Above every possible violation. It marks a point that is NaN or infinite.
 constexpr double kNoNumber = 1e300;
 
-/// A batch is skipped while the worst violation found in it is below this share of the one that entered last...
+/// A batch is skipped while the worst violation found in it is below this share of that of the row that entered last.
 constexpr double kWorthwhile = 0.3;
-/// ...but never for kScanPeriod scans in a row. Rows that are newly violated thus need not wait for all others to be
+/// No batch is skipped for kScanPeriod scans in a row. So newly violated rows need not wait until all others are
 /// satisfied.
 constexpr int kScanPeriod = 6;
 /// After a scan, only the worst point of each promising batch is priced again. If the worst of them is still violated

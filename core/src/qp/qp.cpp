@@ -99,8 +99,8 @@ void drop_negative(QpSolver& solver) {
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
 
-/// No row is violated. The point is the answer if its residuals are small enough; otherwise it is refined and priced
-/// again.
+/// Goes on if no row is violated. The point is the answer if its residuals are small enough; otherwise it is refined
+/// and priced again.
 void conclude(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   qp::measure(problem, solver, solution);
   if (qp::accurate(solution)) return end(solver, Status::kOk);

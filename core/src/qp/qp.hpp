@@ -69,9 +69,9 @@ struct QpProblem {
   QpGroup groups[kQpMaxGroups];
 };
 
-/// A row enters the working set if it is violated by more than this (in the row's unit over |normal|: metres)...
+/// A row enters the working set if it is violated by more than this (in the row's unit over |normal|: metres).
 constexpr double kQpEntering = 5e-10;
-/// ...and kOk promises that these residuals, computed from the problem's own data, are not exceeded.
+/// If a solve ends in kOk, the residuals, computed from the problem's own data, do not exceed these.
 constexpr double kQpViolation = 1e-9;
 constexpr double kQpStationarity = 1e-8;
 constexpr double kQpComplementarity = 1e-8;
@@ -111,7 +111,8 @@ Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolu
 double qp_lower_bound(const QpSolver& solver) noexcept;
 constexpr double kQpNoBound = 1e300;
 
-/// Ends a solve where there is such a bound, and fills `solution` with the x and the multipliers that it belongs to.
+/// Ends a solve for which qp_lower_bound() has a bound, and fills `solution` with the x and the multipliers of that
+/// bound.
 void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution) noexcept;
 
 }  // namespace tern

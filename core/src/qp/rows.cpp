@@ -13,7 +13,7 @@ constexpr double kLargeSquare = 1e200;
 /// A normal whose squared length is this close to 1 is unit.
 constexpr double kUnitTolerance = 1e-14;
 
-/// 1 / length of a normal whose squared length is outside that range.
+/// 1 / length of a normal whose squared length is outside kSmallSquare .. kLargeSquare; 0 for a zero normal.
 double careful_inverse(const Vec3& n) {
   const double largest = larger(larger(absolute(n.x), absolute(n.y)), absolute(n.z));
   if (!(largest > 0.0)) return 0.0;
@@ -33,7 +33,7 @@ double take_normal(const Halfspace& plane, int p, QpUnitPlanes& planes) {
   return 0.0 * ((planes.normal[0][p] + planes.normal[1][p]) + planes.normal[2][p]);
 }
 
-/// The same for two planes, both at once if both normals are unit vectors already.
+/// Makes two normals unit vectors, both at once if they already are. Returns 0 for each that is finite.
 Pair take_two_normals(const Halfspace* two, int p, QpUnitPlanes& planes) {
   const Pair x = {two[0].normal.x, two[1].normal.x};
   const Pair y = {two[0].normal.y, two[1].normal.y};
@@ -64,7 +64,7 @@ void contradict_zeros(const QpProblem& problem, QpSolver& solver) {
   }
 }
 
-/// Bounds nothing.
+/// Offset of a bound that does not exist.
 constexpr double kFar = 1e300;
 
 /// The axis along which a unit normal points: 0 .. 2 upwards, 3 .. 5 downwards; -1 for an oblique one. A normal that
@@ -79,7 +79,7 @@ int axis_of(const QpUnitPlanes& planes, int p) {
   return -1;
 }
 
-/// The box of the group's first planes. Neighbouring groups of the problem often have the same.
+/// Makes the box of the group's first planes.
 void make_box(const QpGroup& group, const QpUnitPlanes& planes, QpScreen& screen) {
   double low[kQpAxes] = {-kFar, -kFar, -kFar};
   double high[kQpAxes] = {kFar, kFar, kFar};
@@ -108,7 +108,8 @@ bool same_planes(const QpGroup& a, const QpGroup& b) {
   return a.plane_begin == b.plane_begin && a.plane_end == b.plane_end;
 }
 
-/// Boxes of all groups. Limits are the same planes for many groups in a row.
+/// Makes the boxes of all groups. A group often has the planes of the group before, and then the same box: limits are
+/// the same planes for many groups in a row.
 void make_boxes(const QpProblem& problem, QpSolver& solver) {
   for (int g = 0; g < problem.group_count; ++g) {
     if (g > 0 && same_planes(problem.groups[g - 1], problem.groups[g])) {

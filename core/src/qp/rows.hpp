@@ -37,8 +37,8 @@ inline double violation_at(const Value& at, const QpUnitPlanes& planes, int p) {
 /// zero. False if one is not finite.
 bool prepare_normals(const QpProblem& problem, QpSolver& solver);
 
-/// Scales the offsets of the planes likewise. False if one is not finite. A plane with a zero normal counts as
-/// satisfied, or as violated by 1 if its offset is negative, which also sets solver.contradictory.
+/// Divides the offsets of the planes by the lengths of their normals. False if one is not finite. A plane with a zero
+/// normal counts as satisfied, or as violated by 1 if its offset is negative, which also sets solver.contradictory.
 bool prepare_offsets(const QpProblem& problem, QpSolver& solver);
 
 /// Sets aside the points that depend on no unknown.

@@ -16,7 +16,8 @@ constexpr int kQpMaxRank = kMaxActive < kQpAxes * kQpMaxUnknowns ? kMaxActive : 
 constexpr int kQpBatch = 8;
 constexpr int kQpMaxBatches = kQpMaxPoints / kQpBatch + kQpMaxGroups;
 
-/// Where column j of a packed upper triangle begins. Each column has an even length, so that pairs are aligned.
+/// Index at which column j of a packed upper triangle begins. Each column has an even length, so that pairs are
+/// aligned.
 constexpr int packed_column(int j) {
   return 2 * (j / 2 + 1) * (j / 2 + j % 2);
 }
@@ -36,7 +37,7 @@ struct QpUnitPlanes {
   double offset[kQpMaxPlanes];
   double scale[kQpMaxPlanes];      ///< 1 / |normal| of the problem's plane; 0 for a zero normal
   bool slab[kQpMaxPlanes];         ///< the next plane's normal is the opposite one
-  std::int8_t axis[kQpMaxPlanes];  ///< of the planes in a box: 0 .. 2 upwards, 3 .. 5 downwards
+  std::int8_t axis[kQpMaxPlanes];  ///< axis of each plane of a box: 0 .. 2 for +x, +y, +z; 3 .. 5 for -x, -y, -z
   bool zeros;                      ///< some normal is zero
 };
 
@@ -45,18 +46,18 @@ struct QpScreen {
   // The first planes of the group, whose normals are along axes, as one box. Every bound is stored twice, as a pair.
   alignas(16) double low[kQpAxes][2];
   alignas(16) double high[kQpAxes][2];
-  std::int32_t oblique;  ///< the first plane after those
-  // The group's points, without those at its ends that depend on no unknown: those are priced once a solve.
+  std::int32_t oblique;  ///< the first plane that is not in the box
+  // The group's points without those at its ends that depend on no unknown, which are priced once a solve.
   std::int32_t moving_begin;
   std::int32_t moving_end;
 };
 
 /// What pricing found in a batch when it last scanned it.
 struct QpPrice {
-  double distance;     ///< of its most violated row, in z; 0 if none was violated
-  std::int32_t point;  ///< where that was
+  double distance;     ///< violation of the batch's most violated row, as a distance in z; 0 if none was violated
+  std::int32_t point;  ///< point of that row
   std::int32_t group;
-  std::int32_t scan;  ///< when that was
+  std::int32_t scan;  ///< number of that scan
 };
 
 /// With H = L L', the solver works on z = L' x, where the cost is a distance: minimise 1/2 |z - target|^2 subject to
@@ -68,7 +69,7 @@ struct QpSolver {
   alignas(16) double factor[kQpMaxUnknowns][kQpBand + 1];
   double inverse[kQpMaxUnknowns][kQpBand + 1];
   alignas(16) double x[kQpMaxUnknowns][4];                 ///< 3-vectors padded to two lanes of two
-  alignas(16) double spread[kQpMaxUnknowns][2 * kQpAxes];  ///< the same with every element twice
+  alignas(16) double spread[kQpMaxUnknowns][2 * kQpAxes];  ///< x with every element twice
   alignas(16) double target[kQpMaxDimension];
   alignas(16) double z[kQpMaxDimension];
 
@@ -102,7 +103,7 @@ struct QpSolver {
   QpRow warm[kMaxActive];
   double entered;         ///< violation of the row found last, as a distance in z
   double worst;           ///< largest violation at x in the last scan
-  double constant_worst;  ///< the same for the points that depend on no unknown
+  double constant_worst;  ///< largest violation of points that depend on no unknown, in the first scan
   double gain;            ///< how far the dual objective has risen
   int unknowns;           ///< per axis
   int dimension;          ///< 3 * unknowns
@@ -122,7 +123,7 @@ struct QpSolver {
   bool contradictory;  ///< a zero normal with a negative offset exists
   bool usable;         ///< the problem is finite, its Hessian positive definite, and the factors are valid
   QpPhase phase;
-  Status status;  ///< where phase is kDone
+  Status status;  ///< set if phase is kDone
 };
 
 }  // namespace tern
