@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every capacity of the core: what it limits, what it costs, and what happens beyond it. The core allocates nothing.
-// What does not fit is answered with a status, never with a wrong result.
+// Input that does not fit gets a status, never a wrong result.
 //
 // Choose a profile, or leave the default:
 // - TERN_PROFILE_TINY: for tests. Every capacity is easy to exceed.
@@ -85,8 +85,8 @@
 #define TERN_MAX_ACTIVE TERN_DEFAULT(12, 64, 192, 192)
 #endif
 
-/// Iterations of one quadratic programme. They cost no memory; they bound the time. Beyond this, the programme counts
-/// as unsolved. If none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
+/// Iterations of one quadratic programme. They cost no memory; they bound the time. Beyond it, the programme counts as
+/// unsolved. If none is solved, the plan falls back to stop-and-go, with Report::optimiser kIterationLimit.
 #ifndef TERN_MAX_QP_ITERATIONS
 #define TERN_MAX_QP_ITERATIONS TERN_DEFAULT(40, 800, 800, 1500)
 #endif
@@ -103,8 +103,8 @@
 #define TERN_MAX_FENCES TERN_DEFAULT(2, 4, 16, 16)
 #endif
 
-/// Vias of one request. Each takes about 300 bytes of the workspace and 16 of a
-/// Report. A way through vias needs a segment for each, and one more. Beyond it: kViasFull.
+/// Vias of one request. Each takes about 300 bytes of the workspace and 16 of a Report. A way through vias needs a
+/// segment for each, and one more. Beyond it: kViasFull.
 #ifndef TERN_MAX_VIAS
 #define TERN_MAX_VIAS TERN_DEFAULT(2, 4, 16, 16)
 #endif

@@ -39,10 +39,10 @@ struct SetpointNed {
 /// 4,000 km), so let it be near the plan.
 SetpointNed setpoint_ned(const Sample& sample, const YawSample& yaw, const Vec3& origin) noexcept;
 
-/// The same without a yaw plan: yaw and yaw rate are NaN.
+/// The setpoint of a sample without a yaw plan: yaw and yaw rate are NaN.
 SetpointNed setpoint_ned(const Sample& sample, const Vec3& origin) noexcept;
 
-/// How far what an export says is from the plan, at equal times since the beginning: bounds for all times, not samples.
+/// How far an export is from the plan, at equal times since the beginning: bounds for all times, not samples.
 struct ExportError {
   double position;      ///< m
   double velocity;      ///< m/s
@@ -86,9 +86,9 @@ constexpr int32_t kCrazyfliePieces = 31;
 constexpr double kCrazyflieYaw = 0.05;
 
 /// The plan as pieces, relative to `origin`, a point of the world: one piece for each segment, or for parts of it if
-/// the yaw needs them. Numbers are rounded to float, `error` says what that changes. Times are those of the rounded
-/// durations, added up. The yaw polynomial of a piece agrees with `yaw` in angle, rate and acceleration at both ends
-/// and in angle at a third and two thirds; a null `yaw` is yaw 0. kOk; kInvalidArgument, with nothing but pieces
+/// the yaw needs them. Numbers are rounded to float; `error` says how far that moves the plan. Times are those of the
+/// rounded durations, added up. The yaw polynomial of a piece agrees with `yaw` in angle, rate and acceleration at both
+/// ends and in angle at a third and two thirds; a null `yaw` is yaw 0. kOk; kInvalidArgument, with nothing but pieces
 /// written, for an empty plan, a segment too short for float, or more segments than `room` or kCrazyfliePieces.
 Status crazyflie_raw(const Trajectory& trajectory, const YawPlan* yaw, const Vec3& origin, Poly4d* pieces, int32_t room,
                      int32_t& count, ExportError& error) noexcept;
@@ -132,13 +132,14 @@ ArdupilotLimits ardupilot_limits() noexcept;
 /// The share of PX4's speed limits that plans use. PX4 clips the sum of the plan's velocity and its own correction at
 /// MPC_XY_VEL_MAX: at a share of 1, a vehicle that lags cannot catch up. docs/integration/px4.md has measurements.
 constexpr double kPx4SpeedShare = 0.7;
-/// The share of ArduPilot's jerk limits that plans use, likewise. In guided mode, it does not clip speeds.
+/// The share of ArduPilot's jerk limits that plans use, for the same reason. In guided mode, ArduPilot does not clip
+/// speeds.
 constexpr double kArdupilotJerkShare = 0.9;
 
 /// Limits of plans that the autopilot can follow: horizontal ones on the norm, climb and descent apart. kOk;
 /// kNonFiniteInput; or kLimitsInvalid for a parameter below 0.01 or above what its autopilot's documentation allows,
-/// as centimetres in place of metres are (docs/export.md has the ranges). `limits` is then as it was, and `field` names
-/// the limit that would have come from the parameter. `field` may be null.
+/// for example one in centimetres in place of metres (docs/export.md has the ranges). `limits` is then as it was, and
+/// `field` names the limit that would have come from the parameter. `field` may be null.
 Status limits_from_px4(const Px4Limits& parameters, Limits& limits, Field* field = nullptr) noexcept;
 Status limits_from_ardupilot(const ArdupilotLimits& parameters, Limits& limits, Field* field = nullptr) noexcept;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Flying through a world that is discovered: a RollingMap is filled by the vehicle's sensors, a Planner makes plans on
-// it, and a Flight decides what is flown. Whatever it commits to ends at rest, and was proven clear of all that is not
-// known to be free. docs/flight.md has the rules and what they promise.
+// it, and a Flight decides which plans the vehicle follows. A committed plan ends at rest, and was proven clear of all
+// space that is not known to be free. docs/flight.md has the rules and what they promise.
 #ifndef TERN_FLIGHT_HPP
 #define TERN_FLIGHT_HPP
 
@@ -42,8 +42,8 @@ struct FlightSpec {
   double near;
   /// How fast the vehicle turns its sensor, rad/s, > 0. It says how long to look into one direction.
   double yaw_rate;
-  /// Geofences, `fence_count` of them, valid as for a Request, or null: all that is flown respects them. They and their
-  /// half-spaces are yours and must outlive the flight, unchanged.
+  /// Geofences, `fence_count` of them, valid as for a Request, or null. All committed plans respect them. They and
+  /// their half-spaces are yours and must outlive the flight, unchanged.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
   /// Nanoseconds without a new frame after which FlightReport::map_stale is true, >= 0; 0: never, for flights over a
@@ -55,7 +55,7 @@ struct FlightSpec {
 /// near 2.5 m, yaw rate 2.5 rad/s, a map that is stale after a second without frames.
 FlightSpec flight_spec(const Limits& limits) noexcept;
 
-/// Words of 64 bits that a flight needs for a map of these dimensions; 0 where they are out of range.
+/// Words of 64 bits that a flight needs for a map of these dimensions; 0 if they are out of range.
 size_t flight_words(const Voxel& dims) noexcept;
 
 /// What keeps a flight from going on, or from beginning.
@@ -72,9 +72,9 @@ const char* blocked_by_text(BlockedBy by) noexcept;
 
 /// Why Flight::start() refused.
 struct FlightRefusal {
-  /// The field of FlightSpec, of the map or of the call. kNone where nothing was refused.
+  /// The field of FlightSpec, of the map or of the call. kNone if nothing was refused.
   Field field = Field::kNone;
-  /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence where their pointer or
+  /// For kFences, and for a start that breaks a fence: the index in FlightSpec::fences; kNoFence if their pointer or
   /// count is wrong. Otherwise kNoFence.
   int32_t fence = kNoFence;
   /// For kStartOccupied: what is nearest to the start that is not known to be free, kUnseen, kObstacle or kWindow.
@@ -113,7 +113,7 @@ enum class FlightReason : uint8_t {
 /// Points of a mission, at most: the vias and the goal.
 constexpr int32_t kMaxMissionPoints = kMaxVias + 1;
 
-/// What happens where a point of a mission, other than the goal, cannot be reached.
+/// What happens if a point of a mission, other than the goal, cannot be reached.
 enum class ViaPolicy : uint8_t {
   kEnd = 0,  ///< the mission ends: the vehicle comes to rest and says why
   kSkip,     ///< it goes on to the next point
@@ -147,7 +147,7 @@ struct FlightYaw {
   FlightYawMode mode;
   /// Limit on the angular acceleration, rad/s^2, 0.01 .. 1000.
   double acceleration_max;
-  /// The sensor's horizontal field of view, rad, 0 .. 2 pi; 0 where FlightReport::waits_for_view does not matter.
+  /// The sensor's horizontal field of view, rad, 0 .. 2 pi; 0 if FlightReport::waits_for_view does not matter.
   double view;
   /// The heading at rest; only the first set_yaw() after start() reads it.
   Heading start;
@@ -173,17 +173,17 @@ struct FlightReport {
   double contact_speed;
   /// The mission's next point, and how many were passed and skipped. Flight::point_state() says which.
   int32_t leg, passed, skipped;
-  /// True where the next thing to see is outside the sensor's field of view (FlightYaw::view): the limits on the yaw
-  /// slow the flight.
+  /// True if the next thing to see is outside the sensor's field of view (FlightYaw::view): the limits on the yaw slow
+  /// the flight.
   bool waits_for_view;
-  /// True where no frame was entered into the map for longer than FlightSpec::stale_after. What is flown is as safe as
-  /// ever, but ends where the known space ends.
+  /// True if no frame was entered into the map for longer than FlightSpec::stale_after. The committed plan is as safe
+  /// as ever, but ends where the known space ends.
   bool map_stale;
   /// Nanoseconds since a tick last found that a frame or scan was begun; since start(), if there was none.
   int64_t frame_age;
-  /// What ended the proof of the last plan, or what is in the way of one, if none was found. kNothing where the last
-  /// plan was proven to its end, at the goal, and without one. While the vehicle rests with something nearer than the
-  /// radius, with a goal or without: the nearest of that. It explains, and decides nothing.
+  /// What ended the proof of the last plan or, if no plan was found, what is in its way. kNothing if the last plan was
+  /// proven to its end, at the goal, and without a goal. While the vehicle rests with something nearer than the radius,
+  /// it is the nearest such thing, with a goal or without. No decision depends on it.
   BlockedBy blocked_by;
   /// Where, world frame, metres: the centre of the voxel that is too near to the way; for kWindow and kFence the place
   /// on the way. Zero for kNothing.
@@ -211,32 +211,32 @@ class FlightState;
 /// same bits.
 class Flight {
  public:
-  /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content.
-  /// kOk; kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too
-  /// short for the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull, kFencePlanesFull or
-  /// kFenceEmpty; kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced
-  /// if the position breaks a fence. Whatever is refused leaves the flight without a binding. `refusal` receives what
-  /// is wrong; it may be null.
+  /// Begins at rest at `position`, world frame, at time `t`. `words`: flight_words() of them with any content. kOk;
+  /// kNonFiniteInput; kInvalidArgument (spec out of range, map not bound, busy or with radius 0, a window too short for
+  /// the horizon, too few words, a malformed fence); kLimitsInvalid; kFencesFull, kFencePlanesFull or kFenceEmpty;
+  /// kStartOccupied if not all within the radius was seen free (see RollingMap::assume_free); kStartFenced if the
+  /// position breaks a fence. A refused call leaves the flight without a binding. `refusal` receives what is wrong; it
+  /// may be null.
   Status start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words, size_t word_count,
                const Vec3& position, int64_t t, FlightRefusal* refusal = nullptr) noexcept;
   /// Sets the goal, world frame. It may be anywhere, also beyond the window or in an obstacle. kNonFiniteInput leaves
   /// the goal as it was; kInvalidArgument before start().
   Status set_goal(const Vec3& goal) noexcept;
   /// Sets a mission in place of the goal: the vehicle passes points[0] to points[count - 2] in order, with speed, and
-  /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m; where `stop` is true,
-  /// at rest, and for its `dwell`. The goal's tolerance, stop and dwell mean nothing, whatever they are. The points are
-  /// copied. `policy` says what happens to one that turns out to be in an obstacle, to break a fence, or to have no way
-  /// to it; for the goal, that is as for set_goal(). kOk; whatever is refused leaves the goal as it was:
-  /// kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points, a negative tolerance, a
-  /// velocity, no such policy, or before start()).
+  /// ends at the last one, the goal. Each point is passed within its tolerance, but for 1e-9 m. If its `stop` is true,
+  /// the vehicle comes to rest there, and stays for its `dwell`. The goal's tolerance, stop and dwell mean nothing,
+  /// whatever they are. The points are copied. `policy` says what happens to one that turns out to be in an obstacle,
+  /// to break a fence, or to have no way to it; for the goal, that is as for set_goal(). kOk; or a refusal, which
+  /// leaves the goal as it was: kNonFiniteInput; kViasFull (more than kMaxMissionPoints); kInvalidArgument (no points,
+  /// a negative tolerance, a velocity, no such policy, or before start()).
   Status set_mission(const Via* points, int32_t count, ViaPolicy policy) noexcept;
   /// What became of a point of the mission. kAhead for points that it does not have.
   PointState point_state(int32_t point) const noexcept;
-  /// Plans yaws beside what is flown from now on; without it, yaw() is 0. May be called again at any time: the nose
-  /// goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk; whatever is
-  /// refused changes nothing: kNonFiniteInput; kLimitsInvalid; kInvalidArgument (before start(), a mode that is none, a
-  /// heading without direction, too many headings or none, view out of range). What the mode does not read may be
-  /// anything.
+  /// From now on, plans yaws beside the committed plans. Without this call, yaw() is 0. May be called again at any
+  /// time: the nose goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk;
+  /// or a refusal, which changes nothing: kNonFiniteInput; kLimitsInvalid; kInvalidArgument (before start(), a mode
+  /// that is none, a heading without direction, too many headings or none, view out of range). Fields that the mode
+  /// does not read may hold anything.
   Status set_yaw(const FlightYaw& yaw) noexcept;
   /// Where the nose points at time `t`, with rate and acceleration: all three are continuous, however ticks come. The
   /// angle begins within half a turn of 0 and counts whole turns from there. Every time has an answer, as for
@@ -244,15 +244,15 @@ class Flight {
   YawSample yaw(int64_t t) const noexcept;
   /// Comes to rest soon and forgets the goal. kInvalidArgument before start().
   Status stop() noexcept;
-  /// Does one tick's work: the map's job in work, the proof of what is flown where the map changed, and the next plan.
-  /// Call it every FlightSpec::tick; where ticks are skipped, plans come late and are dropped. kOk; kClockBehind if `t`
-  /// is before the last tick's, and nothing was done; kInvalidArgument before start(). `report` is always filled: where
-  /// nothing was done, with the last one.
+  /// Does one tick's work: continues the map's job, proves the committed plan anew where the map changed, and continues
+  /// the pending plan. Call it every FlightSpec::tick; if ticks are skipped, plans come late and are dropped. kOk;
+  /// kClockBehind if `t` is before the last tick's, and nothing was done; kInvalidArgument before start(). `report` is
+  /// always filled: if nothing was done, with the last report.
   Status tick(int64_t t, FlightReport& report) noexcept;
   /// The same without a report.
   Status tick(int64_t t) noexcept;
-  /// What to fly at time `t`. Every time has an answer: that of the last tick's time for times before it, so that
-  /// nothing is flown twice, and rest after the end. Before start() zeros.
+  /// What to fly at time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
+  /// so that nothing is flown twice. After the end, the answer is rest. Before start(), it is zeros.
   Command command(int64_t t) const noexcept;
   /// The clock was set, back or ahead, and shows `t` now: one FlightSpec::tick after the last tick. From there the
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before

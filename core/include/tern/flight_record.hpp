@@ -18,28 +18,28 @@
 
 namespace tern {
 
-/// Ticks from one that is recorded with its whole command to the next; the others leave its hash alone.
+/// One tick of this many is recorded with its whole command, the others only with its hash.
 constexpr uint64_t kWholeCommandTicks = 64;
 
 /// Room that is enough for begin() and close(), bytes.
 constexpr size_t kFlightRecordBytes = 56;
-/// Room that a tick needs, bytes. All ticks but one of kWholeCommandTicks take 24.
+/// Room that a tick needs, bytes. All ticks but one of kWholeCommandTicks take 24 bytes.
 constexpr size_t kTickRecordBytes = 168;
-/// Room that is enough for a frame with such a view, bytes; 0 where it has no pixels, or more than kMaxPixels.
+/// Room that is enough for a frame with such a view, bytes; 0 if it has no pixels, or more than kMaxPixels.
 size_t frame_record_bytes(const DepthView& view) noexcept;
 /// Room that is enough for a scan of so many points or beams, bytes.
 size_t scan_record_bytes(size_t count) noexcept;
 
 /// Writes the record of one flight. Make every call of the map and the flight as always, then tell the recorder of it,
-/// with the same arguments and what it answered:
+/// with the same arguments and its answer:
 ///
 ///     recorder.frame(view, pose, t, map.begin_frame(view, pose, t));
 ///     recorder.tick(flight, t, report, flight.tick(t, report));
 ///
-/// What was refused changed nothing, so it is not recorded. Nor are snapshots, which change neither the map nor the
-/// flight. Each call answers kOk; kRecordFull where the room does not suffice; or kInvalidArgument before begin(), for
-/// a null pointer, or for a count out of range. After kRecordFull all calls but close() answer the same, because a
-/// flight with a gap cannot be flown again; what was recorded before stays good.
+/// A refused call changed nothing, so it is not recorded. Nor are snapshots, which change neither the map nor the
+/// flight. Each call answers kOk; kRecordFull if the room does not suffice; or kInvalidArgument before begin(), for a
+/// null pointer, or for a count out of range. After kRecordFull all calls but close() answer the same, because a flight
+/// with a gap cannot be flown again; what was recorded before stays good.
 ///
 /// A call takes time in proportion to its bytes. Plain data: copies go on from the same place, so use one of them.
 class FlightRecorder {
@@ -66,7 +66,7 @@ class FlightRecorder {
   Status set_yaw(const FlightYaw& yaw, Status answer) noexcept;
   Status stop(Status answer) noexcept;
   Status set_clock(int64_t t, Status answer) noexcept;
-  /// Records command(t) and yaw(t) of the flight, too, as they are after the tick.
+  /// Records a tick, with command(t) and yaw(t) of the flight as they are after it.
   Status tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept;
 
   /// Makes the bytes so far a whole record; `used` gets their number. Calls may go on, and the next close() makes a
@@ -79,7 +79,7 @@ class FlightRecorder {
 
   /// Bytes in the buffer, without those of close().
   size_t pending() const noexcept;
-  /// The buffer is empty again.
+  /// Empties the buffer.
   void clear() noexcept;
 
  private:
@@ -87,7 +87,7 @@ class FlightRecorder {
   size_t room_ = 0;        // words
   size_t used_ = 0;        // words in the buffer
   uint64_t total_ = 0;     // words of the record
-  uint64_t checksum_ = 0;  // of all of them
+  uint64_t checksum_ = 0;  // of all words of the record
   uint64_t ticks_ = 0;
   Status status_ = Status::kInvalidArgument;
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The occupancy grid: two layers of bits in storage of yours. The obstacle layer holds the voxels that you marked; each
-// is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only where the robot's
+// is a solid closed cube. The blocked layer is made from it by inflate(). A voxel is free in it only if the robot's
 // centre may be anywhere in the voxel's closed cube: at least the radius and the tracking margin away from every
-// obstacle cube, and inside the boundary (contract C5). Where the boundary holds no whole voxel, this holds for the
-// part of the cube inside the boundary. docs/grid.md has the details.
+// obstacle cube, and inside the boundary (contract C5). If the boundary holds no whole voxel, this holds for the part
+// of the cube inside the boundary. docs/grid.md has the details.
 #ifndef TERN_GRID_HPP
 #define TERN_GRID_HPP
 
@@ -20,16 +20,17 @@ namespace tern {
 
 /// Where a grid lies and how fine it is. World frame, metres.
 struct GridSpec {
-  /// Lower corner of voxel (0, 0, 0). So near to the world's origin that doubles there resolve a thousandth of a cell.
+  /// Lower corner of voxel (0, 0, 0). It must be so near to the world's origin that doubles resolve a thousandth of a
+  /// cell there.
   Vec3 origin;
   /// Edge of a voxel, within [kMinCell, kMaxCell].
   double cell;
   /// Voxels along each axis, 1 .. kMaxDimension. Their product is at most kMaxCells.
   Voxel dims;
   /// Where the robot's centre may be, faces included. It must lie inside the grid; its faces need not be voxel faces. A
-  /// voxel that it cuts is blocked, but not on an axis where the boundary holds no whole voxel: a boundary with
-  /// lower.z == upper.z makes flights at one height. Where obstacles beyond the boundary matter, make the grid wider
-  /// than the boundary by the radius, because a grid knows no obstacles outside itself.
+  /// voxel that it cuts is blocked, but not on an axis where the boundary holds no whole voxel: a boundary with equal
+  /// lower.z and upper.z makes flights at one height. If obstacles beyond the boundary matter, make the grid wider than
+  /// the boundary by the radius, because a grid knows no obstacles outside itself.
   Box boundary;
   /// Radius of the robot's body, >= 0.
   double radius;
@@ -54,18 +55,18 @@ constexpr double kMinCell = 1e-6;
 constexpr double kMaxCell = 1e6;
 
 /// Number of 64-bit words that a grid of these dimensions needs: two bits a voxel (each row along x takes whole words),
-/// a header of 8 words, and about a 32nd more to know what changed. 0 where a dimension is out of range.
+/// a header of 8 words, and about a 32nd more to know what changed. 0 if a dimension is out of range.
 size_t grid_words(const Voxel& dims) noexcept;
 
 /// Identifies what an inflated grid holds at one time. Equal versions mean equal voxels, but for a chance of 2^-64. The
 /// planner uses it to notice changes.
 struct GridVersion {
-  const uint64_t* words;  ///< the storage; null where the grid is not bound or not inflated
-  uint64_t binding;       ///< which bind of that storage, and to which spec
+  const uint64_t* words;  ///< the storage; null if the grid is not bound or not inflated
+  uint64_t binding;       ///< tells the bind of that storage, and its spec
   uint64_t revision;      ///< Grid::revision()
   uint64_t content;       ///< a hash of all marks and clears since the bind
 
-  /// True where all four agree.
+  /// True if all four agree.
   bool equals(const GridVersion& other) const noexcept {
     return words == other.words && binding == other.binding && revision == other.revision && content == other.content;
   }
@@ -95,10 +96,10 @@ class Grid {
 
   /// Marks each voxel whose interior the box meets, in metres and the world frame. A face that lies on a voxel face but
   /// for rounding takes no further voxel. A flat box on a voxel face marks the voxels above it, or below it at the
-  /// grid's upper face. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument where lower > upper.
+  /// grid's upper face. Parts outside the grid are ignored. kNonFiniteInput; kInvalidArgument if lower > upper.
   Status mark_box(const Box& world) noexcept;
-  /// Marks each voxel whose interior the cylinder meets. One of radius 0 marks what mark_box marks for its axis, and so
-  /// on for one of height 0. kNonFiniteInput; kInvalidArgument for a radius or height below 0.
+  /// Marks each voxel whose interior the cylinder meets. A cylinder of radius 0 marks what mark_box marks for its axis.
+  /// One of height 0 is treated as a flat box is. kNonFiniteInput; kInvalidArgument for a radius or height below 0.
   Status mark_cylinder(const Cylinder& world) noexcept;
   /// Clears the same voxels that mark_box would mark, whoever marked them.
   Status clear_box(const Box& world) noexcept;
@@ -108,37 +109,37 @@ class Grid {
   Status clear_voxel(const Voxel& voxel) noexcept;
   /// Marks the voxel that holds each of `count` points, for example a sensor's point cloud. A point on a face belongs
   /// to the voxel above it. Points outside the grid are skipped; `inside`, which may be null, gets the number of the
-  /// others. kNonFiniteInput where any point is not finite; kInvalidArgument where `world` is null and count > 0.
+  /// others. kNonFiniteInput if any point is not finite; kInvalidArgument if `world` is null and count > 0.
   Status mark_points(const Vec3* world, size_t count, size_t* inside = nullptr) noexcept;
 
-  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It makes again only the
-  /// words near obstacles that changed; the result is the same as making all. It does nothing where nothing changed, or
-  /// on a grid that is not bound. Planning on a grid that needs it answers kInvalidArgument, field kNotInflated.
+  /// Brings the blocked layer up to date with the obstacle layer, the radius and the boundary. It makes only the words
+  /// near changed obstacles anew, with the same result as for all words. It does nothing if nothing changed, or on a
+  /// grid that is not bound. Planning on a grid that is not up to date answers kInvalidArgument, field kNotInflated.
   void inflate() noexcept;
 
-  // Reading. What is read from a grid that is not bound has no meaning, except where a value is stated.
+  // Reading. The answers of a grid that is not bound have no meaning, unless a value is stated.
 
   /// The spec of the last bind.
   const GridSpec& spec() const noexcept { return spec_; }
   /// False before the first bind, and after the storage was bound through another grid or overwritten.
   bool bound() const noexcept { return words_ != nullptr && words_[kBinding] == binding_; }
-  /// True where the blocked layer is up to date, so that plans are possible.
+  /// True if the blocked layer is up to date, so that plans are possible.
   bool inflated() const noexcept { return bound() && words_[kInflated] == words_[kRevision]; }
   /// Grows by one with every mark or clear that answers kOk, through any copy, and by more with every bind. It never
-  /// falls for the same grid or the same storage. inflate() does not change it. 0 where the grid is not bound.
+  /// falls for the same grid or the same storage. inflate() does not change it. 0 if the grid is not bound.
   uint64_t revision() const noexcept { return bound() ? words_[kRevision] : 0; }
-  /// What the grid holds now. All zero where the grid is not inflated.
+  /// What the grid holds now. All zero if the grid is not inflated.
   GridVersion version() const noexcept {
     return inflated() ? GridVersion{words_, binding_, words_[kRevision], words_[kContent]} : GridVersion{};
   }
 
-  /// True where the grid has such a voxel.
+  /// True if the grid has such a voxel.
   bool inside(const Voxel& v) const noexcept {
     return v.x >= 0 && v.y >= 0 && v.z >= 0 && v.x < spec_.dims.x && v.y < spec_.dims.y && v.z < spec_.dims.z;
   }
-  /// True where the voxel is marked. False outside the grid.
+  /// True if the voxel is marked. False outside the grid.
   bool obstacle(const Voxel& v) const noexcept { return inside(v) && bit(obstacles_, v); }
-  /// True where the voxel was free at the last inflate(). False outside the grid.
+  /// True if the voxel was free at the last inflate(). False outside the grid.
   bool free(const Voxel& v) const noexcept { return inside(v) && !bit(blocked_, v); }
 
   // Rows, for whoever reads many voxels. A row has bit x % 64 of word x / 64 for voxel x.
@@ -165,8 +166,8 @@ class Grid {
   Box local_boundary() const noexcept { return local_boundary_; }
 
  private:
-  friend struct GridView;  // what the core reads beside the above
-  friend class GridWords;  // what the rolling map writes
+  friend struct GridView;  // reads what else the core needs
+  friend class GridWords;  // writes for the rolling map
 
   /// Words of the storage's header that are in use.
   enum Header : int { kTag, kBinding, kRevision, kInflated, kContent };
@@ -194,7 +195,7 @@ class Grid {
   uint64_t* obstacles_ = nullptr;
   uint64_t* blocked_ = nullptr;
   uint64_t* changes_ = nullptr;
-  uint64_t* contents_ = nullptr;  // of the blocked layer's regions
+  uint64_t* contents_ = nullptr;  // numbers that tell the content of the blocked layer's regions
 };
 
 }  // namespace tern

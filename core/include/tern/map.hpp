@@ -51,9 +51,9 @@ struct MapSpec {
   /// kMaxEvidence.
   int32_t hits;
   int32_t misses;
-  /// For depth images: of the eight pixels around one, so many must measure about the same depth (a voxel and their
-  /// errors apart at most), or it counts as an error of the sensor. It then hits nothing, and sees no further than the
-  /// nearest pixel around it. 0 .. 8; 0: every pixel counts.
+  /// For depth images: how many of the eight pixels around a pixel must measure about the same depth, at most a voxel
+  /// and their errors apart. A pixel with fewer counts as an error of the sensor. It hits nothing, and sees no further
+  /// than the nearest pixel around it. 0 .. 8; 0: every pixel counts.
   int32_t support;
   /// A voxel counts as seen for at most this time after the last frame that saw it, in nanoseconds. 0: for ever. At
   /// most a day.
@@ -119,15 +119,15 @@ struct DepthView {
 ///
 /// A direction that is 0 or not finite is skipped.
 ///
-/// A scan shows what is free only as far as the sensor keeps this promise, which docs/map.md explains. In any direction
-/// with beams all around it, what is nearest at a distance d < range is shown by a beam at most 1.25 scan_pixel away,
-/// at a distance of at most d, but for the depth's error. Sensors keep it in one of two ways:
+/// A scan shows what is free only as far as the sensor keeps this promise, which docs/map.md explains. Take any
+/// direction with beams all around it, in which the nearest thing is at a distance d < range. A beam at most 1.25
+/// scan_pixel away must show a distance of at most d, but for the depth's error. Sensors keep it in one of two ways:
 ///
-/// - Wide beams: each shows what is nearest in a part of the view, and the parts leave no gap.
+/// - Wide beams: each shows the nearest thing in a part of the view, and the parts leave no gap.
 /// - Thin beams: no direction of the view is further than 0.35 scan_pixel from a beam. Things thinner than
 ///   0.75 scan_pixel * d may then be missed.
 ///
-/// Where a beam is missing, not even passed as unknown, the map notices the hole if it is 3 scan_pixel wide.
+/// If beams are missing, not even passed as unknown, the map notices the hole if it is 3 scan_pixel wide.
 struct Beams {
   const Vec3* directions;
   const float* ranges;
@@ -165,9 +165,9 @@ class RollingMap {
   /// must stay until the job is done. Also kInvalidArgument for null pointers, or if not 0 <= min < max.
   Status begin_scan(const Beams& beams, const Vec3& origin, int64_t t) noexcept;
   /// Begins to move the window so that `center`, world frame, comes near its middle. kOk if it need not move, or
-  /// kRunning; kNonFiniteInput; kOutOfMap if doubles are too coarse there; kInvalidArgument as begin_frame(). What
-  /// enters the window is unknown, except for the prior. What leaves it is forgotten. Until the slide is finished, both
-  /// grids count as not bound.
+  /// kRunning; kNonFiniteInput; kOutOfMap if doubles are too coarse there; kInvalidArgument as begin_frame(). Space
+  /// that enters the window is unknown, except for the prior. Space that leaves it is forgotten. Until the slide is
+  /// finished, both grids count as not bound.
   Status follow(const Vec3& center) noexcept;
   /// Begins to copy the route grid, for plans that go on while frames are entered. `words` is yours: `word_count`
   /// words, at least grid_words(spec.dims) of them, which must outlive `grid`. Keep one grid with its words for all
@@ -214,27 +214,28 @@ class RollingMap {
   /// Voxels that were hit or never seen are solid. For proofs. Between two slices of a frame, each word of its obstacle
   /// layer is either that from before the frame or that from after it.
   const Grid& safe() const noexcept;
-  /// True where the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
+  /// True if the voxel was seen free, and not forgotten since. It may be an obstacle now. False outside.
   bool seen(const Voxel& voxel) const noexcept;
   /// All of seen() as a layer: a bit a voxel, in the rows of Grid::obstacle_row(). The map's; read only. A slide moves
   /// it with the grids.
   const uint64_t* seen_rows() const noexcept;
   /// Grows by one whenever voxels of one word of seen_rows() are seen for the first time, or again after they were
-  /// forgotten. Where it stands still, the map learns nothing new.
+  /// forgotten. While it stands still, the map learns nothing new.
   uint64_t learned() const noexcept;
-  /// Frames and scans that were begun since bind(). Where it stands still, the sensor shows nothing.
+  /// Frames and scans that were begun since bind(). While it stands still, the sensor shows nothing.
   uint64_t frames() const noexcept;
   /// Grows with every change of either grid.
   uint64_t revision() const noexcept;
   /// `world` becomes a box around all voxels of safe() that became solid since the last call that answered true; after
-  /// bind() and after a slide, it is the window. World frame, metres. False, and `world` stays, where there are none or
-  /// a job is in work. What was proven clear on safe() before is still so outside this box, grown by the radius.
+  /// bind() and after a slide, it is the window. World frame, metres. False, and `world` stays, if there are none or a
+  /// job is not finished. A trajectory that was proven clear on safe() before is still clear outside this box, grown by
+  /// the radius.
   bool take_added(Box& world) noexcept;
   /// MapSpec::slack of the last bind.
   int32_t slack() const noexcept;
 
  private:
-  friend class FlightState;  // does the job piece by piece, and charges what pieces took
+  friend class FlightState;  // does the job piece by piece, and charges the work of pieces
 
   MapState* state_ = nullptr;
 };

@@ -88,14 +88,14 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  friend class FlightState;  // charges what units took, and has the plan that is flown set the pace
+  friend class FlightState;  // charges the work of units, and lets the committed plan set the pace
 
   uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
   void set_pace(const Trajectory& plan, double from) noexcept;
   const Plan& plan_at_hand() const noexcept;
   Plan& plan_at_hand() noexcept;
 
-  void* workspace_;  // aligned; null where the memory or the configuration does not do
+  void* workspace_;  // aligned; null if the memory or the configuration is refused
   bool same_configuration_;
   bool refused_ = false;  // a plan was begun without a workspace
 };

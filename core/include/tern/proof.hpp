@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Until when is a trajectory proven on a map? For plans that were made on an older map, or on another one: a plan made
-// on a rolling map's route grid is proven on its safe grid. docs/flight.md explains the method.
+// Finds until when a trajectory is proven on a map. It is for plans that were made on an older map, or on another one:
+// a plan made on a rolling map's route grid is proven on its safe grid. docs/flight.md explains the method.
 #ifndef TERN_PROOF_HPP
 #define TERN_PROOF_HPP
 
@@ -46,14 +46,15 @@ struct ProofReport {
   Voxel voxel;
   /// Pieces that were looked at.
   uint32_t work;
-  /// For kFence, and where begin() refuses a fence: its index in ProofGrounds::fences. Otherwise kNoFence.
+  /// For kFence, and if begin() refuses a fence: its index in ProofGrounds::fences. Otherwise kNoFence.
   int32_t fence;
 };
 
 /// Voxels that became solid although they had been seen free. In a world that stands still, such voxels are errors of
 /// the sensor.
 struct Alarm {
-  /// Around the voxels that became solid, world frame, metres. Voxels whose centres are outside are not part of it.
+  /// A box around the voxels that became solid, world frame, metres. Voxels whose centres are outside are not part of
+  /// it.
   Box box;
   /// A layer of yours with a bit for each voxel that was seen free, in the rows of Grid::obstacle_row(). It must stay
   /// until the proof is done. See RollingMap::seen_rows().
@@ -62,11 +63,11 @@ struct Alarm {
 
 /// What a proof may rely on. World frame, metres; copied by Proof::begin(). Null: nothing.
 struct ProofGrounds {
-  /// The trajectory was proven before, and no obstacle was added since but in this box. Only what comes near to it is
-  /// proven again. See RollingMap::take_added().
+  /// The trajectory was proven before, and no obstacle was added since but in this box. Only the parts of the
+  /// trajectory near the box are proven again. See RollingMap::take_added().
   const Box* added = nullptr;
-  /// A place to get away from: obstacles that are nearer to it than the radius may stay as near as they are to it, but
-  /// come no nearer. For a vehicle at rest that finds something within its radius.
+  /// A place to get away from, for a vehicle at rest with something within its radius. The trajectory may come as near
+  /// to an obstacle as this place is, even if that is less than the radius, but no nearer.
   const Vec3* left = nullptr;
   /// Obstacles of this alarm do not count.
   const Alarm* alarm = nullptr;
@@ -76,14 +77,14 @@ struct ProofGrounds {
   int32_t fence_count = 0;
 };
 
-/// A segment is halved at most this many times over. What cannot be proven then is not proven.
+/// A segment is halved at most this many times over. A piece that cannot be proven then counts as not proven.
 constexpr int kProofDepth = 18;
-/// Pieces of one segment that are looked at for position, and for each derivative.
+/// The most pieces of one segment that a proof looks at, for its position and for each derivative.
 constexpr int kProofPieces = 2048;
 /// Voxels along each axis that a piece may extend over. A larger one is halved before obstacles are looked at, which
 /// bounds the work for a piece.
 constexpr int kProofSpan = 8;
-/// Metres by which the centre may be nearer to an obstacle than the grid's radius, or parts of a voxel where voxels are
+/// Metres by which the centre may be nearer to an obstacle than the grid's radius, or parts of a voxel if voxels are
 /// larger than a metre: as much as the check grants a plan. Rounding of coordinates comes on top.
 constexpr double kProofTolerance = 4e-9;
 /// Relative excess over a limit that counts as the limit. Rounding comes on top.
@@ -94,8 +95,8 @@ constexpr double kProofExcess = 4e-8;
 /// radius to spare; otherwise it is halved. So the proof is about the whole curve, not about samples of it. It reads
 /// the obstacle layer alone, and shares no code with the stages that make plans.
 ///
-/// Proof of a trajectory ends at the first piece that cannot be proven. It is at most 2^-kProofDepth of a segment's
-/// duration earlier than need be, unless the curve keeps the radius by less than rounding.
+/// The proof of a trajectory ends at the first piece that cannot be proven. That is at most 2^-kProofDepth of a
+/// segment's duration earlier than need be, unless the curve keeps the radius by less than rounding.
 class Proof {
  public:
   /// Begins. The grid and the trajectory must stay until the proof is done. The grid need not be inflated. Obstacles
@@ -103,8 +104,8 @@ class Proof {
   /// beginning; NaN and negative numbers count as 0, and past the end only the final position is proven. `limits` may
   /// be null: then only clearance is proven.
   ///
-  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty. Fences that a
-  /// Request may not have get the answers that they get there.
+  /// kRunning; kInvalidArgument if the grid is not bound or has radius 0, or the trajectory is empty. A fence that a
+  /// Request may not have gets the same answer as there.
   Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                const ProofGrounds& grounds = {}) noexcept;
   /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
@@ -116,8 +117,8 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
-  friend class FlightState;  // charges what pieces took, and begins with fences that it has looked at once
-  // Has no fences to look at, and needs no stack for that.
+  friend class FlightState;  // charges the work of pieces, and begins with fences that were checked before
+  // clear_until() has no fences to check, and needs no stack for that.
   friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
 
   /// One piece of a curve of degree 7 or less.
@@ -171,8 +172,8 @@ class Proof {
   ProofReport report_{};
 };
 
-/// The same in one call: the time until which the trajectory is proven, in seconds since its beginning. It is
-/// duration(trajectory) if all of it is, and `from` if nothing is, or where begin() refuses. `report` may be null.
+/// A whole proof in one call. Returns the time until which the trajectory is proven, in seconds since its beginning:
+/// duration(trajectory) if all of it is, `from` if nothing is or if begin() refuses. `report` may be null.
 double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits = nullptr,
                    Beyond beyond = Beyond::kEmpty, ProofReport* report = nullptr) noexcept;
 

@@ -23,11 +23,11 @@ namespace tern {
 /// Version of the format that this library writes and reads.
 constexpr uint32_t kRecordVersion = 1;
 
-/// Bytes that are enough for a record of any request on a grid of these dimensions; 0 where they are out of range.
+/// Bytes that are enough for a record of any request on a grid of these dimensions; 0 if they are out of range.
 size_t plan_record_bytes(const Voxel& dims) noexcept;
 
 /// Writes a record to `bytes`, at most `room` of them; `used` gets their number. `status` and `plan` are what the
-/// planner answered; `plan` is read only where the status is kOk. kOk; kRecordFull if the room does not suffice;
+/// planner answered; `plan` is read only if the status is kOk. kOk; kRecordFull if the room does not suffice;
 /// kInvalidArgument if the grid is not bound, a pointer is null, or the request has a count that is out of range.
 /// Unless it answers kOk, `used` stays, and the bytes have no meaning. Takes time in proportion to the grid's words.
 Status record_plan(const Grid& grid, const Request& request, Status status, const Trajectory& plan, uint8_t* bytes,
@@ -40,8 +40,8 @@ struct PlanRecord {
   PlanRecord(const PlanRecord&) = delete;
   PlanRecord& operator=(const PlanRecord&) = delete;
 
-  /// configuration_hash() of the library that recorded. Where it differs from yours, capacities differ, and a record of
-  /// a plan that ran out of one may get another answer.
+  /// configuration_hash() of the library that recorded. If it differs from yours, capacities differ, and a record of a
+  /// plan that ran out of one may get another answer.
   uint64_t configuration = 0;
   GridSpec grid{};
   Request request{};
@@ -61,8 +61,8 @@ struct PlanRecord {
 /// kFencesFull, kFencePlanesFull or kViasFull. Unless the answer is kOk, `record` has no meaning.
 Status read_plan_record(const uint8_t* bytes, size_t count, PlanRecord& record) noexcept;
 
-/// Likewise, and binds `grid` to words of yours, at least grid_words(record.grid.dims) of them, marks the record's
-/// obstacles and inflates. Answers as read_plan_record() and Grid::bind().
+/// Reads a record likewise. Then binds `grid` to words of yours, at least grid_words(record.grid.dims) of them, marks
+/// the record's obstacles and inflates. Answers as read_plan_record() and Grid::bind().
 Status read_plan_record(const uint8_t* bytes, size_t count, PlanRecord& record, Grid& grid, uint64_t* words,
                         size_t word_count) noexcept;
 

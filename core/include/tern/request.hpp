@@ -73,7 +73,7 @@ constexpr double kMaxTimeWeight = 1e6;
 /// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
   /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
-  /// Beyond it: kBudgetSearch. What the search leaves may be spent on Report::reachable.
+  /// Beyond it: kBudgetSearch. The rest of a search's budget may be spent on Report::reachable.
   uint32_t expansions = 0xFFFFFFFFu;
   /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
   uint32_t sight_lines = 0xFFFFFFFFu;
@@ -95,7 +95,7 @@ enum class ShortcutMode : uint8_t {
 /// modes, kNoPath means that there is none.
 enum class SearchMode : uint8_t {
   /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Report::search_bound limits
-  /// how much more. Where that search is led astray, the optimal one answers.
+  /// how much more. If that search is led astray, the optimal one answers.
   kFast = 0,
   /// A cheapest path.
   kOptimal = 1,
@@ -134,20 +134,21 @@ struct Request {
   /// 0 .. kMaxVias. Beyond it: kViasFull.
   int32_t via_count = 0;
 
-  /// For replanning in flight: the plan that you are flying, or null. If the planner finds no
-  /// plan, or none that arrives more than a microsecond earlier, it follows the rest of this one, provided that this is
-  /// still free on the grid. So no new plan to the same goal arrives later than the rest. If the goal is a different
-  /// one and there is no plan, it goes on from there to the goal. Report::detours is 3 for such a plan. Only if that
-  /// fails too does it try to stop first.
+  /// For replanning in flight: the plan that you are flying, or null. If the planner finds no plan, or none that
+  /// arrives more than a microsecond earlier, it follows the rest of this one, provided that this is still free on the
+  /// grid. So no new plan to the same goal arrives later than the rest. If the goal is a different one and there is no
+  /// plan, it plans on to the goal from the end of the rest. Report::detours is 3 for such a plan. The planner tries to
+  /// stop first only if that fails, too.
   ///
-  /// It also saves work: where a new plan leads nearly the same way, the optimiser begins at the durations of this one.
+  /// The previous plan also saves work: if a new plan leads nearly the same way, the optimiser begins at the durations
+  /// of this one.
   ///
   /// `start` must be what evaluate(*previous, previous_time) returns, bit for bit. Otherwise the answer is
   /// kInvalidArgument, field kPrevious.
   ///
   /// On an unchanged map with the same limits and fences, a plan is always found if `previous` was kOk, if at least a
-  /// millisecond is left of it (if it leads more than a kilometre away, of its segment), if the goal is the same or can
-  /// be reached from the previous one, and if budget and capacities suffice.
+  /// millisecond is left of it, or of its current segment if it leads more than a kilometre away, if the goal is the
+  /// same or can be reached from the previous one, and if budget and capacities suffice.
   ///
   /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;

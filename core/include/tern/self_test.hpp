@@ -45,7 +45,7 @@ constexpr uint64_t configuration_hash() noexcept {
   return configuration_hash_of(kLatticeTolerance, kSightMargin);
 }
 
-/// The same as a constant. Each source file has its own copy, which tells what that file was compiled with.
+/// configuration_hash() as a constant. Each source file has its own copy, which tells what that file was compiled with.
 constexpr uint64_t kConfigurationHash = configuration_hash();
 
 /// What a self-test found wrong: a sum of these bits, or 0 if all is well. A fault that a compiler flag causes is named

@@ -71,8 +71,7 @@ enum class Status : uint8_t {
   /// An obstacle or a fence is closer than the radius to a line that the corridor must hold. A finer grid may help.
   kCorridorBlocked = 34,
   /// Only for a start or goal in motion, or a via with a velocity: no trajectory within the limits leaves or meets that
-  /// motion here. Keep flying
-  /// the plan that you have (Request::previous), slow down earlier, or ask for a goal at rest.
+  /// motion here. Keep flying the plan that you have (Request::previous), slow down earlier, or ask for a goal at rest.
   kNoTrajectory = 35,
   /// The start lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
   kStartFenced = 36,
@@ -89,9 +88,11 @@ enum class Status : uint8_t {
   /// space there is narrower than a voxel. Report::finer_cell says which resolution would do, Report::fence which fence
   /// makes it so narrow.
   kStartTooNarrow = 40,
-  /// The same of the goal.
+  /// The goal keeps the radius and the fences, but the free space there is narrower than a voxel, as for
+  /// kStartTooNarrow.
   kGoalTooNarrow = 41,
-  /// The same of a via. Report::via says which.
+  /// A via keeps the radius and the fences, but the free space there is narrower than a voxel, as for kStartTooNarrow.
+  /// Report::via says which.
   kViaTooNarrow = 42,
 
   // 50 .. 69: a capacity ran out. Raise the constant of config.hpp that is named here, or give the planner less to do:
@@ -142,7 +143,7 @@ enum class Status : uint8_t {
 };
 
 /// The stages of a plan. Every plan goes through the first seven, in this order. The others are for requests with
-/// fences, and for what to do where a stage failed. The numbers are part of the ABI.
+/// fences, and for what to do if a stage failed. The numbers are part of the ABI.
 enum class Stage : uint8_t {
   kRequest = 0,  ///< validation of the request, before any other stage
   kSearch,       ///< guided search, or jump point search (the paper's Section 3.2.1)
@@ -152,10 +153,10 @@ enum class Stage : uint8_t {
   kTrajectory,   ///< minimum snap by quadratic programmes (Section 3.4)
   kCheck,        ///< the independent check of the finished plan (contract C4)
   kFences,       ///< entering the request's fences into the grid, before the search
-  kDetour,       ///< leading the path along the motion of its ends, where a moving end has no room
-  kPrevious,     ///< proving the rest of Request::previous anew, where nothing new was found
-  kEscape,       ///< finding ways to come to rest first, where a moving end has no other way
-  kReach,        ///< finding the point nearest to the goal that a path leads to, where none leads to the goal
+  kDetour,       ///< leading the path along the motion of its ends, if a moving end has no room
+  kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
+  kEscape,       ///< finding ways to come to rest first, if a moving end has no other way
+  kReach,        ///< finding the point nearest to the goal that a path leads to, if none leads to the goal
 };
 constexpr int kStageCount = 12;
 
@@ -212,7 +213,7 @@ enum class Field : uint8_t {
   kAge,                ///< MapSpec::age
   kSlack,              ///< MapSpec::slack
   kPixels,             ///< MapSpec::pixels: below 1, too many, or too few for scans
-  kPrior,              ///< MapSpec::prior: too many, null, or a box or cylinder that is none
+  kPrior,              ///< MapSpec::prior: too many, null, or an invalid box or cylinder
   kStartJerk,          ///< Request::start.jerk
   kGoalJerk,           ///< Request::goal.jerk
   kJMax,               ///< Limits::j_max

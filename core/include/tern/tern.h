@@ -123,7 +123,7 @@ typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
-/* What the check found wrong with a plan: tern/report.hpp. -1 where an index or a voxel has no value. */
+/* What the check found wrong with a plan: tern/report.hpp. -1 if an index or a voxel has no value. */
 typedef struct {
   uint8_t finding; /* tern_finding_name() */
   int32_t segment, polyhedron, plane, fence, via;
@@ -151,7 +151,7 @@ typedef struct {
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   tern_via_passage vias[TERN_MAX_VIAS];
-  tern_check_report check; /* only where status or optimiser is check_failed */
+  tern_check_report check; /* only if status or optimiser is check_failed */
   int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
   int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
   double kkt_residual;

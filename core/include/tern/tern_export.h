@@ -47,12 +47,12 @@ typedef struct {
 /* Pieces that fit into a Crazyflie's memory. */
 #define TERN_CRAZYFLIE_PIECES 31
 
-/* In all of these, `origin` is the point of the world that becomes 0; null: the world's. `yaw` may be null.
+/* In all calls below, `origin` is the point of the world that becomes 0; null: the world's origin. `yaw` may be null.
  *
  * The setpoint of a sample and a yaw. A null sample counts as zeros; without a yaw, yaw and yaw rate are NaN. */
 void tern_setpoint_ned(const tern_sample* sample, const tern_yaw_sample* yaw, const tern_vec3* origin,
                        tern_setpoint* setpoint);
-/* What that loses of a plan by rounding to float. ok or invalid_argument. */
+/* What tern_setpoint_ned() loses of a plan by rounding to float. ok or invalid_argument. */
 uint8_t tern_setpoint_error(const tern_trajectory* trajectory, const tern_yaw_plan* yaw, const tern_vec3* origin,
                             tern_export_error* error);
 /* The attitude of a tern_flat_state for an autopilot: (w, x, y, z), forward-right-down to north-east-down. */

@@ -82,9 +82,9 @@ enum {
   TERN_FLIGHT_LOOK = 1,  /* hovering and looking around */
   TERN_FLIGHT_FLY = 2,   /* on the way */
   TERN_FLIGHT_STOP = 3,  /* on a brake */
-  TERN_FLIGHT_THREAT = 4 /* what is flown is no longer proven */
+  TERN_FLIGHT_THREAT = 4 /* the committed plan is no longer proven */
 };
-/* Why it rests. */
+/* Why the vehicle rests. */
 enum {
   TERN_FLIGHT_GOES_ON = 0,         /* it flies, or is about to */
   TERN_FLIGHT_NO_GOAL = 1,         /* there is no goal */
@@ -96,7 +96,7 @@ enum {
   TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
   TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through what is known */
 };
-/* What keeps it from going on. */
+/* What keeps the flight from going on. */
 enum {
   TERN_BLOCKED_BY_NOTHING = 0,
   TERN_BLOCKED_BY_UNSEEN = 1,   /* a voxel that no sensor has shown to be free yet */
@@ -104,7 +104,7 @@ enum {
   TERN_BLOCKED_BY_WINDOW = 3,   /* the face of the map's window */
   TERN_BLOCKED_BY_FENCE = 4
 };
-/* What happens where a point of a mission cannot be reached. */
+/* What happens if a point of a mission cannot be reached. */
 enum { TERN_VIA_END = 0 /* the mission ends */, TERN_VIA_SKIP = 1 /* it goes on to the next point */ };
 /* Where the nose points in flight. */
 enum {
@@ -125,7 +125,7 @@ double tern_clear_until(const tern_grid* grid, const tern_trajectory* trajectory
 /* Size of tern_flight in words of 64 bits. The core asserts that it suffices. */
 #define TERN_FLIGHT_WORDS 2
 
-/* A flight: an object of the library in memory of yours. It may hold anything before its first start. Zero it where
+/* A flight: an object of the library in memory of yours. It may hold anything before its first start. Zero it if
  * another call can come first: that call then answers invalid_argument. Copies share the flight. */
 typedef struct {
   uint64_t opaque[TERN_FLIGHT_WORDS];
@@ -133,13 +133,13 @@ typedef struct {
 
 /* Common values: tern::flight_spec(). Null does nothing. */
 void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
-/* Words of 64 bits that a flight over a map of these dimensions needs; 0 where they are out of range. */
+/* Words of 64 bits that a flight over a map of these dimensions needs; 0 if they are out of range. */
 size_t tern_flight_words(tern_voxel dims);
 /* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
  * limits_invalid, fences_full, fence_planes_full, fence_empty, start_occupied or start_fenced. */
 uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
                           uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
-/* The same. `refusal` receives what is wrong; it may be null. */
+/* Begins a flight as tern_flight_start() does. `refusal` receives what is wrong; it may be null. */
 uint8_t tern_flight_start_refusal(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
                                   tern_planner* planner, uint64_t* words, size_t word_count, const tern_vec3* position,
                                   int64_t t, tern_flight_refusal* refusal);
@@ -152,20 +152,20 @@ uint8_t tern_flight_set_mission(tern_flight* flight, const tern_via* points, int
 uint8_t tern_flight_point_state(const tern_flight* flight, int32_t point);
 /* Comes to rest and forgets the goal. */
 uint8_t tern_flight_stop(tern_flight* flight);
-/* One tick's work; `t` in nanoseconds. `report` may be null. ok; clock_behind where `t` is before the last tick's, and
+/* One tick's work; `t` in nanoseconds. `report` may be null. ok; clock_behind if `t` is before the last tick's, and
  * nothing was done; invalid_argument. */
 uint8_t tern_flight_tick(tern_flight* flight, int64_t t, tern_flight_report* report);
-/* What to fly at time `t`: any time has an answer, that of the last tick's time for times before it. Null does
- * nothing. */
+/* What to fly at time `t`. Any time has an answer; a time before the last tick gets the answer for the last tick. Null
+ * does nothing. */
 void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* command);
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 
-/* Where the vehicle comes to rest on what is committed, metres; zero for a flight that was not started. Null does
+/* Where the vehicle comes to rest on the committed plan, metres; zero for a flight that was not started. Null does
  * nothing. */
 void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position);
 
-/* Plans yaws beside what is flown. ok, non_finite_input, limits_invalid or invalid_argument. */
+/* Plans yaws beside the committed plans. ok, non_finite_input, limits_invalid or invalid_argument. */
 uint8_t tern_flight_set_yaw(tern_flight* flight, const tern_flight_yaw* yaw);
 /* Where the nose points at time `t`; the angle counts whole turns. Null does nothing. */
 void tern_flight_yaw_at(const tern_flight* flight, int64_t t, tern_yaw_sample* yaw);

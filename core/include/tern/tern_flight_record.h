@@ -65,7 +65,8 @@ uint8_t tern_flight_record_tick(tern_flight_recorder* recorder, const tern_fligh
 
 /* Makes the bytes so far a whole record; calls may go on. */
 uint8_t tern_flight_record_close(tern_flight_recorder* recorder, size_t* used);
-/* To stream: bytes in the buffer, without those of close; and what says that they were saved. */
+/* To stream a record: the bytes in the buffer, without those of close, and the call that empties the buffer once they
+ * are saved. */
 size_t tern_flight_record_pending(const tern_flight_recorder* recorder);
 void tern_flight_record_clear(tern_flight_recorder* recorder);
 

@@ -84,11 +84,11 @@ uint8_t tern_map_route(const tern_map* map, tern_grid* grid);
 uint8_t tern_map_safe(const tern_map* map, tern_grid* grid);
 /* Copies the route grid into `words`, which are yours: at least tern_grid_words(dims) words that outlive the grid.
  * Plans on the copy go on while frames are entered. Pass the same grid and words each time. `grid` may hold anything at
- * first, or zeros. ok, or invalid_argument: no map, a job in work, too few words. */
+ * first, or zeros. ok, or invalid_argument: no map, an unfinished job, or too few words. */
 uint8_t tern_map_snapshot(tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
-/* Begins the same as a job for tern_map_step: running. `grid` must stay where it is until the job is done. */
+/* Begins the same copy as a job for tern_map_step: running. `grid` must stay where it is until the job is done. */
 uint8_t tern_map_begin_snapshot(tern_map* map, tern_grid* grid, uint64_t* words, size_t word_count);
-/* 1 where the voxel was seen free, else 0. */
+/* 1 if the voxel was seen free, else 0. */
 uint8_t tern_map_seen(const tern_map* map, tern_voxel voxel);
 /* Grows with every change of either grid. 0 for a map that is not bound. */
 uint64_t tern_map_revision(const tern_map* map);

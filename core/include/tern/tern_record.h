@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* Bytes that are enough for any request on a grid of these dimensions; 0 where they are out of range. */
+/* Bytes that are enough for any request on a grid of these dimensions; 0 if they are out of range. */
 size_t tern_plan_record_bytes(tern_voxel dims);
 /* Writes the record of a query and its answer. ok, record_full, or invalid_argument. */
 uint8_t tern_record_plan(const tern_grid* grid, const tern_request* request, uint8_t status,

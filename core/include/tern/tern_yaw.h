@@ -53,7 +53,7 @@ enum {
 #define TERN_YAW_PLANNER_WORDS (12 * TERN_MAX_YAW_PIECES + 64)
 
 /* A planner of yaws: an object of the library in memory of yours, too large for a small stack. It may hold anything
- * before its first tern_yaw_plan_begin(). Zero it where another call can come first: that call then answers
+ * before its first tern_yaw_plan_begin(). Zero it if another call can come first: that call then answers
  * invalid_argument. */
 typedef struct {
   uint64_t opaque[TERN_YAW_PLANNER_WORDS];
@@ -65,12 +65,13 @@ void tern_yaw_request_init(tern_yaw_request* request, const tern_heading* start,
 /* The yaw plan for a trajectory. ok, non_finite_input, limits_invalid, invalid_argument or start_exceeds_limits. */
 uint8_t tern_plan_yaw(tern_yaw_planner* planner, const tern_trajectory* trajectory, const tern_yaw_request* request,
                       tern_yaw_plan* plan);
-/* The same in slices. The trajectory and the timed headings must stay as they are until tern_yaw_plan_finish(). */
+/* Begins a yaw plan in slices. The trajectory and the timed headings must stay as they are until
+ * tern_yaw_plan_finish(). */
 uint8_t tern_yaw_plan_begin(tern_yaw_planner* planner, const tern_trajectory* trajectory,
                             const tern_yaw_request* request);
-/* At most `work` units. running, ok or invalid_argument. */
+/* Spends at most `work` units. running, ok or invalid_argument. */
 uint8_t tern_yaw_plan_step(tern_yaw_planner* planner, uint32_t work);
-/* The plan, or the plan so far. ok or invalid_argument. */
+/* Hands over the plan, or the plan so far. ok or invalid_argument. */
 uint8_t tern_yaw_plan_finish(tern_yaw_planner* planner, tern_yaw_plan* plan);
 /* Duration in seconds: the trajectory's, and the time of half a turn. The nose may rest earlier. 0 for null. */
 double tern_yaw_duration(const tern_yaw_plan* plan);

@@ -51,7 +51,7 @@ double duration(const Trajectory& trajectory) noexcept;
 
 /// The state of the trajectory at `t` seconds after its beginning. Every input has an answer:
 /// - `t` is NaN or negative: the state at the beginning.
-/// - `t` is at the end or past it: the goal's position with all derivatives zero, even where the goal is in motion.
+/// - `t` is at the end or past it: the goal's position with all derivatives zero, even if the goal is in motion.
 /// - `t` is where two segments meet: the later segment's state.
 /// - an empty trajectory: zeros.
 /// Takes time proportional to the number of segments. Safe to call from any thread.

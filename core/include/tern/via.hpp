@@ -23,13 +23,13 @@ struct Via {
   bool stop = false;
   /// True: the plan has exactly `velocity` there. Not together with `stop` (kInvalidArgument).
   bool has_velocity = false;
-  /// m/s, within the limits (kViaExceedsLimits). Read only where has_velocity is true.
+  /// m/s, within the limits (kViaExceedsLimits). Read only if has_velocity is true.
   Vec3 velocity{};
   /// s, 0 .. kMaxDwell: the plan rests there for so long. Above 0 only together with `stop` (kInvalidArgument).
   double dwell = 0.0;
 };
 
-/// A tolerance below this is none, metres.
+/// A tolerance below this counts as 0, metres.
 constexpr double kLeastTolerance = 1e-6;
 
 /// The longest dwell, seconds.
