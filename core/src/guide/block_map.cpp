@@ -52,7 +52,8 @@ void touch_rows(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// Makes the blocks around a block: of its word, and of the next one where the block is a word's first or last.
+/// Makes the blocks around a block: those around its word, and those around the next word if the block is a word's
+/// first or last.
 void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
   const std::int32_t at = block.x & map.last;
   const std::int32_t word = map.word(block);
@@ -65,8 +66,9 @@ void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
   }
 }
 
-/// The move across a side, and the moves that go on from there across those sides at right angles at which that block
-/// is joined. By that block's byte of `sides`: no move goes on from one that is split, or of an unknown kind.
+/// For each side, and for each byte of `sides` that the block across may have: the move across the side, and the moves
+/// around a corner that go on from that block. They go on across the sides at right angles at which that block is
+/// joined. None goes on from a block that is split or of an unknown kind.
 struct CornerTable {
   CellMask moves[kSides][256];
 };
@@ -86,11 +88,11 @@ constexpr CornerTable make_corners() {
 }
 constexpr CornerTable kCorners = make_corners();
 
-/// Moves from a block across the given sides, at which it is joined. Blocks of an unknown kind count as split.
+/// Moves from a block across the sides in `joined`. Blocks of an unknown kind count as split.
 BlockMoves moves_across(const BlockMap& map, std::int32_t at, SideMask joined) {
   unsigned any = 0;
   CellMask moves = 0;
-  // Without branches: which sides are joined is hard to predict.
+  // Has no branches, because which sides are joined is hard to predict.
   for (int side = 0; side < kSides; ++side) {
     const unsigned is = 0u - (joined >> side & 1u);
     const unsigned beside = map.sides[at + (map.beside[side] & static_cast<std::int32_t>(is))];
@@ -138,7 +140,7 @@ BlockMoves block_moves(BlockMap& map, const Grid& grid, const Voxel& block, Side
   const SideMask joined = map.sides[at] & sides & kAllSides;
   const BlockMoves across = moves_across(map, at, joined);
   if (!across.split_beside) return across;
-  // Some are split or of an unknown kind.
+  // Some blocks across these sides are split or of an unknown kind.
   for (SideMask left = joined; left != 0; left &= left - 1) {
     block_split(map, grid, block + kMoveOf.at[kSideMove[__builtin_ctz(left)]].step);
   }

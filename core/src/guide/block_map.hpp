@@ -40,7 +40,7 @@ constexpr GuideCost guide_octile(const Voxel& a, const Voxel& b) {
   const std::int32_t most = level > z ? level : z;
   const std::int32_t lower = x < y ? x : y;
   const std::int32_t least = lower < z ? lower : z;
-  // The longest way along an axis, and what a move costs more for its second and its third axis.
+  // The longest extent costs kGuideStraight a voxel. The middle one adds kSecond a voxel, and the least one kThird.
   constexpr std::int32_t kSecond = kGuidePlane - kGuideStraight;
   constexpr std::int32_t kThird = kGuideSpace - kGuidePlane;
   return static_cast<GuideCost>((static_cast<std::int32_t>(kGuideStraight) - kSecond) * most + kSecond * (x + y + z) +
@@ -58,7 +58,8 @@ constexpr unsigned kBlockKinds = 3u << kSides;
 /// What the search of blocks knows about a block.
 struct Block {
   GuideCost distance;  ///< cost from the search's origin, by the best path so far; kFar if there is none
-  std::uint32_t link;  ///< the moves from the block, kBlockClosed; above, the move by which that path arrives
+  std::uint32_t link;  ///< lower bits: the moves from the block, and kBlockClosed; upper bits: the move by which that
+                       ///< path arrives
 
   CellMask moves() const { return link & kAllCells; }
   int arrival() const { return static_cast<int>(link >> kDirections); }
@@ -66,7 +67,7 @@ struct Block {
 };
 static_assert(sizeof(Block) == 8 && kDirections + 5 == 32, "eight a cache line");
 
-/// In Block::link: the cheapest path is known, and so are the moves.
+/// The bit of Block::link that says that the cheapest path to the block and the moves from it are known.
 constexpr std::uint32_t kBlockClosed = cell_bit(kHere);
 
 /// The link of a block that is not closed.
@@ -82,15 +83,15 @@ constexpr int kLargeBlocks = 3;
 struct BlockMap {
   std::int32_t log;                            ///< a block is 2^log voxels wide: 2 or 3
   Voxel dims;                                  ///< in blocks
-  std::int32_t last;                           ///< blocks of a word of voxels, less one: 15 or 7
-  std::int32_t words;                          ///< of voxels, in a row of blocks
+  std::int32_t last;                           ///< number of blocks in a word of voxels, minus one: 15 or 7
+  std::int32_t words;                          ///< number of words of voxels in a row of blocks
   std::int32_t offsets[kDirections];           ///< what a move adds to a block's index
-  std::int32_t beside[kSides];                 ///< what the moves across the sides add
-  std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit a word: its blocks are made
-  std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit a word: so are those of the rows beside it
-  std::uint8_t sides[kGuideBlocks];            ///< see above; x fastest; valid where `made` says so
-  std::uint8_t entries[kGuideBlocks];          ///< of a closed split block: a voxel of the part entered
-  Block blocks[kGuideBlocks];                  ///< valid where `made` says so
+  std::int32_t beside[kSides];                 ///< what the move across each side adds to a block's index
+  std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit for each word: its blocks are made
+  std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit for each word: its blocks and those around it are made
+  std::uint8_t sides[kGuideBlocks];            ///< byte of each block, see kBlockWhole; x fastest; valid if `made`
+  std::uint8_t entries[kGuideBlocks];          ///< for each closed split block: a voxel of the part that was entered
+  Block blocks[kGuideBlocks];                  ///< valid if `made`
 
   bool large() const { return log == kLargeBlocks; }
   Voxel block_of(const Voxel& v) const { return {v.x >> log, v.y >> log, v.z >> log}; }
@@ -110,7 +111,8 @@ bool block_map_begin(BlockMap& map, const Grid& grid, bool small = false) noexce
 /// Makes the block and the others of its word of voxels.
 void block_touch(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// Finds out whether the block is split. Blocks of eight voxels count as not split. Its byte of `sides`.
+/// Finds out whether the block is split. Blocks of eight voxels count as not split. Returns the block's byte of
+/// `sides`.
 unsigned block_find_parts(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
 /// True if the block is split.

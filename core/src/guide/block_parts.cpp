@@ -10,7 +10,8 @@ namespace {
 constexpr VoxelMask kFaces[kSides] = {0x1111111111111111u, 0x8888888888888888u, 0x000F000F000F000Fu,
                                       0xF000F000F000F000u, 0x000000000000FFFFu, 0xFFFF000000000000u};
 
-/// The voxels and free ones beside them, one axis after the other: what came along one axis grows along the next.
+/// The voxels and the free voxels beside them. Grows along one axis after the other, so that voxels added along one
+/// axis also grow along the next.
 VoxelMask grown(VoxelMask voxels, VoxelMask free) {
   voxels |= ((voxels & ~kFaces[1]) << 1 | (voxels & ~kFaces[0]) >> 1) & free;
   voxels |= ((voxels & ~kFaces[3]) << 4 | (voxels & ~kFaces[2]) >> 4) & free;
@@ -26,7 +27,7 @@ inline VoxelMask read_blocked(const Grid& grid, const Voxel& first, int layers, 
   const BitRows blocked = GridView::blocked(grid);
   const std::uint64_t* layer = blocked.row(first.y, first.z) + (first.x >> 6);
   const std::uint64_t wanted = std::uint64_t{15} << (first.x & 63);
-  std::uint64_t voxels = 0;  // from bit first.x on, around the word's end
+  std::uint64_t voxels = 0;  // begins at bit first.x, and wraps around the word's end
   for (int z = 0; z < layers; ++z, layer += blocked.index(0, 1)) {
     std::uint64_t of_layer = 0;
     for (int y = 0; y < rows; ++y) of_layer |= rotated(layer[y * blocked.row_words] & wanted, 4 * y);
@@ -35,8 +36,8 @@ inline VoxelMask read_blocked(const Grid& grid, const Voxel& first, int layers, 
   return rotated(voxels, -first.x & 63);
 }
 
-/// True if one side is wholly free and each free voxel lies on a row of free voxels from there. Then they are all
-/// connected, and most are like that.
+/// True if one side is wholly free, and each free voxel lies on a row of free voxels that begins at that side. All free
+/// voxels are then connected. Most blocks are like that.
 bool rows_from_a_side(VoxelMask free) {
   constexpr int kStep[] = {1, 4, 16};
   for (int axis = 0; axis < 3; ++axis) {
@@ -53,7 +54,7 @@ bool rows_from_a_side(VoxelMask free) {
 VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept {
   const Voxel& dims = grid.spec().dims;
   const Voxel first{block.x * 4, block.y * 4, block.z * 4};
-  // Most blocks are whole: there, the loops' bounds are constants.
+  // Most blocks lie wholly inside the grid. For them, the bounds of the loops are constants.
   if (first.y + 4 <= dims.y && first.z + 4 <= dims.z) return ~read_blocked(grid, first, 4, 4);
   const int layers = dims.z - first.z < 4 ? dims.z - first.z : 4;
   const int rows = dims.y - first.y < 4 ? dims.y - first.y : 4;

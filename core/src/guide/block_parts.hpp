@@ -30,7 +30,7 @@ constexpr SideMask kAllSides = (1u << kSides) - 1;
 constexpr int kSideMove[kSides] = {direction(-1, 0, 0), direction(1, 0, 0),  direction(0, -1, 0),
                                    direction(0, 1, 0),  direction(0, 0, -1), direction(0, 0, 1)};
 
-/// The move back.
+/// The move in the opposite direction.
 constexpr int opposite(int move) {
   return kDirections - 1 - move;
 }
@@ -48,13 +48,13 @@ VoxelMask block_voxels(const Grid& grid, const Voxel& block) noexcept;
 /// The voxels of `free` that faces connect to any of `seeds`.
 VoxelMask connected(VoxelMask seeds, VoxelMask free) noexcept;
 
-/// True where the free voxels are all connected.
+/// True if the free voxels are all connected.
 bool one_part(VoxelMask free) noexcept;
 
 /// The sides that the voxels touch.
 SideMask sides_touched(VoxelMask voxels) noexcept;
 
-/// The voxels of the next block that meet some of these across a side.
+/// The voxels of the block across a side that touch some of these voxels.
 VoxelMask voxels_across(VoxelMask voxels, int side) noexcept;
 
 }  // namespace tern

@@ -18,7 +18,8 @@ constexpr GuideCost narrow(GuideCost cost) {
   return cost + cost / 5;
 }
 
-/// The costliest step in blocks of eight voxels, plus the same again, by which the heuristic may grow.
+/// The ring must hold the costliest step in blocks of eight voxels, and the most by which the heuristic may grow in
+/// that step.
 static_assert((8 * (narrow(kGuidePlane) + kGuidePlane) >> kBucketBits) + 1 < kBlockBuckets, "f stays within the ring");
 static_assert(std::uint64_t{kGuideBlocks} * 4 * narrow(kGuidePlane) < kFar - 8 * 2048 * kGuideSpace,
               "a path visits a block once");
@@ -26,7 +27,7 @@ static_assert(std::uint64_t{kGuideBlocks} * 4 * narrow(kGuidePlane) < kFar - 8 *
 /// Costs of a step into a block, for blocks four and eight voxels wide.
 struct BlockCosts {
   struct Step {
-    GuideCost into[2];  ///< a narrow one, a full one
+    GuideCost into[2];  ///< cost of a step into a block that is not wholly free, and into a full one
   };
   Step of[2][kDirections];
 };
@@ -52,7 +53,7 @@ constexpr Voxel unpack(std::uint32_t packed) {
 }
 static_assert(kMaxDimension / 4 <= 1024, "ten bits a coordinate");
 
-/// What a move adds to that number.
+/// What a move adds to a block's packed coordinates.
 struct PackedMoves {
   std::uint32_t by[kDirections];
 };
@@ -71,7 +72,7 @@ std::uint32_t bucket_of(const BlockSearch& search, const Voxel& block, GuideCost
   return (distance + (guide_octile(block, search.target) << search.map.log)) >> kBucketBits;
 }
 
-/// Closes a block. The moves from it.
+/// Closes a block. Returns the moves from it.
 CellMask close(BlockSearch& search, const Grid& grid, const Voxel& at, Block& block) {
   BlockMap& map = search.map;
   const bool split = block_split(map, grid, at);
@@ -113,7 +114,8 @@ Status block_search_take(BlockSearch& search, const Grid& grid) noexcept {
   const CellMask known = cells_after(map.blocks[index - map.offsets[arrival]].moves(), arrival);
   const BlockCosts::Step* const costs = kBlockCosts.of[map.log - 2];
   const GuideCost here = block.distance;
-  // First those that may be better than what is known, without branches: that is hard to predict.
+  // First finds the moves that may give better paths than the known ones. It has no branches, because the outcome is
+  // hard to predict.
   CellMask better = 0;
   for (CellMask left = moves & ~known; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);

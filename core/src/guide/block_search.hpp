@@ -19,15 +19,15 @@ constexpr std::int32_t kBlockBuckets = 64;
 constexpr std::int32_t kBlockOpen = kMaxOpen;
 
 /// Bound on the units of the guide. Each block is closed once and then opens at most the 18 blocks that it leads to. Of
-/// two neighbours only the one closed first opens the other, so there are at most 9 entries a block, and the first one.
-/// The other half leaves room for the unit that finds the list empty, and for the one in which the guided search finds
-/// its limit reached.
+/// two neighbours, only the one that is closed first opens the other. So there are at most 9 entries a block, plus the
+/// first entry. The bound is about twice that. This leaves room for the unit that finds the list empty, and for the
+/// unit in which the guided search finds that its limit is reached.
 constexpr std::uint32_t kBlocksTaken = 18u * static_cast<std::uint32_t>(kGuideBlocks) + 1u;
 
 /// Plain data; needs no initialisation before block_search_begin.
 struct BlockSearch {
   Voxel origin;  ///< voxel that the search begins at
-  Voxel target;  ///< block that it goes for
+  Voxel target;  ///< block that it heads for
   bool lost;     ///< it has left out parts of split blocks
   GuideCost f;   ///< f of the last closed block, rounded down to a voxel; no open block has less
   BlockMap map;
@@ -39,8 +39,8 @@ struct BlockSearch {
 bool block_search_begin(BlockSearch& search, const Grid& grid, const Voxel& from, const Voxel& towards,
                         bool small = false) noexcept;
 
-/// Takes one entry off the open list. kRunning; kNoPath if no entry is left and this proves that there is no path;
-/// kNodesFull if no entry is left and it does not; kOpenFull.
+/// Takes one entry off the open list. kRunning; kNoPath if no entry is left, which proves that there is no path.
+/// kNodesFull if no entry is left but the search has left out parts of split blocks, which proves nothing. kOpenFull.
 Status block_search_take(BlockSearch& search, const Grid& grid) noexcept;
 
 /// True once the cheapest path to the block is known.

@@ -11,8 +11,8 @@ namespace {
 /// Words of two planes side by side, as in one register of SSE2 and NEON.
 using TwoWords __attribute__((vector_size(16))) = std::uint64_t;
 
-/// The lowest bit of each block of a word: whether any bit of the block is set. All other bits are clear. For words,
-/// and for two words at a time.
+/// Sets the lowest bit of each block of a word if any bit of the block is set; all other bits are clear. `Word` is one
+/// word, or two at a time.
 template <typename Word>
 Word any_of(Word bits, int log) {
   bits |= bits >> 1;
@@ -21,7 +21,7 @@ Word any_of(Word bits, int log) {
   return (bits | bits >> 4) & 0x0101010101010101u;
 }
 
-/// A word of voxels in the rows of a row of blocks.
+/// One word of voxels in each row that crosses a row of blocks.
 struct WordRows {
   const BitRows rows;
   const Voxel dims;
@@ -44,8 +44,8 @@ struct WordRows {
   }
   const std::uint64_t* at(std::int32_t row_y, std::int32_t row_z) const { return rows.row(row_y, row_z) + word; }
 
-  /// Blocks in which a free voxel touches a free voxel of the blocks before them along the axis (y or z), and of those
-  /// after them.
+  /// The blocks that are joined to the block before them along the axis (y or z), and those that are joined to the
+  /// block after them. Two blocks are joined if a free voxel of one touches a free voxel of the other.
   template <int kAxis>
   TwoWords meet() const {
     const IndexRange& own = kAxis == 1 ? y : z;
@@ -67,20 +67,21 @@ struct WordRows {
   }
 };
 
-/// What some row of a word of voxels has, bit by bit.
+/// For each voxel x of a word of voxels, what is true in at least one of the rows.
 struct WordBits {
-  std::uint64_t blocked;  ///< a blocked voxel
+  std::uint64_t blocked;  ///< x is blocked
   std::uint64_t met;      ///< voxels x - 1 and x are both free
-  std::uint64_t met_end;  ///< in bit 63: voxels 63 and 64 are
+  std::uint64_t met_end;  ///< in bit 63: voxels 63 and 64 are both free
   std::uint64_t begins;   ///< x is free, and x - 1 is not
   std::uint64_t stops;    ///< x is not free, and x - 1 is
   std::uint64_t begins_y;
   std::uint64_t stops_y;
   std::uint64_t first_y;  ///< x is not free in the first row along y
-  std::uint64_t last_y;   ///< or in the last
+  std::uint64_t last_y;   ///< x is not free in the last row along y
 };
 
-/// WordBits of two planes; the first three as what no row has: of every row, x - 1 or x is blocked.
+/// WordBits of two planes. `apart` and `apart_end` are the opposites of `met` and `met_end`: in every row, one of the
+/// two voxels is blocked.
 struct TwoWordBits {
   TwoWords blocked = {};
   TwoWords apart = {kAllBits, kAllBits};
@@ -93,13 +94,14 @@ struct TwoWordBits {
   TwoWords last_y = {};
 };
 
-/// The words beside a word in its row; past the row's ends the word itself, whose bits are masked.
+/// Where the words beside a word lie in its row, relative to the word. Past the row's ends, this is the word itself,
+/// and its bits are masked.
 struct Neighbours {
   std::ptrdiff_t before;
   std::ptrdiff_t after;
 };
 
-/// Adds `count` rows along y from `row` on, and those of the plane `next` words further on.
+/// Adds `count` rows along y from `row` on, and the same rows of the plane that begins `next` words further on.
 void add_rows(const std::uint64_t* row, std::ptrdiff_t next, std::ptrdiff_t step, std::int32_t count,
               const Neighbours& beside, TwoWordBits& bits) {
   TwoWords last = {row[0], row[next]};
@@ -134,7 +136,7 @@ WordBits read_rows(const WordRows& rows) {
   const Neighbours beside = {first ? 0 : -1, last ? 0 : 1};
   const std::ptrdiff_t plane = rows.rows.index(0, 1);
   TwoWordBits bits;
-  // With an odd number of planes the last one counts twice, which changes nothing.
+  // If the number of planes is odd, the last one counts twice, which changes nothing.
   for (std::int32_t z = rows.z.begin; z < rows.z.end; z += 2) {
     add_rows(rows.at(rows.y.begin, z), z + 1 < rows.z.end ? plane : 0, rows.rows.row_words, rows.y.end - rows.y.begin,
              beside, bits);
@@ -150,8 +152,8 @@ WordBits read_rows(const WordRows& rows) {
           either(bits.last_y)};
 }
 
-/// Blocks whose free voxels all lie on rows of free voxels from one side along x or y which is wholly free. They are
-/// connected, and most blocks are like that. Blocks of eight voxels count as connected.
+/// Blocks with a wholly free side along x or y from which rows of free voxels lead to all their free voxels. The free
+/// voxels of such a block are connected, and most blocks are like that. Blocks of eight voxels count as connected.
 std::uint64_t surely_whole(const WordBits& bits, int log) {
   const std::uint64_t first = any_of(kAllBits, log);
   if (log == kLargeBlocks) return first;

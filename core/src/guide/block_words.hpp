@@ -16,12 +16,12 @@ struct WordSides {
   std::uint64_t low;   ///< sides 0 to 3
   std::uint64_t high;  ///< sides 4 and 5, and the kind
 
-  /// Of eight blocks from the given one on, a byte each.
+  /// One byte for each of eight blocks, from the given block on.
   std::uint64_t bytes(std::int32_t block, int log) const {
     if (log == kLargeBlocks) return low | high << 4;
     return spread(low >> 4 * block) | spread(high >> 4 * block) << 4;
   }
-  /// Eight halves of bytes, to a byte each.
+  /// Spreads eight half-bytes to one byte each.
   static std::uint64_t spread(std::uint64_t bits) {
     bits &= 0xFFFFFFFFu;
     bits = (bits | bits << 16) & 0x0000FFFF0000FFFFu;
@@ -31,7 +31,7 @@ struct WordSides {
 };
 static_assert(kSides == 6 && kBlockFull == 1u << 6 && kBlockUnknown == 3u << 6, "two halves of a byte");
 
-/// The sides of the blocks in the block's word of voxels. `log` as in BlockMap.
+/// The sides of all blocks in the word of voxels that holds this block. `log` as in BlockMap.
 WordSides read_block_word(const Grid& grid, int log, const Voxel& block) noexcept;
 
 }  // namespace tern

@@ -20,14 +20,14 @@ template <std::int32_t kBuckets, std::int32_t kEntries>
 struct BucketQueue {
   struct Entry {
     std::uint32_t item;
-    std::int32_t next;  ///< in its bucket, -1 at the end; or in the list of entries to use again, `used` at the end
+    std::int32_t next;  ///< next in its bucket, -1 at the end; or next one to reuse, `used` at the end
   };
   std::uint32_t current;  ///< bucket that the last entry came from
   std::int32_t count;
-  std::int32_t used;    ///< entries that were ever used
-  std::int32_t unused;  ///< first entry to use again, `used` if there is none
+  std::int32_t used;    ///< entries that have ever been used
+  std::int32_t unused;  ///< first entry to reuse; `used` if there is none
   std::uint64_t busy[kBuckets / 64];
-  std::int32_t first[kBuckets];  ///< -1 where there is none
+  std::int32_t first[kBuckets];  ///< first entry of each bucket; -1 if there is none
   Entry entries[kEntries];
 };
 
@@ -41,7 +41,7 @@ void queue_reset(BucketQueue<kBuckets, kEntries>& queue) noexcept {
   for (std::int32_t& entry : queue.first) entry = -1;
 }
 
-/// False if the queue is full.
+/// Puts an item into a bucket. False if the queue is full.
 template <std::int32_t kBuckets, std::int32_t kEntries>
 bool queue_put(BucketQueue<kBuckets, kEntries>& queue, std::uint32_t bucket, std::uint32_t item) noexcept {
   if (queue.count == kEntries) return false;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Follows the moves back from the goal, and writes the turning points.
+// Follows the moves of the guided search back from the goal, and writes the turning points.
 #include "base/turn_writer.hpp"
 #include "guide/guided_search.hpp"
 

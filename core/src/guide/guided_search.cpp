@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kGuidedBucketBits = 6;
 
-/// Instructions of an entry of the list of voxels, and of one of the guide's.
+/// Instructions of: taking an entry off the open list of voxels; taking an entry off the guide's open list.
 constexpr std::uint32_t kVoxelEffort = 2200;
 constexpr std::uint32_t kGuideEffort = 1000;
 
@@ -20,7 +20,7 @@ constexpr std::uint32_t kGuideEffort = 1000;
 /// voxels need not follow.
 constexpr int kCarrotBlocks = 2;
 
-/// The heuristic counts one and a half times.
+/// The heuristic with its weight of one and a half.
 constexpr std::uint64_t weighted(GuideCost left) {
   return std::uint64_t{left} + left / 2;
 }
@@ -64,8 +64,8 @@ Voxel next_block(GuidedSearch& search, const Grid& grid, const Voxel& block, con
   return best;
 }
 
-/// Sets the carrot of a page whose block is closed: the middle of the block two blocks further along the guide's
-/// path, or the goal where the path ends first.
+/// Sets the carrot of a page whose block is closed: the middle of the block two blocks further along the guide's path,
+/// or the goal if the path ends first.
 void set_carrot(GuidedSearch& search, const Grid& grid, const Voxel& voxel, Page& page) {
   const BlockMap& map = search.guide.map;
   Voxel block = next_block(search, grid, map.block_of(voxel), voxel);
@@ -136,7 +136,7 @@ Status expand(GuidedSearch& search, const Grid& grid, std::int32_t index, const 
   const Page& from = search.store.pages[index];
   const GuideCost cost = from.cost[place];
   const CellMask free = free_cells(grid, at);
-  // The moves that the voxel before has made, as far as they show from here.
+  // Moves to voxels that the voxel before has reached directly, as far as the cells around this voxel show.
   const int arrival = from.arrival[place];
   const CellMask known = cells_after(legal_moves(cells_after(free, opposite(arrival))), arrival);
   for (CellMask left = legal_moves(free) & ~known; left != 0; left &= left - 1) {
@@ -169,7 +169,7 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
     }
     set_carrot(search, grid, at, page);
   }
-  // The entry is early: the guide has improved the heuristic since, or the ring had no bucket for the entry.
+  // If the entry comes too early, the guide has improved the heuristic since, or the ring had no bucket for the entry.
   const std::uint32_t bucket = bucket_of(page, at, page.cost[place]);
   if (bucket > search.open.current) {
     queue_put(search.open, bucket, taken);
@@ -179,11 +179,11 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
   return expand(search, grid, index, at, place);
 }
 
-/// Lets the guide take entries off its list, one a unit of work, until it has closed the block awaited or may not go
-/// on.
+/// Lets the guide take entries off its list, one a unit of work, until it has closed the awaited block, or has no units
+/// left.
 Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
   const Block& awaited = search.guide.map.blocks[search.awaited];
-  // Once it has closed the start's block, the entries left no longer count.
+  // If guide_left is 0 here, the guide has closed the start's block, and may take any number of entries.
   const std::uint32_t most = search.guide_left == 0 ? work.left : least(work.left, search.guide_left);
   std::uint32_t taken = 0;
   Status status = Status::kRunning;
@@ -213,7 +213,7 @@ bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, co
 
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
   search.taken = 0;
-  search.guide_left = ~std::uint32_t{0};  // more than it ever takes
+  search.guide_left = ~std::uint32_t{0};  // more than the guide ever takes
   queue_reset(search.open);
   page_store_reset(search.store);
   reach(search, page_of(search, grid, search.start), search.start, 0, kHere);  // the lists are empty, so it fits

@@ -36,7 +36,7 @@ struct GuidedSearch {
   Voxel start;
   Voxel goal;
   std::uint32_t expanded;    ///< voxels
-  std::uint32_t most;        ///< voxels that it may expand, given the length of the guide's path
+  std::uint32_t most;        ///< the most voxels that it may expand, given the length of the guide's path
   std::uint32_t taken;       ///< entries taken off `open`
   std::uint32_t guide_left;  ///< entries that the guide may still take before it stalls
   std::int32_t awaited;      ///< block that the guide has to close before the search of voxels goes on
@@ -57,7 +57,8 @@ inline bool guide_stalls(const GuidedSearch& search) noexcept {
   return search.guide_left == 0 && !block_closed(search.guide, search.guide.map.index(search.guide.target));
 }
 
-/// Opens the start again, with nothing else open. Only after the guide has stalled, which it does once.
+/// Opens the start again, with nothing else open. Call this only after the guide has stalled, which happens at most
+/// once.
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 
 /// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath if no

@@ -12,7 +12,7 @@ void page_store_reset(PageStore& store) noexcept {
 std::int32_t page_find_or_add(PageStore& store, const Voxel& voxel) noexcept {
   const Voxel at{voxel.x >> 2, voxel.y >> 2, voxel.z >> 2};
   const auto key = static_cast<std::uint32_t>(at.x | at.y << 10 | at.z << 20);
-  // Multiplicative hashing by the golden ratio, upper bits.
+  // The upper bits of multiplicative hashing by the golden ratio.
   auto slot = static_cast<std::uint32_t>(std::uint64_t{key * 0x9E3779B1u} * kPageSlots >> 32);
   // Ends at a free slot at the latest, because at most half of the slots are used.
   for (; store.slots[slot] != 0; slot = (slot + 1) % kPageSlots) {

@@ -20,11 +20,11 @@ constexpr std::int32_t kPocketPages = kGuidePages / 8;
 /// Units of work of one flood. A page comes back to the list only with a voxel more than before.
 constexpr std::uint32_t kPocketBound = 64u * static_cast<std::uint32_t>(kPocketPages + kSides) + 2u;
 
-/// Begins at a free voxel, in the memory of the search of voxels: `open` and `store` are lost.
+/// Begins at a free voxel, in the memory of the search of voxels: the content of `open` and `store` is lost.
 void pocket_begin(GuidedSearch& search, const Grid& grid, const Voxel& from) noexcept;
 
-/// Takes one page off the list. kRunning; kNoPath: the blocked layer does not connect the two voxels; kNodesFull: it
-/// does, or more than kPocketPages pages were reached.
+/// Takes one page off the list. kRunning; kNoPath: the blocked layer does not connect the two voxels; kNodesFull: they
+/// are connected, or the flood reached more than kPocketPages pages.
 Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noexcept;
 
 }  // namespace tern

@@ -9,7 +9,7 @@ Voxel beside(const Voxel& block, int side) {
   return block + offset(kSideMove[side]);
 }
 
-/// The sides in pairs: 0 and 1, 2 and 3, 4 and 5.
+/// The side opposite to a side: sides 0 and 1, 2 and 3, and 4 and 5 are pairs.
 constexpr int across(int side) {
   return side ^ 1;
 }
@@ -18,8 +18,8 @@ int first_side(SideMask sides) {
   return __builtin_ctz(sides);
 }
 
-/// The voxels of a block at which the best path may have entered it. After a move around a corner, that is from any
-/// block at the corner that joins the two and is not split.
+/// The voxels of a block at which the best path may have entered it. After a move around a corner, it may have come
+/// from any block at the corner that joins the two blocks and is not split.
 VoxelMask entered(BlockMap& map, const Grid& grid, const Voxel& block, int arrival) {
   const Voxel from = block + offset(opposite(arrival));
   if (axes_of(arrival) == 1) return voxels_across(part_of(map, grid, from), first_side(sides_of(arrival)));
@@ -47,7 +47,7 @@ SideMask enter_part(BlockMap& map, const Grid& grid, const Voxel& block, int pla
   const int arrival = map.at(block).arrival();
   const VoxelMask free = block_voxels(grid, block);
   const VoxelMask at = arrival == kHere ? VoxelMask{1} << place : entered(map, grid, block, arrival) & free;
-  // It cannot be empty: the guide leaves a part only across sides where it meets the next block.
+  // The set cannot be empty: the guide leaves a part only across sides at which the part meets the next block.
   const int entry = at != 0 ? __builtin_ctzll(at) : place;
   map.entries[map.index(block)] = static_cast<std::uint8_t>(entry);
   const VoxelMask part = connected(VoxelMask{1} << entry, free);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the guide knows about split blocks: which of its parts each one was entered in, and whether other parts have
-// been left out.
+// What the guide knows about split blocks: the part in which each was entered, and whether other parts have been left
+// out.
 #ifndef TERN_GUIDE_SPLIT_BLOCKS_HPP
 #define TERN_GUIDE_SPLIT_BLOCKS_HPP
 
@@ -16,12 +16,12 @@ namespace tern {
 /// split block must be closed.
 VoxelMask part_of(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
-/// Enters a split block that is about to be closed, by its arrival, or in its voxel at `place` if it has none. The
-/// sides across which the part entered meets a neighbour.
+/// Enters a split block that is about to be closed: by its arrival or, if it has none, in its voxel at `place`. Returns
+/// the sides across which the entered part meets a neighbour.
 SideMask enter_part(BlockMap& map, const Grid& grid, const Voxel& block, int place) noexcept;
 
-/// True if a part that touches this closed block, or a part of this block, has been left out: beside it is a closed
-/// block that leads there, and one of the two is split.
+/// True if the guide has left out a part of this closed block, or of a closed neighbour, that it could have reached:
+/// the part that it entered in one of the two blocks touches another part of the other block.
 bool leaves_out(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
 }  // namespace tern

@@ -5,7 +5,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of expanding a node of the optimal search, besides its jumps; an entry of a flood; beginning a guided
+/// Instructions of: expanding a node of the optimal search, without its jumps; an entry of a flood; beginning a guided
 /// search or a flood.
 constexpr std::uint32_t kNodeEffort = 1500;
 constexpr std::uint32_t kPocketEffort = 2200;
@@ -21,8 +21,8 @@ void begin_optimal(VoxelSearch& search, const Grid& grid) {
   search_begin(search.optimal, *search.map, grid, search.start, search.goal);
 }
 
-/// Begins the guided search after the first expansions. Their least f is a lower bound for all paths, because the
-/// heuristic is consistent.
+/// Begins the guided search after the first expansions. The least f of the open list is a lower bound for the cost of
+/// all paths, because the heuristic is consistent.
 void begin_guided(VoxelSearch& search, const Grid& grid) {
   const Cost proven = static_cast<Cost>(search.optimal.open.bin) << kBinBits;
   if (search.least < proven) search.least = proven;
@@ -57,7 +57,7 @@ void begin_pocket(VoxelSearch& search, const Grid& grid, SearchMethod method) {
   pocket_begin(search.guided, grid, method == SearchMethod::kGoalPocket ? search.goal : search.start);
 }
 
-/// kRunning without work left; otherwise as pocket_take.
+/// Advances a flood. kRunning if no work is left; otherwise as pocket_take.
 Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
   const Voxel& to = search.method == SearchMethod::kGoalPocket ? search.start : search.goal;
   Status status = Status::kRunning;
@@ -68,7 +68,8 @@ Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
   return status;
 }
 
-/// Begins a guided search with small blocks after one with large ones. False if there is none.
+/// Begins a guided search with small blocks, after one with large blocks. False if the last one had small blocks, or if
+/// the grid has too many.
 bool begin_small(VoxelSearch& search, const Grid& grid) {
   if (!search.guided.guide.map.large()) return false;
   search.method = SearchMethod::kGuided;
@@ -77,7 +78,8 @@ bool begin_small(VoxelSearch& search, const Grid& grid) {
   return true;
 }
 
-/// What follows a guided search that stalls or gives up, or a flood that proves nothing. False at the end.
+/// Begins what follows a guided search that stalls or gives up, or a flood that proves nothing. False if nothing is
+/// left to try.
 bool begin_next(VoxelSearch& search, const Grid& grid) {
   if (search.method == SearchMethod::kStartPocket && !search.gave_up) {
     search.method = SearchMethod::kGuided;
@@ -89,13 +91,13 @@ bool begin_next(VoxelSearch& search, const Grid& grid) {
   return true;
 }
 
-/// A guided search, a flood around the start, the guided search again, a flood around the goal, and a guided search
-/// with small blocks.
+/// The most turns of advance_guided(): a guided search, a flood around the start, the guided search again, a flood
+/// around the goal, and a guided search with small blocks.
 constexpr int kGuidedTurns = 5;
 
-/// The guided search, with floods around the ends: around the start where the guide stalls, and around both where the
-/// search gives up. Then, if the blocks were large, the guided search with small ones. Ends as they do; kNodesFull and
-/// kOpenFull prove nothing.
+/// The guided search, with floods around the ends: around the start if the guide stalls, and around both ends if the
+/// search gives up. If the blocks were large, a guided search with small blocks follows. Returns the status of the last
+/// of them; kNodesFull and kOpenFull prove nothing.
 Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
   Status status = Status::kRunning;
   for (int turn = 0; turn < kGuidedTurns; ++turn) {

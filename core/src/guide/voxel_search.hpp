@@ -20,11 +20,11 @@
 
 namespace tern {
 
-/// A fast search begins with the steps of the optimal search, while these make progress, and with so many expansions
-/// that jump. Easy queries end there, with a cheapest path.
+/// A fast search begins with the optimal search: with its steps, as long as they make progress, and then with this many
+/// expansions that jump. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstJumps = 32;
 
-/// Units of work of one search. The first expansions are a search's own, and bounded as one.
+/// Units of work of one search. The first expansions have the bound of a search of their own.
 constexpr std::uint32_t kVoxelSearchBound = 2 * kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
@@ -34,16 +34,16 @@ struct VoxelSearch {
   Voxel start;
   Voxel goal;
   SearchMethod method;
-  bool start_flooded;       ///< around the start there is no pocket, or a large one
-  bool goal_flooded;        ///< likewise around the goal
-  bool gave_up;             ///< the guided search did
+  bool start_flooded;       ///< a flood around the start was begun; if it has ended, it found no pocket, or a large one
+  bool goal_flooded;        ///< the same for a flood around the goal
+  bool gave_up;             ///< the guided search gave up
   Cost least;               ///< proven lower bound of the cost of any path
-  std::int32_t nodes_high;  ///< of the optimal search
+  std::int32_t nodes_high;  ///< the most nodes of the optimal search
   std::int32_t open_high;
   ScanMap* map;
   union {
     Search optimal;
-    GuidedSearch guided;  ///< while the method is not the first or the last
+    GuidedSearch guided;  ///< valid if the method is neither kFirst nor kOptimal
   };
 };
 static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");
@@ -53,7 +53,7 @@ static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes n
 void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept;
 
-/// One unit of work is one entry taken off an open list, or one sorting step. kRunning without work left, or the end:
+/// One unit of work is one entry taken off an open list, or one sorting step. kRunning if no work is left; at the end:
 /// kOk, kNoPath, kNodesFull, kOpenFull.
 Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
 
