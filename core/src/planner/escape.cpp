@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of making a stop, and an arrival.
+/// Instructions of making a stop, and of making an arrival.
 constexpr std::uint32_t kStopEffort = 60000;
 constexpr std::uint32_t kArrivalEffort = 8000;
 

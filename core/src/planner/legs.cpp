@@ -115,8 +115,8 @@ std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
   return via >= 0 && via < via_count() ? via : kNoVia;
 }
 
-/// A via whose voxel is not free is flown through exactly: the legs that join it to the grid are short, and a
-/// programme in which such a leg has free ends is too ill-conditioned.
+/// The plan passes exactly through a via whose voxel is not free. The legs that join such a via to the grid are short,
+/// and a programme in which such a leg has free ends is too ill-conditioned.
 void Plan::make_holds() noexcept {
   Mission& mission = memory_->mission;
   for (std::int32_t v = 0; v < mission.marks.count; ++v) {

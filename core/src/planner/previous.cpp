@@ -135,7 +135,7 @@ class Moves {
 };
 
 /// Appends what is left of the segment that is being flown, in one piece with the first `joined` >= 0 seconds of the
-/// next one, and then the other segments. An end at the goal has the motion that is asked for there.
+/// next one, and then the other segments. If the rest ends at the goal, its end has the requested motion of the goal.
 void append_moves(const Cut& cut, double joined, const State& goal, Previous& rest) {
   const Trajectory& plan = rest.plan;
   Vec3 move = last_move(plan.segments[cut.segment], cut.left);

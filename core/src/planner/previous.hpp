@@ -24,8 +24,8 @@ constexpr int kPreviousTries = 6;
 /// Ways in which the rest is tried at most if kLeastRest or more is left of the segment that is being flown.
 constexpr int kLongRestTries = 3;
 
-/// If less than this is left of the segment that is being flown, in seconds, a segment made anew from the states at its
-/// ends would round its derivatives too much.
+/// The least remainder of a segment that is made anew from the states at its ends, seconds. The derivatives of a
+/// shorter one would be rounded too much.
 constexpr double kLeastRest = 1e-3;
 
 /// The most half-spaces for enclosing the rest, before a new plan is looked for and after it. The last factor 2 is for

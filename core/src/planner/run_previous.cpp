@@ -16,9 +16,9 @@
 namespace tern {
 namespace {
 
-/// The part of check_distance by which hulls of the rest may be too near to obstacles, besides what any half-space may.
-/// A checked plan may violate a half-space by the check's tolerance, and the half-space itself may be too near to an
-/// obstacle. So the plan's hulls may be too near by both. A factor below 1 leaves room for rounding.
+/// The part of check_distance by which hulls of the rest may come closer to obstacles than touching allows. A checked
+/// plan may violate a half-space by the check's tolerance, and the half-space itself may be too near to an obstacle. So
+/// the plan's hulls may be too near by both. A factor below 1 leaves room for rounding.
 constexpr double kPreviousSlack = 0.9;
 /// A new plan replaces the rest if it arrives earlier by more than this, seconds.
 constexpr double kEarlierBy = 1e-6;
