@@ -8,8 +8,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of a polyhedron, of a block of rows and a half-space for it, of going through the block's rows, and of
-/// a row with an obstacle and a half-space for it.
+/// Instructions of a polyhedron, of a block of rows, of a half-space for a block, of going through a block's rows, of a
+/// row with an obstacle, and of a half-space for such a row.
 constexpr std::uint32_t kPolyhedronEffort = 4000;
 constexpr std::uint32_t kBlockEffort = 150;
 constexpr std::uint32_t kBlockPlaneEffort = 12;
@@ -42,7 +42,7 @@ std::int32_t clamp_index(double cells, std::int32_t count) {
 RowBlock voxels_near(const Grid& grid, const Polyhedron& polyhedron) {
   const GridSpec& spec = grid.spec();
   const Box box = bounding_box(grid, polyhedron);
-  const double reach = spec.clearance() + spec.cell;  // a cell more than needed costs little and forgives rounding
+  const double reach = spec.clearance() + spec.cell;  // a cell more than needed costs little and allows for rounding
   return {{clamp_index((box.lower.x - reach) / spec.cell, spec.dims.x),
            clamp_index((box.lower.y - reach) / spec.cell, spec.dims.y),
            clamp_index((box.lower.z - reach) / spec.cell, spec.dims.z)},

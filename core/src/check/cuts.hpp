@@ -31,7 +31,7 @@ struct PlaneCut {
                  ///< alike
 };
 
-/// Cuts by the sign of per_x: none, negative, positive.
+/// Cuts, sorted by the sign of per_x: zero, negative, positive.
 struct PlaneCuts {
   PlaneCut cut[kMaxPlanes];
   int end[3];  ///< end of each sign's cuts

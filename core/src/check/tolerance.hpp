@@ -26,8 +26,8 @@ constexpr double kCheckRelative = 3e-8;
 constexpr double kUlp = 1.0 / 4503599627370496.0;
 
 /// Metres by which a half-space of the corridor may miss a voxel's corner. Its offset is a sum of three products of
-/// local coordinates, computed once by the corridor and once by the check, each rounded to half a unit in the last
-/// place. If it touches the start, that start was rounded when the grid's origin was subtracted from it.
+/// local coordinates, each rounded to half a unit in the last place. The corridor computes the sum once, and the check
+/// once more. If it touches the start, that start was rounded when the grid's origin was subtracted from it.
 double grid_rounding(const Grid& grid) noexcept;
 constexpr double kGridUlps = 10.0;
 constexpr double kOriginUlps = 2.0;
