@@ -38,9 +38,9 @@ std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid&
 
 /// Blocks the voxels that the keep-out, grown by the radius, may reach: prepare_keep_out() once, then plane by plane. A
 /// voxel stays free if one plane cuts it off with the radius to spare. The normals of these planes are the coordinate
-/// axes, the normals of the faces, and the directions half way between two of these, because the grown keep-out is
-/// round at its edges. At a corner, a voxel too many may be blocked, but never one too few. Both functions return the
-/// instructions that they took.
+/// axes, the normals of the faces, and the directions half way between two of these. The latter are needed because the
+/// grown keep-out is round at its edges. At a corner, a voxel too many may be blocked, but never one too few. Both
+/// functions return the instructions that they took.
 std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,
                                const Grid& view) noexcept;
 std::uint32_t block_keep_out(FenceLayer& layer, const Grid& view, std::int32_t z) noexcept;
