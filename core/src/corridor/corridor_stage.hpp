@@ -41,8 +41,8 @@ struct CorridorStage {
   Status status;             ///< why the stage failed; else kOk
   std::uint32_t tries;       ///< polyhedra begun so far; <= kCorridorTries
   std::uint32_t planes;      ///< half-spaces made so far, discarded ones included; <= kCorridorBound and the budget
-  std::int32_t planes_high;  ///< of the fullest polyhedron
-  std::int32_t boxes_high;   ///< of the busiest local box
+  std::int32_t planes_high;  ///< half-spaces of the fullest polyhedron
+  std::int32_t boxes_high;   ///< boxes in the fullest local box
 
   std::int32_t leg;      ///< index of the current leg of the path
   std::int32_t piece;    ///< index of the current piece of the leg
@@ -74,8 +74,8 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 /// of that piece with kSightMargin of a voxel to spare; its line then leads straight to or from there. The first and
 /// the last piece of the path always have polyhedra of their own. No polyhedron is for both sides of a via.
 ///
-/// If the interior legs of the path keep kSightMargin of a voxel from everything that is not free, any two neighbours
-/// share a ball of radius kSightMargin * cell around their common point (less 1e-9 m of rounding).
+/// Any two neighbours share a ball around their common point, if the interior legs of the path keep kSightMargin of a
+/// voxel from everything that is not free. The ball's radius is kSightMargin * cell, less 1e-9 m of rounding.
 Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
 
 }  // namespace tern

@@ -19,8 +19,8 @@ struct GrowScratch {
   const Fences* fences;          ///< null: none
   std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
   std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
-  std::int32_t planes_high;      ///< of the fullest polyhedron
-  std::int32_t boxes_high;       ///< of the busiest local box
+  std::int32_t planes_high;      ///< half-spaces of the fullest polyhedron
+  std::int32_t boxes_high;       ///< boxes in the fullest local box
 
   LocalBox boxes[kMaxLocalBoxes];
   std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet, in ascending order
