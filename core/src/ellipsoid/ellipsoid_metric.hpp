@@ -20,7 +20,7 @@ struct EllipsoidFrame {
   Vector semi_axis;  ///< > 0
 };
 
-/// The same ellipsoid { p : (p - c)' M (p - c) <= 1 }, in the form that distances need.
+/// An ellipsoid { p : (p - c)' M (p - c) <= 1 }, in the form that distances need.
 struct EllipsoidMetric {
   Vector center;
   Matrix matrix;  ///< M = E^-2
