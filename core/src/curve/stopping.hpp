@@ -20,9 +20,9 @@ constexpr double kStopTolerance = 2e-8;
 /// An acceleration that levels off before the braking takes kMinDuration, halved at most this many times.
 constexpr int kLevelHalvings = 12;
 
-/// Turns before the braking. They differ in their side (eight around the velocity, and the one to which the state
-/// already turns), in how sharp they are, in how much of the limits brakes at the same time, and in how long they last,
-/// in parts of what braking takes.
+/// Turns before the braking. They differ in their side: eight around the velocity, and the one to which the state
+/// already turns. They also differ in their sharpness, in the part of the limits that brakes at the same time, and in
+/// their duration, relative to that of braking.
 constexpr int kTurnSides = 9;
 constexpr int kTurnStrengths = 3;
 constexpr int kTurnBrakings = 3;
