@@ -124,8 +124,8 @@ double excess(const double* step, int count) {
   return most;
 }
 
-/// Takes Newton's step from the best plan to durations at which each segment's price would equal the cost of its time,
-/// or as much of that step as the radius allows. Returns the gain that the whole step promises.
+/// Takes Newton's step from the best plan, or as much of it as the radius allows. At the end of the whole step, each
+/// segment's price would equal the cost of its time. Returns the gain that the whole step promises.
 double retime(Refinement& refinement, Chain& chain) {
   double extra[kMaxSegments];
   double descent[kMaxSegments];
