@@ -207,7 +207,8 @@ Vec3 next_joint(TimesStage& stage, const Chain& chain, const Corridor& corridor,
   const bool is_last = i + 1 == chain.count || chain.polyhedron[i + 1] != chain.polyhedron[i];
   stage.along = is_last ? 0.0 : stage.along + chain.length[i];
   if (is_last) return polyhedron.to;
-  // The way has a length > 0, since only such polyhedra have several segments.
+  // A way of length 0 has several segments only at an end with an acceleration but no velocity. The joint is then NaN,
+  // which counts as not beside the earlier plan.
   return polyhedron.from + (stage.along / way(polyhedron)) * (polyhedron.to - polyhedron.from);
 }
 

@@ -46,9 +46,9 @@ struct TimesStage {
 };
 
 /// Cuts the corridor into a chain. One segment of degree 7 between given states has no freedom, and between two joints
-/// it cannot hold a speed. So a polyhedron becomes several segments in three cases: if it is a large part of the way,
-/// if it is several times longer than the way to reach the limit speed and stop again, or if it is around a moving
-/// start or goal. It becomes at most kMaxSplit segments, and fewer if kMaxSegments requires it. times_advance gives the
+/// it cannot hold a speed. So a polyhedron becomes several segments if it is a large part of the way, or if it is
+/// around a moving start or goal. It also does if it is several times longer than the way to reach the limit speed and
+/// stop again. It becomes at most kMaxSplit segments, and fewer if kMaxSegments requires it. times_advance gives the
 /// chain its durations. A segment gets its time in a trapezoidal profile (Section 3.3.2) along the whole way, with some
 /// slack: cruising speed, and ramps at the ends and at vias that the flight slows down for.
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
