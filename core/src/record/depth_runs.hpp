@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Depths in a record: runs of numbers of 16 or 32 bits, four or two to a word, the first one lowest. A run begins with
-// its length times 2, plus 1 where its numbers are equal: one follows, and otherwise all. The last word ends in zeros.
+// its length times 2, plus 1 if its numbers are equal. Of equal numbers one follows, of others all. The last word is
+// filled up with zeros.
 #ifndef TERN_RECORD_DEPTH_RUNS_HPP
 #define TERN_RECORD_DEPTH_RUNS_HPP
 
@@ -19,14 +20,15 @@ constexpr std::size_t longest_run() {
   return (std::size_t{1} << (8 * sizeof(Number) - 1)) - 1;
 }
 
-/// The most words that so many numbers take: a run of equal ones has three at least, so it pays for a run of others
-/// before it; the last run and the ends of the longest ones have nobody to pay for them.
+/// The most words that so many numbers take. A run of equal numbers has at least three, so it saves the heads of itself
+/// and of a run of others before it. The head of the last run is not saved, nor is that of a run that follows one of
+/// the greatest length.
 template <typename Number>
 constexpr std::size_t most_run_words(std::size_t count) {
   return (count + 2 + 2 * (count / longest_run<Number>())) * sizeof(Number) / kWordBytes + 1;
 }
 
-/// Packs numbers into words.
+/// Packs numbers into words, the first one lowest.
 template <typename Number>
 class NumberWriter {
  public:
@@ -47,7 +49,7 @@ class NumberWriter {
   unsigned filled_ = 0;
 };
 
-/// The numbers at(0) to at(count - 1) in runs.
+/// Writes the numbers at(0) to at(count - 1) in runs.
 template <typename Number, typename At>
 class RunWriter {
  public:
@@ -67,20 +69,20 @@ class RunWriter {
   }
 
  private:
-  /// Fewer equal numbers do not pay for a run.
+  /// The least length of a run of equal numbers: a shorter one would save nothing.
   static constexpr std::size_t kLeastRun = 3;
 
   std::size_t end_of(std::size_t begin) const {
     return count_ - begin < longest_run<Number>() ? count_ : begin + longest_run<Number>();
   }
-  /// Equal numbers from `begin` on.
+  /// How many numbers from `begin` on are equal.
   std::size_t run(std::size_t begin) const {
     const std::size_t end = end_of(begin);
     std::size_t at = begin + 1;
     while (at < end && at_(at) == at_(begin)) ++at;
     return at - begin;
   }
-  /// Numbers from `begin` on, up to where a run of equal ones begins.
+  /// How many numbers from `begin` on come before a run of equal ones.
   std::size_t mixed(std::size_t begin) const {
     const std::size_t end = end_of(begin);
     std::size_t at = begin;
@@ -119,7 +121,7 @@ class NumberReader {
   unsigned left_ = 0;
 };
 
-/// Reads `count` numbers to `out`. False where the runs do not fill them exactly.
+/// Reads `count` numbers to `out`. False if the runs do not fill them exactly.
 template <typename Number>
 bool read_runs(WordReader& words, std::size_t count, Number* out) {
   NumberReader<Number> numbers(words);

@@ -13,12 +13,12 @@ namespace {
 constexpr std::uint64_t kRecordTag = 0x0063'6572'6E72'6574u;
 constexpr std::size_t kLengthWord = 3;
 
-/// What a head must have for the number of words.
+/// The number of words that a record's head must have. The head of a flight's record has 0.
 std::uint64_t length_in_head(RecordKind kind, std::size_t words) {
   return kind == RecordKind::kFlight ? 0 : words;
 }
 
-/// What a flight's record has for it at its end.
+/// False for a flight's record that does not have the number of its words before the checksum.
 bool length_at_end(RecordKind kind, const std::uint8_t* bytes, std::size_t words) {
   if (kind != RecordKind::kFlight) return true;
   if (words < kEnvelopeWords + 1) return false;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What stands around a record's content: a head that says what it is and how long, and a checksum at its end.
+// The envelope of a record's content: a head that says what the record is and how long, and a checksum at its end.
 #ifndef TERN_RECORD_ENVELOPE_HPP
 #define TERN_RECORD_ENVELOPE_HPP
 
@@ -18,13 +18,13 @@ constexpr std::size_t kHeadWords = 5;
 /// Words besides the content.
 constexpr std::size_t kEnvelopeWords = kHeadWords + 1;
 
-/// The last word of a record of a flight but for the checksum: the number of words in all. The recorder that streams
-/// does not know it when it writes the head, which has a 0 there.
+/// Where the number of words is in a flight's record, in words from the end: before the checksum. A recorder that
+/// streams does not know the number when it writes the head, which has a 0 instead.
 constexpr std::size_t kLengthFromEnd = 2;
 
 enum class RecordKind : std::uint64_t { kPlan = 1, kFlight = 2 };
 
-/// FNV-1a, 64 bits, of bytes that follow those of `before`.
+/// FNV-1a, 64 bits, of `bytes`. `before` is the checksum of the bytes before them.
 constexpr std::uint64_t kChecksumSeed = 0xCBF2'9CE4'8422'2325u;
 std::uint64_t checksum(const std::uint8_t* bytes, std::size_t count, std::uint64_t before = kChecksumSeed) noexcept;
 
@@ -36,7 +36,8 @@ Status close_envelope(const std::uint8_t* bytes, WordWriter& words, std::size_t&
 
 /// The kind that a record says it is; 0 for bytes that are no record.
 std::uint64_t record_kind(const std::uint8_t* bytes, std::size_t count) noexcept;
-/// Checks the head and the checksum. kOk, kRecordDamaged or kRecordVersion; `configuration` gets that of the head.
+/// Checks the head and the checksum. kOk, kRecordDamaged or kRecordVersion; `configuration` gets the configuration hash
+/// in the head.
 Status check_envelope(RecordKind kind, const std::uint8_t* bytes, std::size_t count,
                       std::uint64_t& configuration) noexcept;
 /// The content of a record that was checked.

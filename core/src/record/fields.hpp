@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a record holds of each structure, in its order. Each list serves the writer, with a constant object, and the
-// reader.
+// The fields of each structure that a record holds, in their order. Each list serves the writer, with a constant
+// object, and the reader.
 #ifndef TERN_RECORD_FIELDS_HPP
 #define TERN_RECORD_FIELDS_HPP
 

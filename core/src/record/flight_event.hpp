@@ -14,7 +14,7 @@ namespace tern {
 
 class FlightEvent {
  public:
-  /// Nothing is written where the recorder takes no more, or the call was refused.
+  /// Opens an event. Nothing is written if the recorder takes no more, or if the call was refused.
   FlightEvent(FlightRecorder& recorder, FlightEventKind kind, Status answer)
       : recorder_(recorder),
         is_open_(recorder.status_ == Status::kOk && (answer == Status::kOk || answer == Status::kRunning)),
@@ -26,7 +26,7 @@ class FlightEvent {
   bool is_open() const { return is_open_; }
   WordWriter& words() { return words_; }
 
-  /// Completes the event; does nothing where it is not open.
+  /// Completes the event; does nothing if it is not open.
   Status end() {
     if (!is_open_) return recorder_.status_;
     if (words_.full()) return recorder_.status_ = Status::kRecordFull;
@@ -44,7 +44,7 @@ class FlightEvent {
   }
 
  private:
-  /// Bytes, but for those of close().
+  /// Bytes left for events: close() needs the rest.
   std::size_t room() const {
     const std::size_t taken = recorder_.used_ + kTrailerWords;
     return recorder_.room_ > taken ? kWordBytes * (recorder_.room_ - taken) : 0;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a record of a flight holds of each structure, as fields.hpp for plans. Counts and what they count are written
-// and read apart from them.
+// The fields of each structure that a flight's record holds, as fields.hpp lists them for plans. Arrays and their
+// counts are not in these lists; they are written and read separately.
 #ifndef TERN_RECORD_FLIGHT_FIELDS_HPP
 #define TERN_RECORD_FLIGHT_FIELDS_HPP
 
@@ -149,7 +149,8 @@ void list_yaw_sample(Words& words, Sample& sample) {
   words(sample.angle);
 }
 
-/// All that says what was decided. What blocks the way is said for people, and may be said better in another version.
+/// The fields that tell what was decided. What blocks the way is left out: it is for people, and another version may
+/// tell it better.
 template <typename Words, typename Report>
 void list_flight_report(Words& words, Report& report) {
   words(report.mode);
@@ -170,7 +171,7 @@ void list_flight_report(Words& words, Report& report) {
   words(report.frame_age);
 }
 
-/// What a tick leaves: FNV-1a, word by word, over all that it commanded and reported.
+/// The hash that a tick leaves: FNV-1a, word by word, over all that it commanded and reported.
 class TickHash : public FieldWriter<TickHash> {
  public:
   TickHash(const Command& command, const YawSample& yaw, const FlightReport& report) {

@@ -30,7 +30,7 @@ FlightRecorder* object(const tern_flight_recorder* place) {
   return const_cast<FlightRecorder*>(recorder);
 }
 
-/// What a call of the recorder answers; `here` says whether all that it needs is there.
+/// Makes a call of the recorder and returns its answer. `here` is false if a pointer that the call needs is null.
 template <typename Call>
 std::uint8_t record(tern_flight_recorder* place, bool here, Call call) {
   FlightRecorder* const recorder = object(place);

@@ -5,12 +5,12 @@
 namespace tern {
 namespace {
 
-/// Kinds of runs: words that are all 0 follow as nothing, as do words that are all one other word, which follows once;
-/// words that differ follow one by one.
+/// Kinds of runs. After the head of kFree, whose words are all 0, nothing follows. After that of kSame, whose words are
+/// all equal, the word follows once. After that of kMixed, all words follow.
 enum class Run : std::uint64_t { kFree = 0, kSame = 1, kMixed = 2 };
 constexpr unsigned kLengthShift = 2;
 
-/// The words of the layer in their order.
+/// The words of the obstacle layer in their order.
 struct Layer {
   const Grid& grid;
   std::size_t size() const {
@@ -19,7 +19,7 @@ struct Layer {
            static_cast<std::size_t>(dims.z);
   }
   std::uint64_t operator[](std::size_t k) const { return grid.obstacle_row(0, 0)[k]; }
-  /// Equal words from `begin` on.
+  /// How many words from `begin` on are equal.
   std::size_t run(std::size_t begin) const {
     std::size_t end = begin + 1;
     while (end < size() && (*this)[end] == (*this)[begin]) ++end;
@@ -31,7 +31,7 @@ void begin_run(Run run, std::size_t length, WordWriter& words) {
   words.word((static_cast<std::uint64_t>(length) << kLengthShift) | static_cast<std::uint64_t>(run));
 }
 
-/// Where the words begin again to be equal, three or more: fewer do not pay for a run.
+/// The index of the next three or more equal words, or the end. Fewer equal words do not pay for a run of their own.
 std::size_t mixed_end(const Layer& layer, std::size_t begin) {
   constexpr std::size_t kLeastRun = 3;
   std::size_t end = begin;
@@ -57,7 +57,7 @@ bool mark_word(Grid& grid, std::size_t index, std::uint64_t bits) {
   return true;
 }
 
-/// Reads one run. False where it is none, or does not fit into what is left of the layer.
+/// Reads one run. False if it is no run, or does not fit into the rest of the layer.
 bool read_run(WordReader& words, std::size_t& at, std::size_t size, Grid& grid) {
   const std::uint64_t head = words.word();
   const std::uint64_t length = head >> kLengthShift;
@@ -75,7 +75,8 @@ bool read_run(WordReader& words, std::size_t& at, std::size_t size, Grid& grid) 
 }  // namespace
 
 std::size_t most_obstacle_words(std::size_t layer) noexcept {
-  // A run of equal words takes two words at most and has three at least: that pays for a run of mixed ones before it.
+  // A run of at least three equal words takes two words at most. The word that it saves pays for the head of a mixed
+  // run before it.
   return layer + 1;
 }
 

@@ -17,8 +17,8 @@ namespace tern {
 std::size_t most_obstacle_words(std::size_t layer) noexcept;
 
 void write_obstacles(const Grid& grid, WordWriter& words) noexcept;
-/// Marks the obstacles in a grid that was bound to the record's spec. kOk, or kRecordDamaged where the runs do not
-/// fill the layer exactly, or mark a bit past a row's end.
+/// Marks the obstacles in a grid that was bound to the record's spec. kOk, or kRecordDamaged if the runs do not fill
+/// the layer exactly, or mark a bit past a row's end.
 Status read_obstacles(WordReader& words, Grid& grid) noexcept;
 
 }  // namespace tern

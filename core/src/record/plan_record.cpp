@@ -16,7 +16,7 @@ constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettin
                                        2 * static_cast<std::size_t>(kMaxFences) +
                                        kPlaneFields * static_cast<std::size_t>(kMaxFencePlanes) + 1 +
                                        kViaFields * static_cast<std::size_t>(kMaxVias) + 1 + kTrajectoryFields;
-/// Of a whole record, but for the obstacles: the status and the plan come last.
+/// The most words of a record without the obstacles. The status and the plan are last of them.
 constexpr std::size_t kFields = kEnvelopeWords + kGridFields + kRequestFields + 1 + kTrajectoryFields;
 
 void write_trajectory(const Trajectory& trajectory, WordWriter& words) {
@@ -46,8 +46,8 @@ void write_request(const Request& request, WordWriter& words) {
   if (request.previous != nullptr) write_trajectory(*request.previous, words);
 }
 
-/// A count that is at most `most`; `full` is the answer where it is more. Whoever altered a record may also have made
-/// its checksum, so no count is trusted.
+/// Reads a count that is at most `most`; answers `full` if it is more. No count is trusted, because a record may have
+/// been altered and given a new checksum.
 Status read_count(WordReader& words, std::int32_t most, Status full, std::int32_t& count) {
   const std::uint64_t read = words.word();
   if (read > words.left()) return Status::kRecordDamaged;
@@ -110,7 +110,7 @@ Status read_request(WordReader& words, PlanRecord& record) {
   return status;
 }
 
-/// Everything before the obstacles.
+/// Reads everything before the obstacles.
 Status read_content(WordReader& words, PlanRecord& record) {
   list_grid(words, record.grid);
   Status status = read_request(words, record);
@@ -120,7 +120,7 @@ Status read_content(WordReader& words, PlanRecord& record) {
   return status == Status::kOk && words.past_end() ? Status::kRecordDamaged : status;
 }
 
-/// Reads all but the obstacles; `content` is then where these begin.
+/// Reads all but the obstacles; `content` then begins with these.
 Status open_record(const std::uint8_t* bytes, std::size_t count, PlanRecord& record, WordReader& content) {
   if (bytes == nullptr) return Status::kInvalidArgument;
   const Status status = check_envelope(RecordKind::kPlan, bytes, count, record.configuration);

@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Pixels of a view that can be recorded, or 0.
+/// The number of pixels of a view, or 0 if it cannot be recorded.
 std::size_t pixels(const DepthView& view) {
   const bool has_one = (view.z16 == nullptr) != (view.z32 == nullptr);
   if (!has_one || view.width < 1 || view.height < 1 || view.stride < view.width) return 0;
@@ -18,7 +18,7 @@ std::size_t pixels(const DepthView& view) {
   return count > kMaxPixels ? 0 : static_cast<std::size_t>(count);
 }
 
-/// Where pixel k lies in the numbers of a view.
+/// The index of pixel k in the numbers of a view.
 std::size_t place(const DepthView& view, std::size_t k) {
   const auto width = static_cast<std::size_t>(view.width);
   return k / width * static_cast<std::size_t>(view.stride) + k % width;

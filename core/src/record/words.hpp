@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A record's words, written and read: eight bytes each, the lowest first. A function that lists the fields of something
-// serves both ways: words(field) writes what a WordWriter is given, and a WordReader fills it.
+// A record's words, written and read: eight bytes each, the lowest first. A function that lists the fields of a
+// structure serves for both: words(field) writes the field to a WordWriter, or reads it from a WordReader.
 #ifndef TERN_RECORD_WORDS_HPP
 #define TERN_RECORD_WORDS_HPP
 
@@ -16,7 +16,7 @@ namespace tern {
 
 constexpr std::size_t kWordBytes = 8;
 
-/// What is written of a field, as words of a Sink that derives from this.
+/// Writes fields as words to a Sink, which derives from this.
 template <typename Sink>
 class FieldWriter {
  public:
@@ -71,7 +71,7 @@ class WordReader {
  public:
   WordReader(const std::uint8_t* bytes, std::size_t count) : bytes_(bytes), room_(count / kWordBytes) {}
 
-  /// 0 beyond the end.
+  /// The next word; 0 beyond the end.
   std::uint64_t word() {
     std::uint64_t value = 0;
     if (count_ < room_) {
