@@ -9,10 +9,10 @@
 namespace tern {
 namespace {
 
-/// A quarter turn as a sum: the first has 33 bits, so that a multiple of it by 20 bits is exact.
+/// A quarter turn as a sum. Its first part has 33 bits, so the product with a whole number of 20 bits is exact.
 constexpr double kQuarterHigh = 1.57079632673412561417;
 constexpr double kQuarterLow = 6.07710050650619224932e-11;
-/// Beyond it an angle has lost its meaning; it counts as 0.
+/// An angle beyond this has lost its meaning, and counts as 0.
 constexpr double kLargestAngle = 1e6;
 
 /// The nearest whole number; a tie goes away from zero.
@@ -64,7 +64,8 @@ double angle_of(const Heading& heading) noexcept {
   const double s = heading.sine / scale;
   const double norm = square_root(c * c + s * s);
   const double ratio = smaller(x, y) / scale;
-  // Within 0.004 of the arc tangent. Then its error's sine is known, twice: 1e-2, 1e-13, nothing.
+  // A guess within 0.004 of the arc tangent. Two corrections follow, each from the sine of the error. The first leaves
+  // less than 1e-13, the second only rounding.
   double angle = ratio * (0.25 * kPi + 0.273 * (1.0 - ratio));
   if (y > x) angle = 0.5 * kPi - angle;
   if (heading.cosine < 0.0) angle = kPi - angle;

@@ -22,7 +22,8 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-/// Null where no plan was begun. The memory may never have been written: read as volatile, the word has one value.
+/// Null if no plan was begun. The memory may never have been written; reading its first word as volatile makes sure
+/// that the word has one value.
 YawPlanner* object(tern_yaw_planner* planner) {
   if (planner == nullptr || *static_cast<const volatile std::uint64_t*>(planner->opaque) != kYawTag) return nullptr;
   return std::launder(reinterpret_cast<YawPlanner*>(planner->opaque + 1));

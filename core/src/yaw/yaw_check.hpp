@@ -15,12 +15,12 @@ inline bool finite(const Heading& heading) {
   return finite(heading.cosine) && finite(heading.sine);
 }
 
-/// Of any length but 0.
+/// True for a heading of any length but 0.
 inline bool has_direction(const Heading& heading) {
   return absolute(heading.cosine) > 0.0 || absolute(heading.sine) > 0.0;
 }
 
-/// In rad/s and rad/s^2: see YawRequest.
+/// True if the limits, in rad/s and rad/s^2, are in the ranges of YawRequest.
 inline bool yaw_limits_valid(double rate, double acceleration) {
   return rate >= 0.01 && rate <= kLargestYawRate && acceleration >= 0.01 && acceleration <= 1000.0;
 }

@@ -7,19 +7,20 @@
 namespace tern {
 namespace {
 
-/// Shares of the acceleration limit: what the first brake uses, and what the bounds on the rate leave it where the
-/// start is too fast. The difference keeps the brake inside its bounds.
+/// Shares of the acceleration limit. The brake slows down at the first. If the start is too fast, the bounds on the
+/// rate fall at the second, more slowly, which keeps the brake inside them.
 constexpr double kBrakeShare = 0.9;
 constexpr double kBoundShare = 0.8;
-/// An iteration aims at this share of the gap: after a long step, and after one that a bound cut short. It goes this
-/// share of the way to the nearest bound.
+/// An iteration aims at the share kAim of the gap if the last step was longer than kLongStep, and otherwise at
+/// kAimAgain. A step goes at most the share kStay of the way to the nearest bound.
 constexpr double kAim = 0.1;
 constexpr double kAimAgain = 0.7;
 constexpr double kLongStep = 0.6;
 constexpr double kStay = 0.95;
 /// Mean gap of a limit, rad^2, at which the fit is done.
 constexpr double kLeastGap = 1e-11;
-/// Slack of a limit, as a share of the angles, at which it is: below that, rounding would decide what is left of it.
+/// Least slack of a limit, as a share of the largest angle, at which the fit is done: rounding would decide anything
+/// smaller.
 constexpr double kLeastSlack = 1e-12;
 /// The start's three control points are given.
 constexpr int kGiven = 3;
@@ -44,7 +45,7 @@ YawFit::Row YawFit::row(int first, double a, double b, double c) const noexcept 
   return result;
 }
 
-/// The angle at a knot.
+/// The row that gives the angle at a knot.
 YawFit::Row YawFit::fit_row(int knot) const noexcept {
   return row(knot, 1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0);
 }
@@ -53,14 +54,14 @@ double YawFit::acceleration_bound() const noexcept {
   return y_.request_.acceleration_max * y_.plan_.step * y_.plan_.step;
 }
 
-/// Accelerations and rates by turns, of those control points that are free.
+/// The limits in turn: even numbers are accelerations, odd ones rates, of the control points that are free.
 YawFit::Limit YawFit::limit(int number) const noexcept {
   const int k = 2 + number / 2;
   if (is_rate(number)) return {row(k, -1.0, 1.0, 0.0), y_.rate_bound_[k], y_.rate_price_ + 2 * k};
   return {row(k - 1, 1.0, -2.0, 1.0), acceleration_bound(), y_.acceleration_price_ + 2 * k};
 }
 
-/// The control points of the brake, and the bounds of the rates around it.
+/// Sets the control points to the brake, and the bounds of the rates around it.
 void YawFit::brake() noexcept {
   double* c = y_.plan_.points;
   const double most = acceleration_bound();
@@ -75,7 +76,7 @@ void YawFit::brake() noexcept {
   }
 }
 
-/// Mean square of the brake's distance from the wish, rad^2: the size of what there is to gain.
+/// Mean square of the brake's distance from the wish, rad^2: how much there is to gain.
 double YawFit::first_gap() const noexcept {
   double sum = 0.0;
   for (int i = 1; i <= y_.plan_.count; ++i) {
@@ -106,7 +107,8 @@ void YawFit::add(const Row& row, double weight, double slope) noexcept {
   }
 }
 
-/// The matrix and the right-hand side of Newton's step towards the point of the central path with this gap.
+/// Assembles the matrix and the right-hand side of Newton's step towards the point of the central path with the gap
+/// `target`.
 void YawFit::assemble(double target) noexcept {
   for (int i = 0; i < 3 * variables_; ++i) y_.band_[i] = 0.0;
   for (int i = 0; i < variables_; ++i) y_.change_[i] = 0.0;
@@ -126,7 +128,7 @@ void YawFit::assemble(double target) noexcept {
   }
 }
 
-/// Cholesky's factors of the five diagonals, and the change that they give, in place.
+/// Replaces the five diagonals by their Cholesky factors, and the right-hand side by the solution.
 void YawFit::solve() noexcept {
   double* a = y_.band_;
   double* x = y_.change_;
@@ -164,12 +166,12 @@ double YawFit::gap() const noexcept {
 
 namespace {
 
-/// How a price changes where its slack falls by `fall`.
+/// How a price changes if its slack falls by `fall`.
 double price_change(double price, double slack, double fall, double target) {
   return ((target - slack * price) + price * fall) / slack;
 }
 
-/// The part of a step at which `value` would be 0.
+/// The part of a step after which `value` would be 0.
 double part_to_zero(double value, double change) {
   return change < 0.0 ? -value / change : 1e9;
 }

@@ -10,8 +10,8 @@
 // last three are equal: rest. The derivatives of a B-spline lie between their own control points, so the rows hold the
 // limits at all times.
 //
-// Solved by a primal-dual interior-point method from a feasible start, the brake from the start's rate. Every iterate
-// keeps all limits, so it can end anywhere; its matrix has five diagonals.
+// A primal-dual interior-point method solves it. It starts from a feasible point: the brake from the start's rate.
+// Every iterate keeps all limits, so the method can stop after any of them. Its matrix has five diagonals.
 #ifndef TERN_YAW_YAW_FIT_HPP
 #define TERN_YAW_YAW_FIT_HPP
 
@@ -19,7 +19,7 @@
 
 namespace tern {
 
-/// Turns are smoothed over about this long, s: it weighs accelerations against errors of the angle.
+/// Turns are smoothed over about this time, s: it weighs accelerations against errors of the angle.
 constexpr double kYawSmoothing = 0.15;
 
 class YawFit {
@@ -28,11 +28,12 @@ class YawFit {
 
   /// Sets the control points to the brake, and the prices of the rows.
   void begin() noexcept;
-  /// One iteration. False once there is nothing left to gain.
+  /// One iteration. Does nothing and returns false once there is nothing left to gain.
   bool iterate() noexcept;
 
  private:
-  /// A row: up to three neighbouring control points, the value that they give, and those of them that are free.
+  /// A row: a sum over up to three neighbouring control points. It has the sum's value, and the factors of those points
+  /// that are free.
   struct Row {
     int count;
     int variable[3];

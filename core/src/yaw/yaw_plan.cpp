@@ -7,7 +7,7 @@
 namespace tern {
 namespace {
 
-/// The angle with two derivatives.
+/// The angle with two derivatives: rad, rad/s, rad/s^2.
 struct Turn {
   double angle;
   double rate;
@@ -19,13 +19,13 @@ Turn on_lead(const double* p, double t) {
           6.0 * p[3] * t + 2.0 * p[2]};
 }
 
-/// On a piece of the spline, at `u` steps after its beginning, 0 .. 1: de Boor's points of each derivative.
+/// The turn on a piece of the spline, `u` steps after its beginning, 0 .. 1, from de Boor's points of each derivative.
 Turn on_piece(const double* c, double u, double step) {
   const double v = 1.0 - u;
   const double rates[3] = {c[1] - c[0], c[2] - c[1], c[3] - c[2]};
   const double first = rates[1] - rates[0];
   const double second = rates[2] - rates[1];
-  // The basis of degree 3 as the point at the beginning and what the derivatives add.
+  // The cubic is the angle at the beginning and what the derivatives there add.
   const double begin = c[1] + (rates[1] - rates[0]) / 6.0;
   const double begin_rate = 0.5 * (rates[0] + rates[1]);
   const double angle = begin + u * (begin_rate + u * (0.5 * first + u * (second - first) / 6.0));

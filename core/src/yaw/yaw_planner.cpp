@@ -10,17 +10,17 @@
 namespace tern {
 namespace {
 
-/// Instructions of a point of the spline; of an iteration, and each piece in it.
+/// Instructions for a point of the spline, for an iteration, and for each piece in it.
 constexpr uint32_t kPointEffort = 2500;
 constexpr uint32_t kIterationEffort = 2000;
 constexpr uint32_t kPieceEffort = 1600;
 
-/// Pieces are this long, s, unless that takes more of them than there are.
+/// Pieces are this long, s, unless the plan then needs more than kMaxYawPieces.
 constexpr double kPiece = 0.1;
 constexpr int kLeastPieces = 8;
-/// What a half turn may take after the trajectory, in parts of what it takes at the limits.
+/// Time for a half turn after the trajectory, in parts of the time that it takes at the limits.
 constexpr double kTurnShare = 1.2;
-/// The first polynomial leaves this share of what the rate has left to its limit.
+/// The first polynomial may use this share of the room between the rate and its limit.
 constexpr double kLeadShare = 0.9;
 constexpr double kShortestLead = 1e-6;
 
@@ -48,7 +48,8 @@ Status YawPlanner::begin(const Trajectory& trajectory, const YawRequest& request
   return Status::kRunning;
 }
 
-/// The acceleration falls to 0 at a constant jerk, before the rate comes near to its limit.
+/// Begins with a polynomial on which the acceleration falls to 0 at a constant jerk, before the rate comes near to its
+/// limit.
 void YawPlanner::begin_lead() noexcept {
   const double rate = request_.start_rate;
   const double acceleration = request_.start_acceleration;
@@ -85,7 +86,7 @@ double YawPlanner::time_of(int knot) const noexcept {
   return plan_.lead + knot * plan_.step;
 }
 
-/// False where there is no direction.
+/// False if there is no direction.
 bool YawPlanner::wished_direction(double t, Heading& direction) noexcept {
   if (request_.mode == YawMode::kFixed) {
     direction = request_.heading;
@@ -101,7 +102,8 @@ bool YawPlanner::wished_direction(double t, Heading& direction) noexcept {
   return norm(direction) >= request_.least_distance;
 }
 
-/// Between two headings the shorter turn, at a constant rate; before the first, from the start's.
+/// The angle at a time: between two headings the shorter turn, at a constant rate, and before the first heading the
+/// turn from the start's.
 double YawPlanner::timed_angle(double t) const noexcept {
   double last = angle_of(request_.start);
   double since = 0.0;
@@ -115,7 +117,8 @@ double YawPlanner::timed_angle(double t) const noexcept {
   return last;
 }
 
-/// The wish at a knot is within half a turn of what could follow it so far: whole turns are left out.
+/// Sets the wish at the next knot, within half a turn of the angle that could follow the wish so far: whole turns are
+/// left out.
 void YawPlanner::wish_next() noexcept {
   const double t = time_of(knot_);
   double turn = 0.0;
@@ -135,7 +138,7 @@ void YawPlanner::wish_next() noexcept {
 uint32_t YawPlanner::unit_effort() const noexcept {
   const auto pieces = static_cast<uint32_t>(plan_.count);
   const uint32_t iteration = kIterationEffort + kPieceEffort * pieces;
-  // The last point begins the fit.
+  // The unit of the last point also begins the fit.
   if (phase_ == Phase::kWish) return knot_ < plan_.count ? kPointEffort : kPointEffort + iteration;
   return iteration;
 }
