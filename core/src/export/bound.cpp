@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kHalfUlp = 1.0 / 16777216.0;          // of a float, relative
 constexpr double kSmallest = 1e-45;                    // what a float may lose near 0
-constexpr double kDoubles = 4.0 / 4503599627370496.0;  // of world coordinates, relative
+constexpr double kDoubles = 4.0 / 4503599627370496.0;  // rounding of world coordinates in double, relative
 constexpr int kOrders = 4;                             // position, velocity, acceleration, jerk
 
-/// NaN stays.
+/// Raises `most` to `x`. NaN stays NaN.
 void raise(double& most, double x) {
   if (!(x <= most)) most = x;
 }
 
-/// The part over [from, to] of a curve over [0, 1].
+/// Cuts a curve over [0, 1] to its part over [from, to].
 void keep_part(Curve& curve, double from, double to) {
   for (int level = 1; level <= curve.degree; ++level) {
     for (int k = curve.degree; k >= level; --k) curve.c[k] = (1.0 - to) * curve.c[k - 1] + to * curve.c[k];
@@ -30,7 +30,7 @@ void keep_part(Curve& curve, double from, double to) {
   }
 }
 
-/// Where two curves are flown at once.
+/// The time in which two curves overlap, seconds since the plan's beginning.
 struct Overlap {
   double from, to;
 };
@@ -55,7 +55,8 @@ void widen_by_overlap(const Segment& planned, double plan_begin, const Segment& 
   }
 }
 
-/// The cubic of the yaw plan over [t, t + h], which no knot divides, less a part of the flown polynomial.
+/// Widens `error` by the difference between the yaw plan over [t, t + h], one cubic without a knot inside, and the same
+/// part of the flown polynomial.
 void widen_by_cubic(const YawPlan& plan, double t, double h, const Curve& flown, ExportError& error) {
   const YawSample first = evaluate(plan, t);
   const YawSample last = evaluate(plan, t + h);
@@ -77,8 +78,8 @@ int32_t pieces_of(const YawPlan& plan) {
   return plan.count < 1 || plan.count > kMaxYawPieces ? 0 : plan.count;
 }
 
-/// The first knot of the plan in (t, end), or the end: of a uniform spline behind a first polynomial. `knot` is the
-/// number of one no later than that.
+/// The first knot of the plan in (t, end), or the end. The knots are those of a uniform spline that follows the first
+/// polynomial. `knot` is the number of a knot no later than the result.
 double next_knot(const YawPlan& plan, double t, double end, int32_t& knot) {
   while (knot <= pieces_of(plan) && !(plan.lead + knot * plan.step > t)) ++knot;  // at most kMaxYawPieces + 1
   return knot <= pieces_of(plan) ? smaller(plan.lead + knot * plan.step, end) : end;

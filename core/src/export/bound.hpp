@@ -10,11 +10,12 @@
 namespace tern {
 
 /// Widens `error` by a curve that is flown from `begin` on, seconds since the plan's beginning; its control points are
-/// relative to `origin`. What it flies after the plan's end does not count.
+/// relative to `origin`. The part after the plan's end does not count.
 void widen_by_curve(const Trajectory& plan, const Segment& flown, const Vec3& origin, double begin,
                     ExportError& error) noexcept;
 
-/// Likewise by a yaw polynomial with the Bernstein coefficients `points`, rad. A null plan is no yaw plan: no error.
+/// Widens `error` by a yaw polynomial from `begin` on, with the Bernstein coefficients `points`, rad. A null plan makes
+/// no error.
 void widen_by_yaw(const YawPlan* plan, const double (&points)[kControlPoints], double begin, double duration,
                   ExportError& error) noexcept;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The Crazyflie's compressed trajectories: int16 control points, millimetres and tenths of a degree, one byte of types
-// a piece. Polynomials of degree 0 and 7 are used of the four that there are.
+// a piece. Of the four degrees that the format has, 0 and 7 are used.
 #include "base/math.hpp"
 #include "export/bound.hpp"
 #include "export/pieces.hpp"
@@ -19,7 +19,7 @@ constexpr double kSecond = 1000.0;        // milliseconds
 constexpr double kLargest = 32767.0;
 constexpr double kLongest = 65535.0;
 constexpr double kLatest = 2e9;    // milliseconds
-constexpr double kShortest = 1.0;  // s, that halving makes: rounding bends shorter pieces more
+constexpr double kShortest = 1.0;  // s: halving makes no shorter piece, because rounding would bend it more
 constexpr int kStartBytes = 8;
 constexpr int kPieceHead = 3;  // types and duration
 constexpr int kMostPieceBytes = crazyflie_compressed_bytes(1) - crazyflie_compressed_bytes(0);
@@ -72,7 +72,7 @@ int32_t read_signed(const uint8_t* at) {
   return value < 32768 ? value : value - 65536;
 }
 
-/// Bytes of a piece with these types, or 0 where it is none of ours.
+/// Bytes of a piece with these types, or 0 if it is none that this file writes.
 int32_t piece_bytes(uint8_t types) {
   if ((types & ~kYawFull) != kAllFull) return 0;
   const bool has_yaw = (types & kYawFull) == kYawFull;
@@ -80,7 +80,7 @@ int32_t piece_bytes(uint8_t types) {
   return kPieceHead + 2 * kDegree * (has_yaw ? 4 : 3);
 }
 
-/// Reads one piece; `last` is where the one before ended, millimetres, and where this one ends afterwards.
+/// Reads one piece; `last`, in millimetres, is the end of the piece before, and afterwards the end of this piece.
 void read_piece(const uint8_t* at, int32_t (&last)[3], Segment& segment) {
   segment.duration = (at[1] | (at[2] << 8)) / kSecond;
   segment.polyhedron = 0;
@@ -96,7 +96,7 @@ void read_piece(const uint8_t* at, int32_t (&last)[3], Segment& segment) {
   }
 }
 
-/// The yaw of a piece, likewise; without yaw it stays where it was.
+/// Reads the yaw of a piece; `last`, in tenths of a degree, as in read_piece(). Without yaw it stays.
 void read_yaw(const uint8_t* at, int32_t& last, double (&points)[kControlPoints]) {
   const bool has_yaw = (at[0] & kYawFull) != 0;
   const uint8_t* next = at + kPieceHead + 2 * kDegree * 3;
@@ -109,7 +109,7 @@ void read_yaw(const uint8_t* at, int32_t& last, double (&points)[kControlPoints]
   }
 }
 
-/// How far what the bytes fly is from the plan.
+/// How far the trajectory in the bytes is from the plan.
 ExportError judged(const Trajectory& trajectory, const YawPlan* yaw, const Vec3& origin, const uint8_t* bytes,
                    int32_t pieces) {
   ExportError error{};
@@ -145,7 +145,7 @@ Status crazyflie_compressed(const Trajectory& trajectory, const YawPlan* yaw, co
   int32_t begin = 0;
   for (int32_t i = 0; i < spans.count && out.ok; ++i) {
     int32_t end = 0;
-    // Times since the beginning are rounded, not durations: so no piece is more than half a millisecond late.
+    // Times since the beginning are rounded instead of durations, so no piece is more than half a millisecond late.
     out.ok = rounded(spans.at[i].end * kSecond, kLatest, end) && end > begin;
     if (out.ok) put_piece(trajectory, yaw, spans.at[i], begin, end, origin, out);
     begin = end;

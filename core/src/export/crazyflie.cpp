@@ -11,13 +11,13 @@ namespace {
 
 static_assert(sizeof(Poly4d) == 132, "the firmware stores a piece in 132 bytes");
 
-constexpr double kShortestRaw = 0.1;  // s, that halving makes
+constexpr double kShortestRaw = 0.1;  // s: halving makes no shorter piece
 
-/// C(7, k).
+/// The binomial coefficients C(7, k).
 constexpr double kBinomial[kControlPoints] = {1.0, 7.0, 21.0, 35.0, 35.0, 21.0, 7.0, 1.0};
 
-/// Coefficients by rising powers of t: the k-th is C(7, k) / T^k times the k-th difference of the control points. In
-/// their place come those of the rounded coefficients.
+/// Writes the coefficients by rising powers of t: the k-th is C(7, k) / T^k times the k-th difference of the control
+/// points. Then replaces the control points by those of the rounded coefficients.
 void powers(double (&points)[kControlPoints], double duration, float (&out)[8]) {
   double scale = 1.0;
   for (int k = 0; k <= kDegree; ++k) {

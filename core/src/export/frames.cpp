@@ -44,7 +44,7 @@ SetpointNed setpoint_ned(const Sample& sample, const Vec3& origin) noexcept {
 
 SetpointNed setpoint_ned(const Sample& sample, const YawSample& yaw, const Vec3& origin) noexcept {
   SetpointNed setpoint = setpoint_ned(sample, origin);
-  // North is at a quarter turn from east, and angles count the other way.
+  // North is a quarter turn from east, and angles count clockwise.
   setpoint.yaw = static_cast<float>(angle_of({yaw.yaw.sine, yaw.yaw.cosine}));
   setpoint.yaw_rate = static_cast<float>(-yaw.yaw.rate);
   return setpoint;

@@ -22,10 +22,10 @@ void put(uint8_t*& at, uint32_t value, int bytes) {
 /// The numbers of a frame as they are written.
 struct Numbers {
   uint8_t* at;
-  uint32_t mask = 0;  // of what is NaN
+  uint32_t mask = 0;  // bits of the fields that are NaN
   bool infinite = false;
 
-  /// NaN becomes 0 with its bit in the mask: whoever does not read the mask must not compute with NaN.
+  /// NaN becomes 0 with its bit in the mask, so a receiver that does not read the mask never computes with NaN.
   void add(float value, int bit) {
     const bool number = value <= 0.0f || value >= 0.0f;
     if (!number) mask |= 1u << bit;
@@ -64,7 +64,7 @@ int32_t mavlink_setpoint(const SetpointNed& setpoint, const MavlinkHeader& heade
   put(at, numbers.mask, 2);
   *at++ = header.target_system;
   *at++ = header.target_component;
-  *at++ = kLocalNed;  // not 0: so MAVLink 2 has no zeros to leave out at the end
+  *at++ = kLocalNed;  // not 0, so MAVLink 2 has no zeros at the end to leave out
   const uint8_t head[kHeader] = {kMagic,
                                  kPayload,
                                  0,

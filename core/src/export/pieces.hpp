@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one piece of a Crazyflie's trajectory covers: a segment or a part of one.
+// The part of a plan that one piece of a Crazyflie's trajectory covers: a segment or a part of one.
 #ifndef TERN_EXPORT_PIECES_HPP
 #define TERN_EXPORT_PIECES_HPP
 
@@ -24,13 +24,13 @@ struct Spans {
   Span at[kMostPieces];
 };
 
-/// A span for each segment. Then, while a yaw polynomial is off by more than kCrazyflieYaw, the span that is furthest
-/// off is halved, unless the halves would last less than `shortest` or there are `most` spans. False for an empty plan
-/// or one of more than `most` segments.
+/// Makes a span for each segment. Then, while a yaw polynomial is off by more than kCrazyflieYaw, the span that is
+/// furthest off is halved, unless the halves would last less than `shortest` or there are `most` spans. False for an
+/// empty plan or one of more than `most` segments.
 bool cut_spans(const Trajectory& trajectory, const YawPlan* yaw, int32_t most, double shortest, Spans& spans) noexcept;
 
-/// The control points of the span's polynomial over [begin, end], relative to `origin`. The times may lie a rounding
-/// beyond the span: there the same polynomial goes on.
+/// The control points of the span's polynomial over [begin, end], relative to `origin`. Rounding may put the times a
+/// little beyond the span: the same polynomial goes on there.
 void piece_points(const Trajectory& trajectory, const Span& span, double begin, double end, const Vec3& origin,
                   Vec3 (&points)[kControlPoints]) noexcept;
 

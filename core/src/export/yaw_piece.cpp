@@ -13,14 +13,14 @@ struct EndPoints {
   double first, second, third;  ///< from the end inwards
 };
 
-/// The three control points of one end; `inwards` is 1 at the beginning and -1 at the end.
+/// The three control points at one end of the piece; `inwards` is 1 at the beginning and -1 at the end.
 EndPoints end_points(const YawSample& sample, double duration, double inwards) {
   const double step = inwards * sample.yaw.rate * duration / kDegree;
   const double bend = sample.acceleration * duration * duration / (kDegree * (kDegree - 1));
   return {sample.angle, sample.angle + step, sample.angle + 2.0 * step + bend};
 }
 
-/// What the two middle points must add up to at a third of the way, or at two thirds.
+/// What the two middle control points must add to the angle, times 3^7, at a third of the way or at two thirds.
 double missing(const double* points, bool at_third, double angle) {
   double sum = kWhole * angle;
   for (int i = 0; i < kControlPoints; ++i) {
