@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of a voxel, of a row of obstacles that is looked at for it, and of the line to it.
+/// Instructions of: a voxel; a row of obstacles that is examined for it; the line to it.
 constexpr std::uint32_t kVoxelEffort = 400;
 constexpr std::uint32_t kRowEffort = 60;
 constexpr std::uint32_t kLineEffort = 15000;
@@ -37,7 +37,7 @@ bool row_has_obstacle(const std::uint64_t* row, const IndexRange& range) {
   return false;
 }
 
-/// True where the fine voxel keeps the radius from all obstacles of the coarse grid, by the rule of inflation.
+/// True if the fine voxel keeps the radius from all obstacles of the coarse grid, by the rule of inflation.
 bool keeps_radius(const Grid& grid, const Grid& fine, const Voxel& voxel, std::uint32_t& effort) {
   const Voxel& dims = grid.spec().dims;
   const std::int32_t parts = fine.spec().dims.x / dims.x;
@@ -75,7 +75,7 @@ bool resolves(const GridSpec& spec) {
          resolves_cells(spec.origin.z, spec.cell);
 }
 
-/// True where the point would join the voxel.
+/// True if the point would join the voxel.
 bool would_join(const Grid& grid, const Grid& fine, const Fences* fences, const Vec3& point, const Voxel& voxel,
                 std::uint32_t& effort) {
   if (!is_inside(fine, voxel) || !keeps_radius(grid, fine, voxel, effort)) return false;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// At which resolution a point could join the grid, if it has room but no voxel near it is free.
+// Finds the resolution at which a point could join the grid, if the point has room but no voxel near it is free.
 #ifndef TERN_PATH_FINER_CELL_HPP
 #define TERN_PATH_FINER_CELL_HPP
 
@@ -15,24 +15,24 @@
 
 namespace tern {
 
-/// The voxel's edge is halved so often at most.
+/// The voxel's edge is halved at most this many times.
 constexpr int kFinerHalvings = 6;
 
 /// Plain data; needs no initialisation before finer_begin.
 struct FinerCell {
   Vec3 point;
-  std::int32_t halvings;   ///< of the edge
+  std::int32_t halvings;   ///< how often the voxel's edge is halved now
   std::int32_t candidate;  ///< the next voxel around the point's own
-  double cell;             ///< the result, metres; 0 if no edge tried would do
+  double cell;             ///< the result: the voxel's edge, metres; 0 if the point joins at none
 };
 
-/// Looks for the largest of cell / 2, cell / 4 and so on at which the point joins the grid: a grid with the same origin
-/// and boundary that holds the same obstacles has a free voxel near the point, and the line to it is clear. No voxels
-/// but those that are obstacles here are obstacles there. Local frame; the point keeps the radius and the fences.
+/// Looks for the largest of cell / 2, cell / 4 and so on at which the point joins the grid. It joins if a finer grid
+/// has a free voxel near the point and the line to it is clear. The finer grid has the same origin and boundary, and
+/// its obstacles fill the same space. Local frame; the point keeps the radius and the fences.
 void finer_begin(FinerCell& finer, const Vec3& point) noexcept;
 
-/// A unit is one voxel of one resolution. kDone: `cell` is the result. Grids beyond kMaxCells or kMaxDimension would
-/// not do.
+/// A unit is one voxel of one resolution. kDone: `cell` is the result. Ends without a result once the finer grid would
+/// exceed kMaxCells or kMaxDimension.
 Progress finer_advance(FinerCell& finer, const Grid& grid, const Fences* fences, Work& work) noexcept;
 
 }  // namespace tern

@@ -9,12 +9,13 @@
 namespace tern {
 namespace {
 
-/// Spreads some of the free bits through runs of free ones, towards higher bits: as the carries of a sum do.
+/// Spreads `bits` through runs of free bits towards higher bits, as carries spread in a sum.
 std::uint64_t fill_up(std::uint64_t bits, std::uint64_t free) {
   return free & ((free ^ (free + bits)) | bits);
 }
 
-/// The same towards lower bits. Doubles its reach in each step; most words are wholly free, or reached already.
+/// Spreads `bits` through runs of free bits towards lower bits. Each step doubles the reach. Most words take no steps,
+/// because they are wholly free, or are reached wholly or not at all.
 std::uint64_t fill_down(std::uint64_t bits, std::uint64_t free) {
   if (bits == 0 || bits == free) return bits;
   if (free == kAllBits) return kAllBits >> __builtin_clzll(bits);
@@ -25,7 +26,8 @@ std::uint64_t fill_down(std::uint64_t bits, std::uint64_t free) {
   return bits;
 }
 
-/// Fills the runs of a row that were reached anywhere: upwards word by word, then downwards.
+/// Fills each run of free voxels of a row in which some voxel has been reached: first upwards word by word, then
+/// downwards.
 void fill_row(std::uint64_t* dry, const std::uint64_t* blocked, std::int32_t words) {
   std::uint64_t carry = 0;
   for (std::int32_t k = 0; k < words; ++k) {
@@ -85,7 +87,7 @@ bool flood_begin(Flood& flood, const Grid& grid) noexcept {
 bool flood_clear(Flood& flood) noexcept {
   const std::size_t left = flood.words - flood.cleared;
   const std::size_t end = flood.cleared + (left < kClearedWords ? left : kClearedWords);
-  // A row has a word at least, so that there are no more rows than words.
+  // Each row has at least one word, so there are at most as many rows as words.
   for (std::size_t k = flood.cleared / 64; k <= end / 64; ++k) flood.waiting[k] = 0;
   for (std::size_t k = flood.cleared; k < end; ++k) flood.dry[k] = kAllBits;
   flood.cleared = end;

@@ -11,7 +11,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of a candidate, without and with the line to it.
+/// Instructions of a candidate: without the line to it, and with it.
 constexpr std::uint32_t kTryEffort = 300;
 constexpr std::uint32_t kJoinEffort = 15000;
 
@@ -20,7 +20,7 @@ double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) 
   return dot(d, d);
 }
 
-/// Inserts a candidate after all that are equally near: those come before it in the order of z, y, x.
+/// Inserts a candidate after all equally near ones, which come before it in the order of z, y, x.
 void insert(Join& join, const Grid& grid, const Voxel& voxel, const Vec3& point) {
   const double far = square_distance(grid, voxel, point);
   std::int32_t at = join.count++;

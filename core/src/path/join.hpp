@@ -29,15 +29,15 @@ enum class JoinState : std::uint8_t {
 struct Join {
   JoinState state;
   Voxel voxel;
-  Voxel home;  ///< the point's own
+  Voxel home;  ///< the point's own voxel
   std::int32_t count;
   std::int32_t next;
   Voxel candidates[kMaxJoins];  ///< free voxels: nearest centre first, ties by least z, y, x
-  bool searched[kJoinCells];    ///< around home, x fastest: a search from here found no path
+  bool searched[kJoinCells];    ///< voxels around home, x fastest: true if a search from there found no path
 };
 
-/// Instructions of beginning to join an end, which sorts the candidates; and of finding those that a search has
-/// reached.
+/// join_effort(): instructions of beginning to join an end, which sorts the candidates. kSearchedEffort: instructions
+/// of finding the candidates that a search has reached.
 constexpr std::uint32_t kSearchedEffort = 40000;
 inline std::uint32_t join_effort(const Join& join) noexcept {
   return join.count > 0 ? 8000 + effort_of(8, join.count * join.count) : 1500;
@@ -51,12 +51,12 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 /// reach that are connected to it through faces are not tried again. False if no candidate is left. If the point's own
 /// voxel is free, the voxels around it become candidates now. With a radius, these are all free ones, because a line
 /// that keeps the radius cuts no corner. Without a radius, they are only those whose closed cubes also contain the
-/// point, on a common face, edge or corner. If the point `moves`, all are candidates even then: it may have come
-/// through a corner, and may go back through it.
+/// point, on a common face, edge or corner. If the point `moves`, all free voxels are candidates even without a radius:
+/// the point may have come through a corner, and may go back through it.
 bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept;
 
-/// Checks the line to the next candidate. The line must be clear of `fences` too (null: none). Call only while kTrying.
-/// Returns what that took, in instructions (see Work).
+/// Checks the line to the next candidate. The line must be clear of obstacles and of `fences` (null: there are none).
+/// Call only while kTrying. Returns the cost, in instructions (see Work).
 std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;
 
 }  // namespace tern

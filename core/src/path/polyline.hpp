@@ -8,7 +8,7 @@
 
 namespace tern {
 
-/// Length, metres, of the polyline through `count` points: summed from the first to the last, 0 for fewer than two.
+/// Length, in metres, of the polyline through `count` points, summed from the first to the last; 0 for fewer than two.
 inline double polyline_length(const Vec3* points, int count) noexcept {
   double sum = 0.0;
   for (int k = 1; k < count; ++k) sum += distance(points[k - 1], points[k]);

@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// Instructions of a unit, and of a word of a row and of its neighbours.
+/// Instructions of: a unit; a word of a row, with the same word of the neighbouring rows.
 constexpr std::uint32_t kUnitEffort = 800;
 constexpr std::uint32_t kWordEffort = 80;
 
@@ -18,7 +18,7 @@ void clear(ReachStage& stage, const Grid& grid) {
   stage.phase = ReachPhase::kBest;
 }
 
-/// Once the search for the nearest free voxel, or for the nearest one that was reached, is done.
+/// Takes the result of the search for the nearest free voxel, or for the nearest voxel that was reached.
 void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
   const bool found = stage.search.found;
   if (stage.phase == ReachPhase::kNearest) {
@@ -32,7 +32,7 @@ void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
   stage.phase = found ? ReachPhase::kJoin : ReachPhase::kEnd;
 }
 
-/// Nothing more can be reached.
+/// Ends the flood, and begins to look for the nearest voxel that it has reached, if there is any.
 void end_flood(ReachStage& stage, const Grid& grid) {
   stage.phase = stage.joined ? ReachPhase::kNearest : ReachPhase::kEnd;
   if (stage.joined) nearest_begin(stage.search, flooded(stage.flood, grid), stage.query.goal);
@@ -50,7 +50,7 @@ void join(ReachStage& stage, const Grid& grid, Work& work) {
   stage.phase = ReachPhase::kFlood;
 }
 
-/// A row; after the last one, goes on from the next voxel that the start can join.
+/// Floods one row. After the last row, goes on from the next voxel that the start can join.
 void flood(ReachStage& stage, const Grid& grid, Work& work) {
   if (flooded(stage.flood, grid).free(stage.best)) {
     end_flood(stage, grid);
@@ -86,7 +86,7 @@ void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) n
 }
 
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept {
-  // Each turn takes a unit or ends a search, and of units that count there are at most kReachBound.
+  // Each turn takes a unit or ends a search. At most kReachBound units count.
   while (stage.phase != ReachPhase::kEnd) {
     if (searches(stage)) {
       const Grid reached = stage.phase == ReachPhase::kNearest ? flooded(stage.flood, grid) : grid;

@@ -18,25 +18,25 @@
 
 namespace tern {
 
-/// Bound on ReachStage::units: clearing, the rows of the flood, and for each voxel that the start can join a line, a
-/// beginning and an end.
+/// Bound on ReachStage::units: clearing, the rows of the flood and, for each voxel that the start can join, its line
+/// and the beginning and end of its flood.
 constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
 
 /// What to find. Local frame.
 struct ReachQuery {
   Vec3 start;                      ///< inside the grid's boundary
   Vec3 goal;                       ///< anywhere
-  std::uint32_t max_units;         ///< what is left of Budget::expansions
+  std::uint32_t max_units;         ///< the rest of Budget::expansions
   const Fences* fences = nullptr;  ///< as SearchQuery::fences
   bool start_moves = false;        ///< as SearchQuery::start_moves
 };
 
 enum class ReachPhase : std::uint8_t {
   kClear,
-  kBest,  ///< of all free voxels, the nearest to the goal
+  kBest,  ///< finds the free voxel nearest to the goal
   kJoin,
   kFlood,
-  kNearest,  ///< of those that were reached
+  kNearest,  ///< finds the voxel nearest to the goal of those that were reached
   kEnd,
 };
 
@@ -45,8 +45,8 @@ struct ReachStage {
   Status status;        ///< why the stage failed; else kOk
   std::uint32_t units;  ///< rows, and lines that join the start to the grid; <= kReachBound and the budget
   Voxel nearest;        ///< the result
-  bool joined;          ///< the start has joined a voxel at least
-  Voxel best;           ///< of all free voxels the nearest: once it is reached nothing is left to find
+  bool joined;          ///< the start has joined at least one voxel
+  Voxel best;           ///< of all free voxels, the nearest to the goal; the flood ends once it is reached
   ReachPhase phase;
   ReachQuery query;
   NearestFree search;  ///< for kBest and kNearest
@@ -58,9 +58,9 @@ struct ReachStage {
 void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept;
 
 /// One unit is one row of the flood, one line that joins the start to the grid, 1024 words cleared before that, or one
-/// of nearest_advance; those count for no budget.
-/// kDone: `nearest` is the result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no
-/// voxel), kBudgetSearch, or kFenceLayerFull (the grid is too large).
+/// unit of nearest_advance. The units of nearest_advance do not count against the budget. kDone: `nearest` is the
+/// result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no voxel), kBudgetSearch,
+/// or kFenceLayerFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept;
 
 }  // namespace tern

@@ -11,14 +11,14 @@
 namespace tern {
 namespace {
 
-/// Instructions of what comes between units: looking at the ends, beginning to join one, a path's extraction, and a
-/// voxel of it.
+/// Instructions of work between units: examining the ends and beginning to join one; extracting a path; a voxel of the
+/// path.
 constexpr std::uint32_t kEndsEffort = 3000;
 constexpr std::uint32_t kExtractEffort = 6000;
 constexpr std::uint32_t kPathVoxelEffort = 300;
 
-/// Goes on to look for the free voxel nearest to an end that joins none, and for a resolution at which it would if it
-/// has room.
+/// Refuses an end that joins no voxel, and begins to look for the free voxel nearest to it. If the end has room, first
+/// looks for a resolution at which it would join.
 void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, bool at_start) {
   const bool has_room = point_clear(grid, point, grid.spec().clearance());
   const Status narrow = at_start ? Status::kStartTooNarrow : Status::kGoalTooNarrow;
@@ -48,8 +48,8 @@ Progress take_expansion(SearchStage& stage, Work& work) {
   return Progress::kDone;
 }
 
-/// kDone once the end has joined the grid. If no candidate is left: kNoPath after a search that found no path,
-/// otherwise what refuse_end answers.
+/// Tries to join an end to the grid. kDone once it has joined. If no candidate is left: kNoPath after a search that
+/// found no path, otherwise goes on with refuse_end.
 Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
@@ -67,8 +67,8 @@ void join_start(SearchStage& stage, const Grid& grid) {
   stage.phase = SearchPhase::kJoinStart;
 }
 
-/// After a search that found no path, chooses where the next one begins and ends. It tries the other candidates of the
-/// start first. Then it tries those of the goal, each with all candidates of the start. False if none is left.
+/// After a search that found no path, chooses the ends of the next one. First come the other candidates of the start,
+/// then those of the goal, each with all candidates of the start. False if none is left.
 bool join_elsewhere(SearchStage& stage, const Grid& grid, Work& work) {
   if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
   const bool has_other = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
@@ -93,7 +93,7 @@ bool is_direct(const SearchStage& stage, const Grid& grid) {
   return same(query.start, query.goal) && point_clear(grid, query.start, grid.spec().clearance());
 }
 
-/// A path that needs no search: the points coincide, or lie in the same free voxel.
+/// Writes a path that needs no search: the points coincide, or lie in the same free voxel.
 void direct_path(SearchStage& stage, Path& out) {
   stage.search_bound = 1.0;
   out.raw_count = 2;
@@ -117,7 +117,7 @@ Status write_raw(SearchStage& stage, const Grid& grid, Path& out, Work& work) {
   return status;
 }
 
-/// A slice of the search, within the stage's budget.
+/// Runs a slice of the search, within the stage's budget.
 Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   const std::uint32_t most = least(work.left, stage.query.max_expansions - stage.expansions);
   Work allowed{most};
@@ -131,7 +131,8 @@ Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
   return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
 }
 
-/// Searches. If a fast path has too many turns, searches again for a cheapest one.
+/// Runs a slice of the search, and writes the path once it is found. If a path of the fast search has too many turns,
+/// searches again for a cheapest path.
 Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
   Status status = run_search(stage, grid, work);
   if (status == Status::kOk) status = write_raw(stage, grid, out, work);

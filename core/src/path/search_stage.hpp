@@ -21,8 +21,8 @@
 namespace tern {
 
 /// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
-/// corner, and each may lie in a separate pocket. Most pockets are small: no search begins once kExpansionBound
-/// units are spent.
+/// corner, and each may lie in a separate pocket. Most pockets are small, so a limit on their units suffices: no search
+/// begins once kExpansionBound units are spent.
 constexpr std::uint32_t kJoinSearches = 4096;
 
 /// Bound on SearchStage::expansions: kExpansionBound units until the last search begins, that search, and the lines
@@ -34,9 +34,9 @@ constexpr std::uint32_t kSearchBound =
 struct SearchQuery {
   Vec3 start;
   Vec3 goal;
-  std::uint32_t max_expansions;    ///< what is left of Budget::expansions
+  std::uint32_t max_expansions;    ///< the rest of Budget::expansions
   const Fences* fences = nullptr;  ///< both points obey them, and the grid's blocked layer includes them
-  bool start_moves = false;        ///< a state in flight, see join_others
+  bool start_moves = false;        ///< the start is a state in flight, see join_others
   bool goal_moves = false;
   SearchMode mode = SearchMode::kOptimal;
 };
@@ -45,8 +45,8 @@ enum class SearchPhase : std::uint8_t {
   kJoinStart,
   kJoinGoal,
   kSearch,
-  kFiner,    ///< an end joins nothing, though it has room: at which resolution would it?
-  kNearest,  ///< an end joins nothing: which free voxel is nearest to it?
+  kFiner,    ///< an end has room but joins no voxel: finds the resolution at which it would
+  kNearest,  ///< an end joins no voxel: finds the free voxel nearest to it
 };
 
 /// Plain data; needs no initialisation before search_begin.
@@ -54,7 +54,7 @@ struct SearchStage {
   Status status;             ///< why the stage failed; else kOk
   std::uint32_t expansions;  ///< entries taken off open lists and joining lines checked; <= kSearchBound and the budget
   std::int32_t nodes_high;   ///< jump points generated
-  std::int32_t open_high;    ///< most open at once
+  std::int32_t open_high;    ///< most entries of the open list at once
   std::int32_t raw_high;     ///< points of the jump-point path
   SearchUsed search_used;    ///< kNone until a search has found the path, or if none was needed
   double search_bound;       ///< Report::search_bound
@@ -73,7 +73,7 @@ struct SearchStage {
   VoxelSearch search;
 };
 
-/// The grid must be inflated and must not change until the stage ends. `map` is that of the search itself.
+/// The grid must be inflated and must not change until the stage ends. `map` is passed on to the search over voxels.
 void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept;
 
 /// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path

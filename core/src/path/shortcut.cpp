@@ -19,7 +19,7 @@ std::int32_t window_begin(const Shortcut& shortcut) {
   return shortcut.head > kSightWindow ? shortcut.head - kSightWindow : 0;
 }
 
-/// The least of `count` values and `least`. Four at a time, so that no comparison waits for the one before.
+/// The least of `count` values and `least`. Compares four at a time, so that no comparison waits for the one before.
 double least_of(const double* values, std::int32_t count, double least) {
   double lanes[4] = {least, least, least, least};
   std::int32_t i = 0;
@@ -30,8 +30,8 @@ double least_of(const double* values, std::int32_t count, double least) {
   return smaller(smaller(lanes[0], lanes[1]), smaller(lanes[2], lanes[3]));
 }
 
-/// The candidate whose chain on to the head is the cheapest and beats the best known; of equals, the one with the lower
-/// index. -1 if nothing beats the best known.
+/// The candidate whose chain to the head is the cheapest, if it beats the best known one; of equals, the one with the
+/// lowest index. -1 if nothing beats the best known.
 std::int32_t best_probe(const Shortcut& shortcut) {
   const double known = shortcut.ends[shortcut.head].cost;
   const std::int32_t begin = window_begin(shortcut);

@@ -21,13 +21,14 @@ constexpr int kSightWindow = 64;
 constexpr std::uint32_t kChainBound =
     static_cast<std::uint32_t>(kMaxJumpPoints) * static_cast<std::uint32_t>(kSightWindow);
 
-/// What a leg costs in addition to its length, in voxels. One leg fewer is worth a twentieth of a voxel of length.
+/// The price of a leg, which is added to its length, in voxels. One leg fewer is worth a twentieth of a voxel of
+/// length.
 constexpr double kLegPrice = 0.05;
 
 /// The best known chain from the first point of the path to one of its points.
 struct ChainEnd {
   double cost;        ///< metres of length and leg prices
-  std::int32_t from;  ///< the point before it
+  std::int32_t from;  ///< the point before it in the chain
 };
 
 /// Plain data; needs no initialisation before shortcut_begin.

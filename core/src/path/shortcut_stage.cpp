@@ -16,7 +16,8 @@ std::uint32_t chain_effort(const Shortcut& shortcut, const Grid& grid, const Pat
   return kRankEffort + sight_effort(grid, path.raw[shortcut.probe], path.raw[shortcut.head]);
 }
 
-/// Both legs at the waypoint, wherever it moves.
+/// Instructions of a trial: of the lines of sight of both legs at the waypoint. Counted from the waypoint's present
+/// place, wherever the trial moves it.
 std::uint32_t trial_effort(const Tighten& tighten, const Grid& grid, const Path& path) {
   const Vec3* const at = path.points + tighten.waypoint;
   return kRankEffort + sight_effort(grid, at[-1], at[0]) + sight_effort(grid, at[0], at[1]);

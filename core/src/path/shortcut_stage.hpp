@@ -36,8 +36,8 @@ struct ShortcutStage {
   };
 };
 
-/// `path` holds the raw path of the search stage. `max_sight_lines` is what is left of Budget::sight_lines. The grid
-/// must not change until the stage ends.
+/// `path` holds the raw path of the search stage. `max_sight_lines` is the rest of Budget::sight_lines. The grid must
+/// not change until the stage ends.
 void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_sight_lines, Path& path) noexcept;
 
 /// One unit of work is one step of the shortcut (at most one line of sight) or one trial of tightening (at most two

@@ -8,19 +8,19 @@
 namespace tern {
 namespace {
 
-/// The part of the segment whose parameter lies in [begin, end]; empty where begin > end.
+/// The part of the segment whose parameter lies in [begin, end]; empty if begin > end.
 struct Span {
   double begin;
   double end;
 };
 
-/// One coordinate of the segment as a function of its parameter t in [0, 1], in voxels, and precomputed values that
-/// each voxel on the way needs.
+/// One coordinate of the segment, in voxels, as a function of its parameter t in [0, 1]. Also holds precomputed values
+/// that each voxel on the way needs.
 struct Track {
   double from;
   double slope;
-  double reach;    ///< how far from the segment voxels count as met
-  double inverse;  ///< 1 / slope; 0 where the track moves less than its rounding allowance
+  double reach;    ///< voxels up to this far from the segment count as met
+  double inverse;  ///< 1 / slope; 0 if the track moves less than its rounding allowance
   double enter;    ///< the track comes within reach of voxel i at t = (i - enter) * inverse
   double leave;    ///< and it is out of reach again from t = (i - leave) * inverse on
 
@@ -67,7 +67,7 @@ std::int32_t met(const Track& track, const IndexRange& range, std::int32_t n) {
   return track.slope < 0.0 ? range.end - 1 - n : range.begin + n;
 }
 
-/// True where voxels [begin, end) of a row of the blocked layer are all free; the range lies in the row.
+/// True if voxels [begin, end) of a row of the blocked layer are all free. The range must lie in the row.
 bool row_free(const std::uint64_t* row, const IndexRange& range) {
   const std::int32_t first = range.begin >> 6;
   const std::int32_t last = (range.end - 1) >> 6;
@@ -79,7 +79,7 @@ bool row_free(const std::uint64_t* row, const IndexRange& range) {
   return true;
 }
 
-/// True where all voxels that the thick segment meets in one layer are free.
+/// True if all voxels that the thick segment meets in one layer are free.
 bool layer_free(const Grid& grid, const Track& x, const Track& y, std::int32_t layer, const Span& in_layer) {
   const IndexRange rows = y.voxels(in_layer);
   for (std::int32_t n = 0; n < rows.end - rows.begin; ++n) {
@@ -91,7 +91,8 @@ bool layer_free(const Grid& grid, const Track& x, const Track& y, std::int32_t l
   return true;
 }
 
-/// Where a segment is probed before its voxels are walked: its middle first, then the middles of what is left.
+/// The t at which a segment is probed before its voxels are walked: its middle first, then the middles of the remaining
+/// parts.
 constexpr double kProbes[] = {0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
 /// True if the segment is in a blocked voxel at one of the probes. Most lines that are not in sight run into something
@@ -105,7 +106,7 @@ bool probes_blocked(const Grid& grid, const Track& x, const Track& y, const Trac
   return false;
 }
 
-/// The same for segments between voxels that lie wholly inside the boundary.
+/// The line of sight without regard to thin axes: all voxels near the segment must be free.
 bool whole_line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin) {
   const double scale = 1.0 / grid.spec().cell;
   const Voxel& dims = grid.spec().dims;
@@ -125,7 +126,7 @@ bool whole_line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double 
   return true;
 }
 
-/// Layers that a segment may use on each axis; all where the axis is not thin.
+/// Layers that a segment may use on each axis; not used if the axis is not thin.
 struct Layers {
   IndexRange open[3];
   bool thin[3];
@@ -138,7 +139,7 @@ struct Flattened {
   bool holds;
 };
 
-/// `choice`: bit a is set for the second open layer of axis a.
+/// Flattens the segment. Bit a of `choice` is set for the second open layer of axis a.
 Flattened flattened(const Grid& grid, const Layers& layers, int choice, const Vec3& a, const Vec3& b) {
   const double cell = grid.spec().cell;
   Flattened flat{a, b, true};
@@ -155,8 +156,8 @@ Flattened flattened(const Grid& grid, const Layers& layers, int choice, const Ve
   return flat;
 }
 
-/// Inside a boundary that is thinner than a voxel. The margin has no meaning across it. Free voxels of one layer that
-/// holds the whole segment are enough; otherwise those of all open layers must be free.
+/// The line of sight inside a thin boundary. The margin has no meaning on a thin axis. The voxels of one layer suffice
+/// if they are free and the layer holds the whole segment; otherwise, the voxels of all open layers must be free.
 bool thin_line_of_sight(const Grid& grid, const Layers& layers, const Vec3& a, const Vec3& b, double margin) {
   bool all = true;
   for (int choice = 0; choice < 8; ++choice) {

@@ -22,7 +22,7 @@ constexpr double kSightRounding = 1e-9;
 /// thick segment meets.
 bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin = kSightMargin) noexcept;
 
-/// Instructions of a line of sight at most, see Work: it reads the rows along x that the line meets.
+/// The most instructions of a line of sight (see Work), which reads the rows along x that the line meets.
 inline std::uint32_t sight_effort(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
   const double across = absolute(b.y - a.y) + absolute(b.z - a.z);
   return 500 + effort_of(60, static_cast<int>(across / grid.spec().cell));

@@ -71,8 +71,8 @@ bool set_up(Tighten& tighten, const Grid& grid, const Path& path) {
   return tighten.move == TightenMove::kDrop || tighten.length - tighten.least > kTightenLeast * cell;
 }
 
-/// Finds the next move that is worth trying: for this waypoint, then for the next ones, then in the next pass as long
-/// as passes gain enough.
+/// Finds the next move that is worth trying: of this waypoint, then of the next ones, then in another pass, as long as
+/// each pass gains enough.
 void advance(Tighten& tighten, const Grid& grid, Path& path) {
   // Each iteration takes one move. A pass takes all moves of all waypoints.
   while (tighten.waypoint + 1 < path.count) {
@@ -95,12 +95,12 @@ void advance(Tighten& tighten, const Grid& grid, Path& path) {
 void drop(Tighten& tighten, Path& path) {
   for (int k = tighten.waypoint; k + 1 < path.count; ++k) path.points[k] = path.points[k + 1];
   --path.count;
-  // Continues with the waypoint that took its place. The moves of the waypoint before it are all done.
+  // Continues with the waypoint that took the place of the dropped one. All moves of the waypoint before are done.
   tighten.move = TightenMove::kAlongZ;
   --tighten.waypoint;
 }
 
-/// True if both legs over `at` are in sight. Tests the leg first that is not part of a known line.
+/// True if both legs over `at` are in sight. First tests the leg that is not part of a line known to be clear.
 bool clear(const Tighten& tighten, const Grid& grid, const Path& path, const Vec3& at) {
   const Vec3& before = path.points[tighten.waypoint - 1];
   const Vec3& after = path.points[tighten.waypoint + 1];

@@ -17,8 +17,8 @@ namespace tern {
 constexpr int kTightenPasses = 4;
 /// Trials of one move: steps that grow across the largest grid, then halve from its diagonal down to the finest step.
 constexpr int kTightenTrials = 26;
-/// A move, or the rest of one, is skipped if it shortens the path by at most this share of a voxel. The path gets
-/// shorter all along a move, so the end of the move shows its greatest gain.
+/// A move, or its remainder, is skipped if it shortens the path by at most this share of a voxel. The path gets shorter
+/// all along a move, so the end of the move has the greatest gain.
 constexpr double kTightenLeast = 0.01;
 /// A move is finished when the farthest position in sight and the nearest one out of sight are this share of a voxel
 /// apart.
@@ -36,10 +36,10 @@ constexpr double kTightenMargin = 0.15;
 /// The moves that are tried with a waypoint, in this order. Each follows a straight line along which the path gets
 /// shorter.
 enum class TightenMove : std::uint8_t {
-  kDrop,    ///< leave it out
+  kDrop,    ///< leave the waypoint out
   kBack,    ///< towards the waypoint before it
   kOn,      ///< towards the waypoint after it
-  kAlongX,  ///< along an axis, like an edge of a voxel, to where the path is shortest
+  kAlongX,  ///< along an axis, like an edge of a voxel, to the point at which the path is shortest
   kAlongY,
   kAlongZ,
   kMoves,
@@ -58,12 +58,12 @@ struct Tighten {
   double pass_start;  ///< the path's length when the pass began, metres
   Vec3 from;          ///< where the move began
   Vec3 to;            ///< the farthest point that it may reach
-  double reach;       ///< metres from one to the other
+  double reach;       ///< metres from `from` to `to`
   double seen;        ///< farthest distance found in sight, metres
   double refused;     ///< nearest distance that was refused; more than reach if none was
   double next;        ///< distance to be tried next
-  double length;      ///< of the two legs at the waypoint, metres
-  double least;       ///< that length at `refused` or, before anything is refused, at `to`
+  double length;      ///< length of the two legs at the waypoint, metres
+  double least;       ///< length of the two legs at `refused` or, before anything is refused, at `to`
 };
 
 /// `path` holds waypoints and length. Each inner waypoint may move.

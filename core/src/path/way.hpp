@@ -13,7 +13,7 @@ namespace tern {
 /// Empties the path.
 void clear_way(Path& way) noexcept;
 
-/// Appends a path that begins where the way ends. Of the waypoints that meet there only one is kept. kOk, or
+/// Appends a path that begins where the way ends. The waypoint at which they meet is kept only once. kOk, or
 /// kJumpPointsFull or kSegmentsFull with the way unchanged.
 Status append_to_way(const Path& part, Path& way) noexcept;
 
