@@ -166,7 +166,7 @@ class Plan {
   std::int32_t fence_plane_ = 0;            // the next plane of voxels in the current step
   std::uint32_t before_[kStageCount] = {};  // work of each stage when the current one began
   std::uint32_t escapes_ = 0;               // escapes tried
-  std::int32_t arrivals_ = 0;               // tried
+  std::int32_t arrivals_ = 0;               // arrivals tried
   std::uint32_t searched_again_ = 0;        // 1 if the optimal search followed a fast path with too many segments
   bool stop_and_go_ = false;                // the optimiser's plan was refused
   Status refused_ = Status::kOk;            // why the optimiser's plan was refused
