@@ -61,14 +61,14 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
 
 // The tests of a unit. Each returns whether the plan passes; if it does not, `found` receives the reason.
 
-/// True if one of the polyhedron's half-spaces cuts off each obstacle voxel, a closed cube, with the grid's radius to
-/// spare. The corridor stage promises this, and it suffices for a distance >= radius. `effort`, if not null, grows by
-/// the test's instructions (see Work).
+/// True if each obstacle voxel, as a closed cube, is cut off by some half-space of the polyhedron with the grid's
+/// radius to spare. The corridor stage promises this, and it suffices for a distance >= radius. `effort`, if not null,
+/// grows by the test's instructions (see Work).
 bool polyhedron_clear(const Grid& grid, const Polyhedron& polyhedron, CheckReport& found,
                       std::uint32_t* effort = nullptr) noexcept;
 
-/// True if one of the polyhedron's half-spaces (local frame) cuts off each keep-out with the radius to spare, to within
-/// the tolerance. Only the part of a keep-out within the radius of the boundary and of all keep-ins counts.
+/// True if each keep-out is cut off by some half-space of the polyhedron (local frame) with the radius to spare, to
+/// within the tolerance. Only the part of a keep-out within the radius of the boundary and of all keep-ins counts.
 bool keep_outs_clear(const Grid& grid, const Polyhedron& polyhedron, const AskedFences& fences, FenceScratch& scratch,
                      CheckReport& found) noexcept;
 

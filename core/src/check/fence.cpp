@@ -11,13 +11,13 @@ namespace {
 
 /// An offset this large lies beyond every map, since coordinates of maps are below 1e19. Its products would overflow.
 constexpr double kBeyondAnyMap = 1e100;
-/// Relative amount by which the box around a keep-out is taken larger, and the distance by which keep-ins grow. It
-/// exceeds the rounding of their own size.
+/// Relative amount that is added to the box around a keep-out, and to the distance by which keep-ins grow. It exceeds
+/// the rounding of these sizes.
 constexpr double kHair = 1e-14;
 
-/// How far beyond the robot's centre a keep-out matters, metres. A part beyond the radius cannot be too near. The
-/// distance is a voxel at least: without a radius, a keep-out in a flat boundary would be flat, and a line inside it
-/// would only touch it.
+/// How far beyond the places of the robot's centre a keep-out matters, metres. A part beyond the radius cannot be too
+/// near. The distance is a voxel at least: without a radius, a keep-out in a flat boundary would be flat, and a line
+/// inside it would only touch it.
 double reach_of(const GridSpec& spec) {
   return (1.0 + kHair) * larger(spec.clearance(), spec.cell);
 }

@@ -121,7 +121,7 @@ Jet asked_jet(const State& state, const Vec3& origin) {
   return {{state.position - origin, state.velocity, state.acceleration, state.jerk}};
 }
 
-/// True if the segment meets the start or the goal, if it is at that end of the plan.
+/// True if the first segment begins at the start state, and the last one ends at the goal state.
 bool ends_met(const Trajectory& trajectory, int index, const CheckQuery& query, double rounding, CheckReport& found) {
   const Segment& segment = trajectory.segments[index];
   const Jet start = asked_jet(query.start, trajectory.origin);

@@ -27,7 +27,7 @@ constexpr double kUlp = 1.0 / 4503599627370496.0;
 
 /// Metres by which a half-space of the corridor may miss a voxel's corner. Its offset is a sum of three products of
 /// local coordinates, each rounded to half a unit in the last place. The corridor computes the sum once, and the check
-/// once more. If it touches the start, that start was rounded when the grid's origin was subtracted from it.
+/// once more. A start that the half-space touches was rounded when the grid's origin was subtracted from it.
 double grid_rounding(const Grid& grid) noexcept;
 constexpr double kGridUlps = 10.0;
 constexpr double kOriginUlps = 2.0;
