@@ -89,7 +89,7 @@ bool boxes_apart(const Box& a, const Box& b, double distance) {
   return square >= kLonger * distance * distance;
 }
 
-/// True if a plane is found that the box lies behind and all points lie in front of by the distance. Any point q
+/// Looks for a plane that has the box behind it, and all points in front of it by at least the distance. Any point q
 /// outside the box gives a plane: it goes through the box's point p that is nearest to q, at right angles to q - p. The
 /// best q is the hull's point nearest to the box. It is sought on the line between the curve's ends.
 bool plane_between(const Vec3* points, int count, const Box& box, double distance) {

@@ -20,7 +20,7 @@ Allowed allowed_velocity(const Limits& limits, double rounding) noexcept;
 Allowed allowed_acceleration(const Limits& limits, double rounding) noexcept;
 Allowed allowed_jerk(const Limits& limits, double rounding) noexcept;
 
-/// True if the limits limit the jerk on some axis or on the horizontal norm.
+/// True if the jerk is limited on some axis, or its horizontal norm is.
 bool limits_jerk(const Limits& limits) noexcept;
 
 /// True if all points are allowed; their hull then is, too.
