@@ -26,7 +26,7 @@ constexpr int kBrakeSegments = 3;
 /// A braking, as segments of degree 7 (the curve itself has degree 5). It is continuous to jerk, which is zero at every
 /// joint but the first.
 struct Brake {
-  double duration[kBrakeSegments];       ///< ramp, hold, ramp: seconds, >= kMinDuration
+  double duration[kBrakeSegments];       ///< ramp, hold, ramp: seconds, >= `least` of make_brake
   JointState joint[kBrakeSegments + 1];  ///< the last one at rest, exactly
 };
 

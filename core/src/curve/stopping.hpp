@@ -17,7 +17,7 @@ namespace tern {
 /// Relative excess over a speed limit that a stop may have: a state at its limit cannot level off at once.
 constexpr double kStopTolerance = 2e-8;
 
-/// An acceleration that levels off before the braking takes kMinDuration, halved at most this many times.
+/// Levelling off an acceleration before the braking takes kMinDuration, halved at most this many times.
 constexpr int kLevelHalvings = 12;
 
 /// Turns before the braking. They differ in their side: eight around the velocity, and the one to which the state
