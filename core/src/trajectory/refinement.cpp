@@ -180,7 +180,7 @@ void next_rung(Refinement& refinement, Chain& chain) {
 }
 
 /// A round of the feasibility phase. fit_ends() may have shortened the chain's durations, so each round starts from the
-/// durations of the last round before that.
+/// last round's durations before they were shortened.
 void lengthen(Refinement& refinement, const Round& round, Chain& chain) {
   if (round.better) {
     keep(refinement, round, chain);

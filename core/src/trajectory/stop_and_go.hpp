@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The plan if optimising fails (contract C6): straight from waypoint to waypoint, at rest in each. It needs no solver:
-// a straight segment stays in the polyhedron that was grown around it. A moving start is first braked inside its
-// polyhedron if that is possible; the motion of a moving goal is reached last, inside its polyhedron.
+// a straight segment stays in the polyhedron that was grown around it. A moving start is first braked, and a moving
+// goal is reached by speeding up at the end, each inside its polyhedron if it has room.
 #ifndef TERN_TRAJECTORY_STOP_AND_GO_HPP
 #define TERN_TRAJECTORY_STOP_AND_GO_HPP
 
