@@ -127,8 +127,8 @@
 #define TERN_MAX_PIXELS TERN_DEFAULT(4096, 160 * 120, 320 * 240, 2 * 1024 * 1024)
 #endif
 
-/// Boxes, and cylinders, known beforehand to a rolling map (MapSpec::prior, prior_cylinders): so many of each. They
-/// cost no memory of the map's, but time in every slide. Beyond it: kPriorFull.
+/// Boxes known beforehand to a rolling map (MapSpec::prior), and as many cylinders (prior_cylinders). They cost no
+/// memory of the map, but time in every slide. Beyond it: kPriorFull.
 #ifndef TERN_MAX_PRIOR_BOXES
 #define TERN_MAX_PRIOR_BOXES TERN_DEFAULT(4, 64, 256, 4096)
 #endif

@@ -93,8 +93,8 @@ enum class FlightMode : uint8_t {
   kLook,      ///< hovering, and turning the sensor to where space is unknown
   kFly,       ///< on the way
   kStop,      ///< on the brake that ends the committed plan; a new plan may still take over
-  kThreat,    ///< the committed plan is no longer proven on the map as it is now. At rest only for 0.3 s after
-              ///< something came nearer than the radius, or nearer than before; then FlightReport::blocked_by says what
+  kThreat,    ///< the committed plan is no longer proven on the map as it is now. At rest, this lasts for 0.3 s after
+              ///< something came nearer than the radius, or nearer than before; then FlightReport::blocked_by tells
 };
 
 /// Why the vehicle rests, or does not go on.

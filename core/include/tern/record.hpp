@@ -48,7 +48,7 @@ struct PlanRecord {
   Status status = Status::kOk;  ///< the answer
   Trajectory plan{};            ///< empty unless the status is kOk
 
-  // What the request points to.
+  // The objects that the request points to.
   Fence fences[kMaxFences] = {};
   Halfspace planes[kMaxFencePlanes] = {};
   Via vias[kMaxVias] = {};

@@ -171,8 +171,8 @@ struct Report {
   /// plan could not be led to. kNoVia if the start or the way from the last via to the goal is at fault, or no single
   /// part of the way.
   int32_t via = kNoVia;
-  /// How the plan passes the vias, one entry each; those of Request::vias beyond via_count are zero, and all of them
-  /// without a plan. At vias with equal positions, one after the other, several may have the same time.
+  /// How the plan passes the vias, one entry each. Entries beyond Request::via_count are zero; without a plan, all of
+  /// them are. At vias with equal positions, one after the other, several may have the same time.
   ViaPassage vias[kMaxVias];
 
   /// Only if `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its

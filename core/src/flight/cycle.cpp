@@ -15,7 +15,7 @@ namespace {
 /// Units of a plan's work for each iteration that the optimiser may spend: if it needs more, it answers with the best
 /// plan so far.
 constexpr std::uint32_t kUnitsPerIteration = 64;
-/// A new plan replaces the rest of the committed plan if it arrives earlier by more than this, seconds.
+/// A new plan replaces the rest of the planner's plan in flight if it arrives earlier by more than this, seconds.
 constexpr double kEarlier = 1e-6;
 /// If plans from rest fail, three kinds of attempt take turns. In the first, unseen voxels nearby are solid. In the
 /// second, they are, except next to the vehicle, where they may leave it no voxel to begin at. In the third, they are
@@ -114,8 +114,8 @@ Progress FlightState::run_job(Work& work) noexcept {
 }
 // clang-format on
 
-/// Copies the route grid, then begins to prove the rest of the committed plan on it. That rest is a candidate if the
-/// takeover comes before the branch.
+/// Copies the route grid, then begins to prove the rest of the planner's plan in flight on it. That rest is a candidate
+/// if the takeover comes before the branch.
 Progress FlightState::run_copy(Work& work) noexcept {
   while (!route.done()) {
     if (work.left == 0) return Progress::kMore;
@@ -258,7 +258,7 @@ void FlightState::end_plan(const Report& found) noexcept {
   if (!move_aim(found) && !move_to_reachable(found) && !ask_for_less(found)) choose_draft(false);
 }
 
-/// The rest of the committed plan wins, unless the new plan leads elsewhere or arrives earlier.
+/// The rest of the planner's plan in flight wins, unless the new plan leads elsewhere or arrives earlier.
 void FlightState::choose_draft(bool planned) noexcept {
   extends = false;
   if (planned) compose();

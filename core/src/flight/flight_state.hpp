@@ -117,8 +117,8 @@ class FlightState {
   bool cut_off;       ///< no way leads to the target, and the vehicle rests as near to it as it can
   bool looks_out;     ///< the aim is a lookout, or on the way to one
   bool leaves;        ///< something is within the radius of where the vehicle rests
-  bool keeps;         ///< the rest of the committed plan is free on the route copy
-  bool extends;       ///< `draft` goes on along the committed plan
+  bool keeps;         ///< the rest of the planner's plan in flight is free on the route copy
+  bool extends;       ///< `draft` goes on along the planner's plan in flight
   double reached;     ///< until when `draft` is proven
   int branch;         ///< number of the candidate
   int straight;       ///< brakes straight ahead that were tried

@@ -45,7 +45,7 @@ enum class BrakeProof : std::uint8_t {
 enum class Job : std::uint8_t {
   kIdle,
   kCopy,     ///< copies the route grid
-  kKeep,     ///< proves the rest of the committed plan free on the copy
+  kKeep,     ///< proves the rest of the planner's plan in flight free on the copy
   kLookout,  ///< seeks a place from where the sensor may see what blocks the way
   kRoute,    ///< finds the way to the goal; the plan follows its first part
   kPlan,     ///< runs the planner

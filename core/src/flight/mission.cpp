@@ -74,7 +74,7 @@ void FlightState::ask_for(std::int32_t point) noexcept {
   asked[asked_count++] = itinerary.points[point];
 }
 
-/// Asks for the points that the committed plan still passes, for a plan to the same aim.
+/// Asks for the points that the planner's plan in flight still passes, for a plan to the same aim.
 void FlightState::keep_points() noexcept {
   const std::int32_t leg = leg_at(takeover);
   asked_count = 0;
@@ -86,7 +86,7 @@ void FlightState::keep_points() noexcept {
   goal = itinerary.points[target].position;
 }
 
-/// True if no point that the committed plan passes was skipped since, and its target is still ahead.
+/// True if no point that the planner's plan in flight passes was skipped since, and its target is still ahead.
 bool FlightState::still_fits() const noexcept {
   for (std::int32_t i = 0; i < now.passages; ++i) {
     if (itinerary.state[now.passage[i].point] == PointState::kSkipped) return false;
@@ -110,7 +110,7 @@ Vec3 FlightState::place_before_target(const Vec3& from) const noexcept {
 }
 
 /// A plan past all points that were asked for failed. Asks for one that ends at rest at the last point that may be
-/// reached. False if there is no point to leave out, or if the committed plan goes on anyway.
+/// reached. False if there is no point to leave out, or if the plan in flight goes on anyway.
 bool FlightState::ask_for_less(const Report& found) noexcept {
   if (asked_count == 0 || keeps) return false;
   const bool on_way = found.status == Status::kNoPath || lacks_via_voxel(found.status) ||

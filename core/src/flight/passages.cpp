@@ -8,7 +8,7 @@
 namespace tern {
 namespace {
 
-/// How much later than the committed plan a new plan may pass the next point, seconds.
+/// How much later than the plan in flight a new plan may pass the next point, seconds.
 constexpr double kLaterAtPoint = 0.25;
 /// Later than any plan passes a point, seconds.
 constexpr double kNever = 1e9;
@@ -77,7 +77,7 @@ void FlightState::list_passages(const Report& found) noexcept {
   if (aims_at_goal) draft.passage[draft.passages++] = {target, duration(plan)};
 }
 
-/// True if the draft passes the next point much later than the committed plan: right before a point, the planner may
+/// True if the draft passes the next point much later than the plan in flight: right before a point, the planner may
 /// find no way through it but to stop and come back.
 bool FlightState::passes_later() const noexcept {
   const std::int32_t leg = leg_at(takeover);
