@@ -46,7 +46,7 @@ struct FlatState {
   double thrust;
   /// Rotation matrix from body to world, row by row. Its columns are the body's axes in the world frame.
   double attitude[3][3];
-  /// The same rotation as a unit quaternion (w, x, y, z) with w >= 0.
+  /// The attitude as a unit quaternion (w, x, y, z) with w >= 0.
   double quaternion[4];
   /// rad/s, in the body frame.
   Vec3 body_rates;

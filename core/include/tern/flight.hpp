@@ -99,13 +99,13 @@ enum class FlightMode : uint8_t {
 
 /// Why the vehicle rests, or does not go on.
 enum class FlightReason : uint8_t {
-  kNone = 0,        ///< it flies, or is about to
-  kNoGoal,          ///< there is no goal: none was set yet, or stop() took it away
-  kArrived,         ///< it rests at the goal
-  kNearest,         ///< the goal is occupied, or cut off by what was seen; it rests as near to it as it can
-  kNoProgress,      ///< after a look around there is still no way. set_goal() makes it try again
-  kHemmedIn,        ///< likewise, and something is nearer to the vehicle than the radius
-  kViaBlocked,      ///< the mission ended: its next point is in an obstacle or breaks a fence
+  kNone = 0,    ///< it flies, or is about to
+  kNoGoal,      ///< there is no goal: none was set yet, or stop() took it away
+  kArrived,     ///< it rests at the goal
+  kNearest,     ///< the goal is occupied, or cut off by what was seen; it rests as near to it as it can
+  kNoProgress,  ///< after a look around there is still no way. set_goal() makes it try again
+  kHemmedIn,    ///< after a look around there is still no way, and something is nearer to the vehicle than the radius
+  kViaBlocked,  ///< the mission ended: its next point is in an obstacle or breaks a fence
   kViaUnreachable,  ///< the mission ended: after a look around there is still no way to its next point
   kMapStale,        ///< there is no way through what is known, and no frames come. It goes on with the next frame
 };
@@ -249,7 +249,7 @@ class Flight {
   /// kClockBehind if `t` is before the last tick's, and nothing was done; kInvalidArgument before start(). `report` is
   /// always filled: if nothing was done, with the last report.
   Status tick(int64_t t, FlightReport& report) noexcept;
-  /// The same without a report.
+  /// Does one tick's work without a report.
   Status tick(int64_t t) noexcept;
   /// What to fly at time `t`. Every time has an answer. A time before the last tick gets the answer for the last tick,
   /// so that nothing is flown twice. After the end, the answer is rest. Before start(), it is zeros.

@@ -161,8 +161,9 @@ class RollingMap {
   /// marks nothing; in its direction, everything up to the range is seen. The points must stay until the job is done.
   /// Answers as begin_frame(); also kInvalidArgument if scan_pixel is 0.
   Status begin_scan(const Vec3* points, size_t count, const Vec3& origin, int64_t t) noexcept;
-  /// The same for beams, which can also say that nothing came back, or that nothing is known. Directions and ranges
-  /// must stay until the job is done. Also kInvalidArgument for null pointers, or if not 0 <= min < max.
+  /// Begins to enter a scan of beams, which can also say that nothing came back, or that nothing is known. Directions
+  /// and ranges must stay until the job is done. Answers as for points; also kInvalidArgument for null pointers, or if
+  /// not 0 <= min < max.
   Status begin_scan(const Beams& beams, const Vec3& origin, int64_t t) noexcept;
   /// Begins to move the window so that `center`, world frame, comes near its middle. kOk if it need not move, or
   /// kRunning; kNonFiniteInput; kOutOfMap if doubles are too coarse there; kInvalidArgument as begin_frame(). Space
@@ -198,9 +199,9 @@ class RollingMap {
   Status assume_free(const Vec3& center, double radius) noexcept;
   /// Marks the voxels of a box as obstacles in both grids, as Grid::mark_box does, until misses clear them.
   Status mark_box(const Box& world) noexcept;
-  /// Likewise, as Grid::mark_cylinder does.
+  /// Marks the voxels of a cylinder as obstacles in both grids, as Grid::mark_cylinder does, until misses clear them.
   Status mark_cylinder(const Cylinder& world) noexcept;
-  /// Likewise marks the voxels that hold the points, as Grid::mark_points does.
+  /// Marks the voxels that hold the points in both grids, as Grid::mark_points does, until misses clear them.
   Status mark_points(const Vec3* world, size_t count) noexcept;
 
   /// begin_snapshot() and all of its work. kOk; kInvalidArgument as there.

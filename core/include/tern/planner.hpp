@@ -83,8 +83,8 @@ class Planner {
   /// plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid
   /// until the next begin() or plan().
   const Path* path() const noexcept;
-  /// The corridor of the last plan, likewise. Segment::polyhedron is an index into it. If the plan stops first, it
-  /// begins with the polyhedra of that stop.
+  /// The corridor of the last plan: frame, lifetime and null as for path(). Segment::polyhedron is an index into it. If
+  /// the plan stops first, it begins with the polyhedra of that stop.
   const Corridor* corridor() const noexcept;
 
  private:

@@ -61,8 +61,8 @@ struct PlanRecord {
 /// kFencesFull, kFencePlanesFull or kViasFull. Unless the answer is kOk, `record` has no meaning.
 Status read_plan_record(const uint8_t* bytes, size_t count, PlanRecord& record) noexcept;
 
-/// Reads a record likewise. Then binds `grid` to words of yours, at least grid_words(record.grid.dims) of them, marks
-/// the record's obstacles and inflates. Answers as read_plan_record() and Grid::bind().
+/// Reads a record. Then binds `grid` to words of yours, at least grid_words(record.grid.dims) of them, marks the
+/// record's obstacles and inflates. Answers as read_plan_record() and Grid::bind().
 Status read_plan_record(const uint8_t* bytes, size_t count, PlanRecord& record, Grid& grid, uint64_t* words,
                         size_t word_count) noexcept;
 

@@ -182,7 +182,7 @@ struct Report {
   /// Half-spaces that bound the polyhedra of the corridor, all polyhedra together. Each makes eight rows in the
   /// quadratic programme.
   int32_t half_spaces;
-  /// Redundant half-spaces of the corridor, likewise. They make no rows.
+  /// Redundant half-spaces of the corridor, all polyhedra together. They make no rows.
   int32_t half_spaces_redundant;
 
   /// What the planner did for a start or goal in motion, if the polyhedron around it had no room for that motion:

@@ -41,7 +41,7 @@ struct Limits {
   Vec3 a_min{};
   /// m/s: limit of sqrt(vx^2 + vy^2), on top of the limits of x and y. 0 means none.
   double v_horizontal = 0.0;
-  /// m/s^2: limit of sqrt(ax^2 + ay^2), likewise. 0 means none.
+  /// m/s^2: limit of sqrt(ax^2 + ay^2), on top of the limits of x and y. 0 means none.
   double a_horizontal = 0.0;
   /// m/s^3: the largest jerk along each axis, in both directions. An axis of 0 has no limit. Autopilots do not follow
   /// plans above their own (PX4's is 4 to 8, ArduPilot's 5 by default).
@@ -146,9 +146,9 @@ struct Request {
   /// `start` must be what evaluate(*previous, previous_time) returns, bit for bit. Otherwise the answer is
   /// kInvalidArgument, field kPrevious.
   ///
-  /// On an unchanged map with the same limits and fences, a plan is always found if `previous` was kOk, if at least a
-  /// millisecond is left of it, or of its current segment if it leads more than a kilometre away, if the goal is the
-  /// same or can be reached from the previous one, and if budget and capacities suffice.
+  /// On an unchanged map with the same limits and fences, a plan is always found under four conditions: `previous` was
+  /// kOk; at least a millisecond is left of it, or of its current segment if it leads more than a kilometre away; the
+  /// goal is the same, or can be reached from the previous one; and budget and capacities suffice.
   ///
   /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;

@@ -32,10 +32,10 @@ enum class Status : uint8_t {
   /// The start's velocity or acceleration exceeds a limit by more than 4e-8 of it. Clamp the state, or raise the
   /// limit for this request.
   kStartExceedsLimits = 14,
-  /// The goal's velocity or acceleration exceeds a limit, likewise.
+  /// The goal's velocity or acceleration exceeds a limit by more than 4e-8 of it.
   kGoalExceedsLimits = 15,
 
-  /// A via's velocity exceeds a limit, likewise. Report::via says which via.
+  /// A via's velocity exceeds a limit by more than 4e-8 of it. Report::via says which via.
   kViaExceedsLimits = 16,
 
   /// A keep-out is empty, or the keep-ins have no point in common: a half-space is reversed, or the order of a polygon
@@ -61,7 +61,8 @@ enum class Status : uint8_t {
   /// The start is closer to an obstacle than the radius.
   /// Report::raw_occupied says whether it is inside an obstacle, Report::nearest_free has the nearest free voxel.
   kStartOccupied = 30,
-  /// The goal is closer to an obstacle than the radius, likewise.
+  /// The goal is closer to an obstacle than the radius. Report::raw_occupied and Report::nearest_free are as for the
+  /// start.
   kGoalOccupied = 31,
   /// At this resolution and radius, no chain of free voxels connects start and goal. With vias, Report::via says which
   /// of them cannot be reached from the one before.
@@ -78,7 +79,8 @@ enum class Status : uint8_t {
   /// The goal lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::fence says which.
   kGoalFenced = 37,
 
-  /// A via is closer to an obstacle than the radius, likewise. Report::via says which.
+  /// A via is closer to an obstacle than the radius. Report::via says which. Report::raw_occupied and
+  /// Report::nearest_free are as for the start.
   kViaOccupied = 38,
   /// A via lies outside a keep-in fence, or closer than the radius to a keep-out fence. Report::via and Report::fence
   /// say which.

@@ -288,9 +288,9 @@ uint8_t tern_grid_bind(tern_grid* grid, const tern_grid_spec* spec, uint64_t* wo
 /* Marks each voxel that the box meets as an obstacle. World frame, metres; parts outside the grid are ignored. ok,
  * non_finite_input or invalid_argument. */
 uint8_t tern_grid_mark_box(tern_grid* grid, const tern_box* world);
-/* Marks each voxel that the cylinder meets, likewise. */
+/* Marks each voxel that the cylinder meets as an obstacle. Frame, unit and answers as for tern_grid_mark_box(). */
 uint8_t tern_grid_mark_cylinder(tern_grid* grid, const tern_cylinder* world);
-/* Clears the voxels that tern_grid_mark_box would mark, likewise. */
+/* Clears the voxels that tern_grid_mark_box() would mark. Answers as tern_grid_mark_box(). */
 uint8_t tern_grid_clear_box(tern_grid* grid, const tern_box* world);
 /* Marks the voxel of each of `count` points, world frame, metres. Points outside the grid are skipped. `inside` gets
  * the number of the others and may be null. `world` may be null if count is 0. ok, non_finite_input (nothing is marked)
@@ -321,7 +321,7 @@ static inline uint64_t tern_header_hash(void) {
  * for another configuration than the library's; every plan then answers the same. This function is for languages that
  * cannot use this header; pass tern_configuration_hash() there. */
 uint8_t tern_planner_init_for(tern_planner* planner, void* memory, size_t bytes, uint64_t configuration);
-/* The same with the capacities of this header: what a C program calls. */
+/* Makes a planner for a program with the capacities of this header: what a C program calls. */
 static inline uint8_t tern_planner_init(tern_planner* planner, void* memory, size_t bytes) {
   return tern_planner_init_for(planner, memory, bytes, tern_header_hash());
 }

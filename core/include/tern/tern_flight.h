@@ -91,7 +91,7 @@ enum {
   TERN_FLIGHT_ARRIVED = 2,         /* at the goal */
   TERN_FLIGHT_NEAREST = 3,         /* as near as it gets to a goal that is occupied or cut off */
   TERN_FLIGHT_NO_PROGRESS = 4,     /* there is no way that can be proven */
-  TERN_FLIGHT_HEMMED_IN = 5,       /* likewise, and something is nearer than the radius */
+  TERN_FLIGHT_HEMMED_IN = 5,       /* there is no way that can be proven, and something is nearer than the radius */
   TERN_FLIGHT_VIA_BLOCKED = 6,     /* the mission's next point is occupied or fenced */
   TERN_FLIGHT_VIA_UNREACHABLE = 7, /* there is no way to the mission's next point */
   TERN_FLIGHT_MAP_STALE = 8        /* no frames come, and there is no way through what is known */

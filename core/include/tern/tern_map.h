@@ -64,7 +64,7 @@ uint8_t tern_map_begin_frame(tern_map* map, const tern_depth_view* view, const t
 /* Begins to enter a scan of `count` points, world frame, measured from `origin`. The points must stay until the job is
  * done. Answers as tern_map_begin_frame(). */
 uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, size_t count, const tern_vec3* origin, int64_t t);
-/* The same for beams, which can also say that nothing came back, or that nothing is known. */
+/* Begins to enter a scan of beams, which can also say that nothing came back, or that nothing is known. */
 uint8_t tern_map_begin_beams(tern_map* map, const tern_beams* beams, const tern_vec3* origin, int64_t t);
 /* Begins to move the window so that `center` comes near its middle. ok if it need not move, or running. */
 uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);

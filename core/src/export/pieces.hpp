@@ -24,9 +24,9 @@ struct Spans {
   Span at[kMostPieces];
 };
 
-/// Makes a span for each segment. Then, while a yaw polynomial is off by more than kCrazyflieYaw, the span that is
-/// furthest off is halved, unless the halves would last less than `shortest` or there are `most` spans. False for an
-/// empty plan or one of more than `most` segments.
+/// Makes a span for each segment. Then halves the span whose yaw polynomial is furthest off, while that is off by more
+/// than kCrazyflieYaw and there are fewer than `most` spans. Spans whose halves would last less than `shortest` stay.
+/// False for an empty plan or one of more than `most` segments.
 bool cut_spans(const Trajectory& trajectory, const YawPlan* yaw, int32_t most, double shortest, Spans& spans) noexcept;
 
 /// The control points of the span's polynomial over [begin, end], relative to `origin`. Rounding may put the times a
