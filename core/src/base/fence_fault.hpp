@@ -20,10 +20,11 @@ struct FenceFault {
   std::int32_t fence;
 };
 
-/// Checks `count` fences, world frame, on a grid that is bound. kOk; kInvalidArgument for a null pointer, a negative
-/// `count`, a fence without half-spaces, an unknown kind, or a normal that is too short or too long; kNonFiniteInput;
-/// kFencesFull; kFencePlanesFull; kFenceEmpty for the first keep-in that has no point in common with the keep-ins
-/// before it, or for a keep-out without a point. tern/fence.hpp says when a fence counts as having no point.
+/// Checks `count` fences, world frame, on a grid that is bound. Returns kOk, kNonFiniteInput, kFencesFull,
+/// kFencePlanesFull, or one of two others. kInvalidArgument: a null pointer, a negative `count`, a fence without
+/// half-spaces, an unknown kind, or a normal that is too short or too long. kFenceEmpty: the first keep-in that has no
+/// point in common with the keep-ins before it, or a keep-out without a point. tern/fence.hpp says when a fence counts
+/// as having no point.
 FenceFault find_fence_fault(const Fence* list, std::int32_t count, const GridSpec& grid) noexcept;
 
 }  // namespace tern

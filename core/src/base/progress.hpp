@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The result of a slice of a stage. Every stage is a plain structure with two functions: begin() prepares it, and
-// advance() spends units of a slice of work until the slice is empty or the stage has ended.
+// The result of a slice of a stage. Every stage is a plain structure with two functions. begin() prepares it. advance()
+// spends units of a slice of work until the slice is empty or the stage has ended.
 #ifndef TERN_BASE_PROGRESS_HPP
 #define TERN_BASE_PROGRESS_HPP
 

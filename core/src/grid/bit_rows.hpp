@@ -86,7 +86,7 @@ inline std::uint64_t spread_bits(std::uint64_t before, std::uint64_t own, std::u
 /// A layer's rows along x. Voxel x of a row is bit x % 64 of its word x / 64. Rows follow one another along y, and
 /// planes along z.
 struct BitRows {
-  const std::uint64_t* words;  ///< of row (0, 0)
+  const std::uint64_t* words;  ///< first word of row (0, 0)
   std::int32_t row_words;      ///< from a row to the next along y
   std::int32_t plane_rows;     ///< from a row to the next along z
 

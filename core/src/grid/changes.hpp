@@ -18,17 +18,17 @@ namespace tern {
 /// The most blocks of rows that a grid has.
 constexpr std::int32_t kMaxBlocks = (kMaxDimension + kBlockRows - 1) / kBlockRows;
 
-/// Where some planes of a change map have bits set: the ranges of planes and words, empty if no bit is set, and the
-/// rows of each block, ORed over all these planes and words.
+/// Where some planes of a change map have bits set: the ranges of planes and words, which are empty if no bit is set,
+/// and the rows of each block. `rows` is the OR over all these planes and words.
 struct ChangeExtent {
   IndexRange planes;
   IndexRange words;
   std::uint64_t rows[kMaxBlocks];
 };
 
-/// The change map of a grid. Bit y - 64 block of word (z, block, k) is set if obstacles in row (y, z) changed that can
-/// block voxels of word k in that row: a change near a word's end is noted in both words. Plane z also has a bit of its
-/// own, set if the plane has any change. Bits past the grid's last row have no meaning.
+/// The change map of a grid. Bit y - 64 block of word (z, block, k) is set if obstacles changed in row (y, z) that can
+/// block voxels of word k. So a change near a word's end is noted in both words. Plane z also has a bit of its own, set
+/// if the plane has any change. Bits past the grid's last row have no meaning.
 class Changes {
  public:
   Changes(const Voxel& dims, std::uint64_t* storage) noexcept

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Geometry that the later stages ask of boxes and of the grid: exact distances of points and segments, and whether a
-// point or segment keeps its clearance from the obstacle layer. Local frame, metres.
+// Geometry of boxes and of the grid, for the later stages. Computes exact distances of points and segments from boxes,
+// and whether points and segments keep their clearance from the obstacle layer. Local frame, metres.
 #ifndef TERN_GRID_DISTANCE_HPP
 #define TERN_GRID_DISTANCE_HPP
 
@@ -20,8 +20,9 @@ namespace tern {
 constexpr double kClearTolerance = 1e-9;
 
 /// Metres by which a point of this grid may be nearer than the radius, or beyond the boundary. The sum of
-/// kClearTolerance and two rounding errors: kWorldUlps units in the last place of a world coordinate, from which the
-/// origin is subtracted, and kLocalUlps units of a local coordinate, for the products and sums of a distance.
+/// kClearTolerance and two rounding errors. The first is kWorldUlps units in the last place of a world coordinate, from
+/// which the origin is subtracted. The second is kLocalUlps units of a local coordinate, for the products and sums of a
+/// distance.
 double contact_tolerance(const GridSpec& spec) noexcept;
 
 /// Below this distance, in metres, the direction between the closest points of two solids is only rounding error. Above
@@ -47,9 +48,9 @@ struct ClosestPair {
   double t;  ///< on_segment = a + t (b - a), 0 <= t <= 1
 };
 
-/// The closest pair of the segment from a to b (equal ends are a point) and the closed box. Exact but for rounding:
-/// the squared distance is convex in t and quadratic between the at most six t where the segment crosses a face's
-/// plane, so at most seven pieces are minimised in closed form.
+/// The closest pair of the segment from a to b (equal ends are a point) and the closed box. Exact but for rounding. The
+/// squared distance is convex in t. It is quadratic between the values of t, at most six, at which the segment crosses
+/// a face's plane. So at most seven pieces are minimised in closed form.
 ClosestPair segment_box_closest(const Vec3& a, const Vec3& b, const Box& box) noexcept;
 
 /// The closest pair's squared distance.
@@ -70,7 +71,7 @@ bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius
 struct NearestFree {
   Vec3 point;  ///< in cells
   bool found;
-  double distance_squared;  ///< of the best voxel so far, in cells
+  double distance_squared;  ///< squared distance of the best voxel so far, in cells
   Voxel voxel;
   std::int32_t square;  ///< the next rows to read are at this distance, in rows, from the point's row
   std::int32_t last;

@@ -75,7 +75,7 @@ inline IndexRange voxels_met(const GridSpec& spec, double lower, double upper, i
 constexpr double kFaceTolerance = 1e-9;
 
 /// The rounding errors of a face's coordinate, of a point's coordinate, and of the corridor between them, in units in
-/// the last place: kFaceUlps of the face's coordinate, and kFaceExtentUlps of the grid's size.
+/// the last place. kFaceUlps counts units of the face's coordinate, kFaceExtentUlps units of the grid's size.
 constexpr double kFaceUlps = 4.0;
 constexpr double kFaceExtentUlps = 12.0;
 

@@ -1,9 +1,10 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The obstacles around one segment as a handful of solid boxes, straight from the words of the obstacle layer: runs of
-// bits along x grow into rectangles over y if the next row has the same run, and rectangles grow into boxes over z. A
-// world of cuboids becomes its cuboids again instead of thousands of voxels; noise becomes single voxels.
+// Merges the obstacles around one segment into a few solid boxes, directly from the words of the obstacle layer. A run
+// of bits along x grows into a rectangle over y if the next rows have the same run. Rectangles grow into boxes over z
+// in the same way. A world of cuboids becomes its cuboids again instead of thousands of voxels; noise becomes single
+// voxels.
 #ifndef TERN_GRID_LOCAL_BOXES_HPP
 #define TERN_GRID_LOCAL_BOXES_HPP
 

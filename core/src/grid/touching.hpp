@@ -32,9 +32,9 @@ struct WidestNormal {
 /// Takes a unit normal in place of the best one if it leaves more room.
 void offer(const Vec3& from, const Vec3& to, const Box& box, const Vec3& unit, WidestNormal& best) noexcept;
 
-/// The best separating axis of a segment that touches the box, among the box's face normals and the cross products of
-/// its edges with the segment: the one with the most room. A face wins a tie. Ignores products shorter than `direction`
-/// (direction_tolerance): there, the segment runs along the edge, or is a point.
+/// The best separating axis of a segment that touches the box: the one with the most room. The candidates are the box's
+/// face normals and the cross products of its edges with the segment. A face wins a tie. Ignores products shorter than
+/// `direction` (direction_tolerance): there, the segment runs along the edge, or is a point.
 WidestNormal separating_normal(const Vec3& from, const Vec3& to, const Box& box, double direction) noexcept;
 
 }  // namespace tern

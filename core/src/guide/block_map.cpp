@@ -67,8 +67,8 @@ void touch_around(BlockMap& map, const Grid& grid, const Voxel& block) {
 }
 
 /// For each side, and for each byte of `sides` that the block across may have: the move across the side, and the moves
-/// around a corner that go on from that block. They go on across the sides at right angles at which that block is
-/// joined. None goes on from a block that is split or of an unknown kind.
+/// that go on from there around a corner. They go on across the sides at right angles at which that block is joined.
+/// None goes on from a block that is split or of an unknown kind.
 struct CornerTable {
   CellMask moves[kSides][256];
 };

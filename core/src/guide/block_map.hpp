@@ -89,9 +89,9 @@ struct BlockMap {
   std::int32_t beside[kSides];                 ///< what the move across each side adds to a block's index
   std::uint64_t made[kBlockWords / 64 + 1];    ///< one bit for each word: its blocks are made
   std::uint64_t around[kBlockWords / 64 + 1];  ///< one bit for each word: its blocks and those around it are made
-  std::uint8_t sides[kGuideBlocks];            ///< byte of each block, see kBlockWhole; x fastest; valid if `made`
+  std::uint8_t sides[kGuideBlocks];            ///< byte of each block, see kBlockWhole; x fastest; valid if it is made
   std::uint8_t entries[kGuideBlocks];          ///< for each closed split block: a voxel of the part that was entered
-  Block blocks[kGuideBlocks];                  ///< valid if `made`
+  Block blocks[kGuideBlocks];                  ///< valid if the block is made
 
   bool large() const { return log == kLargeBlocks; }
   Voxel block_of(const Voxel& v) const { return {v.x >> log, v.y >> log, v.z >> log}; }

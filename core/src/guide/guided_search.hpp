@@ -61,9 +61,9 @@ inline bool guide_stalls(const GuidedSearch& search) noexcept {
 /// once.
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 
-/// Takes entries off the open lists, one a unit of work. kRunning without work left, or the end: kOk; kNoPath if no
-/// moves connect the two voxels; kNodesFull or kOpenFull if a capacity or one of the limits above is exhausted, which
-/// proves nothing. Also kRunning once guide_stalls() is true. Not to be called after the end.
+/// Takes entries off the open lists, one a unit of work. kRunning if no work is left, or once guide_stalls() is true.
+/// At the end: kOk; kNoPath if no moves connect the two voxels; kNodesFull or kOpenFull if a capacity or one of the
+/// limits above is exhausted, which proves nothing. Must not be called after the end.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, as search_extract does. Once, after kOk.

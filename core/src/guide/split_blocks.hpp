@@ -20,8 +20,8 @@ VoxelMask part_of(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 /// the sides across which the entered part meets a neighbour.
 SideMask enter_part(BlockMap& map, const Grid& grid, const Voxel& block, int place) noexcept;
 
-/// True if the guide has left out a part of this closed block, or of a closed neighbour, that it could have reached:
-/// the part that it entered in one of the two blocks touches another part of the other block.
+/// True if the guide has left out a part that it could have reached, of this closed block or of a closed neighbour.
+/// In that case, the part that it entered in one of the two blocks touches a part of the other that it did not enter.
 bool leaves_out(BlockMap& map, const Grid& grid, const Voxel& block) noexcept;
 
 }  // namespace tern

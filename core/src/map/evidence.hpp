@@ -32,7 +32,7 @@ struct Threshold {
 };
 
 /// Enters a frame. A voxel that is both hit and missed counts as hit. In a clear voxel, a hit adds one to the count and
-/// a miss subtracts one; in a blocked voxel, a miss adds one and a hit resets the count to 0. When the count reaches
+/// a miss subtracts one. In a blocked voxel, a miss adds one and a hit resets the count to 0. When the count reaches
 /// its threshold, the voxel becomes blocked or clear, and the count starts again from 0. A missed voxel counts as seen.
 inline Evidence after(const Evidence& e, std::uint64_t hit, std::uint64_t miss, const Threshold& hits,
                       const Threshold& misses) noexcept {

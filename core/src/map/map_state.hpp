@@ -44,8 +44,8 @@ struct Frame {
   const Vec3* points;  ///< the caller's; null if the scan is one of beams
   Beams beams;         ///< a copy; the arrays that it points to are the caller's
   std::size_t point_count;
-  Vec3 origin;        ///< of the sensor, in the window's local frame
-  Vec3 world_origin;  ///< the same in the world
+  Vec3 origin;        ///< position of the sensor in the window's local frame
+  Vec3 world_origin;  ///< position of the sensor in the world
   View views[kFaces];
   Projector projectors[kFaces];  ///< one for each view
   int view_count;
@@ -83,7 +83,7 @@ class MapState {
   std::int64_t image_entries;
 
   std::uint64_t learned;  ///< how often a frame saw voxels of a word for the first time
-  std::int64_t time;      ///< of the last frame
+  std::int64_t time;      ///< time of the last frame
   bool timed;             ///< false before the first frame
   std::uint64_t frames;   ///< number of frames begun, scans included
   std::int64_t ageing;    ///< time since a layer was last forgotten, times the number of layers of blocks

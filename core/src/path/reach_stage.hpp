@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reach stage finds the point nearest to a goal that cannot be planned to: of all free voxels that the search could
-// reach from the start, the one whose centre is nearest to the goal.
+// The reach stage finds the reachable point nearest to a goal to which no plan leads. Of all free voxels that the
+// search could reach from the start, this is the one whose centre is nearest to the goal.
 #ifndef TERN_PATH_REACH_STAGE_HPP
 #define TERN_PATH_REACH_STAGE_HPP
 

@@ -46,7 +46,7 @@ void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_si
 ///
 /// Every leg of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The first
 /// and the last leg may come closer if the exact start or goal does. Such a leg leads straight to the centre of the
-/// point's own voxel or, if that voxel is not free, to a free voxel near it along a line that keeps the radius.
+/// point's own voxel. If that voxel is not free, it leads to a free voxel near it along a line that keeps the radius.
 Progress shortcut_advance(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) noexcept;
 
 }  // namespace tern

@@ -22,7 +22,7 @@ struct Track {
   double reach;    ///< voxels up to this far from the segment count as met
   double inverse;  ///< 1 / slope; 0 if the track moves less than its rounding allowance
   double enter;    ///< the track comes within reach of voxel i at t = (i - enter) * inverse
-  double leave;    ///< and it is out of reach again from t = (i - leave) * inverse on
+  double leave;    ///< the track leaves the reach of voxel i at t = (i - leave) * inverse
 
   Track(double a, double b, double margin) : from(a), slope(b - a), reach(margin) {
     const double before = from + reach;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Finds forced neighbours of straight moves, 64 voxels a word. An arrival at n from p = n - u, with u straight, forces
-// a move if there is a side s, straight or diagonal, for which p + s is blocked and
-// - s straight: n + s is free;
-// - s = a + b diagonal: n + a, n + b, n + s and the same three beside n + u are free, and n + u is (the move s + u).
+// a move if there is a side s, straight or diagonal, for which p + s is blocked and one of
+// these holds:
+// - s is straight, and n + s is free (the move s);
+// - s = a + b is diagonal, and n + u, n + a, n + b, n + s and the same three beside n + u are free (the move s + u).
 // All other rules of prune.hpp for straight arrivals follow from these.
 #include "search/jump_stops.hpp"
 

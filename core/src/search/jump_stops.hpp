@@ -24,10 +24,11 @@ struct JumpStopWord {
   std::uint64_t down;
 };
 
-/// The stops along one axis. Lines along x are numbered y + dims.y z and made word by word; lines along y are numbered
-/// x + dims.x z, along z x + dims.x y, and made in tiles of one word of 64 lines side by side along x.
+/// The stops along one axis. Lines along x have the numbers y + dims.y z, and are made word by word. Lines along y have
+/// the numbers x + dims.x z; lines along z have the numbers x + dims.x y. Both are made in tiles: one word of each of
+/// 64 lines side by side along x.
 struct JumpStopLayer {
-  std::int32_t words;                            ///< of a line; 0 if the layer does not fit and is not used
+  std::int32_t words;                            ///< words of a line; 0 if the layer does not fit and is not used
   std::int32_t width;                            ///< lines side by side: dims.y for lines along x, otherwise dims.x
   std::int32_t blocks;                           ///< tiles side by side along x; not used for lines along x
   std::uint64_t ready[kJumpStopWords / 64 + 1];  ///< one bit for each word along x, or for each tile along y or z

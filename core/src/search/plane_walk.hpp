@@ -1,9 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps along a plane diagonal. Whether a step from p to n = p + u + v is legal, and whether it forces a move at n,
-// depends on the 2 x 2 x 3 voxels around the step: {p, p + u, p + v, n}, and their neighbours on either side of the
-// plane.
+// Steps along a plane diagonal. A step leads from p to n = p + u + v. Whether it is legal, and whether it forces a move
+// at n, depends on 2 x 2 x 3 voxels: {p, p + u, p + v, n}, and their neighbours on either side of the plane.
 #ifndef TERN_SEARCH_PLANE_WALK_HPP
 #define TERN_SEARCH_PLANE_WALK_HPP
 
@@ -64,8 +63,8 @@ class PlaneWalk {
     forced_ = ((p | u | v) & ~n & kBesidePlane) != 0;
     return ((n | u | v) & kInPlane) == 0;
   }
-  /// True if the last step forces a move: on one side of the plane, a voxel beside p, p + u or p + v is blocked, and
-  /// the voxel beside n is free.
+  /// True if the last step forces a move. It does if, on one side of the plane, a voxel beside p, p + u or p + v is
+  /// blocked and the voxel beside n is free.
   bool forced() const noexcept { return forced_; }
 
  private:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The table behind prune.hpp, made at compile time: for every arrival, its natural moves and, for each move that an
-// obstacle may force, the cells that prune the move if they are free.
+// The table behind prune.hpp, made at compile time. For every arrival, it has the natural moves and the moves that an
+// obstacle may force. For each of the latter, it has the cells that prune the move if they are free.
 #ifndef TERN_SEARCH_PRUNE_TABLE_HPP
 #define TERN_SEARCH_PRUNE_TABLE_HPP
 

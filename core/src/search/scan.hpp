@@ -21,7 +21,7 @@ constexpr std::int32_t kStopRegions = static_cast<std::int32_t>((kMaxCells + 102
 /// The data that scans read. It outlives a search: stops stay as long as the map around them stays the same.
 struct ScanMap {
   bool kept;   ///< the stops belong to a map whose regions had the numbers in `contents`
-  Voxel dims;  ///< of that map
+  Voxel dims;  ///< dimensions of that map
   std::uint64_t contents[kStopRegions];
   JumpStopLayer along[3];
 };

@@ -19,8 +19,8 @@
 
 namespace tern {
 
-/// Bound on the units of one search. Expansions alone stay below it: the heuristic is consistent, so the cost of a node
-/// is final when the node is first expanded, and it is expanded again only after an arrival by another of the 26 moves.
+/// Bound on the units of one search. Expansions alone stay below it. The heuristic is consistent, so the cost of a node
+/// is final when the node is first expanded. It is expanded again only after an arrival by another of the 26 moves.
 /// Outdated entries of the open list and the sorting of bins take units too, and have no such bound: a node may be
 /// improved many times before it is expanded. So search_expand counts its units, and gives up at the bound.
 constexpr std::uint32_t kExpansionBound =
