@@ -99,6 +99,24 @@ TEST(PathOpenList, TakesInTotalOrderWithKeysThatImprove) {
   EXPECT_GT(last, tern::Cost{100000} << tern::kCostFraction) << "the ring was not gone round";
 }
 
+/// Mirror images of a voxel about the goal, all as far from it: nothing but their order is left to decide.
+TEST(PathOpenList, TiesAreTakenInTheOrderOfTheirVoxels) {
+  Fixture f;
+  std::map<std::uint32_t, std::uint32_t> nodes;  // by voxel
+  for (const int k : {5, 2, 7, 0, 3, 6, 1, 4}) {
+    const Voxel voxel{kGoal.x + ((k & 1) != 0 ? 3 : -3), kGoal.y + ((k & 2) != 0 ? 2 : -2),
+                      kGoal.z + ((k & 4) != 0 ? 1 : -1)};
+    const std::uint32_t index = tern::store_find_or_add(*f.store, voxel);
+    tern::SearchNode& node = f.store->nodes[index];
+    node.g = tern::kStraightCost;
+    ASSERT_TRUE(
+        tern::open_put(*f.open, *f.store, index, tern::open_key(node.g, tern::octile(voxel, kGoal), node.voxel)));
+    nodes[node.voxel] = index;
+  }
+  tern::Cost cost = 0;
+  for (const auto& [voxel, node] : nodes) EXPECT_EQ(f.take(cost), node) << voxel;
+}
+
 TEST(PathOpenList, PutsBackWhatItTakes) {
   Fixture f;
   tern::Cost cost = 0;
