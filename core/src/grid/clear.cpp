@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether points and segments keep their clearance from the obstacle layer, read a word at a time: each run of obstacle
-// voxels along x is one box.
+// Checks whether points and segments keep their clearance from the obstacle layer. Reads the layer a word at a time:
+// each run of obstacle voxels along x is one box.
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"

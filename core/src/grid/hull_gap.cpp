@@ -127,7 +127,7 @@ HullGap hull_gap(const Hull& first, const Hull& second) noexcept {
     simplex.points[simplex.count++] = difference;
     if (holds_origin(simplex)) return gap;
     const Nearest nearest = nearest_face(simplex);
-    // Because of rounding, no step comes nearer any more.
+    // Ends once rounding keeps the steps from coming nearer.
     if (nearest.face.count == 4 || nearest.square >= norm * norm) return gap;
     toward = nearest.point;
     simplex = nearest.face;

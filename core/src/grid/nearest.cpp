@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The free voxel nearest to a point: rows along x in growing squares around the point's row, each read a word at a
-// time.
+// Finds the free voxel nearest to a point. Reads rows along x, a word at a time, in growing squares around the point's
+// row.
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"

@@ -21,7 +21,7 @@ std::int32_t floor_root(std::int32_t square) {
 std::int32_t largest_blocking_gap(const GridSpec& spec) {
   if (spec.clearance() <= kClearTolerance) return -1;
   const double cells = spec.clearance() / spec.cell;
-  // A gap counts as equal to the radius if it differs from it only by rounding, and does not block.
+  // A gap that differs from the radius only by rounding keeps the radius, so it does not block.
   return ceil_index(cells * cells * (1.0 - 2.0 * kLatticeTolerance), 1, kMaxDimension * kMaxDimension) - 1;
 }
 

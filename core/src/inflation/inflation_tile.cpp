@@ -248,7 +248,7 @@ void spread(InflationTile& tile) {
   if (!tile.apart) part_rows(tile, from, to);
 }
 
-/// Without a radius, obstacles block only themselves.
+/// Copies the obstacle rows into the tile. Without a radius, obstacles block only themselves.
 void copy_rows(const Grid& grid, InflationTile& tile) {
   for (std::int32_t r = 0; r < tile.rows; ++r) {
     const std::uint64_t* own = grid.obstacle_row(tile.y + r, tile.z) + tile.first;

@@ -149,7 +149,7 @@ Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t 
 }
 
 std::uint32_t MapState::make_pyramid_row(std::int64_t index) noexcept {
-  // All views of a frame have one size.
+  // All views of a frame have the same size.
   const std::int64_t per_view = pieces() / frame.view_count;
   const DepthPyramid& pyramid = frame.views[index / per_view].pyramid;
   std::int64_t row = index % per_view;

@@ -19,8 +19,8 @@ constexpr std::uint32_t kFaceRowEffort = 120;
 constexpr std::uint32_t kFacePixelEffort = 3;
 /// The depth of a pixel into which no beam has fallen.
 constexpr Depth kNoPoint = 32767;
-/// Outlines are widened by this many pixels, as an angle. Nothing in a pixel is further from a beam in it: its diagonal
-/// is at most 1.246 pixels, measured as scan_pixel is.
+/// Outlines are widened by this many pixels, as an angle. No point of a pixel is further than that from a beam in the
+/// same pixel. The diagonal of a pixel is at most 1.246 pixels, in the measure of scan_pixel.
 constexpr double kReach = 1.25;
 /// Between thin beams half a pixel apart, a surface can be nearer to the sensor than the beams show. The difference is
 /// at most this part of its distance for each radian of scan_pixel: sqrt(3) times half a diagonal of the beams'
@@ -53,13 +53,13 @@ View face_view(const MapState& state, int f, const Vec3& origin) {
   return view;
 }
 
-/// The vectors from the sensor to four points, and what they mean. Single precision is enough: depths are rounded
+/// The vectors from the sensor to four points, and what each ray shows. Single precision is enough: depths are rounded
 /// towards the sensor, and a point is off by less than a ten thousandth of a pixel.
 struct FourRays {
   Four axes[3];
   Four returned;   ///< 1 if something sent the beam back, else 0
-  Four most;       ///< metres that it can show as free
-  FourInts depth;  ///< up to which it is certainly free, in units
+  Four most;       ///< the most metres that the ray can show as free
+  FourInts depth;  ///< depth up to which the ray is certainly free, in units
   FourInts hits;   ///< not 0 if the point is within the range
 };
 

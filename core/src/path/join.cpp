@@ -43,7 +43,7 @@ bool is_candidate(const Join& join, const Grid& grid, const Voxel& voxel, const 
   return grid.free(voxel) && !same(voxel, join.home) && (!beside || lies_beside(grid, voxel, point));
 }
 
-/// `beside`: collect only voxels whose closed cubes also contain the point.
+/// Collects the candidates. With `beside`, these are only voxels whose closed cubes also contain the point.
 void collect(Join& join, const Grid& grid, const Vec3& point, bool beside) {
   const Voxel home = join.home;
   for (int dz = -kJoinReach; dz <= kJoinReach; ++dz) {

@@ -81,8 +81,8 @@ void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const Sear
 /// kStartTooNarrow, kGoalTooNarrow, kNoPath, kNodesFull,
 /// kOpenFull, kJumpPointsFull or kBudgetSearch, with `out` undefined. Pass the same `out` in every call.
 ///
-/// Every leg lies in free voxels. The first and the last leg may not, if the exact start or goal is not in a free
-/// voxel. Such a leg leads to a free voxel near it along a line that keeps the radius.
+/// Every leg lies in free voxels, except the first or the last if the exact start or goal is not in a free voxel. Such
+/// a leg leads to a free voxel near it along a line that keeps the radius.
 Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept;
 
 }  // namespace tern
