@@ -32,10 +32,9 @@ function quadrotor(radius, palette) {
   return group;
 }
 
-/** What a lidar sees at most: the band of a sphere. */
+/** What a lidar sees at most: the band of a sphere. `fov`: across and up, rad. */
 function bandFaces({range, fov}) {
-  const high = (fov[1] * Math.PI) / 180;
-  const band = new THREE.SphereBufferGeometry(range, 48, 4, 0, 2 * Math.PI, 0.5 * (Math.PI - high), high);
+  const band = new THREE.SphereBufferGeometry(range, 48, 4, 0, 2 * Math.PI, 0.5 * (Math.PI - fov[1]), fov[1]);
   return band.rotateX(Math.PI / 2);
 }
 
@@ -43,11 +42,11 @@ function bandFaces({range, fov}) {
 function sensorVolume({range, fov}, palette, planes) {
   const group = new THREE.Group();
   const {faces, edges} = volumeMaterials(palette.sensor, 0.1, 0.8, planes);
-  if (fov[0] >= 360) {
+  if (fov[0] > Math.PI) {
     group.add(new THREE.Mesh(bandFaces({range, fov}), faces));
     return group;
   }
-  const [half, high] = fov.map((degrees) => range * Math.tan((degrees * Math.PI) / 360));
+  const [half, high] = fov.map((angle) => range * Math.tan(0.5 * angle));
   const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([a, b]) => new THREE.Vector3(range, a * half, b * high));
   const eye = new THREE.Vector3();
   const [triangles, ends] = [[], []];
