@@ -120,6 +120,10 @@ struct Fault {
 TEST(Scenario, ErrorsNameFileLineAndReason) {
   const Fault faults[] = {
       {"boundery 0 0 0 1 1 1\n", "map.txt:1: unknown record 'boundery'"},
+      {"cylinder 1 1 0.2 0 3\n",
+       "map.txt:1: unknown record 'cylinder': it belongs to a flight world, which `tern fly` reads"},
+      {"body_radius 0.2\n",
+       "map.txt:1: unknown record 'body_radius': it belongs to a flight world, which `tern fly` reads"},
       {"boundary 0 0 0 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 5"},
       {"boundary 0 0 0 1 1 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 7"},
       {"\n\nblock 0 0 0 1 1\n", "map.txt:3: 'block' needs 6 numbers, or 9 with a colour, found 5"},

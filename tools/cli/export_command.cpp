@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,7 @@
 #include "cli/warnings.hpp"
 #include "host/atomic_file.hpp"
 #include "host/export/export_proof.hpp"
+#include "host/export/held_end.hpp"
 #include "host/export/plan_export.hpp"
 #include "host/figures.hpp"
 #include "host/map/map_files.hpp"
@@ -58,14 +60,27 @@ std::string error_text(const tern::ExportError& error, bool has_yaw) {
   return all;
 }
 
+/// How long the plan lasts, and what becomes of the yaw plan after the trajectory's end.
+std::string end_text(const PlanResult& result) {
+  const double end = tern::duration(result.trajectory);
+  const std::string seconds = tern_host::fixed(end, 3) + " s";
+  if (result.yaw == nullptr) return seconds + ", no yaw planned";
+  if (tern_host::ends_at_rest(result.trajectory)) {
+    return seconds + ", then held until " + tern_host::fixed(tern_host::export_end(result), 3) +
+           " s, when the yaw plan ends";
+  }
+  const tern::YawSample nose = tern::evaluate(*result.yaw, end);
+  const double last = tern::evaluate(*result.yaw, tern::duration(*result.yaw)).angle;
+  return seconds + ", yaw as planned until then: the plan ends in motion, where the yaw is cut off at " +
+         brief(nose.angle) + " rad and " + brief(nose.yaw.rate) + " rad/s, on its way to " + brief(last) + " rad";
+}
+
 /// Plans with limits lowered by the reserve, writes the plan's forms, and proves them with the scenario's own limits.
 class Export {
  public:
   Export(const ExportOptions& options, const tern_host::Scenario& scenario, const PlanResult& result)
       : options_(options), scenario_(scenario), result_(result) {
-    text_ = scenario.name + ": " + std::to_string(result.trajectory.count) + " segments, " +
-            tern_host::fixed(tern::duration(result.trajectory), 3) + " s, " +
-            (result.yaw != nullptr ? "yaw as planned" : "no yaw planned") + "\n";
+    text_ = scenario.name + ": " + std::to_string(result.trajectory.count) + " segments, " + end_text(result) + "\n";
   }
 
   void add_raw() {
@@ -142,12 +157,21 @@ class Export {
   std::string text_;
 };
 
+/// `what` follows "must be".
+CLI::Validator positive(double most, const std::string& what) {
+  const auto check = [most, what](const std::string& text) {
+    double value = 0.0;
+    const bool is_number = tern_host::parse_number(text, value) == tern_host::NumberError::kNone;
+    return is_number && value > 0.0 && value <= most ? std::string() : "must be " + what;
+  };
+  return CLI::Validator(check, "");
+}
+
 void check_numbers(const ExportOptions& options) {
   for (const double x : options.origin) {
     if (!std::isfinite(x)) throw std::invalid_argument("--origin must be three finite numbers");
   }
   if (!std::isfinite(options.reserve)) throw std::invalid_argument("--reserve must be a finite number");
-  if (!std::isfinite(options.yaw_error)) throw std::invalid_argument("--yaw-error must be a finite number");
 }
 
 int export_plan(const ExportOptions& options) {
@@ -184,7 +208,7 @@ void add_judgement_options(CLI::App& command, ExportOptions& options) {
       ->type_name("PERCENT");
   command.add_option("--yaw-error", options.yaw_error, "How far a Crazyflie's yaw may be off the yaw plan")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber)
+      ->check(positive(std::numeric_limits<double>::max(), "a number of radians above 0"))
       ->type_name("RAD");
 }
 
@@ -208,7 +232,7 @@ void add_export_command(CLI::App& app, int& exit_status) {
   files->require_option(1, 0);
   command->add_option("--rate", options->rate, "Frames or points a second, of --mavlink and --multidof")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber)
+      ->check(positive(1000.0, "a number above 0, at most 1000"))
       ->type_name("HERTZ");
   add_judgement_options(*command, *options);
   command->add_option("--set", options->overrides, "Replace a setting of the scenario, e.g. --set yaw=motion")

@@ -78,6 +78,9 @@ int run(int argc, char** argv) {
       "`tern COMMAND --help` explains a command; docs/tools.md and docs/formats.md explain all of them.");
   app.set_version_flag("--version", version_text(), "Print version, capacity profile and configuration hash");
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App* command, const CLI::Error& error) {
+    return "tern: " + CLI::FailureMessage::simple(command, error);
+  });
   int exit_status = tern_cli::kExitOk;
   tern_cli::add_plan_command(app, exit_status);
   tern_cli::add_table_command(app, exit_status);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario_records.hpp"
 
+#include "host/flight/flight_world.hpp"
 #include "host/number.hpp"
 #include "host/via_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -81,7 +82,10 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
     return choose(*choice, words, place);
   }
   Setting* const setting = find(key);
-  if (setting == nullptr) throw ScenarioError(place, "unknown record " + quote(key));
+  if (setting == nullptr) {
+    const char* const hint = is_world_record(key) ? ": it belongs to a flight world, which `tern fly` reads" : "";
+    throw ScenarioError(place, "unknown record " + quote(key) + hint);
+  }
   if (setting->given) {
     throw ScenarioError(place, "'" + key + "' is given twice" + first_given(setting->place));
   }

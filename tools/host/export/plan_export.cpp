@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "host/export/held_end.hpp"
 #include "host/number.hpp"
 #include "tern/flatness.hpp"
 
@@ -24,12 +25,13 @@ void append_float(std::string& out, float value) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>(bits >> (8 * i) & 0xFF);
 }
 
-/// The times of setpoints as whole numbers of `tick` a second. The last one is not before the end of the plan.
+/// The times of setpoints as whole numbers of `tick` a second. The last one is not before the end of the export.
 std::vector<std::int64_t> stamps_of(const PlanResult& result, double rate, double tick) {
-  const double end = tern::duration(result.trajectory);
+  const double end = export_end(result);
   const double frames = std::ceil(end * rate) + 1.0;
   if (!(rate > 0.0) || !(rate <= 1000.0) || !(frames <= kMostFrames) || !(end <= kMostStamp / 1000.0 - 1.0)) {
-    throw std::invalid_argument("the rate must be at most 1000 a second, and make at most a million frames");
+    throw std::invalid_argument(
+        "the rate must be above 0 and at most 1000 a second, and make at most a million frames");
   }
   std::vector<std::int64_t> stamps;
   stamps.reserve(static_cast<std::size_t>(frames));
@@ -72,11 +74,15 @@ tern::ExportError rounding_of(const tern::Vec3& place, const tern::Vec3& origin)
 RawForm crazyflie_raw(const PlanResult& result, const tern::Vec3& origin) {
   RawForm form{std::vector<tern::Poly4d>(tern::kCrazyfliePieces), {}};
   std::int32_t count = 0;
-  if (tern::crazyflie_raw(result.trajectory, result.yaw.get(), origin, form.pieces.data(), tern::kCrazyfliePieces,
-                          count, form.error) != tern::Status::kOk) {
-    throw std::runtime_error("the plan has " + std::to_string(result.trajectory.count) +
-                             " segments; a Crazyflie's memory has room for " + std::to_string(tern::kCrazyfliePieces) +
-                             ". Plan shorter legs, or use the compressed form");
+  const tern::Trajectory held = held_trajectory(result);
+  if (tern::crazyflie_raw(held, result.yaw.get(), origin, form.pieces.data(), tern::kCrazyfliePieces, count,
+                          form.error) != tern::Status::kOk) {
+    const int holds = held.count - result.trajectory.count;
+    throw std::runtime_error(
+        "the plan has " + std::to_string(held.count) + " segments" +
+        (holds > 0 ? ", " + std::to_string(holds) + " of them to hold the position until the yaw plan ends" : "") +
+        "; a Crazyflie's memory has room for " + std::to_string(tern::kCrazyfliePieces) +
+        ". Plan shorter legs, or use the compressed form");
   }
   form.pieces.resize(static_cast<std::size_t>(count));
   return form;
@@ -114,8 +120,8 @@ CompressedForm crazyflie_compressed(const PlanResult& result, const tern::Vec3& 
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(room));
   std::int32_t used = 0;
   CompressedForm form{};
-  if (tern::crazyflie_compressed(result.trajectory, result.yaw.get(), origin, bytes.data(), room, used, form.error) !=
-      tern::Status::kOk) {
+  if (tern::crazyflie_compressed(held_trajectory(result), result.yaw.get(), origin, bytes.data(), room, used,
+                                 form.error) != tern::Status::kOk) {
     throw std::runtime_error(
         "the plan does not fit the compressed form: coordinates must lie within 32.767 m of the origin (see --origin), "
         "and every segment must last 0.001 to 65.535 s");

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Files for flight stacks, and how far what they say is from the plan. `origin` is the point of the world, metres in
-// its axes, that becomes 0 in a file. Functions throw std::runtime_error if a plan does not fit a form.
+// its axes, that becomes 0 in a file. Files end at export_end() (held_end.hpp). Functions throw std::runtime_error if a
+// plan does not fit a form.
 #ifndef TERN_HOST_EXPORT_PLAN_EXPORT_HPP
 #define TERN_HOST_EXPORT_PLAN_EXPORT_HPP
 
@@ -34,7 +35,7 @@ struct CompressedForm {
 };
 CompressedForm crazyflie_compressed(const PlanResult& result, const tern::Vec3& origin);
 
-/// Setpoints at a rate, from 0 to the end of the plan. They are those of the times that the file says.
+/// Setpoints at a rate, from 0 to export_end(). They are those of the times that the file says.
 struct SetpointStream {
   std::string content;
   int count;
