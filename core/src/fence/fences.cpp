@@ -163,20 +163,9 @@ double least_over(const Box& box, const Vec3& normal) {
   return dot(normal, corner);
 }
 
-}  // namespace
-
-void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
-  for (int a = 0; a < 3; ++a) {
-    out[2 * a] = {{0.0, 0.0, 0.0}, axis(box.upper, a)};
-    out[2 * a + 1] = {{0.0, 0.0, 0.0}, -axis(box.lower, a)};
-    axis(out[2 * a].normal, a) = 1.0;
-    axis(out[2 * a + 1].normal, a) = -1.0;
-  }
-}
-
-FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
-  const FenceFault fault = find_fence_fault(list, count, grid.spec());
-  if (fault.status != Status::kOk) return fault;
+/// Loads fences that find_fence_fault() has accepted. Not inlined: the stack of the two would add up.
+__attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence* list, std::int32_t count,
+                                                   Fences& fences) {
   fences.keep_in_count = 0;
   fences.keep_out_count = 0;
   fences.plane_count = 0;
@@ -191,7 +180,23 @@ FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, 
     const Status status = load_keep_out(grid, around, list[i], i, fences);
     if (status != Status::kOk) return {status, i};
   }
-  return fault;
+  return {Status::kOk, kNoFence};
+}
+
+}  // namespace
+
+void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    out[2 * a] = {{0.0, 0.0, 0.0}, axis(box.upper, a)};
+    out[2 * a + 1] = {{0.0, 0.0, 0.0}, -axis(box.lower, a)};
+    axis(out[2 * a].normal, a) = 1.0;
+    axis(out[2 * a + 1].normal, a) = -1.0;
+  }
+}
+
+FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Fences& fences) noexcept {
+  const FenceFault fault = find_fence_fault(list, count, grid.spec());
+  return fault.status == Status::kOk ? load_accepted(grid, list, count, fences) : fault;
 }
 
 std::int32_t fence_broken(const Fences& fences, const Vec3& from, const Vec3& to, double radius) noexcept {
