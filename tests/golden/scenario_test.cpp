@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What scenarios ask the planner has the same bits on every machine: random worlds as scenarios, their grids and ends.
+#include "host/scenario.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +11,6 @@
 #include "host/flight/family_scenario.hpp"
 #include "host/flight/world_family.hpp"
 #include "host/map/scenario_grid.hpp"
-#include "host/scenario.hpp"
 
 namespace {
 
