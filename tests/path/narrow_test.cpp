@@ -33,7 +33,8 @@ struct NarrowRoom {
 
   /// Nothing but a slab with the point in its middle, askew along the axes but for one. Its width is in cells.
   NarrowRoom(const tern::GridSpec& grid, int level, double width) : spec(grid) {
-    point = spec.origin + spec.cell * Vec3{8.1, 8.1, 8.1};
+    const double middle_cell = 0.5 * spec.dims.x + 0.1;
+    point = spec.origin + spec.cell * Vec3{middle_cell, middle_cell, middle_cell};
     Vec3 normal{1.0, 1.0, 1.0};
     tern::axis(normal, level) = 0.0;
     const double middle = tern::dot(normal, point);
@@ -122,7 +123,8 @@ TEST(PathNarrow, TheResolutionThatIsNamedWouldDo) {
 }
 
 /// Voxels may not be smaller than a micrometre, nor so small that the radius is wider than any grid or that doubles do
-/// not tell them apart. If a voxel of a 64th of the size would not do, none is named.
+/// not tell them apart. None is named either where a grid would have too many voxels, or where those of a 64th of the
+/// size would not do.
 TEST(PathNarrow, NoResolutionIsNamedThatNoGridCanHave) {
   std::unique_ptr<unsigned char[]> memory(new unsigned char[tern::kWorkspaceBytes]);
   tern::Planner planner(memory.get(), tern::kWorkspaceBytes);
@@ -135,6 +137,9 @@ TEST(PathNarrow, NoResolutionIsNamedThatNoGridCanHave) {
   };
   EXPECT_GT(named(0.25, 0.1, {}, 0, kWidth), 0.0);
   EXPECT_EQ(named(0.25, 0.1, {}, 0, 1e-3), 0.0);
+  const tern::GridSpec small = whole_grid({2, 2, 2}, 0.25, 0.1, {});
+  EXPECT_EQ(answer(planner, NarrowRoom(small, 0, 0.05), 0.25).finer_cell, 0.25 / 64.0);
+  EXPECT_EQ(answer(planner, NarrowRoom(small, 0, 1e-3), 0.25).finer_cell, 0.0);
   EXPECT_GT(named(0.25, 0.25 * tern::kMaxDimension / 8.0, {}, 0, kWidth), 0.0);
   EXPECT_EQ(named(0.25, 0.26 * tern::kMaxDimension / 2.0, {}, 0, kWidth), 0.0);
   EXPECT_GT(named(8e-6, 1e-6, {}, 0, kWidth), 0.0);
