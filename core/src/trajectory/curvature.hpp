@@ -20,6 +20,7 @@ struct Curvature {
   double factor[kTriangle];  ///< Cholesky's factor that the last newton_step used
 };
 
+/// The sum of a[i] * b[i] for i < count, in the order of i.
 inline double sum_of_products(const double* a, const double* b, int count) {
   double sum = 0.0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];

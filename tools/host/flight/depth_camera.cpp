@@ -10,11 +10,6 @@
 namespace tern_host {
 namespace {
 
-/// Depth that a ray is followed to, in ranges.
-constexpr double kFarther = 1.5;
-/// Depth of an outlier at least, metres.
-constexpr double kNearestOutlier = 0.1;
-
 tern::DepthView view_of(const FlightSettings& s, const float* depths) {
   tern::DepthView view{};
   view.z32 = depths;

@@ -13,12 +13,8 @@ namespace tern_host {
 namespace {
 
 constexpr double kFullTurn = 6.28318530717958648;
-/// Distance that a beam is followed to, in ranges.
-constexpr double kBeyondRange = 1.5;
 /// From this distance on nothing comes back, in ranges.
 constexpr double kNoReturn = 1.35;
-/// Distance of an outlier at least, metres.
-constexpr double kNearestFalse = 0.1;
 
 /// Beams in rows of equal height around the lidar.
 struct BeamGrid {
@@ -48,7 +44,7 @@ float range_of(double length, double sensor_range) {
 std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& beams, const tern::Vec3& eye,
                                      Noise& noise) {
   const FlightSettings& s = world.settings;
-  const double far = kBeyondRange * s.sensor_range;
+  const double far = kFarther * s.sensor_range;
   const double aside = std::tan(0.5 * kFullTurn / beams.columns);
   std::vector<double> lengths(beams.count());
   for (int c = 0; c < beams.columns; ++c) {
@@ -56,7 +52,7 @@ std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& b
     for (int r = 0; r < beams.rows; ++r) {
       double length = column.distance(0, -std::tan(beams.elevation(r + 1)), -std::tan(beams.elevation(r)));
       if (s.depth_noise > 0.0) length *= 1.0 + noise.within(-s.depth_noise, s.depth_noise);
-      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestFalse, far);
+      if (s.outliers > 0.0 && noise.chance(s.outliers)) length = noise.within(kNearestOutlier, far);
       lengths[beams.index(c, r)] = length;
     }
   }

@@ -8,6 +8,11 @@
 
 namespace tern_host {
 
+/// How far simulated rays and beams are followed, in ranges.
+constexpr double kFarther = 1.5;
+/// The least depth or distance of an outlier, metres.
+constexpr double kNearestOutlier = 0.1;
+
 /// Uniform numbers that are the same on every platform.
 class Noise {
  public:

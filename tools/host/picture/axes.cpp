@@ -98,6 +98,10 @@ void draw_grid(Canvas& canvas, const Axes& axes) {
   }
 }
 
+void draw_level(Canvas& canvas, const Axes& axes, double value, const std::string& style) {
+  canvas.line(axes.at(axes.horizontal.low, value), axes.at(axes.horizontal.high, value), style);
+}
+
 void draw_frame(Canvas& canvas, const Axes& axes, const std::string& horizontal_title,
                 const std::string& vertical_title) {
   const Rect& frame = axes.frame;

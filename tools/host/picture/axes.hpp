@@ -32,7 +32,9 @@ std::vector<double> ticks(const AxisRange& range, double wanted);
 
 /// Grid lines below the data.
 void draw_grid(Canvas& canvas, const Axes& axes);
-/// Frame, tick labels and axis titles above it.
+/// A line across the frame at a vertical value.
+void draw_level(Canvas& canvas, const Axes& axes, double value, const std::string& style);
+/// Frame, tick labels and axis titles above the data.
 void draw_frame(Canvas& canvas, const Axes& axes, const std::string& horizontal_title,
                 const std::string& vertical_title);
 

@@ -54,10 +54,6 @@ void draw_curve(Canvas& canvas, const Axes& axes, const std::vector<double>& val
   canvas.polyline(points, curve_style(colour));
 }
 
-void draw_heading_level(Canvas& canvas, const Axes& axes, double value, const std::string& style) {
-  canvas.line(axes.at(0.0, value), axes.at(axes.horizontal.high, value), style);
-}
-
 LegendEntry entry(const std::string& name, double peak, double limit, const char* unit, const char* colour) {
   return line_entry(name + " " + fixed(peak, 2) + " of " + fixed(limit, 2) + " " + unit, curve_style(colour));
 }
@@ -107,10 +103,10 @@ void draw_turning_profile(Canvas& canvas, const Rect& frame, const PlanResult& r
   const Axes axes{plot, {0.0, tern::duration(*result.yaw)}, {-most, most}};
   canvas.begin_clipped(plot);
   draw_grid(canvas, axes);
-  draw_heading_level(canvas, axes, 0.0, "class=\"zero\"");
+  draw_level(canvas, axes, 0.0, "class=\"zero\"");
   for (const double sign : {-1.0, 1.0}) {
-    draw_heading_level(canvas, axes, sign * wish.rate_max, limit_style(kRateColour));
-    draw_heading_level(canvas, axes, sign * wish.acceleration_max, limit_style(kAccelerationColour));
+    draw_level(canvas, axes, sign * wish.rate_max, limit_style(kRateColour));
+    draw_level(canvas, axes, sign * wish.acceleration_max, limit_style(kAccelerationColour));
   }
   draw_curve(canvas, axes, sampled(*result.yaw, acceleration_of), kAccelerationColour);
   draw_curve(canvas, axes, sampled(*result.yaw, rate_of), kRateColour);

@@ -57,10 +57,6 @@ void draw_curve(Canvas& canvas, const Axes& axes, const Curves& curves, int inde
   canvas.polyline(points, style);
 }
 
-void draw_level(Canvas& canvas, const Axes& axes, double value, const std::string& style) {
-  canvas.line(axes.at(axes.horizontal.low, value), axes.at(axes.horizontal.high, value), style);
-}
-
 const char* colour_of(int index) {
   return index < kHorizontal ? kAxisColours[index] : kHorizontalColour;
 }
