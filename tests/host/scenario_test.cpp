@@ -112,6 +112,8 @@ TEST(Scenario, NumbersDoNotFollowTheLocale) {
   if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed; read in the C locale only";
 }
 
+const std::string hint = " in a scenario; `tern fly` reads flight worlds";
+
 struct Fault {
   const char* text;
   const char* message;
@@ -119,11 +121,7 @@ struct Fault {
 
 TEST(Scenario, ErrorsNameFileLineAndReason) {
   const Fault faults[] = {
-      {"boundery 0 0 0 1 1 1\n", "map.txt:1: unknown record 'boundery'"},
-      {"cylinder 1 1 0.2 0 3\n",
-       "map.txt:1: unknown record 'cylinder': it belongs to a flight world, which `tern fly` reads"},
-      {"body_radius 0.2\n",
-       "map.txt:1: unknown record 'body_radius': it belongs to a flight world, which `tern fly` reads"},
+      {"boundery 0 0 0 1 1 1\n", "map.txt:1: unknown record 'boundery' in a scenario; `tern fly` reads flight worlds"},
       {"boundary 0 0 0 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 5"},
       {"boundary 0 0 0 1 1 1 1\n", "map.txt:1: 'boundary' needs 6 numbers, found 7"},
       {"\n\nblock 0 0 0 1 1\n", "map.txt:3: 'block' needs 6 numbers, or 9 with a colour, found 5"},
@@ -173,8 +171,8 @@ TEST(Scenario, TruncatedRightBeforeTheEndIsAnError) {
 TEST(Scenario, HostileWordsAreQuotedShortAndPrintable) {
   const std::string message = error_of("a\x1b[31m\n");
   EXPECT_EQ(message, "map.txt:1: not a text file: byte 27");
-  EXPECT_EQ(error_of("\xff\xfd\n"), "map.txt:1: unknown record '\?\?'");
-  EXPECT_EQ(error_of(std::string(1000, 'k')), "map.txt:1: unknown record '" + std::string(40, 'k') + "...'");
+  EXPECT_EQ(error_of("\xff\xfd\n"), "map.txt:1: unknown record '\?\?'" + hint);
+  EXPECT_EQ(error_of(std::string(1000, 'k')), "map.txt:1: unknown record '" + std::string(40, 'k') + "...'" + hint);
   EXPECT_EQ(error_of(std::string("goal\0 1 1 1\n", 12)), "map.txt:1: not a text file: byte 0");
 }
 

@@ -47,7 +47,7 @@ SKIPPED = 77  # the exit status of a test that cannot run here
 class Browser:
     """One tab of one browser. `faults` are what its console has as errors, and exceptions that nobody caught."""
 
-    def __init__(self, program, timeout=60, flags=()):
+    def __init__(self, program, timeout=180, flags=()):
         self.timeout = timeout
         self.number = 0
         self.unread = b""

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/scenario_records.hpp"
 
-#include "host/flight/flight_world.hpp"
 #include "host/number.hpp"
 #include "host/via_record.hpp"
 #include "host/yaw/yaw_units.hpp"
@@ -83,8 +82,7 @@ void ScenarioBuilder::add(const std::vector<std::string>& words, const Place& pl
   }
   Setting* const setting = find(key);
   if (setting == nullptr) {
-    const char* const hint = is_world_record(key) ? ": it belongs to a flight world, which `tern fly` reads" : "";
-    throw ScenarioError(place, "unknown record " + quote(key) + hint);
+    throw ScenarioError(place, "unknown record " + quote(key) + " in a scenario; `tern fly` reads flight worlds");
   }
   if (setting->given) {
     throw ScenarioError(place, "'" + key + "' is given twice" + first_given(setting->place));

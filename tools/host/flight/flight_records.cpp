@@ -243,10 +243,6 @@ void replace_settings(const std::vector<std::string>& overrides, FlightWorld& wo
 
 }  // namespace
 
-bool is_world_record(const std::string& key) {
-  return setters().count(key) != 0 || key == "cylinder" || key == "appear" || key == "via_policy";
-}
-
 FlightSettings flight_settings(const std::vector<std::string>& overrides, const FlightSettings& defaults) {
   FlightWorld world;
   world.settings = defaults;

@@ -134,9 +134,6 @@ FlightWorld with_appeared(FlightWorld world, const std::vector<Appearance>& appe
 /// commas between numbers, and win. Throws RecordError.
 FlightWorld read_flight_world(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Is it a setting of a flight world, or another record that scenarios lack?
-bool is_world_record(const std::string& key);
-
 /// `defaults` with `overrides`, for what has no world. Throws RecordError.
 FlightSettings flight_settings(const std::vector<std::string>& overrides, const FlightSettings& defaults = {});
 
