@@ -27,8 +27,14 @@ def environment(core):
 
 
 def passes(words, core, seconds):
+    return run(words, environment(core), seconds, subprocess.DEVNULL) == "passes"
+
+
+def run(words, variables, seconds, output):
+    """Runs a test program. `output` receives what it prints. Returns how it ended."""
     try:
-        return subprocess.run(words, cwd=words[0].parent, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              env=environment(core), timeout=seconds).returncode == 0
+        status = subprocess.run(words, cwd=words[0].parent, stdout=output, stderr=subprocess.STDOUT, env=variables,
+                                timeout=seconds).returncode
     except subprocess.TimeoutExpired:
-        return False
+        return f"ended after {seconds:.0f} s"
+    return "passes" if status == 0 else f"ends with status {status}"
