@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/yaw/yaw_units.hpp"
+
 namespace tern_host {
 namespace {
 
@@ -17,7 +19,6 @@ constexpr double kMostVoxels = 6.0;  // that the operator knows beyond the radiu
 constexpr double kKeptVoxels = 2.0;  // and that a vehicle needs beyond it to leave the ball
 constexpr double kStepVoxels = 2.0;  // from one ball to the next
 constexpr int kDirections = 16;
-constexpr double kTurn = 6.28318530717958648;
 
 bool overlap(const Box& a, const Box& b) {
   return a.lower.x < b.upper.x && b.lower.x < a.upper.x && a.lower.y < b.upper.y && b.lower.y < a.upper.y &&

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "host/flight/flight_world.hpp"
+#include "host/yaw/yaw_units.hpp"
 #include "tern/flight.hpp"
 
 namespace tern_host {
@@ -22,7 +23,6 @@ class Gimbal {
 
   /// Chooses how fast to turn until the next tick.
   void turn_to(const tern::Command& command) {
-    constexpr double kTurn = 6.28318530717958648;
     constexpr double kLeastLook = 0.4;  // metres: nearer points say nothing about where to look
     const double x = command.look_at.x - command.sample.position.x;
     const double y = command.look_at.y - command.sample.position.y;

@@ -8,22 +8,22 @@
 
 #include "host/flight/pixel_columns.hpp"
 #include "host/flight/speckle_filter.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
 
-constexpr double kFullTurn = 6.28318530717958648;
 /// From this distance on nothing comes back, in ranges.
 constexpr double kNoReturn = 1.35;
 
 /// Beams in rows of equal height around the lidar.
 struct BeamGrid {
   explicit BeamGrid(const FlightSettings& s)
-      : columns(static_cast<int>(std::ceil(kFullTurn / (0.5 * s.scan_pixel)))),
+      : columns(static_cast<int>(std::ceil(kTurn / (0.5 * s.scan_pixel)))),
         rows(static_cast<int>(std::ceil(s.fov_vertical / (0.5 * s.scan_pixel)))),
         lowest(-0.5 * s.fov_vertical),
         high(s.fov_vertical / rows) {}
-  double azimuth(double column) const { return kFullTurn * column / columns; }
+  double azimuth(double column) const { return kTurn * column / columns; }
   double elevation(double row) const { return lowest + high * row; }
   std::size_t count() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns + column); }
@@ -45,7 +45,7 @@ std::vector<double> measured_lengths(const FlightWorld& world, const BeamGrid& b
                                      Noise& noise) {
   const FlightSettings& s = world.settings;
   const double far = kFarther * s.sensor_range;
-  const double aside = std::tan(0.5 * kFullTurn / beams.columns);
+  const double aside = std::tan(0.5 * kTurn / beams.columns);
   std::vector<double> lengths(beams.count());
   for (int c = 0; c < beams.columns; ++c) {
     const PixelColumns column(world, eye, beams.azimuth(c + 0.5), far, {-aside, aside});

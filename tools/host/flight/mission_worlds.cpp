@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "host/text_records.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
-
-constexpr double kWholeTurn = 6.28318530717958648;
 
 struct Place2 {
   double x, y;
@@ -59,7 +58,7 @@ struct Gate {
 /// Gate k of a lap, in its part of a bent oval.
 Gate gate_of_lap(int k, int gates, Noise& random) {
   constexpr double kHalfWidth = 1.2;
-  const double angle = kWholeTurn * (k + random.within(0.3, 0.7)) / gates;
+  const double angle = kTurn * (k + random.within(0.3, 0.7)) / gates;
   const double wide = random.within(0.85, 1.1);
   const Place2 at{14.0 * wide * std::cos(angle), 9.0 * wide * std::sin(angle)};
   const double ahead = std::atan2(9.0 * std::cos(angle), -14.0 * std::sin(angle)) + random.within(-0.3, 0.3);
@@ -94,7 +93,7 @@ std::string inspection(Noise& random) {
   std::vector<Place2> places{{-14.0, 0.0}};
   std::string vias;
   for (int k = 0; k < kViews; ++k) {
-    const double angle = 0.5 * kWholeTurn + kWholeTurn * k / kViews;
+    const double angle = 0.5 * kTurn + kTurn * k / kViews;
     const Place2 at{away * std::cos(angle), away * std::sin(angle)};
     places.push_back(at);
     vias += record_line("via", {at.x, at.y, random.within(1.5, 3.0), 0.3});

@@ -8,11 +8,11 @@
 #include "flight/flight_state.hpp"
 #include "host/flight/full_knowledge.hpp"
 #include "host/number.hpp"
+#include "host/yaw/yaw_units.hpp"
 
 namespace tern_host {
 namespace {
 
-constexpr double kTurn = 6.28318530717958648;
 constexpr double kPlanStep = 0.1;     ///< seconds between points of a plan
 constexpr int kMostPoints = 1000;     ///< of a plan
 constexpr double kMostRows = 6000.0;  ///< of the motion

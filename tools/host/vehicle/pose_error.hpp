@@ -8,6 +8,7 @@
 
 #include "host/flight/noise.hpp"
 #include "host/vehicle/smooth_error.hpp"
+#include "host/yaw/yaw_units.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern_host {
@@ -41,7 +42,7 @@ class PoseError {
     if (number % 2 == 0) return {};
     Noise random(seed_ * 1000003 + number);
     const double z = random.within(-1.0, 1.0);
-    const double angle = random.within(0.0, 6.28318530717958648);
+    const double angle = random.within(0.0, kTurn);
     const double flat = jumps_.size * std::sqrt(1.0 - z * z);
     return {flat * std::cos(angle), flat * std::sin(angle), jumps_.size * z};
   }

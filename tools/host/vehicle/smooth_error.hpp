@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host/flight/noise.hpp"
+#include "host/yaw/yaw_units.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern_host {
@@ -14,7 +15,7 @@ namespace tern_host {
 class SmoothError {
  public:
   SmoothError(double bound, Noise& noise) : size_(bound / std::sqrt(3.0)) {
-    for (Wave& wave : waves_) wave = {noise.within(0.5, 3.0), noise.within(0.0, 6.28318530717958648)};
+    for (Wave& wave : waves_) wave = {noise.within(0.5, 3.0), noise.within(0.0, kTurn)};
   }
   tern::Vec3 at(double t) const { return {waves_[0].at(t) * size_, waves_[1].at(t) * size_, waves_[2].at(t) * size_}; }
   tern::Vec3 rate_at(double t) const {

@@ -5,11 +5,12 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 
+#include "host/yaw/yaw_units.hpp"
+
 namespace tern_host {
 namespace {
 
 constexpr double kGustTime = 1.5;  // seconds over which gusts are alike
-constexpr double kTurn = 6.28318530717958648;
 
 }  // namespace
 

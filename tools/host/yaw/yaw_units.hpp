@@ -11,7 +11,9 @@
 
 namespace tern_host {
 
-/// One turn, rad, with room for 6.2832.
+/// One turn, rad.
+constexpr double kTurn = 6.28318530717958648;
+/// One turn in a file, rad, with room for 6.2832.
 constexpr double kMostYaw = 6.2832;
 /// 1800 degrees a second, rad/s: what autopilots allow at most.
 constexpr double kMostYawRate = 31.416;
