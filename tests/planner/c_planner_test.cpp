@@ -72,6 +72,25 @@ TEST(CPlanner, PlansInSlicesAsInOneCallAndAsInCpp) {
   }
 }
 
+TEST(CPlanner, FindsARouteAlone) {
+  PlannerInC c;
+  ASSERT_EQ(c.plan(), kOk);
+  const std::int32_t count = tern_path(&c.planner, nullptr, 0);
+  ASSERT_GT(count, 2);
+  std::vector<tern_vec3> planned(static_cast<std::size_t>(count));
+  ASSERT_EQ(tern_path(&c.planner, planned.data(), count), count);
+  ASSERT_EQ(tern_route(&c.planner, &c.grid, &c.request, &c.report), kOk);
+  std::vector<tern_vec3> alone(planned.size());
+  ASSERT_EQ(tern_path(&c.planner, alone.data(), count), count);
+  EXPECT_EQ(std::memcmp(alone.data(), planned.data(), sizeof(tern_vec3) * alone.size()), 0);
+  ASSERT_EQ(tern_route_begin(&c.planner, &c.grid, &c.request), kRunning);
+  EXPECT_EQ(tern_path(&c.planner, alone.data(), count), 0);
+  while (tern_plan_step(&c.planner, 3) == kRunning) {
+  }
+  EXPECT_EQ(tern_route_finish(&c.planner, &c.report), kOk);
+  EXPECT_EQ(tern_path(&c.planner, nullptr, count), count);
+}
+
 TEST(CPlanner, ChangesItsGrid) {
   PlannerInC c;
   ASSERT_EQ(c.plan(), kOk);
@@ -138,6 +157,16 @@ TEST(CPlanner, RefusesNullPointers) {
   EXPECT_EQ(tern_plan_finish(nullptr, &c.trajectory, &c.report), kInvalid);
   EXPECT_EQ(tern_plan_finish(&c.planner, nullptr, &c.report), kInvalid);
   EXPECT_EQ(tern_plan_finish(&c.planner, &c.trajectory, nullptr), kInvalid);
+  EXPECT_EQ(tern_route(nullptr, &c.grid, &c.request, &c.report), kInvalid);
+  EXPECT_EQ(tern_route(&c.planner, nullptr, &c.request, &c.report), kInvalid);
+  EXPECT_EQ(tern_route(&c.planner, &c.grid, nullptr, &c.report), kInvalid);
+  EXPECT_EQ(tern_route(&c.planner, &c.grid, &c.request, nullptr), kInvalid);
+  EXPECT_EQ(tern_route_begin(nullptr, &c.grid, &c.request), kInvalid);
+  EXPECT_EQ(tern_route_begin(&c.planner, nullptr, &c.request), kInvalid);
+  EXPECT_EQ(tern_route_begin(&c.planner, &c.grid, nullptr), kInvalid);
+  EXPECT_EQ(tern_route_finish(nullptr, &c.report), kInvalid);
+  EXPECT_EQ(tern_route_finish(&c.planner, nullptr), kInvalid);
+  EXPECT_EQ(tern_path(nullptr, nullptr, 0), 0);
   tern_request_init(nullptr);
   EXPECT_EQ(c.plan(), kOk);
 }

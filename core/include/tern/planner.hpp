@@ -61,6 +61,12 @@ class Planner {
   ///
   /// The grid must not change before finish(). If it does, the next step() answers kMapChanged.
   Status begin(const Grid& grid, const Request& request) noexcept;
+  /// As begin(), for a request without a previous plan. The optimiser begins at the durations of `pace`, wherever that
+  /// leads nearly the same way: this saves work, and the plan is another one than without. `pace` is a plan that passes
+  /// the requested start `pace_time` seconds after its beginning; it is read at once and never followed. Answers
+  /// kInvalidArgument, field kPrevious, if there is a previous plan, `pace` is no trajectory, or `pace_time` is
+  /// negative or not finite.
+  Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
   /// Continues the plan for at most `work` units. kRunning: there is more to do. Any other answer is the answer of the
   /// plan: call finish(). kInvalidArgument if no plan was begun.
   ///
@@ -74,26 +80,38 @@ class Planner {
   /// kInvalidArgument, field kCallOrder.
   Status finish(Trajectory& trajectory, Report& report) noexcept;
 
+  /// Finds a path alone, in one call: the path() of a plan that begins and ends at rest. It takes a small part of a
+  /// plan's work. Of the request, it reads positions, fences, vias, goal mode, search mode and budget. The limits must
+  /// be valid, but like motion and dwells they change nothing; the previous plan is ignored. With kOk, path() is the
+  /// path. `report` is always filled in. Its quality is kNone, and its last stage is kShortcut.
+  Status route(const Grid& grid, const Request& request, Report& report) noexcept;
+  /// Begins to find a path in slices: call begin_route() once, step() until it no longer answers kRunning, then
+  /// finish_route(). The path has the same bits as that of route(). Answers and duties are those of begin().
+  Status begin_route(const Grid& grid, const Request& request) noexcept;
+  /// Ends it and fills in `report`. If you call it before step() is done, or after begin() instead of begin_route(), it
+  /// abandons what was begun and answers kInvalidArgument, field kCallOrder. So does finish() after begin_route().
+  Status finish_route(Report& report) noexcept;
+
   /// The stage that the next unit of work belongs to, or the last one of a plan that is done. kRequest if no plan was
   /// begun. Units of different stages take different times: a unit of kSearch takes the least, one of kCorridor up
   /// to fifty times as long.
   Stage stage() const noexcept;
 
-  /// The path of the last plan, in the grid's local frame, for displays and logs. Null if the plan has none. If the
-  /// plan stops first (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid
-  /// until the next begin() or plan().
+  /// The path of the last plan or route, in the grid's local frame. Null if it has none. If the plan stops first
+  /// (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the next
+  /// plan or route begins.
   const Path* path() const noexcept;
   /// The corridor of the last plan: frame, lifetime and null as for path(). Segment::polyhedron is an index into it. If
   /// the plan stops first, it begins with the polyhedra of that stop.
   const Corridor* corridor() const noexcept;
 
  private:
-  friend class FlightState;  // charges the work of units, and lets the committed plan set the pace
+  friend class FlightState;  // charges the work of units
 
   uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
-  void set_pace(const Trajectory& plan, double from) noexcept;
-  const Plan& plan_at_hand() const noexcept;
-  Plan& plan_at_hand() noexcept;
+  Status refuse(Report& report) noexcept;
+  const Plan& current_plan() const noexcept;
+  Plan& current_plan() noexcept;
 
   void* workspace_;  // aligned; null if the memory or the configuration is refused
   bool same_configuration_;

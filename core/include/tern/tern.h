@@ -347,6 +347,18 @@ uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
 /* Ends the plan and fills `report`. With ok, `trajectory` is the plan; with any other answer, it is unchanged. If you
  * call it too early, it abandons the plan and answers invalid_argument, field "call order". */
 uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory, tern_report* report);
+/* Finds a path alone, in one call: tern::Planner::route(). With ok, tern_path() gives it out. `report` is always filled
+ * in, unless a pointer is null. */
+uint8_t tern_route(tern_planner* planner, const tern_grid* grid, const tern_request* request, tern_report* report);
+/* Begins a route in slices; duties and answers are those of tern_plan_begin(). tern_plan_step() continues it. */
+uint8_t tern_route_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request);
+/* Ends the route and fills `report`. If you call it too early, or after tern_plan_begin(), it abandons what was begun
+ * and answers invalid_argument, field "call order". */
+uint8_t tern_route_finish(tern_planner* planner, tern_report* report);
+/* Copies the first `room` waypoints of the last route's or plan's path, metres, relative to the grid's origin. Returns
+ * how many the path has: at most TERN_MAX_SEGMENTS + 1, and 0 if there is none. `points` may be null if room is 0. Call
+ * it before the planner's next plan or route. */
+int32_t tern_path(const tern_planner* planner, tern_vec3* points, int32_t room);
 
 /* The trajectory's duration in seconds. 0 for null. */
 double tern_duration(const tern_trajectory* trajectory);

@@ -51,8 +51,8 @@ Progress FlightState::step_proof(Proof& of, Work& work) noexcept {
   return Progress::kDone;
 }
 
-void FlightState::begin_planner(const Request& request) noexcept {
-  planner->begin(route.grid(), request);
+/// For a plan or a route that the planner has just begun.
+void FlightState::charge_planner() noexcept {
   planner_effort = 0;
   owed += kPlanEffort;
 }

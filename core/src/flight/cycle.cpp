@@ -162,7 +162,7 @@ void FlightState::begin_plan() noexcept {
   way_length(start.d[0], aim) > spec.horizon ? ask_route() : ask_planner();
 }
 
-/// Asks the planner for a plan to the aim, of which only the path will be made.
+/// Asks the planner for a path to the aim.
 void FlightState::ask_route() noexcept {
   Request request{};
   request.start.position = start.d[0];
@@ -172,24 +172,24 @@ void FlightState::ask_route() noexcept {
   request.fence_count = spec.fence_count;
   request.vias = asked;
   request.via_count = asked_count;
-  begin_planner(request);
+  planner->begin_route(route.grid(), request);
+  charge_planner();
   job = Job::kRoute;
 }
 
 /// Moves the aim onto the way to the goal, or onto the straight line if there is no way.
 Progress FlightState::run_route(Work& work) noexcept {
   Status status = Status::kRunning;
-  while (status == Status::kRunning && planner->path() == nullptr) {
+  while (status == Status::kRunning) {
     if (work.left == 0) return Progress::kMore;
     status = step_planner(work);
   }
-  if (planner->path() != nullptr) {
+  Report found;
+  if (planner->finish_route(found) == Status::kOk) {
     shorten_way(*planner->path());
     ask_planner();
     return Progress::kDone;
   }
-  Report found;
-  planner->finish(plan, found);
   if (is_outdated()) {
     choose_draft(false);
     return Progress::kDone;
@@ -228,9 +228,13 @@ void FlightState::ask_planner() noexcept {
   request.fence_count = spec.fence_count;
   request.vias = asked;
   request.via_count = asked_count;
-  begin_planner(request);
   const double from = seconds_between(now.begin, takeover);
-  if (from >= 0.0 && from < now.branch) planner->set_pace(now.wished, from);
+  if (from >= 0.0 && from < now.branch) {
+    planner->begin(route.grid(), request, now.wished, from);
+  } else {
+    planner->begin(route.grid(), request);
+  }
+  charge_planner();
   job = Job::kPlan;
 }
 

@@ -203,7 +203,7 @@ class FlightState {
   void owe(std::uint32_t effort, Work& work) noexcept;
   void defer_debt() noexcept;
   Progress step_proof(Proof& of, Work& work) noexcept;
-  void begin_planner(const Request& request) noexcept;
+  void charge_planner() noexcept;
   Status step_planner(Work& work) noexcept;
   void step_map(Work& work) noexcept;
 

@@ -153,6 +153,31 @@ void Plan::begin_attempt() noexcept {
 }
 
 Status Plan::begin(const Grid& grid, const Request& request) noexcept {
+  return begin_query(grid, request, false);
+}
+
+Status Plan::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept {
+  const Status status = begin_query(grid, request, false);
+  if (status != Status::kRunning) return status;
+  const bool valid = request.previous == nullptr && is_trajectory(pace) && finite(pace_time) && pace_time >= 0.0;
+  if (!valid) return refuse(Status::kInvalidArgument, Field::kPrevious);
+  memory_->previous.plan = pace;
+  has_pace_ = true;
+  pace_from_ = pace_time;
+  return status;
+}
+
+/// A route has no trajectory, so the motion of its ends does not matter.
+Status Plan::begin_route(const Grid& grid, const Request& request) noexcept {
+  Request still = request;
+  still.start = {request.start.position, kZero, kZero};
+  still.goal = {request.goal.position, kZero, kZero};
+  still.previous = nullptr;
+  return begin_query(grid, still, true);
+}
+
+Status Plan::begin_query(const Grid& grid, const Request& request, bool route_only) noexcept {
+  route_only_ = route_only;
   report_ = Report{};
   report_.timing_known = clock_ != nullptr;
   has_fences_ = false;
@@ -184,12 +209,6 @@ Status Plan::begin(const Grid& grid, const Request& request) noexcept {
   return status_;
 }
 
-void Plan::set_pace(const Trajectory& plan, double from) noexcept {
-  memory_->previous.plan = plan;
-  has_pace_ = true;
-  pace_from_ = from;
-}
-
 Status Plan::step(std::uint32_t work) noexcept {
   if (life_ == Life::kIdle) return Status::kInvalidArgument;
   Work slice{work};
@@ -205,7 +224,18 @@ Status Plan::step(std::uint32_t work) noexcept {
 }
 
 Status Plan::finish(Trajectory& trajectory, Report& report) noexcept {
-  if (life_ != Life::kEnded) {
+  const Status status = close(false, report);
+  if (status == Status::kOk) trajectory = memory_->trajectory;
+  return status;
+}
+
+Status Plan::finish_route(Report& report) noexcept {
+  return close(true, report);
+}
+
+/// Ends what was begun. `route_only` says which of the two calls asks for it.
+Status Plan::close(bool route_only, Report& report) noexcept {
+  if (life_ != Life::kEnded || route_only != route_only_) {
     if (life_ == Life::kIdle) report_ = Report{};
     status_ = Status::kInvalidArgument;
     report_.field = Field::kCallOrder;
@@ -215,7 +245,6 @@ Status Plan::finish(Trajectory& trajectory, Report& report) noexcept {
   report_.status = status_;
   settle_times(report_);
   report = report_;
-  if (status_ == Status::kOk) trajectory = memory_->trajectory;
   return status_;
 }
 

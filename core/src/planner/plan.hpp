@@ -40,12 +40,11 @@ class Plan {
 
   void set_clock(ClockFn clock, void* context) noexcept;
   Status begin(const Grid& grid, const Request& request) noexcept;
-  /// To be called after begin() of a request without a previous plan. `plan` is the plan that is being flown; it is at
-  /// the requested start `from` seconds after its beginning. The new plan takes only its first durations from `plan`,
-  /// which is copied.
-  void set_pace(const Trajectory& plan, double from) noexcept;
+  Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
+  Status begin_route(const Grid& grid, const Request& request) noexcept;
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
+  Status finish_route(Report& report) noexcept;
   Stage stage() const noexcept { return stage_; }
   /// What the plan took so far, in instructions (see Work); modulo 2^32.
   std::uint32_t effort() const noexcept { return effort_; }
@@ -54,6 +53,8 @@ class Plan {
 
  private:
   // plan.cpp: the calls.
+  Status begin_query(const Grid& grid, const Request& request, bool route_only) noexcept;
+  Status close(bool route_only, Report& report) noexcept;
   Status end(Stage stage, Status status) noexcept;
   Status refuse(Status status, Field field) noexcept;
   void place_ends() noexcept;
@@ -156,6 +157,7 @@ class Plan {
   void* clock_context_ = nullptr;
   GridVersion version_{};  // of the grid when the plan began
   Life life_ = Life::kIdle;
+  bool route_only_ = false;  // the path is the result
   std::uint32_t effort_ = 0;
   Stage stage_ = Stage::kRequest;  // the current one
   bool has_fences_ = false;

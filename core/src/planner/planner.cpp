@@ -27,15 +27,15 @@ Planner::Planner(void* memory, std::size_t bytes, std::uint64_t configuration) n
     : workspace_(configuration == kConfigurationHash ? align(memory, bytes) : nullptr),
       same_configuration_(configuration == kConfigurationHash) {
   if (workspace_ == nullptr) return;
-  new (&plan_at_hand()) Plan(layout(workspace_));
+  new (&current_plan()) Plan(layout(workspace_));
   forget_map();
 }
 
-const Plan& Planner::plan_at_hand() const noexcept {
+const Plan& Planner::current_plan() const noexcept {
   return layout(workspace_).plan;
 }
 
-Plan& Planner::plan_at_hand() noexcept {
+Plan& Planner::current_plan() noexcept {
   return layout(workspace_).plan;
 }
 
@@ -44,7 +44,7 @@ void Planner::forget_map() noexcept {
 }
 
 void Planner::set_clock(ClockFn clock, void* context) noexcept {
-  if (workspace_ != nullptr) plan_at_hand().set_clock(clock, context);
+  if (workspace_ != nullptr) current_plan().set_clock(clock, context);
 }
 
 Status Planner::plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept {
@@ -55,15 +55,39 @@ Status Planner::plan(const Grid& grid, const Request& request, Trajectory& traje
 
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {
   refused_ = workspace_ == nullptr;
-  return refused_ ? Status::kInvalidArgument : plan_at_hand().begin(grid, request);
+  return refused_ ? Status::kInvalidArgument : current_plan().begin(grid, request);
+}
+
+Status Planner::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept {
+  refused_ = workspace_ == nullptr;
+  return refused_ ? Status::kInvalidArgument : current_plan().begin(grid, request, pace, pace_time);
+}
+
+Status Planner::route(const Grid& grid, const Request& request, Report& report) noexcept {
+  Status status = begin_route(grid, request);
+  for (int i = 0; i < kMaxSteps && status == Status::kRunning; ++i) status = step(0xFFFFFFFFu);
+  return finish_route(report);
+}
+
+Status Planner::begin_route(const Grid& grid, const Request& request) noexcept {
+  refused_ = workspace_ == nullptr;
+  return refused_ ? Status::kInvalidArgument : current_plan().begin_route(grid, request);
 }
 
 Status Planner::step(std::uint32_t work) noexcept {
-  return workspace_ == nullptr ? Status::kInvalidArgument : plan_at_hand().step(work);
+  return workspace_ == nullptr ? Status::kInvalidArgument : current_plan().step(work);
 }
 
 Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
-  if (workspace_ != nullptr) return plan_at_hand().finish(trajectory, report);
+  return workspace_ == nullptr ? refuse(report) : current_plan().finish(trajectory, report);
+}
+
+Status Planner::finish_route(Report& report) noexcept {
+  return workspace_ == nullptr ? refuse(report) : current_plan().finish_route(report);
+}
+
+/// The answer to every plan and route of a planner without a workspace.
+Status Planner::refuse(Report& report) noexcept {
   report = Report{};
   report.status = Status::kInvalidArgument;
   report.field = same_configuration_ ? Field::kWorkspace : Field::kConfiguration;
@@ -72,24 +96,20 @@ Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
   return report.status;
 }
 
-void Planner::set_pace(const Trajectory& plan, double from) noexcept {
-  if (workspace_ != nullptr) plan_at_hand().set_pace(plan, from);
-}
-
 std::uint32_t Planner::effort() const noexcept {
-  return workspace_ == nullptr ? 0 : plan_at_hand().effort();
+  return workspace_ == nullptr ? 0 : current_plan().effort();
 }
 
 Stage Planner::stage() const noexcept {
-  return workspace_ == nullptr ? Stage::kRequest : plan_at_hand().stage();
+  return workspace_ == nullptr ? Stage::kRequest : current_plan().stage();
 }
 
 const Path* Planner::path() const noexcept {
-  return workspace_ == nullptr ? nullptr : plan_at_hand().path();
+  return workspace_ == nullptr ? nullptr : current_plan().path();
 }
 
 const Corridor* Planner::corridor() const noexcept {
-  return workspace_ == nullptr ? nullptr : plan_at_hand().corridor();
+  return workspace_ == nullptr ? nullptr : current_plan().corridor();
 }
 
 }  // namespace tern

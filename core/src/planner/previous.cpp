@@ -171,12 +171,17 @@ void begin_rest(const Vec3& origin, Previous& rest) {
 
 }  // namespace
 
-bool previous_fits(const Request& request) noexcept {
-  const Trajectory& plan = *request.previous;
+bool is_trajectory(const Trajectory& plan) noexcept {
   if (plan.count < 1 || plan.count > kMaxSegments || !finite(plan.origin)) return false;
   for (int i = 0; i < plan.count; ++i) {
     if (!is_sound(plan.segments[i])) return false;
   }
+  return true;
+}
+
+bool previous_fits(const Request& request) noexcept {
+  const Trajectory& plan = *request.previous;
+  if (!is_trajectory(plan)) return false;
   const Sample state = evaluate(plan, request.previous_time);
   return request.previous_time >= 0.0 && same(state.position, request.start.position) &&
          same(state.velocity, request.start.velocity) && same(state.acceleration, request.start.acceleration);

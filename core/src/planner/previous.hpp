@@ -51,6 +51,9 @@ struct Previous {
   Trajectory plan;  ///< the whole previous plan, for cut_again() and the pace
 };
 
+/// True if its numbers are sound: counts in range, durations above 0, everything finite.
+bool is_trajectory(const Trajectory& plan) noexcept;
+
 /// True if request.previous is a valid trajectory whose state at request.previous_time is request.start, bit for bit.
 bool previous_fits(const Request& request) noexcept;
 

@@ -123,7 +123,9 @@ Progress Plan::run_shortcut(Work& work) noexcept {
     return Progress::kFailed;
   }
   has_path_ = leg_ == via_count();
-  if (has_path_) {
+  if (has_path_ && route_only_) {
+    end(Stage::kShortcut, Status::kOk);
+  } else if (has_path_) {
     enter(Stage::kCorridor);
   } else {
     ++leg_;

@@ -191,6 +191,29 @@ std::uint8_t tern_plan_finish(tern_planner* planner, tern_trajectory* trajectory
   return code(object(planner).finish(*trajectory, *report));
 }
 
+std::uint8_t tern_route(tern_planner* planner, const tern_grid* grid, const tern_request* request,
+                        tern_report* report) {
+  if (planner == nullptr || grid == nullptr || request == nullptr || report == nullptr) return kInvalid;
+  return code(object(planner).route(object(grid), *request, *report));
+}
+
+std::uint8_t tern_route_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request) {
+  if (planner == nullptr || grid == nullptr || request == nullptr) return kInvalid;
+  return code(object(planner).begin_route(object(grid), *request));
+}
+
+std::uint8_t tern_route_finish(tern_planner* planner, tern_report* report) {
+  return planner == nullptr || report == nullptr ? kInvalid : code(object(planner).finish_route(*report));
+}
+
+std::int32_t tern_path(const tern_planner* planner, tern_vec3* points, std::int32_t room) {
+  const tern::Path* path = planner == nullptr ? nullptr : object(planner).path();
+  if (path == nullptr) return 0;
+  const std::int32_t fit = points == nullptr ? 0 : room;
+  for (int i = 0; i < path->count && i < fit; ++i) points[i] = path->points[i];
+  return path->count;
+}
+
 std::int32_t tern_corridor(const tern_planner* planner, tern_polyhedron* polyhedra, std::int32_t room) {
   const tern::Corridor* corridor = planner == nullptr ? nullptr : object(planner).corridor();
   if (corridor == nullptr) return 0;
