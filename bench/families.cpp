@@ -90,7 +90,7 @@ class Planning {
     tern::Report report;
     sample.status = planner_.plan(grid_, request, trajectory_, report);
     for (int s = 0; s < tern::kStageCount; ++s) {
-      sample.stage[s] = static_cast<double>(report.stages[s].ticks) * kMicroseconds;
+      sample.stage[s] = static_cast<double>(report.diagnostics.stages[s].ticks) * kMicroseconds;
     }
     sample.stage[0] = static_cast<double>(inflated - begin) * kMicroseconds;
     for (const double time : sample.stage) sample.total += time;

@@ -63,7 +63,7 @@ std::string row(const std::string& file, const Options& options, std::vector<dou
   const auto best = tern_bench::any_angle_path(world.grid(), scenario.start.position, scenario.goal.position);
   const double reference = tern_bench::path_length(best);
   ratios.push_back(plan.path->length / reference);
-  const auto& shortcut = plan.report.stages[static_cast<int>(tern::Stage::kShortcut)];
+  const auto& shortcut = plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kShortcut)];
   std::string text = file.substr(file.find_last_of('/') + 1) + number(",%.3f", plan.path->raw_length) +
                      number(",%.3f", plan.path->length) + "," + std::to_string(plan.path->count) +
                      number(",%.3f", reference) + number(",%.4f", ratios.back()) + "," + std::to_string(shortcut.work) +

@@ -35,7 +35,7 @@ double time_of(const PlanResult& result) {
 }
 template <tern::Stage kStage>
 const tern::StageReport* work_of(const PlanResult& result) {
-  return &result.report.stages[static_cast<int>(kStage)];
+  return &result.report.diagnostics.stages[static_cast<int>(kStage)];
 }
 template <tern::Stage kStage>
 constexpr StageRow stage(const char* name) {

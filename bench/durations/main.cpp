@@ -82,13 +82,14 @@ class Bench {
     const double seconds = tern::duration(result.trajectory);
     const double snap = tern::snap_cost(result.trajectory);
     csv_ << scenario.name << ',' << scenario.limits.v_max.x << ',' << scenario.limits.a_max.x << ','
-         << scenario.time_weight << ',' << seconds << ',' << snap << ',' << result.report.qp_iterations << ','
-         << result.report.high_water.qp_solves << ',' << static_cast<int>(result.report.quality) << '\n';
+         << scenario.time_weight << ',' << seconds << ',' << snap << ','
+         << result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work << ','
+         << result.report.diagnostics.high_water.qp_solves << ',' << static_cast<int>(result.report.quality) << '\n';
     if (tally == nullptr) return seconds;
     tally->seconds.push_back(seconds);
     tally->snap.push_back(snap);
-    tally->iterations.push_back(result.report.qp_iterations);
-    tally->programmes.push_back(result.report.high_water.qp_solves);
+    tally->iterations.push_back(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work);
+    tally->programmes.push_back(result.report.diagnostics.high_water.qp_solves);
     return seconds;
   }
 

@@ -154,7 +154,7 @@ void back_end_experiment(const Run& run) {
     tern_host::PlanResult plan = session.plan(scenario);
     if (!plan.ok()) throw std::runtime_error(std::string("no plan: ") + tern::status_name(plan.report.status));
     Method tern{"Tern", plan.trajectory, 1e-3 * plan.timing.of(tern::Stage::kTrajectory)};
-    tern.solves = plan.report.high_water.qp_solves;
+    tern.solves = plan.report.diagnostics.high_water.qp_solves;
     for (int k = 1; k < repetitions; ++k) {
       const tern_host::PlanResult again = session.plan(scenario);
       tern.time = std::min(tern.time, 1e-3 * again.timing.of(tern::Stage::kTrajectory));

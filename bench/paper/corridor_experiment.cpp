@@ -73,12 +73,48 @@ void write_tern_row(Table& table, int map, const tern_host::PlanResult& plan, do
   int planes = 0;
   for (int i = 0; i < plan.corridor->count; ++i) planes += plan.corridor->polyhedra[i].count;
   table.row({std::to_string(map), "Tern", std::to_string(plan.corridor->count), fixed(time, 4), "",
-             std::to_string(planes), "", "", std::to_string(plan.report.high_water.local_boxes), fixed(widths.used, 3),
-             fixed(widths.extreme, 3), fixed(widths.passage, 3), fixed(widths.over, 4)});
+             std::to_string(planes), "", "", std::to_string(plan.report.diagnostics.high_water.local_boxes),
+             fixed(widths.used, 3), fixed(widths.extreme, 3), fixed(widths.passage, 3), fixed(widths.over, 4)});
+}
+
+/// The points axes * q + center with |q| <= 1. `axes` is symmetric and positive definite.
+struct Ellipsoid {
+  double axes[3][3];
+  Vec3 center;
+};
+
+double dot(const Vec3& a, const Vec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// The ellipsoid inside the polyhedron that is round about the polyhedron's line and as long as it.
+Ellipsoid inscribed(const tern::Polyhedron& polyhedron) {
+  const Vec3& from = polyhedron.from;
+  const Vec3& to = polyhedron.to;
+  const Vec3 along{0.5 * (to.x - from.x), 0.5 * (to.y - from.y), 0.5 * (to.z - from.z)};
+  const double half = std::max(std::sqrt(dot(along, along)), 1e-9);
+  const double u[3] = {along.x / half, along.y / half, along.z / half};
+  Ellipsoid result{{}, {from.x + along.x, from.y + along.y, from.z + along.z}};
+  double thickness = half;
+  for (int p = 0; p < polyhedron.count; ++p) {
+    const tern::Halfspace& plane = polyhedron.planes[p];
+    const double room = std::max(plane.offset - dot(plane.normal, result.center), 0.0);
+    const double reach = dot(plane.normal, along);
+    const double across = 1.0 - reach * reach / (half * half);
+    const double left = std::max(room * room - reach * reach, 0.0);
+    if (left < thickness * thickness * across) thickness = std::sqrt(left / across);
+  }
+  thickness = std::max(thickness, 1e-9 * half);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      result.axes[i][j] = (half - thickness) * u[i] * u[j] + (i == j ? thickness : 0.0);
+    }
+  }
+  return result;
 }
 
 /// The outline of an ellipsoid seen along one axis: the support points of directions in the view's plane.
-std::vector<Pixel> ellipse(const tern::Ellipsoid& e, const Vec3& origin, const Axes& axes, const Projection& p) {
+std::vector<Pixel> ellipse(const Ellipsoid& e, const Vec3& origin, const Axes& axes, const Projection& p) {
   std::vector<Pixel> outline;
   for (int k = 0; k <= 72; ++k) {
     const double angle = 2.0 * 3.14159265358979324 * k / 72;
@@ -102,7 +138,7 @@ void draw_view(Canvas& canvas, const Axes& axes, const Projection& projection, c
   canvas.begin_clipped(axes.frame);
   tern_host::draw_corridor(canvas, axes, projection, plan);
   for (int i = 0; i < plan.corridor->count; ++i) {
-    canvas.polygon(ellipse(plan.corridor->polyhedra[i].ellipsoid, o, axes, projection),
+    canvas.polygon(ellipse(inscribed(plan.corridor->polyhedra[i]), o, axes, projection),
                    "fill=\"#b7791f\" fill-opacity=\"0.22\" stroke=\"#b7791f\" stroke-width=\"1.4\"");
   }
   canvas.end_group();

@@ -70,8 +70,8 @@ void fly(tern_host::Session& session, tern_bench::Prober& prober, tern_host::Sce
   tally.optimised += result.report.quality == tern::Quality::kOptimised ? 1 : 0;
   tally.duration.push_back(seconds);
   tally.ratio.push_back(seconds / trapezoid(*result.corridor, scenario.limits));
-  tally.programmes.push_back(result.report.high_water.qp_solves);
-  tally.iterations.push_back(result.report.qp_iterations);
+  tally.programmes.push_back(result.report.diagnostics.high_water.qp_solves);
+  tally.iterations.push_back(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work);
   tally.use.push_back(std::max(figures.v_use, figures.a_use));
   for (const LimitRow& row : prober.rows(*result.corridor, scenario.limits, scenario.time_weight)) {
     tally.rows[name_of(row)].push_back(row.use);

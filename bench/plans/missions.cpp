@@ -80,7 +80,7 @@ bool find_legs(Session& session, tern_test::Random& random, const Options& optio
     if (!plan.ok()) continue;
     pair.legs_duration += tern::duration(plan.trajectory);
     pair.legs_time += plan.timing.total() - plan.timing.inflate;
-    pair.legs_iterations += plan.report.qp_iterations;
+    pair.legs_iterations += plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
     if (last) return true;
     mission.vias.push_back({leg.goal.position, options.tolerance, false, false, {}});
     leg.start.position = leg.goal.position;
@@ -99,7 +99,7 @@ bool fly(Session& session, const std::string& file, const Options& options, std:
   pair.duration = tern::duration(plan.trajectory);
   if (plan.path != nullptr) pair.cruise = cruise(*plan.path, mission.limits);
   pair.time = plan.timing.total() - plan.timing.inflate;
-  pair.iterations = plan.report.qp_iterations;
+  pair.iterations = plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
   pair.optimised = plan.report.quality == tern::Quality::kOptimised;
   return true;
 }

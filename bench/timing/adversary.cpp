@@ -133,9 +133,9 @@ std::uint64_t score_of(const World& world, int stage, tern::Planner& planner) {
   tern::Report report;
   const tern::Status status = planner.plan(grid, input.request, trajectory, report);
   const std::uint64_t planned = tern_board::counter() - inflated;
-  if (status != tern::Status::kOk || report.high_water.segments > kMostSegments) return 0;
+  if (status != tern::Status::kOk || report.diagnostics.high_water.segments > kMostSegments) return 0;
   if (planned > kMostInstructions) return 0;
-  return stage == 0 ? inflated - begin : report.stages[stage].ticks;
+  return stage == 0 ? inflated - begin : report.diagnostics.stages[stage].ticks;
 }
 
 /// Takes the place of the parent with the lowest score, if it has a higher one.

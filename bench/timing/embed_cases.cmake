@@ -54,7 +54,7 @@ function(tern_embed_case file blocks_output row_output)
     set(via_table "kVias_${name}")
   endif()
   set(request "{{${start},${start_velocity},${zero}}, {${goal},${zero},${zero}}, \
-{{${v_max},${v_max},${v_max}}, {${a_max},${a_max},${a_max}}}, {}, tern::ShortcutMode::kShortestChain,
+{{${v_max},${v_max},${v_max}}, {${a_max},${a_max},${a_max}}}, {}, 0,
       tern::SearchMode::kFast, tern::GoalMode::kExact, tern::kDefaultTimeWeight, nullptr, 0, ${via_table}, ${via_count}}")
   set(table "kBlocks_${name}")
   set(tables "const tern::Box ${table}[] = {\n${blocks}};\n")

@@ -88,7 +88,7 @@ void row(const Case& input, const char* stage, std::uint64_t count, std::uint32_
 }
 
 void report_case(const Case& input, tern::Status status, const tern::Report& report, const Cost& cost) {
-  const tern::HighWater& high = report.high_water;
+  const tern::HighWater& high = report.diagnostics.high_water;
   print("# ", input.name, ": ", tern::status_name(status), ", optimiser ", tern::status_name(report.optimiser),
         "; nodes ", high.nodes, " heap ", high.open, " segments ", high.segments, " planes ", high.planes, " boxes ",
         high.local_boxes, " active ", high.active, " iterations ", high.qp_iterations, " solves ", high.qp_solves,
@@ -96,7 +96,7 @@ void report_case(const Case& input, tern::Status status, const tern::Report& rep
   row(input, "mark", cost.mark, static_cast<std::uint32_t>(input.block_count), 0);
   row(input, "inflate", cost.inflate, 0, 0);
   for (int s = 1; s < tern::kStageCount; ++s) {
-    const tern::StageReport& stage = report.stages[s];
+    const tern::StageReport& stage = report.diagnostics.stages[s];
     if (stage.bound == 0) continue;  // did not run
     row(input, tern::stage_name(static_cast<tern::Stage>(s)), stage.ticks, stage.work, stage.bound);
   }

@@ -32,7 +32,7 @@ static void print_stages(const tern::Report& report) {
       "none",  "expansion",  "sight line", "half-space", "segment", "iteration", "polyhedron or segment",
       "fence", "sight line", "half-space", "half-space", "row"};
   for (int s = 1; s < tern::kStageCount; ++s) {
-    const tern::StageReport& stage = report.stages[s];
+    const tern::StageReport& stage = report.diagnostics.stages[s];
     if (stage.bound == 0) continue;  // it did not run
     std::printf("| %s | %s | %" PRIu32 " | %" PRIu32 " |\n", tern::stage_name(static_cast<tern::Stage>(s)), units[s],
                 stage.work, stage.bound);
@@ -75,7 +75,7 @@ int main() {
               planner.path()->count, planner.corridor()->count, plan.count, tern::duration(plan));
   std::printf("%d slices of 100 units\n", slices);
   print_stages(report);
-  print_marks(report.high_water);
+  print_marks(report.diagnostics.high_water);
   const size_t used = sizeof(tern::Segment) * static_cast<size_t>(plan.count);
   return planned && std::memcmp(plan.segments, sliced.segments, used) == 0 ? 0 : 1;
 }

@@ -9,11 +9,13 @@
 static tern::Workspace workspace;
 static std::uint64_t words[10409];
 
-/// Replaces `plan` by a new one that begins at time t of the old one. False: `plan` is as it was; see below.
-static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request& request, double t,
+/// Replaces `plan` by a new one that begins when your clock shows `begin`, in nanoseconds. False: `plan` is as it was.
+static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request& request, std::int64_t begin,
                    tern::Trajectory& plan) {
-  const tern::Sample now = tern::evaluate(plan, t);
-  request.start = {now.position, now.velocity, now.acceleration, now.jerk};
+  const double t = tern::time_on(plan, begin);  // s since the beginning of the old plan
+  const tern::Sample then = tern::evaluate(plan, t);
+  request.begin = begin;
+  request.start = {then.position, then.velocity, then.acceleration, then.jerk};
   request.previous = &plan;
   request.previous_time = t;
   tern::Report report;
@@ -28,6 +30,7 @@ int main() {
   request.start.position = {1, 1, 1};
   request.goal.position = {9, 5, 3};
   request.limits = {{2, 2, 1}, {2, 2, 1}};
+  request.begin = 5000000000;  // what your clock shows at take-off
   tern::Planner planner(&workspace, sizeof workspace);
   tern::Trajectory plan;
   tern::Report report;
@@ -35,10 +38,11 @@ int main() {
   const double whole = tern::duration(plan);
   grid.mark_box({{6, 0, 0}, {6.5, 3, 4}});
   grid.inflate();
-  const bool around = replan(planner, grid, request, 0.25 * whole, plan);
+  const std::int64_t quarter = static_cast<std::int64_t>(0.25e9 * whole);
+  const bool around = replan(planner, grid, request, request.begin + quarter, plan);
   request.budget.expansions = 0;  // no search: all that is left is the rest of the plan
   const double rest = tern::duration(plan) - 0.5;
-  const bool along = replan(planner, grid, request, 0.5, plan);
+  const bool along = replan(planner, grid, request, plan.begin + 500000000, plan);
   const double error = tern::duration(plan) - rest;
-  return around && along && error < 1e-9 && error > -1e-9 ? 0 : 1;
+  return around && along && plan.begin == 5500000000 + quarter && error < 1e-9 && error > -1e-9 ? 0 : 1;
 }

@@ -25,13 +25,15 @@ static int plan_once(tern_planner* planner, const tern_grid* grid, tern_request*
   return tern_plan(planner, grid, request, plan, &report) == 0;
 }
 
-/* Replaces `plan` by a new one that begins at time t of the old one. 0: `plan` is as it was; see below. */
-static int replan(tern_planner* planner, const tern_grid* grid, tern_request* request, double t,
+/* Replaces `plan` by a new one that begins when your clock shows `begin`, in nanoseconds. 0: `plan` is as it was. */
+static int replan(tern_planner* planner, const tern_grid* grid, tern_request* request, int64_t begin,
                   tern_trajectory* plan) {
+  const double t = tern_time_on(plan, begin); /* s since the beginning of the old plan */
   tern_report report;
-  tern_sample now;
-  tern_evaluate(plan, t, &now);
-  request->start = (tern_state){now.position, now.velocity, now.acceleration, now.jerk};
+  tern_sample then;
+  tern_evaluate(plan, t, &then);
+  request->begin = begin;
+  request->start = (tern_state){then.position, then.velocity, then.acceleration, then.jerk};
   request->previous = plan;
   request->previous_time = t;
   return tern_plan(planner, grid, request, plan, &report) == 0;
@@ -46,7 +48,7 @@ int main(void) {
   tern_request request;
   int good = workspace != NULL && tern_planner_init(&planner, workspace, bytes) == 0 && make_map(&grid) &&
              plan_once(&planner, &grid, &request, &plan) && tern_duration(&plan) > 4.0 &&
-             replan(&planner, &grid, &request, 1.0, &plan);
+             replan(&planner, &grid, &request, 1000000000, &plan) && plan.begin == 1000000000;
   free(workspace);
   return good ? 0 : 1;
 }

@@ -95,7 +95,7 @@ Status ask_once(Context& context, tern::Planner& planner, const World& world, co
   if (context.verbose) {
     std::printf("%s: %s (stage %s, quality %d, optimiser %s, detours %d, polyhedra %d)\n", what,
                 tern::status_name(status), tern::stage_name(answer.stage), static_cast<int>(answer.quality),
-                tern::status_name(answer.optimiser), answer.detours,
+                tern::status_name(answer.optimiser), answer.diagnostics.detours,
                 planner.corridor() != nullptr ? planner.corridor()->count : 0);
     print_check(answer.check);
     print_ask(world, ask);

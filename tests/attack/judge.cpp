@@ -96,9 +96,9 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
   if (ok != (r.quality != tern::Quality::kNone))
     report(f, "report", "%s: quality %d", what, static_cast<int>(r.quality));
   for (int k = 0; k < tern::kStageCount; ++k) {
-    if (r.stages[k].work <= r.stages[k].bound) continue;
-    report(f, "report", "%s: %s spent %u of %u", what, tern::stage_name(static_cast<tern::Stage>(k)), r.stages[k].work,
-           r.stages[k].bound);
+    if (r.diagnostics.stages[k].work <= r.diagnostics.stages[k].bound) continue;
+    report(f, "report", "%s: %s spent %u of %u", what, tern::stage_name(static_cast<tern::Stage>(k)),
+           r.diagnostics.stages[k].work, r.diagnostics.stages[k].bound);
   }
   const bool occupied = is_occupied(status) || is_narrow(status);
   if (r.has_nearest_free && !occupied)
@@ -129,7 +129,7 @@ void judge(Context& context, const World& world, const Map& map, const Ask& ask,
            const char* what) {
   ++context.tally.plans;
   ++context.tally.status[static_cast<int>(status)];
-  for (const tern::StageReport& stage : r.stages) context.tally.work += stage.work;
+  for (const tern::StageReport& stage : r.diagnostics.stages) context.tally.work += stage.work;
   check_report(context, world, ask, r, status, what);
   judge_fences(world, ask.request.fences, ask.request.fence_count, status, r.fence, what, context.findings);
   if (status == Status::kOk) {

@@ -50,7 +50,7 @@ bool plan(int index, tern::Planner& planner) {
   const std::uint64_t planned = tern_board::counter();
   row(index, "grid", built - begin, 0, 0);
   for (int s = 1; s < tern::kStageCount; ++s) {
-    const tern::StageReport& stage = report.stages[s];
+    const tern::StageReport& stage = report.diagnostics.stages[s];
     if (stage.bound == 0) continue;  // did not run
     row(index, tern::stage_name(static_cast<tern::Stage>(s)), stage.ticks, stage.work, stage.bound);
   }

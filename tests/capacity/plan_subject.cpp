@@ -55,7 +55,7 @@ class PlanSubject : public Subject {
   static std::string wrong_with(const tern_test::World& world, Status status) {
     const tern::Report& report = world.report;
     if (report.status != status) return "the report has another status";
-    for (const tern::StageReport& stage : report.stages) {
+    for (const tern::StageReport& stage : report.diagnostics.stages) {
       if (stage.work > stage.bound) return "a stage worked more than its bound";
     }
     if (status != Status::kOk) return world.trajectory_untouched() ? "" : "the output is not untouched";

@@ -40,7 +40,7 @@ constexpr MarkedCapacity kMarked[] = {{&HighWater::nodes, tern::kMaxNodes},
 /// True where the plan used all of one capacity, and some of each other one was left.
 bool only_full(const tern::Report& report, Mark mark) {
   for (const MarkedCapacity& each : kMarked) {
-    const std::int32_t used = report.high_water.*each.mark;
+    const std::int32_t used = report.diagnostics.high_water.*each.mark;
     if (used > each.capacity || (used == each.capacity) != (each.mark == mark)) return false;
   }
   return true;
@@ -65,7 +65,7 @@ bool some_random_plan_has(Mark mark, std::int32_t least) {
   constexpr std::uint64_t kMost = 20000;
   for (std::uint64_t seed = 0; seed < kMost; ++seed) {
     const auto asked = random_request(seed);
-    if (asked->world.replan() == Status::kOk && asked->world.report.high_water.*mark >= least) return true;
+    if (asked->world.replan() == Status::kOk && asked->world.report.diagnostics.high_water.*mark >= least) return true;
   }
   return false;
 }
@@ -166,7 +166,7 @@ Status plan_of_solves(int solves) {
   for (std::uint64_t seed = 0; seed < kMost; ++seed) {
     const auto asked = random_request(seed);
     const Status status = asked->world.replan();
-    if (status == Status::kOk && asked->world.report.high_water.qp_solves == solves) return status;
+    if (status == Status::kOk && asked->world.report.diagnostics.high_water.qp_solves == solves) return status;
   }
   return kNotThis;
 }
@@ -186,7 +186,7 @@ std::vector<Exceeded> optimiser_capacities() {
 Status plan_within(std::uint32_t tern::Budget::*budget, tern::Stage stage, std::uint32_t less) {
   World world = slalom(1);
   if (world.plan() != Status::kOk) return kNotThis;
-  world.request.budget.*budget = world.report.stages[static_cast<int>(stage)].work - less;
+  world.request.budget.*budget = world.report.diagnostics.stages[static_cast<int>(stage)].work - less;
   const Status status = world.replan();
   return status == Status::kOk ? world.report.optimiser : status;
 }

@@ -35,14 +35,14 @@
   FIELD(tern_via, position) FIELD(tern_via, tolerance) FIELD(tern_via, stop) FIELD(tern_via, has_velocity)           \
   FIELD(tern_via, velocity) FIELD(tern_via, dwell) FIELD(tern_request, vias) FIELD(tern_request, via_count)                                 \
   FIELD(tern_request, start) FIELD(tern_request, goal) FIELD(tern_request, limits) FIELD(tern_request, budget)       \
-  FIELD(tern_request, shortcut) FIELD(tern_request, search) FIELD(tern_request, goal_mode)                           \
+  FIELD(tern_request, begin) FIELD(tern_request, search) FIELD(tern_request, goal_mode)                           \
   FIELD(tern_request, fences) FIELD(tern_request, fence_count) FIELD(tern_request, previous)                         \
   FIELD(tern_request, time_weight) FIELD(tern_request, previous_time)                                                \
   FIELD(tern_yaw, cosine) FIELD(tern_yaw, sine) FIELD(tern_yaw, rate)
 
 #define TERN_LAYOUT_OUT(FIELD)                                                                                       \
   FIELD(tern_segment, duration) FIELD(tern_segment, points) FIELD(tern_segment, polyhedron)                          \
-  FIELD(tern_trajectory, count) FIELD(tern_trajectory, origin) FIELD(tern_trajectory, segments)                      \
+  FIELD(tern_trajectory, begin) FIELD(tern_trajectory, count) FIELD(tern_trajectory, origin) FIELD(tern_trajectory, segments)                      \
   FIELD(tern_sample, position) FIELD(tern_sample, velocity) FIELD(tern_sample, acceleration)                         \
   FIELD(tern_sample, jerk) FIELD(tern_sample, snap)                                                                  \
   FIELD(tern_flat_state, thrust) FIELD(tern_flat_state, attitude) FIELD(tern_flat_state, quaternion)                 \
@@ -57,15 +57,13 @@
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
   FIELD(tern_report, status) FIELD(tern_report, stage) FIELD(tern_report, field) FIELD(tern_report, raw_occupied)    \
-  FIELD(tern_report, has_nearest_free) FIELD(tern_report, timing_known) FIELD(tern_report, quality)                  \
-  FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free) FIELD(tern_report, stages)                          \
-  FIELD(tern_report, high_water) FIELD(tern_report, fence) FIELD(tern_report, check)                                 \
+  FIELD(tern_report, has_nearest_free) FIELD(tern_report, quality)                  \
+  FIELD(tern_report, optimiser) FIELD(tern_report, nearest_free)                                                     \
+  FIELD(tern_report, fence) FIELD(tern_report, check) FIELD(tern_report, finer_cell)                                 \
   FIELD(tern_report, has_reachable) FIELD(tern_report, goal_missed) FIELD(tern_report, reachable)                    \
-  FIELD(tern_report, half_spaces)                                                                                    \
-  FIELD(tern_report, half_spaces_redundant) FIELD(tern_report, detours) FIELD(tern_report, qp_variables)             \
-  FIELD(tern_report, qp_inequalities) FIELD(tern_report, qp_active) FIELD(tern_report, qp_iterations)                \
-  FIELD(tern_report, kkt_residual) FIELD(tern_report, search_bound) FIELD(tern_report, search_used)    \
-  FIELD(tern_report, finer_cell)
+  FIELD(tern_report, diagnostics) FIELD(tern_diagnostics, stages) FIELD(tern_diagnostics, timing_known)              \
+  FIELD(tern_diagnostics, high_water) FIELD(tern_diagnostics, detours) FIELD(tern_diagnostics, search_bound)         \
+  FIELD(tern_diagnostics, search_used)
 
 #define TERN_LAYOUT_FLIGHT(FIELD)                                                                                    \
   FIELD(tern_proof_report, until) FIELD(tern_proof_report, end) FIELD(tern_proof_report, voxel)                      \
@@ -132,8 +130,7 @@
   FIELD(tern_beams, count) FIELD(tern_beams, min) FIELD(tern_beams, max)
 
 #define TERN_LAYOUT_CORRIDOR(FIELD)                                                                                  \
-  FIELD(tern_ellipsoid, axes) FIELD(tern_ellipsoid, center) FIELD(tern_polyhedron, count)                            \
-  FIELD(tern_polyhedron, redundant) FIELD(tern_polyhedron, planes) FIELD(tern_polyhedron, ellipsoid)                 \
+  FIELD(tern_polyhedron, count) FIELD(tern_polyhedron, redundant) FIELD(tern_polyhedron, planes)                     \
   FIELD(tern_polyhedron, from) FIELD(tern_polyhedron, to)
 
 /* A field's place and size, and the size of the type that it is in. */

@@ -36,11 +36,11 @@ int main() {
   tern::Trajectory trajectory;
   tern::Report report;
   const tern::Status status = planner.plan(grid, request, trajectory, report);
-  const std::uint64_t ticks = report.stages[static_cast<int>(tern::Stage::kSearch)].ticks;
+  const std::uint64_t ticks = report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].ticks;
   const bool runs_on = tern_port::monotonic_nanoseconds() < tern_port::monotonic_nanoseconds();
   std::printf("%s, timing %s, search %llu ticks\n", tern::status_name(status),
-              report.timing_known ? "known" : "unknown", static_cast<unsigned long long>(ticks));
-  return status == tern::Status::kOk && report.timing_known && ticks > 0 && runs_on &&
+              report.diagnostics.timing_known ? "known" : "unknown", static_cast<unsigned long long>(ticks));
+  return status == tern::Status::kOk && report.diagnostics.timing_known && ticks > 0 && runs_on &&
                  tern_port::ticks_per_second() == 1e6
              ? 0
              : 1;

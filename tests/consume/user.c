@@ -65,10 +65,10 @@ static int check_refusals(tern_planner* planner, const tern_grid* grid, tern_req
   request->start.position.x = 0.5;
   REQUIRE(tern_plan(planner, grid, request, trajectory, report) != 0);
   printf("refused as it must be: %s, %s\n", tern_status_name(report->status), tern_status_meaning(report->status));
-  request->shortcut = 77;
+  request->search = 77;
   REQUIRE(tern_plan(planner, grid, request, trajectory, report) != 0);
   REQUIRE(strcmp(tern_stage_name(report->stage), "request") == 0);
-  REQUIRE(strcmp(tern_field_name(report->field), "shortcut") == 0);
+  REQUIRE(strcmp(tern_field_name(report->field), "search") == 0);
   return 0;
 }
 

@@ -112,7 +112,6 @@ class CorridorChain : public ::testing::Test {
       const Polyhedron& polyhedron = corridor_->polyhedra[k];
       ASSERT_NO_FATAL_FAILURE(expect_clear(polyhedron, cubes, grid.spec().radius, random_));
       ASSERT_NO_FATAL_FAILURE(expect_no_redundancy(polyhedron));
-      ASSERT_NO_FATAL_FAILURE(expect_ellipsoid(polyhedron, 0.0));
       for (int p = 0; p < all_planes(polyhedron); ++p) {
         ASSERT_NEAR(norm3(polyhedron.planes[p].normal), 1.0, 1e-12);
       }

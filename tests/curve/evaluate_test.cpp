@@ -118,4 +118,19 @@ TEST(SnapCost, OfARestToRestSegment) {
   EXPECT_NEAR(snap_cost(there_and_back()), there + back, 1e-9 * there);
 }
 
+TEST(TimeOn, IsExactFromOneEndOfTheClockToTheOther) {
+  Trajectory plan{};
+  EXPECT_EQ(time_on(plan, 0), 0.0);
+  EXPECT_EQ(time_on(plan, 1500000000), 1.5);
+  plan.begin = 1700000000123456789;
+  EXPECT_EQ(time_on(plan, plan.begin), 0.0);
+  EXPECT_EQ(time_on(plan, plan.begin + 1), 1e-9);
+  EXPECT_EQ(time_on(plan, plan.begin - 250000000), -0.25);
+  plan.begin = INT64_MIN;
+  EXPECT_EQ(time_on(plan, INT64_MAX), 18446744073.709553);
+  EXPECT_EQ(time_on(plan, INT64_MIN), 0.0);
+  plan.begin = INT64_MAX;
+  EXPECT_EQ(time_on(plan, INT64_MIN), -18446744073.709553);
+}
+
 }  // namespace

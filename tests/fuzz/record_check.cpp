@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostGridWords = 1u << 16;
 
 bool same_plan(const tern::Trajectory& a, const tern::Trajectory& b) {
-  if (a.count != b.count || std::memcmp(&a.origin, &b.origin, sizeof a.origin) != 0) return false;
+  if (a.count != b.count || a.begin != b.begin || std::memcmp(&a.origin, &b.origin, sizeof a.origin) != 0) return false;
   for (int k = 0; k < a.count; ++k) {
     const tern::Segment& p = a.segments[k];
     const tern::Segment& q = b.segments[k];

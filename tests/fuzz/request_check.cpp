@@ -82,7 +82,7 @@ std::string wrong_with(const Memory& m, const tern::Request& request, const tern
   if (report.status != status) return "the report has another status";
   const bool ok = status == tern::Status::kOk;
   if (ok == (report.quality == tern::Quality::kNone)) return "the quality does not fit the status";
-  for (const tern::StageReport& stage : report.stages) {
+  for (const tern::StageReport& stage : report.diagnostics.stages) {
     if (stage.work > stage.bound) return "more work than its bound";
   }
   if (!ok) return std::memcmp(&m.plan, &m.untouched, sizeof m.plan) == 0 ? "" : "the output is not untouched";

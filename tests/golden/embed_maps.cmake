@@ -34,7 +34,7 @@ function(tern_embed_maps output)
     set(rest "{0,0,0},{0,0,0}")
     string(APPEND text "    {${boundary}, ${resolution}, ${radius}, ${count}, {${blocks}},\n"
       "     {{{${start}},${rest}}, {{${goal}},${rest}}, {{${v_max},${v_max},${v_max}},{${a_max},${a_max},${a_max}}}, {},\n"
-      "      tern::ShortcutMode::kShortestChain}},\n")
+      "      0}},\n")
   endforeach()
   file(WRITE ${output}.new "${text}};\n")
   configure_file(${output}.new ${output} COPYONLY)

@@ -42,7 +42,7 @@ bool replan(const Grid& grid, Planner& planner, Request& request, const Trajecto
   EXPECT_EQ(status, Status::kOk) << t;
   if (status != Status::kOk) return false;
   ++out.found;
-  for (const StageReport& stage : report.stages) EXPECT_LE(stage.work, stage.bound);
+  for (const StageReport& stage : report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
   out.latest = std::max(out.latest, duration(next) - rest);
   out.sooner += duration(next) < rest - 1e-6 ? 1 : 0;
   EXPECT_LE(duration(next), rest + 1e-6) << t;

@@ -48,8 +48,8 @@ PlanResult awkward_result(std::uint64_t seed) {
   result.grid.origin = vec();
   result.report.status = Status::kOk;
   result.report.quality = tern::Quality::kOptimised;
-  result.report.qp_iterations = 17;
-  result.report.stages[static_cast<int>(tern::Stage::kSearch)].work = 4321;
+  result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work = 17;
+  result.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work = 4321;
   result.timing.inflate = 1.5;
   result.timing.stages[static_cast<int>(tern::Stage::kCheck)] = 2.25;
   result.path = std::make_unique<tern::Path>();
@@ -61,10 +61,6 @@ PlanResult awkward_result(std::uint64_t seed) {
   result.corridor->count = 1;
   result.corridor->polyhedra[0].count = 2;
   for (int i = 0; i < 2; ++i) result.corridor->polyhedra[0].planes[i] = {vec(), number()};
-  for (auto& row : result.corridor->polyhedra[0].ellipsoid.axes) {
-    for (double& value : row) value = number();
-  }
-  result.corridor->polyhedra[0].ellipsoid.center = vec();
   result.trajectory.count = 2;
   result.trajectory.origin = result.grid.origin;
   for (int s = 0; s < 2; ++s) {
@@ -118,7 +114,6 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_FALSE(plan["limits"].contains("v_horizontal"));
   EXPECT_EQ(plan["search"]["expanded"], 4321);
   EXPECT_EQ(plan["corridor"].size(), 1u);
-  EXPECT_EQ(plan["corridor"][0]["ellipsoid"]["E"].size(), 3u);
   EXPECT_EQ(plan["qp"]["iterations"], 17);
   for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization", "check",
                             "fences", "detour", "previous", "escape", "reach"}) {

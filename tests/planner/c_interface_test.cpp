@@ -89,7 +89,6 @@ TEST(CInterface, EveryByteHasNames) {
   EXPECT_STREQ(tern_stage_name(1), "search");
   EXPECT_STREQ(tern_stage_name(10), "escape");
   EXPECT_STREQ(tern_finding_name(2), "obstacle");
-  EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kShortcut)), "shortcut");
   EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kSearch)), "search");
 }
 
@@ -158,17 +157,6 @@ TEST(CInterface, EveryStatusHasItsConstant) {
     named += std::strcmp(tern_status_name(static_cast<std::uint8_t>(byte)), "unknown") != 0 ? 1 : 0;
   }
   EXPECT_EQ(named, sizeof constants / sizeof *constants);
-}
-
-TEST(CInterface, UnknownShortcutIsRefused) {
-  World world = small_world();
-  for (int byte = 0; byte < 256; ++byte) {
-    set_byte(world.request.shortcut, byte);
-    const Status expected = byte < 1 ? Status::kOk : Status::kInvalidArgument;
-    EXPECT_EQ(world.plan(), expected) << byte;
-    EXPECT_EQ(world.report.field, byte < 1 ? Field::kNone : Field::kShortcut) << byte;
-    EXPECT_EQ(world.trajectory_untouched(), byte >= 1) << byte;
-  }
 }
 
 TEST(CInterface, UnknownSearchIsRefused) {

@@ -124,7 +124,7 @@ TEST(CPlanner, MeasuresWithAClock) {
   std::uint64_t now = 0;
   EXPECT_EQ(tern_planner_set_clock(&c.planner, ticks, &now), kOk);
   ASSERT_EQ(c.plan(), kOk);
-  EXPECT_TRUE(c.report.timing_known);
+  EXPECT_TRUE(c.report.diagnostics.timing_known);
   EXPECT_GT(now, 10u);
 }
 

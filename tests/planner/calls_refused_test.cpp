@@ -48,7 +48,8 @@ TEST(CallFault, SlicesGiveTheSameBits) {  // C3, F16
     World sliced = walled_world();
     ASSERT_EQ(run_in_slices(sliced, slice), Status::kOk);
     EXPECT_TRUE(same_bits(whole.trajectory, sliced.trajectory)) << slice;
-    for (int s = 0; s < tern::kStageCount; ++s) EXPECT_EQ(whole.report.stages[s].work, sliced.report.stages[s].work);
+    for (int s = 0; s < tern::kStageCount; ++s)
+      EXPECT_EQ(whole.report.diagnostics.stages[s].work, sliced.report.diagnostics.stages[s].work);
   }
 }
 
@@ -63,15 +64,16 @@ TEST(CallFault, SliceOfNothingMakesNoProgress) {  // F16
 void expect_every_budget(std::uint32_t tern::Budget::*field, tern::Stage stage, Status expired) {
   World reference = walled_world();
   ASSERT_EQ(reference.replan(), Status::kOk);
-  const std::uint32_t need = reference.report.stages[static_cast<int>(stage)].work;
+  const std::uint32_t need = reference.report.diagnostics.stages[static_cast<int>(stage)].work;
   ASSERT_GT(need, 0u);
   const std::uint32_t stride = need > 400 ? need / 200 : 1;
   for (std::uint32_t k = 0; k <= need; k += (k + stride > need && k < need) ? need - k : stride) {
     World world = walled_world();
     world.request.budget.*field = k;
     const Status status = world.replan();
-    EXPECT_LE(world.report.stages[static_cast<int>(stage)].work, k);
-    EXPECT_LE(world.report.stages[static_cast<int>(stage)].work, world.report.stages[static_cast<int>(stage)].bound);
+    EXPECT_LE(world.report.diagnostics.stages[static_cast<int>(stage)].work, k);
+    EXPECT_LE(world.report.diagnostics.stages[static_cast<int>(stage)].work,
+              world.report.diagnostics.stages[static_cast<int>(stage)].bound);
     if (status == Status::kOk) {
       EXPECT_TRUE(same_bits(world.trajectory, reference.trajectory)) << k;
     } else {
@@ -99,12 +101,12 @@ TEST(CallFault, EveryIterationBudgetStillFlies) {  // F17, C6
   World reference = walled_world();
   ASSERT_EQ(reference.replan(), Status::kOk);
   ASSERT_EQ(reference.report.quality, tern::Quality::kOptimised);
-  const std::uint32_t need = reference.report.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
+  const std::uint32_t need = reference.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
   for (std::uint32_t k = 0; k <= need; ++k) {
     World world = walled_world();
     world.request.budget.iterations = k;
     ASSERT_EQ(world.replan(), Status::kOk) << k;
-    EXPECT_LE(world.report.stages[static_cast<int>(tern::Stage::kTrajectory)].work, k);
+    EXPECT_LE(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work, k);
     if (world.report.optimiser == Status::kOk) {
       EXPECT_EQ(world.report.quality, tern::Quality::kOptimised);
     } else {
@@ -145,7 +147,7 @@ std::uint64_t fake_ticks(void* context) {
 TEST(CallFault, ClockChangesNothing) {  // F18
   World reference = walled_world();
   ASSERT_EQ(reference.replan(), Status::kOk);
-  EXPECT_FALSE(reference.report.timing_known);
+  EXPECT_FALSE(reference.report.diagnostics.timing_known);
   for (const auto kind : {FakeClock::kFrozen, FakeClock::kBackwards, FakeClock::kWrapping, FakeClock::kJumping}) {
     World world = walled_world();
     FakeClock clock{kind, 1000};
@@ -153,10 +155,10 @@ TEST(CallFault, ClockChangesNothing) {  // F18
     ASSERT_EQ(world.replan(), Status::kOk);
     EXPECT_TRUE(same_bits(world.trajectory, reference.trajectory));
     if (kind != FakeClock::kJumping) {
-      EXPECT_FALSE(world.report.timing_known) << kind;
+      EXPECT_FALSE(world.report.diagnostics.timing_known) << kind;
     }
-    if (!world.report.timing_known) {
-      for (const tern::StageReport& stage : world.report.stages) EXPECT_EQ(stage.ticks, 0u);
+    if (!world.report.diagnostics.timing_known) {
+      for (const tern::StageReport& stage : world.report.diagnostics.stages) EXPECT_EQ(stage.ticks, 0u);
     }
   }
 }

@@ -179,13 +179,13 @@ World sideways() {
 TEST(DetourPlan, IsReportedAndBounded) {
   World world = sideways();
   ASSERT_EQ(world.plan(), Status::kOk);
-  EXPECT_EQ(world.report.detours, 1);
+  EXPECT_EQ(world.report.diagnostics.detours, 1);
   EXPECT_EQ(world.planner.path()->points[1].x, 1.2);
   EXPECT_LT(world.planner.path()->points[1].y, 1.4);
-  const std::uint32_t lines = world.report.stages[static_cast<int>(tern::Stage::kDetour)].work;
+  const std::uint32_t lines = world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work;
   EXPECT_GT(lines, 0u);
   EXPECT_LE(lines, tern::kDetourLines);
-  for (const tern::StageReport& stage : world.report.stages) EXPECT_LE(stage.work, stage.bound);
+  for (const tern::StageReport& stage : world.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
 }
 
 TEST(DetourPlan, SlicesGiveTheSameBits) {
@@ -205,11 +205,12 @@ TEST(DetourPlan, KeepsTheBudgetsOverBothAttempts) {
   World world = sideways();
   ASSERT_EQ(world.plan(), Status::kOk);
   const tern::Report full = world.report;
-  world.request.budget.iterations = full.stages[static_cast<int>(tern::Stage::kTrajectory)].work / 2;
+  world.request.budget.iterations = full.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work / 2;
   ASSERT_EQ(world.replan(), Status::kOk) << "stop-and-go at least";
-  EXPECT_LE(world.report.stages[static_cast<int>(tern::Stage::kTrajectory)].work, world.request.budget.iterations);
+  EXPECT_LE(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work,
+            world.request.budget.iterations);
   world.request.budget.iterations = 0xFFFFFFFFu;
-  world.request.budget.planes = full.stages[static_cast<int>(tern::Stage::kCorridor)].work - 1;
+  world.request.budget.planes = full.diagnostics.stages[static_cast<int>(tern::Stage::kCorridor)].work - 1;
   EXPECT_EQ(world.replan(), Status::kNoTrajectory);
   EXPECT_TRUE(world.trajectory_untouched());
 }
@@ -217,14 +218,14 @@ TEST(DetourPlan, KeepsTheBudgetsOverBothAttempts) {
 TEST(DetourPlan, SharesTheBudgetOfSightLinesWithTheShortcut) {
   World world = sideways();
   ASSERT_EQ(world.plan(), Status::kOk);
-  const std::uint32_t shortcut = world.report.stages[static_cast<int>(tern::Stage::kShortcut)].work;
+  const std::uint32_t shortcut = world.report.diagnostics.stages[static_cast<int>(tern::Stage::kShortcut)].work;
   world.request.budget.sight_lines = shortcut + tern::kDetourLines;
   ASSERT_EQ(world.replan(), Status::kOk);
-  EXPECT_EQ(world.report.detours, 1);
+  EXPECT_EQ(world.report.diagnostics.detours, 1);
   world.request.budget.sight_lines = shortcut + tern::kDetourLines - 1;
   world.replan();
-  EXPECT_NE(world.report.detours, 1);
-  EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
+  EXPECT_NE(world.report.diagnostics.detours, 1);
+  EXPECT_EQ(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
 }
 
 TEST(DetourPlan, NoneOnAWayThroughVias) {
@@ -234,15 +235,15 @@ TEST(DetourPlan, NoneOnAWayThroughVias) {
   world.request.vias = &via;
   world.request.via_count = 1;
   ASSERT_EQ(world.plan(), Status::kOk);
-  EXPECT_EQ(world.report.detours, 2) << "it comes to rest first";
-  EXPECT_EQ(world.report.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
+  EXPECT_EQ(world.report.diagnostics.detours, 2) << "it comes to rest first";
+  EXPECT_EQ(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
 }
 
 TEST(DetourPlan, NoneAtRest) {
   World world = sideways();
   world.request.start.velocity = {0.0, 0.0, 0.0};
   ASSERT_EQ(world.plan(), Status::kOk);
-  EXPECT_EQ(world.report.detours, 0);
+  EXPECT_EQ(world.report.diagnostics.detours, 0);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ class EscapePlan : public testing::Test {
   }
   void expect_escaped() {
     ASSERT_EQ(world_.plan(), Status::kOk);
-    EXPECT_EQ(world_.report.detours, tern::kEscaped);
-    EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
-    for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+    EXPECT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+    EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+    for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     const double end = tern::duration(world_.trajectory);
     const int steps = 4000;
     for (int k = 0; k <= steps; ++k) {
@@ -90,7 +90,7 @@ TEST_F(EscapePlan, ThePlannerSaysItsStage) {
   world_.planner.finish(world_.trajectory, world_.report);
   const int escape = static_cast<int>(tern::Stage::kEscape);
   EXPECT_GT(units[escape], 0u);
-  EXPECT_GT(world_.report.stages[escape].work, 0u);
+  EXPECT_GT(world_.report.diagnostics.stages[escape].work, 0u);
   EXPECT_EQ(world_.planner.stage(), tern::Stage::kCheck);
 }
 
@@ -147,7 +147,9 @@ TEST_F(EscapePlan, BoundsThatAreTooLargeAreTheLargestNumber) {
   world_.request.via_count = tern::kMaxVias;
   ASSERT_EQ(world_.plan(), Status::kOk);
   const std::uint64_t searches = 4u * (tern::kMaxVias + 1u);
-  const auto bound_of = [&](tern::Stage stage) { return world_.report.stages[static_cast<int>(stage)].bound; };
+  const auto bound_of = [&](tern::Stage stage) {
+    return world_.report.diagnostics.stages[static_cast<int>(stage)].bound;
+  };
   EXPECT_EQ(bound_of(tern::Stage::kSearch), std::min<std::uint64_t>(searches * tern::kSearchBound, 0xFFFFFFFFu));
   EXPECT_EQ(bound_of(tern::Stage::kShortcut), searches * tern::kShortcutBound);
 }

@@ -78,7 +78,7 @@ TEST_F(Fallback, FliesFromStopToStopWhatTheCheckRefused) {
   EXPECT_EQ(world_.report.quality, Quality::kStopAndGo);
   EXPECT_EQ(world_.report.optimiser, Status::kCheckFailed);
   expect_found();
-  for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+  for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
   // The very plan that no iteration at all leads to.
   ASSERT_EQ(world_.trajectory.count, stops.count);
   for (int i = 0; i < stops.count; ++i) {
@@ -125,14 +125,14 @@ TEST_F(EscapedFallback, ComesToRestElsewhere) {
   begin();
   ASSERT_EQ(run(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kOptimised);
-  ASSERT_EQ(world_.report.detours, tern::kEscaped);
-  const std::uint32_t escaped = world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work;
+  ASSERT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+  const std::uint32_t escaped = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work;
   begin();
   spoil();
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
-  EXPECT_EQ(world_.report.detours, tern::kEscaped);
-  EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kEscape)].work, escaped);
+  EXPECT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, escaped);
 }
 
 TEST_F(EscapedFallback, EndsAsTheRequestDidWhereNoneHolds) {

@@ -173,13 +173,13 @@ class MovingEnds : public testing::Test {
     const Status status = world.plan();
     if (status == Status::kNoPath) return;
     ASSERT_TRUE(status == Status::kOk || status == Status::kNoTrajectory) << tern::status_name(status);
-    for (const tern::StageReport& stage : world.report.stages) ASSERT_LE(stage.work, stage.bound);
+    for (const tern::StageReport& stage : world.report.diagnostics.stages) ASSERT_LE(stage.work, stage.bound);
     const bool possible = can_stop_straight(blocks_, request.start, request.limits) &&
                           can_stop_straight(blocks_, turned_back(request.goal), turned_back(request.limits));
     possible_ += possible ? 1 : 0;
     missed_ += possible && status != Status::kOk ? 1 : 0;
     refused_ += status == Status::kOk ? 0 : 1;
-    detours_ += world.report.detours;
+    detours_ += world.report.diagnostics.detours;
     if (status != Status::kOk) {
       ASSERT_TRUE(world.trajectory_untouched());
     } else {

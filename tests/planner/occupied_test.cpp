@@ -33,7 +33,7 @@ class OccupiedEnds : public testing::Test {
     EXPECT_EQ(report().raw_occupied, raw);
     EXPECT_EQ(report().finer_cell, 0.0) << "occupied, or so narrow that no grid that fine fits";
     EXPECT_TRUE(report().has_nearest_free);
-    EXPECT_EQ(report().stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+    EXPECT_EQ(report().diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
     EXPECT_TRUE(world_.trajectory_untouched());
   }
 
@@ -70,7 +70,7 @@ TEST_F(OccupiedEnds, AStartThatLeavesTheTunnelStopsOutside) {
   world_.from({2.85, 1.0, 1.0});
   start().velocity = along_;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
   EXPECT_NEAR(tern::evaluate(world_.trajectory, 0.0).velocity.x, 1.0, 1e-9);
   const Vec3 end = tern::evaluate(world_.trajectory, tern::duration(world_.trajectory)).position;
   EXPECT_LE(tern::distance(end, goal().position), 1e-9);
@@ -85,7 +85,7 @@ TEST_F(OccupiedEnds, AStartThatStopsOutsideStillPassesItsVias) {
   world_.request.vias = &via;
   world_.request.via_count = 1;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
   EXPECT_LE(tern::distance(tern::evaluate(world_.trajectory, report().vias[0].time).position, via.position), 1e-9);
 }
 
@@ -93,7 +93,7 @@ TEST_F(OccupiedEnds, AGoalThatEntersTheTunnelIsLeftForFromOutside) {
   world_.from({0.5, 3.0, 1.0}).to({1.1, 1.0, 1.0});
   goal().velocity = along_;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
   const tern::Segment& last = world_.trajectory.segments[world_.trajectory.count - 1];
   EXPECT_NEAR((last.points[7].x - last.points[6].x) * 7.0 / last.duration, 1.0, 1e-9);
 }
@@ -102,7 +102,7 @@ TEST_F(OccupiedEnds, AStartDeepInTheTunnelIsRefusedAfterItsEscapes) {
   world_.from(inside_);
   start().velocity = along_;
   EXPECT_EQ(world_.plan(), Status::kStartTooNarrow);
-  EXPECT_GT(report().stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+  EXPECT_GT(report().diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
 }
 
 /// The way to a via where the plan starts is no way at all, and the next leg finds no voxel to begin in.

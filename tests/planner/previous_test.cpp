@@ -67,9 +67,9 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
     ask_from(time);
     ASSERT_EQ(world_.replan(), Status::kOk) << part;
     EXPECT_EQ(world_.report.quality, Quality::kPrevious);
-    EXPECT_EQ(world_.report.detours, tern::kFollowed);
-    EXPECT_GT(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
-    for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+    EXPECT_EQ(world_.report.diagnostics.detours, tern::kFollowed);
+    EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
+    for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     expect_same_flight(time);
   }
 }
@@ -82,7 +82,7 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   EXPECT_EQ(world_.report.quality, Quality::kPrevious);
   EXPECT_EQ(world_.report.optimiser, Status::kOk);
   EXPECT_NE(world_.planner.corridor(), nullptr);
-  for (const tern::StageReport& stage : world_.report.stages) EXPECT_LE(stage.work, stage.bound);
+  for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
   expect_same_flight(0.4 * duration(first_));
   world_.request.time_weight = tern::kDefaultTimeWeight;
   world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
@@ -99,11 +99,11 @@ TEST_F(PreviousPlan, SetsThePaceOfANewOne) {
   world_.request.time_weight = 1000.0;
   ASSERT_EQ(world_.replan(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kOptimised);
-  const std::int32_t iterations = world_.report.qp_iterations;
+  const std::uint32_t iterations = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
   const double seconds = duration(world_.trajectory);
   world_.request.previous = nullptr;
   ASSERT_EQ(world_.replan(), Status::kOk);
-  EXPECT_LT(iterations, world_.report.qp_iterations);
+  EXPECT_LT(iterations, world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work);
   EXPECT_LT(seconds, 1.03 * duration(world_.trajectory));
 }
 
@@ -138,7 +138,7 @@ TEST_F(PreviousPlan, IsNotReturnedToWithoutTheHalfSpacesForIt) {
   ASSERT_EQ(world_.report.quality, Quality::kPrevious);
   std::uint32_t planes = 0;
   for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kEscape}) {
-    planes += world_.report.stages[static_cast<int>(stage)].work;
+    planes += world_.report.diagnostics.stages[static_cast<int>(stage)].work;
   }
   world_.request.budget.planes = planes;
   ASSERT_EQ(world_.replan(), Status::kOk);
@@ -152,7 +152,7 @@ TEST_F(PreviousPlan, LeadsNowhereElseFromRest) {
   ask_from(0.0);
   world_.request.goal.position = {5.0, 3.0, 1.0};
   EXPECT_EQ(world_.replan(), Status::kBudgetSearch);
-  EXPECT_EQ(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
+  EXPECT_EQ(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
 }
 
 TEST_F(PreviousPlan, LeadsToNoOtherGoalThatIsOccupied) {
@@ -160,7 +160,7 @@ TEST_F(PreviousPlan, LeadsToNoOtherGoalThatIsOccupied) {
   world_.request.budget.expansions = 0xFFFFFFFFu;
   world_.request.goal.position = {3.0, 1.0, 1.0};  // in the wall
   EXPECT_EQ(world_.replan(), Status::kGoalOccupied);
-  EXPECT_EQ(world_.report.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
+  EXPECT_EQ(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
 }
 
 TEST_F(PreviousPlan, MayBeTheOutput) {

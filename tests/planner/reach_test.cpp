@@ -29,7 +29,7 @@ class ReachPlan : public testing::Test {
   }
   void wall() { world_.block({4.0, 0.0, 0.0}, {4.2, 4.0, 2.0}); }
   const tern::Report& report() const { return world_.report; }
-  const tern::StageReport& stage(Stage s) const { return report().stages[static_cast<int>(s)]; }
+  const tern::StageReport& stage(Stage s) const { return report().diagnostics.stages[static_cast<int>(s)]; }
 
   void expect_point(const Vec3& p, const Vec3& relative) {
     const Vec3 expected = relative + world_.spec.origin;
@@ -43,7 +43,7 @@ class ReachPlan : public testing::Test {
     const tern::Sample end = tern::evaluate(world_.trajectory, tern::duration(world_.trajectory));
     EXPECT_LE(tern::distance(end.position, report().reachable), 1e-9);
     EXPECT_EQ(tern::dot(end.velocity, end.velocity), 0.0);
-    for (const tern::StageReport& s : report().stages) EXPECT_LE(s.work, s.bound);
+    for (const tern::StageReport& s : report().diagnostics.stages) EXPECT_LE(s.work, s.bound);
   }
 
   World world_;

@@ -21,7 +21,7 @@ using tern::Trajectory;
 using tern::Vec3;
 
 const tern::StageReport& stage(const World& world, Stage s) {
-  return world.report.stages[static_cast<int>(s)];
+  return world.report.diagnostics.stages[static_cast<int>(s)];
 }
 
 void ask_from(World& world, const Trajectory& plan, double time) {
@@ -105,7 +105,7 @@ TEST(RestInATunnel, LeadsOutBeforeTheGoalsOwnEscape) {
   world.to({7.0, 3.0, 1.0});
   world.request.goal.velocity = {0.0, 0.5, 0.0};
   ASSERT_EQ(world.replan(), Status::kOk);
-  EXPECT_EQ(world.report.detours, tern::kFollowed);
+  EXPECT_EQ(world.report.diagnostics.detours, tern::kFollowed);
   EXPECT_GT(stage(world, Stage::kPrevious).work, 0u);
   EXPECT_GT(stage(world, Stage::kEscape).work, 0u);
   const double end = tern::duration(first) - 0.01;

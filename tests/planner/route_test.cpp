@@ -41,8 +41,8 @@ TEST(Route, IsThePathOfThePlan) {
   EXPECT_EQ(world.planner.corridor(), nullptr);
   EXPECT_EQ(world.report.stage, tern::Stage::kShortcut);
   EXPECT_EQ(world.report.quality, tern::Quality::kNone);
-  EXPECT_EQ(world.report.search_bound, planned.report.search_bound);
-  EXPECT_EQ(world.report.stages[kCorridorIndex].bound, 0u);
+  EXPECT_EQ(world.report.diagnostics.search_bound, planned.report.diagnostics.search_bound);
+  EXPECT_EQ(world.report.diagnostics.stages[kCorridorIndex].bound, 0u);
 }
 
 TEST(Route, HasTheSameBitsInSlices) {
@@ -130,12 +130,12 @@ TEST(Pace, SavesIterations) {
     const tern::Sample now = tern::evaluate(first, t);
     world.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     ASSERT_EQ(world.replan(), Status::kOk);
-    unpaced += world.report.stages[kTrajectoryIndex].work;
+    unpaced += world.report.diagnostics.stages[kTrajectoryIndex].work;
     ASSERT_EQ(world.planner.begin(world.grid, world.request, first, t), Status::kRunning);
     ASSERT_EQ(world.planner.step(0xFFFFFFFFu), Status::kOk);
     ASSERT_EQ(world.planner.finish(world.trajectory, world.report), Status::kOk);
-    EXPECT_LT(world.report.detours, 3) << "it does not follow the pace";
-    paced += world.report.stages[kTrajectoryIndex].work;
+    EXPECT_LT(world.report.diagnostics.detours, 3) << "it does not follow the pace";
+    paced += world.report.diagnostics.stages[kTrajectoryIndex].work;
   }
   EXPECT_LT(paced, unpaced);
 }

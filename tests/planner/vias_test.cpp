@@ -55,7 +55,7 @@ class ViasPlan : public testing::Test {
     }
     EXPECT_LE(last, tern::duration(world_.trajectory));
     EXPECT_EQ(report().via, kNoVia);
-    for (const tern::StageReport& stage : report().stages) EXPECT_LE(stage.work, stage.bound);
+    for (const tern::StageReport& stage : report().diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
   }
   void expect_refused(Status status, int v) {
     EXPECT_EQ(plan(), status);

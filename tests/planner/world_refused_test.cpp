@@ -21,7 +21,7 @@ TEST(WorldFault, EnclosedGoal) {  // F06
   for (const double y : {1.6, 2.4}) world.block({1.6, y, 0.0}, {2.5, y + 0.1, 2.0});
   EXPECT_EQ(world.plan(), Status::kNoPath);
   EXPECT_EQ(world.report.stage, tern::Stage::kSearch);
-  EXPECT_LE(world.report.stages[1].work, world.report.stages[1].bound);
+  EXPECT_LE(world.report.diagnostics.stages[1].work, world.report.diagnostics.stages[1].bound);
   EXPECT_TRUE(world.trajectory_untouched());
 }
 

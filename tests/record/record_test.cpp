@@ -69,6 +69,7 @@ struct Replayed {
 
 void expect_same(const Trajectory& a, const Trajectory& b) {
   ASSERT_EQ(a.count, b.count);
+  EXPECT_EQ(a.begin, b.begin);
   EXPECT_EQ(std::memcmp(&a.origin, &b.origin, sizeof a.origin), 0);
   for (int i = 0; i < a.count; ++i) {
     EXPECT_EQ(std::memcmp(&a.segments[i].points, &b.segments[i].points, sizeof a.segments[i].points), 0);
@@ -108,6 +109,7 @@ void ask_for_everything(tern_test::World& world, std::vector<Halfspace>& planes,
   world.request.limits.v_horizontal = 1.75;
   world.request.time_weight = 200.0;
   world.request.search = SearchMode::kOptimal;
+  world.request.begin = -1234567890123456789;
 }
 
 TEST(Record, HoldsAllOfAQuery) {

@@ -182,50 +182,6 @@ inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<t
   }
 }
 
-inline double determinant(const double (&e)[3][3]) {
-  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
-}
-
-/// |E^-1 (p - c)|, by Cramer's rule.
-inline double ellipsoid_norm(const tern::Ellipsoid& ellipsoid, const tern::Vec3& p) {
-  const tern::Vec3 d = minus3(p, ellipsoid.center);
-  const double right[3] = {d.x, d.y, d.z};
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    double replaced[3][3];
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) replaced[i][j] = j == k ? right[i] : ellipsoid.axes[i][j];
-    }
-    const double q = determinant(replaced) / determinant(ellipsoid.axes);
-    sum += q * q;
-  }
-  return std::sqrt(sum);
-}
-
-/// E symmetric and positive definite, inside every half-space and, where `room` keeps it from being a sliver, around
-/// both ends of the segment.
-inline void expect_ellipsoid(const tern::Polyhedron& polyhedron, double room) {
-  const double(&e)[3][3] = polyhedron.ellipsoid.axes;
-  const tern::Vec3& c = polyhedron.ellipsoid.center;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) ASSERT_EQ(e[i][j], e[j][i]);
-  }
-  ASSERT_GT(e[0][0], 0.0);
-  ASSERT_GE(e[0][0] * e[1][1] - e[0][1] * e[1][0], 0.0);
-  if (room > 1e-3) {
-    ASSERT_GT(determinant(e), 0.0);
-    ASSERT_LE(ellipsoid_norm(polyhedron.ellipsoid, polyhedron.from), 1.0 + 1e-6);
-    ASSERT_LE(ellipsoid_norm(polyhedron.ellipsoid, polyhedron.to), 1.0 + 1e-6);
-  }
-  for (int p = 0; p < polyhedron.count; ++p) {
-    const tern::Vec3& n = polyhedron.planes[p].normal;
-    const tern::Vec3 en{e[0][0] * n.x + e[0][1] * n.y + e[0][2] * n.z, e[1][0] * n.x + e[1][1] * n.y + e[1][2] * n.z,
-                        e[2][0] * n.x + e[2][1] * n.y + e[2][2] * n.z};
-    ASSERT_LE(dot3(n, c) + norm3(en), polyhedron.planes[p].offset + 1e-7);
-  }
-}
-
 /// True for a half-space that is one of the box's own faces.
 inline bool is_face_of(const tern::Halfspace& h, const tern::Box& box) {
   const tern::Vec3& corner = h.normal.x + h.normal.y + h.normal.z > 0.0 ? box.upper : box.lower;

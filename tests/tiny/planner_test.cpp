@@ -88,7 +88,7 @@ TEST(TinyPlanner, EachOverflowHasItsStatusAndMark) {
     World world = seed % 2 == 0 ? noise(0.02 * static_cast<double>(1 + seed % 14), seed)
                                 : slalom(static_cast<int>(1 + seed % 12));
     const Status status = world.plan();
-    const tern::HighWater& high = world.report.high_water;
+    const tern::HighWater& high = world.report.diagnostics.high_water;
     EXPECT_LE(high.nodes, tern::kMaxNodes);
     EXPECT_LE(high.open, tern::kMaxOpen);
     EXPECT_LE(high.segments, tern::kMaxSegments);
@@ -146,12 +146,12 @@ TEST(TinyPlanner, AFastPathThatDoesNotFitIsSearchedForAgain) {
     World world = strewn(random);
     world.request.search = tern::SearchMode::kFast;
     const Status status = world.plan();
-    const tern::StageReport& search = world.report.stages[static_cast<int>(Stage::kSearch)];
-    const tern::StageReport& shortcut = world.report.stages[static_cast<int>(Stage::kShortcut)];
+    const tern::StageReport& search = world.report.diagnostics.stages[static_cast<int>(Stage::kSearch)];
+    const tern::StageReport& shortcut = world.report.diagnostics.stages[static_cast<int>(Stage::kShortcut)];
     EXPECT_LE(search.work, search.bound);
     EXPECT_LE(shortcut.work, shortcut.bound);
     if (status == Status::kSegmentsFull) {
-      EXPECT_EQ(world.report.search_used, tern::SearchUsed::kOptimal) << "case " << k;
+      EXPECT_EQ(world.report.diagnostics.search_used, tern::SearchUsed::kOptimal) << "case " << k;
     }
     // A plan that fails in the search although a path was shortened before.
     again += world.report.stage == Stage::kSearch && shortcut.work > 0 ? 1 : 0;

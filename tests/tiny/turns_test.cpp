@@ -122,7 +122,7 @@ TEST(TinyTurns, LegsThatAreFullTogether) {
     world.request.via_count = 1;
     if (world.plan() != Status::kJumpPointsFull || world.report.stage != tern::Stage::kShortcut) continue;
     ++full;
-    EXPECT_EQ(world.report.high_water.jump_points, tern::kMaxJumpPoints);
+    EXPECT_EQ(world.report.diagnostics.high_water.jump_points, tern::kMaxJumpPoints);
     EXPECT_TRUE(world.trajectory_untouched());
     world.request.via_count = 0;
     EXPECT_EQ(world.plan(), Status::kOk);

@@ -47,7 +47,7 @@ TEST_F(TinyVias, AWayOfTooManyLegsIsFull) {
   plane.request.vias = vias_;
   plane.request.via_count = tern::kMaxVias;
   EXPECT_EQ(plane.plan(), Status::kSegmentsFull);
-  EXPECT_EQ(plane.report.high_water.segments, tern::kMaxSegments);
+  EXPECT_EQ(plane.report.diagnostics.high_water.segments, tern::kMaxSegments);
   EXPECT_TRUE(plane.trajectory_untouched());
   plane.request.via_count = 1;
   EXPECT_EQ(plane.plan(), Status::kOk);
@@ -71,7 +71,7 @@ TEST_F(TinyVias, ADwellForWhichNoSegmentIsLeftIsFull) {
     EXPECT_EQ(plane.trajectory.count, tern::kMaxSegments);
     vias_[0].dwell = 1.0;
     EXPECT_EQ(plane.plan(), Status::kSegmentsFull);
-    EXPECT_EQ(plane.report.high_water.segments, tern::kMaxSegments);
+    EXPECT_EQ(plane.report.diagnostics.high_water.segments, tern::kMaxSegments);
     EXPECT_TRUE(plane.trajectory_untouched());
   }
 }

@@ -39,17 +39,23 @@ double largest(const tern::Vec3& v) {
 
 std::string search_lines(const PlanResult& result) {
   const tern::Path& path = *result.path;
-  const auto expanded = result.report.stages[static_cast<int>(Stage::kSearch)].work;
+  const auto expanded = result.report.diagnostics.stages[static_cast<int>(Stage::kSearch)].work;
   return "  jump points " + fixed(path.raw_length, 3) + " m over " + std::to_string(path.raw_count) + " points, " +
          std::to_string(expanded) + " expansions\n" + "  shortcut    " + fixed(path.length, 3) + " m over " +
          std::to_string(path.count) + " waypoints\n";
 }
 
 std::string corridor_line(const PlanResult& result) {
-  const tern::Report& report = result.report;
-  return "  corridor    " + std::to_string(result.corridor->count) + " polyhedra, " +
-         std::to_string(report.half_spaces) + " half-spaces (" + std::to_string(report.half_spaces_redundant) +
-         " redundant ones set aside)" + (report.detours != 0 ? ", along the motion first" : "") + "\n";
+  const tern::Corridor& corridor = *result.corridor;
+  int bounding = 0;
+  int redundant = 0;
+  for (int i = 0; i < corridor.count; ++i) {
+    bounding += corridor.polyhedra[i].count;
+    redundant += corridor.polyhedra[i].redundant;
+  }
+  return "  corridor    " + std::to_string(corridor.count) + " polyhedra, " + std::to_string(bounding) +
+         " half-spaces (" + std::to_string(redundant) + " redundant ones set aside)" +
+         (result.report.diagnostics.detours != 0 ? ", along the motion first" : "") + "\n";
 }
 
 std::string timing_line(const tern_host::Timing& timing) {

@@ -56,7 +56,7 @@ Json search_json(const PlanResult& result) {
   const Vec3& origin = result.grid.origin;
   return {{"jps_path", points_json(path.raw, path.raw_count, origin)},
           {"jps_length", path.raw_length},
-          {"expanded", result.report.stages[static_cast<int>(tern::Stage::kSearch)].work},
+          {"expanded", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work},
           {"path", points_json(path.points, path.count, origin)},
           {"length", path.length}};
 }
@@ -75,13 +75,9 @@ Json halfspaces_json(const tern::Polyhedron& polyhedron, int begin, int end, con
 
 Json polyhedron_json(const tern::Polyhedron& polyhedron, const Vec3& origin) {
   const int all = polyhedron.count + polyhedron.redundant;
-  Json axes = Json::array();
-  for (const double(&row)[3] : polyhedron.ellipsoid.axes) axes.push_back({row[0], row[1], row[2]});
-  const Json center = json(to_world(polyhedron.ellipsoid.center, origin));
   return {{"halfspaces", halfspaces_json(polyhedron, 0, polyhedron.count, origin)},
           {"redundant_halfspaces", polyhedron.redundant},
-          {"redundant", halfspaces_json(polyhedron, polyhedron.count, all, origin)},
-          {"ellipsoid", {{"E", axes}, {"d", center}}}};
+          {"redundant", halfspaces_json(polyhedron, polyhedron.count, all, origin)}};
 }
 
 Json corridor_json(const tern::Corridor& corridor, const Vec3& origin) {
@@ -133,13 +129,6 @@ Json timing_json(const Timing& timing) {
           {"escape", timing.of(tern::Stage::kEscape)},
           {"reach", timing.of(tern::Stage::kReach)},
           {"total", timing.total()}};
-}
-
-Json qp_json(const tern::Report& report) {
-  return {{"iterations", report.qp_iterations},
-          {"active", report.qp_active},
-          {"variables", report.qp_variables},
-          {"inequalities", report.qp_inequalities}};
 }
 
 Json yaw_json(const YawWish& wish, const tern::YawPlan& plan) {
@@ -234,7 +223,7 @@ std::string plan_json(const PlanResult& result) {
     plan["origin"] = json(result.trajectory.origin);
     plan["segments"] = segments_json(result.trajectory);
     plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
-    plan["qp"] = qp_json(result.report);
+    plan["qp"] = {{"iterations", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work}};
     if (result.yaw != nullptr) plan["yaw"] = yaw_json(scenario.yaw, *result.yaw);
   }
   if (result.report.check.finding != tern::Finding::kNone) plan["check"] = check_json(result.report.check);

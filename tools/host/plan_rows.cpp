@@ -38,7 +38,7 @@ std::string plan_hash(const tern::Trajectory& trajectory) {
 /// Units of all stages.
 std::uint64_t work_of(const tern::Report& report) {
   std::uint64_t sum = 0;
-  for (const tern::StageReport& stage : report.stages) sum += stage.work;
+  for (const tern::StageReport& stage : report.diagnostics.stages) sum += stage.work;
   return sum;
 }
 

@@ -32,6 +32,7 @@ std::string segment_difference(const tern::Segment& a, const tern::Segment& b) {
 
 std::string plan_difference(const tern::Trajectory& a, const tern::Trajectory& b) {
   if (a.count != b.count) return std::to_string(a.count) + " segments, now " + std::to_string(b.count);
+  if (a.begin != b.begin) return "the time of its beginning";
   if (!same_bits(a.origin, b.origin)) return "the origin";
   for (int i = 0; i < a.count; ++i) {
     const std::string what = segment_difference(a.segments[i], b.segments[i]);

@@ -100,7 +100,8 @@ PlanResult Session::plan(const Scenario& scenario, const tern::Trajectory* previ
   request.previous = previous;
   request.previous_time = previous_time;
   planner_.plan(grid_, request, result.trajectory, result.report);
-  for (int i = 0; i < tern::kStageCount; ++i) result.timing.stages[i] = microseconds(result.report.stages[i].ticks);
+  for (int i = 0; i < tern::kStageCount; ++i)
+    result.timing.stages[i] = microseconds(result.report.diagnostics.stages[i].ticks);
   if (planner_.path() != nullptr) result.path = std::make_unique<tern::Path>(*planner_.path());
   if (planner_.corridor() != nullptr) result.corridor = std::make_unique<tern::Corridor>(*planner_.corridor());
   add_yaw(result);

@@ -99,7 +99,7 @@ std::uint64_t marked(std::int32_t mark) {
 /// A row that counts only where the search ended for the reason given.
 void report_search(const char* name, const Run& run, tern::Status reason, std::uint64_t mark, std::uint64_t capacity,
                    std::uint64_t times) {
-  const std::uint64_t units = run.report.stages[static_cast<int>(tern::Stage::kSearch)].work;
+  const std::uint64_t units = run.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work;
   report({name, "search", run.count, run.status == reason ? mark : 0, capacity, units, times});
 }
 
@@ -110,11 +110,11 @@ void pillar_caps() {
   strew_pillars(grid);
   finish_world(grid, start, goal);
   const Run nodes = run(grid, start, goal, 0xFFFFFFFFu);
-  report_search("nodes", nodes, tern::Status::kNodesFull, marked(nodes.report.high_water.nodes), tern::kMaxNodes,
-                kCompanionNodes / tern::kMaxNodes);
+  report_search("nodes", nodes, tern::Status::kNodesFull, marked(nodes.report.diagnostics.high_water.nodes),
+                tern::kMaxNodes, kCompanionNodes / tern::kMaxNodes);
   const Run budget = run(grid, start, goal, kExpansions);
   report_search("expansions", budget, tern::Status::kBudgetSearch,
-                budget.report.stages[static_cast<int>(tern::Stage::kSearch)].work, kExpansions, 1);
+                budget.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work, kExpansions, 1);
 }
 
 void noise_caps() {
@@ -124,7 +124,7 @@ void noise_caps() {
   strew_voxels(grid);
   finish_world(grid, start, goal);
   const Run heap = run(grid, start, goal, 0xFFFFFFFFu);
-  report_search("heap", heap, tern::Status::kOpenFull, marked(heap.report.high_water.open), tern::kMaxOpen,
+  report_search("heap", heap, tern::Status::kOpenFull, marked(heap.report.diagnostics.high_water.open), tern::kMaxOpen,
                 (kCompanionHeap + tern::kMaxOpen - 1) / tern::kMaxOpen);
 }
 
@@ -135,8 +135,8 @@ void search_caps() {
   noise_caps();
   const tern::Grid lane = serpentine();
   const Run points = run(lane, {0, 0, 0}, {0, 8, 0}, 0xFFFFFFFFu);
-  report_search("jump_points", points, tern::Status::kJumpPointsFull, marked(points.report.high_water.jump_points),
-                tern::kMaxJumpPoints, 1);
+  report_search("jump_points", points, tern::Status::kJumpPointsFull,
+                marked(points.report.diagnostics.high_water.jump_points), tern::kMaxJumpPoints, 1);
 }
 
 }  // namespace tern_caps

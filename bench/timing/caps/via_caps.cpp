@@ -33,8 +33,10 @@ void via_caps() {
   const std::uint64_t instructions = count([&] { planner.plan(grid, request, results.plan, results.report); });
   std::uint64_t passed = 0;
   while (passed < tern::kMaxVias && results.report.vias[passed].time > 0.0) ++passed;
-  report({"vias", "mission", instructions, passed, tern::kMaxVias,
-          static_cast<std::uint64_t>(results.report.qp_iterations), 1});
+  report(
+      {"vias", "mission", instructions, passed, tern::kMaxVias,
+       static_cast<std::uint64_t>(results.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work),
+       1});
 }
 
 }  // namespace tern_caps

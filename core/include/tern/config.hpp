@@ -11,7 +11,7 @@
 // - TERN_PROFILE_COMPANION: a Jetson-class computer. The default.
 //
 // To change single capacities, write a header that defines some of the macros below, and define TERN_USER_CONFIG to its
-// name in quotes. It is included first. Report::high_water shows how much of each capacity a plan used.
+// name in quotes. It is included first. Diagnostics::high_water shows how much of each capacity a plan used.
 //
 // Compile the core and everything that includes its headers with the same definitions. The library refuses a program
 // with other capacities than its own (Field::kConfiguration). The macros are for C and C++, the constants for C++.

@@ -12,14 +12,6 @@
 
 namespace tern {
 
-/// The ellipsoid { axes * q + center : |q| <= 1 }: the paper's zeta(E, d) of Section 3.3.1.
-struct Ellipsoid {
-  /// The paper's E, row by row: symmetric positive definite, metres.
-  double axes[3][3];
-  /// The paper's d.
-  Vec3 center;
-};
-
 /// A convex polyhedron for the robot's centre. Every point of it keeps the grid's radius from every obstacle voxel.
 struct Polyhedron {
   /// Half-spaces that bound the polyhedron, none of them redundant. They come first in `planes`.
@@ -29,9 +21,6 @@ struct Polyhedron {
   int redundant;
   /// Normals of length 1. `count + redundant` of them are in use, at most kMaxPlanes.
   Halfspace planes[kMaxPlanes];
-  /// An ellipsoid inside the polyhedron, with its longest axis from `from` to `to`. A polyhedron made around a given
-  /// curve, such as a stop, has a tiny one instead. It is for displays: no later stage reads it.
-  Ellipsoid ellipsoid;
   /// Start of the straight line that this polyhedron was made for. Inside the polyhedron.
   Vec3 from;
   /// End of that line. Inside the polyhedron. The line is a leg of the path, a piece of a long leg, or a shortcut past

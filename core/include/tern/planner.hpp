@@ -23,7 +23,7 @@ namespace tern {
 class Plan;
 
 /// A monotonic tick counter of the platform. `context` is the pointer that you passed to Planner::set_clock. The ticks
-/// go into Report::stages and nowhere else: no plan depends on them.
+/// go into Diagnostics::stages and nowhere else: no plan depends on them.
 using ClockFn = uint64_t (*)(void* context);
 
 /// The planner. It works in memory that you give it and holds no state elsewhere. A planner is not thread-safe; two
@@ -43,8 +43,8 @@ class Planner {
   /// they differ from the library's, every plan answers kInvalidArgument, field kConfiguration.
   Planner(void* memory, size_t bytes, uint64_t configuration = kConfigurationHash) noexcept;
 
-  /// The clock for Report::stages[].ticks. With null, the default, no times are reported. Each call of `clock` gets
-  /// `context`, which belongs to the caller. A clock that stands still or runs backwards does no harm.
+  /// The clock for Diagnostics::stages[].ticks. With null, the default, no times are reported. Each call of `clock`
+  /// gets `context`, which belongs to the caller. A clock that stands still or runs backwards does no harm.
   void set_clock(ClockFn clock, void* context) noexcept;
 
   /// Makes the planner forget what it learned about maps. It changes no result. Use it to measure how long the first
@@ -98,7 +98,7 @@ class Planner {
   Stage stage() const noexcept;
 
   /// The path of the last plan or route, in the grid's local frame. Null if it has none. If the plan stops first
-  /// (Report::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the next
+  /// (Diagnostics::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the next
   /// plan or route begins.
   const Path* path() const noexcept;
   /// The corridor of the last plan: frame, lifetime and null as for path(). Segment::polyhedron is an index into it. If

@@ -84,17 +84,11 @@ struct Budget {
   uint32_t iterations = 0xFFFFFFFFu;
 };
 
-/// How the jump-point path is shortened. Any other number is refused (kInvalidArgument, field kShortcut).
-enum class ShortcutMode : uint8_t {
-  /// The shortest chain of points of the path in which each point sees the next. A line of sight covers the supercover
-  /// of the segment: every voxel that it touches must be free.
-  kShortestChain = 0,
-};
-
 /// How the search finds a path over the grid. Any other number is refused (kInvalidArgument, field kSearch). In both
 /// modes, kNoPath means that there is none.
 enum class SearchMode : uint8_t {
-  /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Report::search_bound limits
+  /// A path that costs a few per cent more than the cheapest, in a fraction of the time. Diagnostics::search_bound
+  /// limits
   /// how much more. If that search is led astray, the optimal one answers.
   kFast = 0,
   /// A cheapest path.
@@ -118,7 +112,9 @@ struct Request {
   State goal{};
   Limits limits{};
   Budget budget{};
-  ShortcutMode shortcut = ShortcutMode::kShortestChain;
+  /// When the plan begins: nanoseconds of a clock of yours. The plan carries it as Trajectory::begin. No decision
+  /// depends on it, and any number is accepted.
+  int64_t begin = 0;
   SearchMode search = SearchMode::kFast;
   GoalMode goal_mode = GoalMode::kExact;
   /// Within [kMinTimeWeight, kMaxTimeWeight], else kLimitsInvalid.
@@ -137,8 +133,8 @@ struct Request {
   /// For replanning in flight: the plan that you are flying, or null. If the planner finds no plan, or none that
   /// arrives more than a microsecond earlier, it follows the rest of this one, provided that this is still free on the
   /// grid. So no new plan to the same goal arrives later than the rest. If the goal is a different one and there is no
-  /// plan, it plans on to the goal from the end of the rest. Report::detours is 3 for such a plan. The planner tries to
-  /// stop first only if that fails, too.
+  /// plan, it plans on to the goal from the end of the rest. Diagnostics::detours is 3 for such a plan. The planner
+  /// tries to stop first only if that fails, too.
   ///
   /// The previous plan also saves work: if a new plan leads nearly the same way, the optimiser begins at the durations
   /// of this one.
@@ -152,7 +148,8 @@ struct Request {
   ///
   /// It may be the object that the new plan is written to: that object changes only when the new plan is kOk.
   const Trajectory* previous = nullptr;
-  /// Time since the beginning of `previous` at which the new plan begins. Seconds, >= 0, finite.
+  /// Time since the beginning of `previous` at which the new plan begins. Seconds, >= 0, finite. If both plans carry
+  /// the times of one clock, it is time_on(*previous, begin).
   double previous_time = 0.0;
 };
 

@@ -177,7 +177,8 @@ enum class Finding : uint8_t {
   kVia,       ///< a via is missed, out of order, or not passed as it was asked for
 };
 
-/// The field of a request, a grid, a flight or a call that a status is about.
+/// The field of a request, a grid, a flight or a call that a status is about. The numbers are part of the ABI; 17 and
+/// 24 are not used.
 enum class Field : uint8_t {
   kNone = 0,           ///< no single field
   kStartPosition,      ///< Request::start.position
@@ -196,15 +197,13 @@ enum class Field : uint8_t {
   kStorage,            ///< the grid's words: null or too few; or the grid is not bound to any
   kWorkspace,          ///< the planner's memory: null, or less than kWorkspaceBytes
   kCallOrder,          ///< finish() before begin(), or before step() was done
-  kBox,                ///< not used at present
-  kVMin,               ///< Limits::v_min
+  kVMin = 18,          ///< Limits::v_min
   kAMin,               ///< Limits::a_min
   kVHorizontal,        ///< Limits::v_horizontal
   kAHorizontal,        ///< Limits::a_horizontal
   kTimeWeight,         ///< Request::time_weight
   kFences,             ///< Request::fences or fence_count, or a fence in it
-  kShortcut,           ///< Request::shortcut
-  kPrevious,           ///< Request::previous or previous_time: no trajectory, or it does not give `start` at that time
+  kPrevious = 25,      ///< Request::previous or previous_time: no trajectory, or it does not give `start` at that time
   kNotInflated,        ///< the grid was bound, marked or cleared since its last inflate()
   kConfiguration,      ///< the caller's headers and the library were compiled with different capacities
   kSearch,             ///< Request::search

@@ -20,7 +20,7 @@
 
 /* Version of this interface. It grows with every incompatible change of a type or function below. Compare it with
  * tern_abi(). */
-#define TERN_ABI 10
+#define TERN_ABI 11
 
 /* Size of tern_grid and tern_planner in words of 64 bits. The core asserts at compile time that they suffice. */
 #define TERN_GRID_WORDS 32
@@ -49,6 +49,7 @@ typedef tern::StageReport tern_stage_report;
 typedef tern::CheckReport tern_check_report;
 typedef tern::HighWater tern_high_water;
 typedef tern::ViaPassage tern_via_passage;
+typedef tern::Diagnostics tern_diagnostics;
 typedef tern::Report tern_report;
 extern "C" {
 #else
@@ -87,15 +88,18 @@ typedef struct {
   tern_vec3 velocity;
   double dwell; /* s, 0 .. 3600: how long the plan rests there; only with stop */
 } tern_via;
-/* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world. */
+/* A Bezier segment, and a plan: tern/trajectory.hpp. Seconds; metres relative to `origin`, a point in the world.
+ * `begin` is when the plan begins, in nanoseconds of a clock of yours. */
 typedef struct { double duration; tern_vec3 points[8]; int32_t polyhedron; } tern_segment;
-typedef struct { int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS]; } tern_trajectory;
+typedef struct {
+  int64_t begin; int32_t count; tern_vec3 origin; tern_segment segments[TERN_MAX_SEGMENTS];
+} tern_trajectory;
 /* A query: tern/request.hpp. Fill it in after tern_request_init(). You own it and everything that it points to. */
 typedef struct {
   tern_state start, goal;
   tern_limits limits;
   tern_budget budget;
-  uint8_t shortcut;         /* tern::ShortcutMode: 0; any other number is refused */
+  int64_t begin;            /* when the plan begins: nanoseconds of a clock of yours, which the plan carries */
   uint8_t search;           /* tern::SearchMode: 0 fast, 1 optimal; any other number is refused */
   uint8_t goal_mode;        /* tern::GoalMode: 0 exact, 1 as near as possible; any other number is refused */
   double time_weight;       /* duration against smoothness, 0.001 .. 1e6 */
@@ -118,11 +122,6 @@ typedef struct {
   tern_vec3 body_rates; /* rad/s, body frame */
   uint8_t singularity;  /* tern::Singularity: 0 none, 1 free fall, 2 heading, 3 not finite */
 } tern_flat_state;
-/* What one stage did, and the highest use of each capacity: tern/report.hpp. */
-typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
-typedef struct {
-  int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
-} tern_high_water;
 /* What the check found wrong with a plan: tern/report.hpp. -1 if an index or a voxel has no value. */
 typedef struct {
   uint8_t finding; /* tern_finding_name() */
@@ -133,31 +132,38 @@ typedef struct {
 } tern_check_report;
 /* When a plan passes a via, in seconds, and how far from it, in metres: tern/report.hpp. */
 typedef struct { double time, distance; } tern_via_passage;
+/* What one stage did, the highest use of each capacity, and both with how the path was found: tern/diagnostics.hpp. */
+typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
+typedef struct {
+  int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
+} tern_high_water;
+typedef struct {
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
+  tern_stage_report stages[12];
+  bool timing_known; /* the ticks were measured */
+  tern_high_water high_water;
+  int32_t detours;     /* 0 none, 1 detour, 2 stop first, 3 previous plan */
+  double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
+  uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
+} tern_diagnostics;
 /* The answer to a call of the planner: tern/report.hpp. */
 typedef struct {
   /* The answer, the stage where it arose, and the field that is wrong: tern_status_name() and so on. */
   uint8_t status, stage, field;
   /* True if, in this order: the occupied start or goal is itself inside an obstacle; nearest_free has a value;
-   * reachable has a value; the ticks were measured. */
-  bool raw_occupied, has_nearest_free, has_reachable, timing_known;
+   * reachable has a value. */
+  bool raw_occupied, has_nearest_free, has_reachable;
   /* Quality: 0 none, 1 hover, 2 stop-and-go, 3 optimised, 4 previous plan. Optimiser: its final status. Goal_missed:
    * why the plan ends at `reachable` instead of the goal; 0 if it does not. */
   uint8_t quality, optimiser, goal_missed;
   tern_vec3 nearest_free;      /* world frame: centre of the free voxel nearest to an occupied start or goal */
   tern_vec3 reachable;         /* world frame: the point nearest to the goal that a path leads to */
-  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
-  tern_stage_report stages[12];
-  tern_high_water high_water;
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   tern_via_passage vias[TERN_MAX_VIAS];
   tern_check_report check; /* only if status or optimiser is check_failed */
-  int32_t half_spaces, half_spaces_redundant, detours; /* detours: 0 none, 1 detour, 2 stop first, 3 previous plan */
-  int32_t qp_variables, qp_inequalities, qp_active, qp_iterations;
-  double kkt_residual;
-  double search_bound; /* cost of the path over a lower bound of the least cost; 0 without a path */
-  uint8_t search_used; /* 0 none, 1 the guided search, 2 the optimal search */
-  double finer_cell;   /* m, only for TERN_*_TOO_NARROW: a voxel's edge that would do; 0 if none is known */
+  double finer_cell; /* m, only for TERN_*_TOO_NARROW: a voxel's edge that would do; 0 if none is known */
+  tern_diagnostics diagnostics;
 } tern_report;
 #endif
 
@@ -362,6 +368,8 @@ int32_t tern_path(const tern_planner* planner, tern_vec3* points, int32_t room);
 
 /* The trajectory's duration in seconds. 0 for null. */
 double tern_duration(const tern_trajectory* trajectory);
+/* The time on the trajectory when its clock shows `now`, seconds; negative before its beginning. 0 for null. */
+double tern_time_on(const tern_trajectory* trajectory, int64_t now);
 /* The trajectory's state at t seconds after its beginning, world frame. Before the beginning and for NaN: the state at
  * the beginning. Past the end: the goal's position at rest. Zeros for a null trajectory. */
 void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample);

@@ -9,17 +9,13 @@
 
 #ifdef __cplusplus
 #include "tern/corridor.hpp"
-typedef tern::Ellipsoid tern_ellipsoid;
 typedef tern::Polyhedron tern_polyhedron;
 extern "C" {
 #else
 /* clang-format off */
-/* The points axes * q + center with |q| <= 1: tern::Ellipsoid. Metres, relative to the grid's origin. */
-typedef struct { double axes[3][3]; tern_vec3 center; } tern_ellipsoid;
-/* Free space for the robot's centre: tern::Polyhedron. The first `count` planes bound it. Relative to the grid's origin. */
-typedef struct {
-  int count, redundant; tern_halfspace planes[TERN_MAX_PLANES]; tern_ellipsoid ellipsoid; tern_vec3 from, to;
-} tern_polyhedron;
+/* Free space for the robot's centre: tern::Polyhedron. The first `count` planes bound it. Relative to the grid's
+ * origin. */
+typedef struct { int count, redundant; tern_halfspace planes[TERN_MAX_PLANES]; tern_vec3 from, to; } tern_polyhedron;
 /* clang-format on */
 #endif
 

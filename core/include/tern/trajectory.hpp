@@ -5,6 +5,8 @@
 #ifndef TERN_TRAJECTORY_HPP
 #define TERN_TRAJECTORY_HPP
 
+#include <stdint.h>
+
 #include "tern/config.hpp"
 #include "tern/vec3.hpp"
 
@@ -37,7 +39,13 @@ struct Sample {
 
 /// A plan: segments in flight order. Where two segments meet, position, velocity, acceleration and jerk agree; snap may
 /// jump. Plain data without pointers: copy it, store it, send it. The caller owns it.
+///
+/// A time on a trajectory is in seconds since its beginning: 0 is where the first segment begins, duration() is where
+/// the last one ends. `begin` says when that 0 is on a clock of yours.
 struct Trajectory {
+  /// When the trajectory begins: nanoseconds of a clock of yours, which may show any number. A plan has that of its
+  /// request (Request::begin), 0 if you set none.
+  int64_t begin = 0;
   /// Segments in use, 1 .. kMaxSegments in a plan.
   int count;
   /// The point that the control points are relative to, world frame, metres. A plan's origin is its start position, so
@@ -48,6 +56,10 @@ struct Trajectory {
 
 /// Duration of the whole trajectory in seconds: the segments' durations, added in order. 0 for an empty trajectory.
 double duration(const Trajectory& trajectory) noexcept;
+
+/// The time on the trajectory when the clock shows `now`: seconds since Trajectory::begin, negative before it. Every
+/// pair of numbers has an answer, rounded to double: the difference of two clock readings is exact up to 104 days.
+double time_on(const Trajectory& trajectory, int64_t now) noexcept;
 
 /// The state of the trajectory at `t` seconds after its beginning. Every input has an answer:
 /// - `t` is NaN or negative: the state at the beginning.

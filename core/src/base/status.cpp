@@ -177,7 +177,6 @@ const char* field_name(Field field) noexcept {
     case Field::kStorage: return "grid storage";
     case Field::kWorkspace: return "workspace";
     case Field::kCallOrder: return "call order";
-    case Field::kBox: return "box";
     case Field::kVMin: return "v_min";
     case Field::kAMin: return "a_min";
     case Field::kStartJerk: return "start jerk";
@@ -188,7 +187,6 @@ const char* field_name(Field field) noexcept {
     case Field::kAHorizontal: return "a_horizontal";
     case Field::kTimeWeight: return "time_weight";
     case Field::kFences: return "fences";
-    case Field::kShortcut: return "shortcut";
     case Field::kSearch: return "search";
     case Field::kPrevious: return "previous plan";
     case Field::kNotInflated: return "grid not inflated";

@@ -4,7 +4,7 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
-#include "corridor/reuse.hpp"
+#include "base/polyhedron.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
 
 namespace tern {
@@ -98,7 +98,7 @@ Progress move_on(CorridorStage& stage, const Path& path, double margin, Corridor
   Progress progress = next_piece(stage, path, out.count);
   while (progress == Progress::kMore && !stage.at_via && !is_last_piece(stage, path) &&
          holds(finished, stage.ends[0], margin)) {
-    set_segment(finished, finished.from, stage.ends[0]);
+    finished.to = stage.ends[0];
     stage.from = stage.ends[0];
     progress = next_piece(stage, path, out.count);
   }
@@ -114,7 +114,7 @@ void drop_held(Corridor& out, double margin, std::int32_t fixed) {
     if (!holds(last, before.from, margin)) return;
     const Vec3 from = before.from;
     before = last;
-    set_segment(before, from, before.to);
+    before.from = from;
     --out.count;
   }
 }

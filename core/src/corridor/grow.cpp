@@ -10,7 +10,6 @@
 #include "corridor/separation.hpp"
 #include "corridor/tangent_planes.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
-#include "ellipsoid/inscribe.hpp"
 #include "grid/distance.hpp"
 #include "tern/fence.hpp"
 
@@ -122,16 +121,13 @@ Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work)
   return progress;
 }
 
-/// Puts the half-spaces into the order that a reader of the polyhedron expects, and makes its ellipsoid.
+/// Puts the half-spaces into the order that a reader of the polyhedron expects.
 Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.take()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
   const Vec3 inside = inner_point(out, to_vec3(growth.improvement.center), segment);
   const int made = out.count;
   const int cuts = set_redundant_aside(out, inside, box_diagonal(out), scratch.trial.planes);
-  EllipsoidFrame& frame = growth.fit.frame;
-  inscribe(out, distance(segment.from, segment.to) < kPointLike, frame);
-  out.ellipsoid = ellipsoid_of(frame);
   out.from = segment.from;
   out.to = segment.to;
   work.effort += kFinishEffort + effort_of(kFinishPlaneEffort, made) + effort_of(kCutEffort, cuts);

@@ -68,10 +68,10 @@ void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& 
 /// the half-spaces of the local box, or finishes the polyhedron.
 ///
 /// kDone: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
-/// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). The ellipsoid lies
-/// inside all half-spaces. kFailed, with growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked:
-/// an obstacle is nearer to the segment than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has
-/// too many; a shorter segment may fit. kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
+/// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). kFailed, with
+/// growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: an obstacle is nearer to the segment
+/// than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment may fit.
+/// kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
 Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
 
 /// Grows the polyhedron in one call. Returns kOk, or why it failed.

@@ -9,9 +9,6 @@
 namespace tern {
 namespace {
 
-/// Semi-axes of the stand-in ellipsoid, metres. It is never grown.
-constexpr double kNoSize = 1e-7;
-
 constexpr int kCorners = 8;
 
 /// Instructions of the box, of a unit, of a test of a box against a half-space, of the gap to a box, and of fences.
@@ -108,7 +105,6 @@ Status make_box(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhe
   out.redundant = 0;
   out.from = hull.points[0];
   out.to = hull.points[hull.count - 1];
-  out.ellipsoid = Ellipsoid{{{kNoSize, 0.0, 0.0}, {0.0, kNoSize, 0.0}, {0.0, 0.0, kNoSize}}, 0.5 * (out.from + out.to)};
   Box box;
   const Status status = append_box(grid, hull, box, scratch, out);
   extract_begin(voxels_within_reach(grid, box), scratch.extract);

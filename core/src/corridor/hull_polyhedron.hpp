@@ -29,7 +29,7 @@ struct HullGrowth {
 
 /// Fills `out` with the box around the hull, and adds a half-space for each obstacle and keep-out that none of the
 /// others cuts off by the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads
-/// from the hull's first point to its last. Its ellipsoid is a tiny ball half way between them.
+/// from the hull's first point to its last.
 ///
 /// A unit of work is a unit of extract_advance, or makes the box around the hull, or looks at one keep-out or all
 /// keep-ins. Or it looks at kHullTests solid boxes, but at none after the first that needs a half-space.

@@ -1,5 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdint>
+
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
 #include "tern/trajectory.hpp"
@@ -35,6 +37,15 @@ double duration(const Trajectory& trajectory) noexcept {
   const int count = segments_of(trajectory);
   for (int i = 0; i < count; ++i) sum += trajectory.segments[i].duration;
   return sum;
+}
+
+double time_on(const Trajectory& trajectory, std::int64_t now) noexcept {
+  const bool is_later = now >= trajectory.begin;
+  // The difference may not fit into 63 bits; unsigned, it is exact.
+  const auto a = static_cast<std::uint64_t>(now);
+  const auto b = static_cast<std::uint64_t>(trajectory.begin);
+  const double seconds = static_cast<double>(is_later ? a - b : b - a) * 1e-9;
+  return is_later ? seconds : -seconds;
 }
 
 Sample evaluate(const Trajectory& trajectory, double t) noexcept {

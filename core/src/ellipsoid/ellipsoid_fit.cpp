@@ -124,14 +124,8 @@ void begin_phase(EllipsoidFit& fit) {
   if (!begin_round(fit)) end_phase(fit);
 }
 
-/// The ball for a hover, which has no direction.
-EllipsoidFrame ball_about(const Vec3& center, double cell) {
-  return {to_vector(center), Matrix::Identity(), Vector::Constant(0.5 * cell)};
-}
-
-}  // namespace
-
-EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept {
+/// The sphere whose diameter is the segment, with x along it. The segment must not be a point (kPointLike).
+EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) {
   const double half = 0.5 * distance(from, to);
   EllipsoidFrame frame;
   const Vec3 along = (0.5 / half) * (to - from);
@@ -141,6 +135,13 @@ EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept {
   turn_y_towards(frame, to_vector(perpendicular(along)));
   return frame;
 }
+
+/// The ball for a hover, which has no direction.
+EllipsoidFrame ball_about(const Vec3& center, double cell) {
+  return {to_vector(center), Matrix::Identity(), Vector::Constant(0.5 * cell)};
+}
+
+}  // namespace
 
 EllipsoidFrame at_least_as_thick(const EllipsoidFrame& frame, double share) noexcept {
   EllipsoidFrame thick = frame;

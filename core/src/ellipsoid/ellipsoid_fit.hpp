@@ -27,9 +27,6 @@ struct Obstacles {
 /// Segments shorter than this, in metres, count as points. Their ellipsoid is a ball.
 constexpr double kPointLike = 1e-6;
 
-/// The sphere whose diameter is the segment, with x along it. The segment must not be a point (kPointLike).
-EllipsoidFrame sphere_over(const Vec3& from, const Vec3& to) noexcept;
-
 /// What a fit does next.
 enum class FitPhase : std::uint8_t {
   kCollect,       ///< the obstacles near the sphere, before y and z shrink
@@ -57,8 +54,8 @@ struct EllipsoidFit {
 /// segment is a point.
 ///
 /// The paper shrinks until no obstacle is inside. Here, an obstacle may reach inside by a thousandth of the ellipsoid's
-/// size, and no axis falls below a hundredth of the longest. This is good enough, because the ellipsoid that is stored
-/// with a polyhedron is inscribed in it afterwards.
+/// size, and no axis falls below a hundredth of the longest. This is good enough, because the ellipsoid only gives the
+/// half-spaces their directions.
 void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
 
 /// A unit of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.

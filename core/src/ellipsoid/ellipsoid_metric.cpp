@@ -125,15 +125,6 @@ EllipsoidMetric metric_of(const EllipsoidFrame& frame) noexcept {
   return metric;
 }
 
-Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept {
-  Ellipsoid ellipsoid;
-  ellipsoid.center = to_vec3(frame.center);
-  Matrix axes = Matrix::Zero();
-  for (int k = 0; k < 3; ++k) axes += outer(frame.direction.col(k)) * frame.semi_axis[k];
-  matrix_of(ellipsoid.axes) = axes;
-  return ellipsoid;
-}
-
 Vector nearest_offset(const EllipsoidMetric& metric, const Vector& center, const LocalBox& box) noexcept {
   return nearest_in(metric, bounds_about(center, box)).offset;
 }

@@ -8,7 +8,6 @@
 
 #include "base/linear.hpp"
 #include "grid/local_boxes.hpp"
-#include "tern/corridor.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -28,9 +27,6 @@ struct EllipsoidMetric {
 };
 
 EllipsoidMetric metric_of(const EllipsoidFrame& frame) noexcept;
-
-/// E, center: the paper's form { E q + c : |q| <= 1 }.
-Ellipsoid ellipsoid_of(const EllipsoidFrame& frame) noexcept;
 
 /// The point of the box that is nearest to `center` in the metric, as an offset from `center`. Zero if the box contains
 /// `center`. The result is exact. The nearest point lies on a face that faces the centre. If the optimum on the plane

@@ -57,7 +57,7 @@ struct SearchStage {
   std::int32_t open_high;    ///< most entries of the open list at once
   std::int32_t raw_high;     ///< points of the jump-point path
   SearchUsed search_used;    ///< kNone until a search has found the path, or if none was needed
-  double search_bound;       ///< Report::search_bound
+  double search_bound;       ///< Diagnostics::search_bound
   bool raw_occupied;         ///< kStartOccupied / kGoalOccupied: the point itself is inside an obstacle
   bool has_nearest_free;
   Vec3 nearest_free;  ///< local frame: centre of the free voxel nearest to an occupied start or goal

@@ -17,7 +17,7 @@
 
 namespace tern {
 
-/// Report::detours of a plan with a detour.
+/// Diagnostics::detours of a plan with a detour.
 constexpr std::int32_t kDetoured = 1;
 
 /// From its stopping point, a detour goes on to one of this many waypoints, counted from its end of the path.

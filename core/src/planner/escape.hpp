@@ -20,7 +20,7 @@
 
 namespace tern {
 
-/// Report::detours of a plan with an escape or an arrival.
+/// Diagnostics::detours of a plan with an escape or an arrival.
 constexpr std::int32_t kEscaped = 2;
 
 /// The most segments of one choice.

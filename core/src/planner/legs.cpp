@@ -74,11 +74,11 @@ Status Plan::join_leg() noexcept {
   if (via_count() == 0) return Status::kOk;
   Layout& memory = *memory_;
   const Status status = append_to_way(memory.mission.leg, memory.path);
-  if (status == Status::kJumpPointsFull) raise(report_.high_water.jump_points, kMaxJumpPoints);
-  if (status == Status::kSegmentsFull) raise(report_.high_water.segments, kMaxSegments);
+  if (status == Status::kJumpPointsFull) raise(report_.diagnostics.high_water.jump_points, kMaxJumpPoints);
+  if (status == Status::kSegmentsFull) raise(report_.diagnostics.high_water.segments, kMaxSegments);
   if (status != Status::kOk) return status;
-  raise(report_.high_water.jump_points, memory.path.raw_count);
-  raise(report_.high_water.segments, memory.path.count - 1);
+  raise(report_.diagnostics.high_water.jump_points, memory.path.raw_count);
+  raise(report_.diagnostics.high_water.segments, memory.path.count - 1);
   if (leg_ < via_count()) memory.mission.marks.waypoint[leg_] = memory.path.count - 1;
   return Status::kOk;
 }

@@ -85,7 +85,7 @@ Progress Plan::run_detour(Work& work) noexcept {
     fail(Stage::kTrajectory, undetoured_);
     return Progress::kFailed;
   }
-  report_.detours = kDetoured;
+  report_.diagnostics.detours = kDetoured;
   has_corridor_ = false;
   enter(Stage::kCorridor);
   return Progress::kDone;
@@ -117,7 +117,7 @@ bool Plan::escape_may_help(Stage stage, Status status) const noexcept {
 /// that of the first failure, which describes the request as it was given. But if a later attempt lacked only capacity
 /// or budget, that is the status: with more of it there may be a plan.
 void Plan::fail(Stage stage, Status status) noexcept {
-  if (status == Status::kSegmentsFull) raise(report_.high_water.segments, kMaxSegments);
+  if (status == Status::kSegmentsFull) raise(report_.diagnostics.high_water.segments, kMaxSegments);
   if (lacks_room(status) || (escapes_ == 0 && memory_->previous.tries == 0)) {
     failed_stage_ = stage;
     failed_status_ = status;
@@ -135,7 +135,7 @@ void Plan::fail(Stage stage, Status status) noexcept {
 /// Passes the current corridor and trajectory to the check as they are.
 void Plan::fly(Quality quality, std::int32_t detours) noexcept {
   report_.quality = quality;
-  report_.detours = detours;
+  report_.diagnostics.detours = detours;
   has_corridor_ = true;
   enter(Stage::kCheck);
 }
@@ -213,7 +213,7 @@ Progress Plan::run_escape(Work& work) noexcept {
   }
   rest_at_escapes();
   has_corridor_ = false;
-  report_.detours = memory.previous.flown ? kFollowed : kEscaped;
+  report_.diagnostics.detours = memory.previous.flown ? kFollowed : kEscaped;
   begin_way();
   return Progress::kDone;
 }

@@ -22,10 +22,10 @@ constexpr std::uint32_t kFenceEffort = 40000;
 /// A clock that stood still or moved backwards has measured nothing. No ticks are better than wrong ones.
 void settle_times(Report& report) {
   std::uint64_t sum = 0;
-  for (const StageReport& stage : report.stages) sum |= stage.ticks;
-  report.timing_known = report.timing_known && sum != 0;
-  if (report.timing_known) return;
-  for (StageReport& stage : report.stages) stage.ticks = 0;
+  for (const StageReport& stage : report.diagnostics.stages) sum |= stage.ticks;
+  report.diagnostics.timing_known = report.diagnostics.timing_known && sum != 0;
+  if (report.diagnostics.timing_known) return;
+  for (StageReport& stage : report.diagnostics.stages) stage.ticks = 0;
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void Plan::begin_attempt() noexcept {
   arrivals_ = 0;
   stop_and_go_ = false;
   failed_status_ = Status::kOk;
-  report_.detours = 0;
+  report_.diagnostics.detours = 0;
   place_ends();
   FlightEnds& ends = memory_->ends;
   ends.start = asked_.start;
@@ -179,7 +179,7 @@ Status Plan::begin_route(const Grid& grid, const Request& request) noexcept {
 Status Plan::begin_query(const Grid& grid, const Request& request, bool route_only) noexcept {
   route_only_ = route_only;
   report_ = Report{};
-  report_.timing_known = clock_ != nullptr;
+  report_.diagnostics.timing_known = clock_ != nullptr;
   has_fences_ = false;
   has_path_ = false;
   has_corridor_ = false;
@@ -225,7 +225,10 @@ Status Plan::step(std::uint32_t work) noexcept {
 
 Status Plan::finish(Trajectory& trajectory, Report& report) noexcept {
   const Status status = close(false, report);
-  if (status == Status::kOk) trajectory = memory_->trajectory;
+  if (status == Status::kOk) {
+    trajectory = memory_->trajectory;
+    trajectory.begin = asked_.begin;
+  }
   return status;
 }
 

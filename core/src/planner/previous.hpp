@@ -15,7 +15,7 @@
 
 namespace tern {
 
-/// Report::detours of a plan that follows the previous one.
+/// Diagnostics::detours of a plan that follows the previous one.
 constexpr std::int32_t kFollowed = 3;
 
 /// Ways in which the rest is tried at most: cut_previous(), then cut_again().

@@ -43,7 +43,7 @@ Progress Plan::end_trial(bool holds) noexcept {
   }
   rest_try_ = holds ? rest.tries : 0;
   rest_time_ = duration(memory_->trajectory);
-  rest_planes_ = report_.stages[static_cast<int>(Stage::kPrevious)].work;
+  rest_planes_ = report_.diagnostics.stages[static_cast<int>(Stage::kPrevious)].work;
   asked_.previous = &memory_->previous.plan;
   report_.quality = Quality::kNone;
   begin_attempt();

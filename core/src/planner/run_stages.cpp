@@ -22,7 +22,7 @@ constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
 }  // namespace
 
 void Plan::count(Stage stage, std::uint32_t work, std::uint32_t budget, std::uint32_t bound) noexcept {
-  StageReport& entry = report_.stages[static_cast<int>(stage)];
+  StageReport& entry = report_.diagnostics.stages[static_cast<int>(stage)];
   entry.work = before(stage) + work;
   entry.bound = least(budget, bound);
 }
@@ -88,11 +88,12 @@ Progress Plan::run_search(Work& work) noexcept {
   SearchStage& stage = memory_->stage.search;
   const Progress progress = search_advance(stage, world(), work, leg_path());
   count(Stage::kSearch, stage.expansions, asked_.budget.expansions, legs_searched(kSearchBound));
-  raise(report_.high_water.nodes, stage.nodes_high);
-  raise(report_.high_water.open, stage.open_high);
-  raise(report_.high_water.jump_points, stage.raw_high);
-  if (leg_ == 0 || stage.search_used == SearchUsed::kGuided) report_.search_used = stage.search_used;
-  report_.search_bound = leg_ == 0 ? stage.search_bound : larger(report_.search_bound, stage.search_bound);
+  raise(report_.diagnostics.high_water.nodes, stage.nodes_high);
+  raise(report_.diagnostics.high_water.open, stage.open_high);
+  raise(report_.diagnostics.high_water.jump_points, stage.raw_high);
+  if (leg_ == 0 || stage.search_used == SearchUsed::kGuided) report_.diagnostics.search_used = stage.search_used;
+  report_.diagnostics.search_bound =
+      leg_ == 0 ? stage.search_bound : larger(report_.diagnostics.search_bound, stage.search_bound);
   if (progress == Progress::kMore) return progress;
   report_.raw_occupied = stage.raw_occupied;
   report_.has_nearest_free = stage.has_nearest_free;
@@ -114,7 +115,7 @@ Progress Plan::run_shortcut(Work& work) noexcept {
   ShortcutStage& stage = memory_->stage.shortcut;
   const Progress progress = shortcut_advance(stage, world(), work, leg_path());
   count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, legs_searched(kShortcutBound));
-  raise(report_.high_water.segments, stage.segments_high);
+  raise(report_.diagnostics.high_water.segments, stage.segments_high);
   if (progress == Progress::kMore) return progress;
   const Status status = progress == Progress::kFailed ? stage.status : join_leg();
   if (status != Status::kOk) {
@@ -137,7 +138,7 @@ Progress Plan::run_shortcut(Work& work) noexcept {
 /// Goes back to the optimal search, once. A fast path may need more segments than fit; a cheapest path often needs
 /// fewer.
 bool Plan::search_again(Status why) noexcept {
-  if (why != Status::kSegmentsFull || report_.search_used != SearchUsed::kGuided) return false;
+  if (why != Status::kSegmentsFull || report_.diagnostics.search_used != SearchUsed::kGuided) return false;
   searched_again_ = 1;
   begin_way();
   return true;
@@ -152,19 +153,13 @@ Progress Plan::run_corridor(Work& work) noexcept {
   CorridorStage& stage = memory.stage.corridor;
   const Progress progress = corridor_advance(stage, world(), memory.path, work, memory.corridor);
   count(Stage::kCorridor, stage.planes, asked_.budget.planes, (corridors() + searched_again_) * kCorridorBound);
-  raise(report_.high_water.planes, stage.planes_high);
-  raise(report_.high_water.local_boxes, stage.boxes_high);
+  raise(report_.diagnostics.high_water.planes, stage.planes_high);
+  raise(report_.diagnostics.high_water.local_boxes, stage.boxes_high);
   if (progress == Progress::kMore) return progress;
   if (progress == Progress::kFailed) {
-    if (report_.detours == 0 && search_again(stage.status)) return Progress::kDone;
+    if (report_.diagnostics.detours == 0 && search_again(stage.status)) return Progress::kDone;
     fail_corridor(stage.status);
     return progress;
-  }
-  report_.half_spaces = 0;
-  report_.half_spaces_redundant = 0;
-  for (int i = 0; i < memory.corridor.count; ++i) {
-    report_.half_spaces += memory.corridor.polyhedra[i].count;
-    report_.half_spaces_redundant += memory.corridor.polyhedra[i].redundant;
   }
   has_corridor_ = true;
   enter(Stage::kTimes);
@@ -173,7 +168,7 @@ Progress Plan::run_corridor(Work& work) noexcept {
 
 void Plan::fail_corridor(Status status) noexcept {
   // If the detour has no corridor, the plan still fails because the path's own corridor has no trajectory.
-  if (report_.detours == kDetoured) return fail(Stage::kTrajectory, undetoured_);
+  if (report_.diagnostics.detours == kDetoured) return fail(Stage::kTrajectory, undetoured_);
   fail(Stage::kCorridor, status);
 }
 
@@ -218,14 +213,14 @@ Progress Plan::run_trajectory(Work& work) noexcept {
   TrajectoryStage& stage = memory.stage.trajectory.stage;
   const Progress progress = trajectory_advance(stage, memory.stage.trajectory.corridor, work, memory.trajectory);
   count(Stage::kTrajectory, stage.iterations, asked_.budget.iterations, corridors() * kTrajectoryBound);
-  raise(report_.high_water.active, stage.active_high);
-  raise(report_.high_water.qp_iterations, stage.longest_solve);
-  raise(report_.high_water.qp_solves, stage.solves);
+  raise(report_.diagnostics.high_water.active, stage.active_high);
+  raise(report_.diagnostics.high_water.qp_iterations, stage.longest_solve);
+  raise(report_.diagnostics.high_water.qp_solves, stage.solves);
   if (progress == Progress::kMore) return progress;
   report_trajectory();
   if (progress == Progress::kDone) {
     end_trajectory();
-  } else if (report_.detours == 0 && via_count() == 0) {
+  } else if (report_.diagnostics.detours == 0 && via_count() == 0) {
     undetoured_ = stage.status;
     enter(Stage::kDetour);
   } else {
@@ -240,7 +235,7 @@ void Plan::end_trajectory() noexcept {
   Layout& memory = *memory_;
   memory.trajectory.origin = asked_.start.position;
   if (add_escapes(memory.escapes[0], memory.escapes[1], memory.corridor, memory.trajectory) && add_dwells()) {
-    raise(report_.high_water.segments, memory.trajectory.count);
+    raise(report_.diagnostics.high_water.segments, memory.trajectory.count);
     enter(Stage::kCheck);
   } else if (stop_and_go_ || hurries(memory.stage.trajectory.stage.chain)) {
     fail(Stage::kTrajectory, Status::kSegmentsFull);
@@ -253,11 +248,6 @@ void Plan::report_trajectory() noexcept {
   const TrajectoryStage& stage = memory_->stage.trajectory.stage;
   report_.quality = stage.quality;
   report_.optimiser = stop_and_go_ ? refused_ : stage.optimiser;
-  report_.qp_variables = stage.variables;
-  report_.qp_inequalities = stage.inequalities;
-  report_.qp_active = stage.active;
-  report_.qp_iterations = static_cast<std::int32_t>(report_.stages[static_cast<int>(Stage::kTrajectory)].work);
-  report_.kkt_residual = stage.kkt_residual;
 }
 
 /// Replaces the refused plan of the optimiser by stop-and-go along the same corridor. `why`: kCheckFailed, or
@@ -286,7 +276,7 @@ Progress Plan::run_check(Work& work) noexcept {
     return progress;
   }
   report_.check = stage;
-  if (report_.quality == Quality::kOptimised && report_.detours < kEscaped) {
+  if (report_.quality == Quality::kOptimised && report_.diagnostics.detours < kEscaped) {
     fall_back(stage.status);
   } else {
     fail(Stage::kCheck, stage.status);

@@ -12,7 +12,7 @@ namespace tern {
 
 void Plan::enter(Stage stage) noexcept {
   stage_ = stage;
-  for (int s = 0; s < kStageCount; ++s) before_[s] = report_.stages[s].work;
+  for (int s = 0; s < kStageCount; ++s) before_[s] = report_.diagnostics.stages[s].work;
   switch (stage) {
     case Stage::kSearch:
       return begin_search();
@@ -71,12 +71,12 @@ Progress Plan::run_stage(Work& work) noexcept {
 
 /// Runs a slice of the current stage, and times it for the report.
 Progress Plan::advance(Work& work) noexcept {
-  StageReport& entry = report_.stages[static_cast<int>(stage_)];
+  StageReport& entry = report_.diagnostics.stages[static_cast<int>(stage_)];
   const std::uint64_t before = clock_ != nullptr ? clock_(clock_context_) : 0;
   const Progress progress = run_stage(work);
   const std::uint64_t after = clock_ != nullptr ? clock_(clock_context_) : 0;
   // A clock that runs backwards has measured nothing. The plan does not depend on it.
-  if (after < before) report_.timing_known = false;
+  if (after < before) report_.diagnostics.timing_known = false;
   entry.ticks += after - before;
   return progress;
 }

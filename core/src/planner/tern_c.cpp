@@ -226,6 +226,10 @@ double tern_duration(const tern_trajectory* trajectory) {
   return trajectory == nullptr ? 0.0 : tern::duration(*trajectory);
 }
 
+double tern_time_on(const tern_trajectory* trajectory, std::int64_t now) {
+  return trajectory == nullptr ? 0.0 : tern::time_on(*trajectory, now);
+}
+
 void tern_evaluate(const tern_trajectory* trajectory, double t, tern_sample* sample) {
   if (sample == nullptr) return;
   *sample = trajectory == nullptr ? tern::Sample{} : tern::evaluate(*trajectory, t);

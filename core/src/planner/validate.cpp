@@ -128,10 +128,6 @@ Verdict check_states(const Request& request, const MotionLimits& limits) {
 }
 
 /// True if the mode is one of the enumeration: a caller in C can pass any byte.
-bool known(ShortcutMode mode) {
-  return mode == ShortcutMode::kShortestChain;
-}
-
 bool known(GoalMode mode) {
   return mode == GoalMode::kExact || mode == GoalMode::kNearest;
 }
@@ -176,7 +172,6 @@ Verdict validate(const Grid& grid, const Request& request, MotionLimits& limits)
   if (ranges.status != Status::kOk) return ranges;
   limits = MotionLimits(request.limits);
   if (!valid_time_weight(request.time_weight)) return {Status::kLimitsInvalid, Field::kTimeWeight};
-  if (!known(request.shortcut)) return {Status::kInvalidArgument, Field::kShortcut};
   if (!known(request.search)) return {Status::kInvalidArgument, Field::kSearch};
   if (!known(request.goal_mode)) return {Status::kInvalidArgument, Field::kGoalMode};
   if (request.previous != nullptr && !previous_fits(request)) return {Status::kInvalidArgument, Field::kPrevious};

@@ -54,11 +54,11 @@ void list_settings(Words& words, AnyRequest& request) {
   words(request.budget.sight_lines);
   words(request.budget.planes);
   words(request.budget.iterations);
-  words(request.shortcut);
   words(request.search);
   words(request.goal_mode);
   words(request.time_weight);
   words(request.previous_time);
+  words(request.begin);
 }
 constexpr std::size_t kSettingFields = 9;
 

@@ -10,7 +10,7 @@
 namespace tern {
 namespace {
 
-constexpr std::size_t kTrajectoryFields = 4 + kSegmentFields * static_cast<std::size_t>(kMaxSegments);
+constexpr std::size_t kTrajectoryFields = 5 + kSegmentFields * static_cast<std::size_t>(kMaxSegments);
 
 constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettingFields + 1 +
                                        2 * static_cast<std::size_t>(kMaxFences) +
@@ -21,6 +21,7 @@ constexpr std::size_t kFields = kEnvelopeWords + kGridFields + kRequestFields + 
 
 void write_trajectory(const Trajectory& trajectory, WordWriter& words) {
   words(trajectory.count);
+  words(trajectory.begin);
   words(trajectory.origin);
   for (int i = 0; i < trajectory.count; ++i) list_segment(words, trajectory.segments[i]);
 }
@@ -62,6 +63,7 @@ Status read_trajectory(WordReader& words, Trajectory& trajectory) {
   const Status status = read_count(words, kMaxSegments, Status::kSegmentsFull, count);
   if (status != Status::kOk) return status;
   trajectory.count = count;
+  words(trajectory.begin);
   words(trajectory.origin);
   for (int i = 0; i < count; ++i) list_segment(words, trajectory.segments[i]);
   return Status::kOk;
@@ -150,6 +152,7 @@ Status record_plan(const Grid& grid, const Request& request, Status status, cons
   if (status == Status::kOk) {
     write_trajectory(plan, words);
   } else {
+    words(0);
     words(0);
     words(Vec3{});
   }

@@ -35,7 +35,6 @@ struct BestPlan {
   bool found;
   double duration[kMaxSegments];  ///< before the refinement's stretch
   Vec3 points[kMaxSegments][kControlPoints];
-  int active;
   double kkt_residual;
 };
 

@@ -257,15 +257,6 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   add_via_rows(chain, scale, problem);
 }
 
-int count_rows(const QpProblem& problem) noexcept {
-  int rows = 0;
-  for (int g = 0; g < problem.group_count; ++g) {
-    const QpGroup& group = problem.groups[g];
-    rows += (group.point_end - group.point_begin) * (group.plane_end - group.plane_begin);
-  }
-  return rows;
-}
-
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,
                  Vec3 (*points)[kControlPoints]) noexcept {
   JointState first = chain.start;

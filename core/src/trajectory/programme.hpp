@@ -42,9 +42,6 @@ struct ProgrammeScale {
 void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& limits, QpProblem& problem,
               ProgrammeScale& scale) noexcept;
 
-/// The number of inequalities of a programme, its (point, plane) pairs.
-int count_rows(const QpProblem& problem) noexcept;
-
 /// The control points of a solution. `points`: chain.count rows of kControlPoints, local frame. Segments have the same
 /// bits at a common joint. The first and the last control point are the start and the goal, bit for bit.
 void read_points(const Chain& chain, const ProgrammeScale& scale, const QpSolution& solution,

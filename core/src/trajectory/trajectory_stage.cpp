@@ -75,8 +75,6 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   work.effort += assembly_effort(stage.chain, stage.problem);
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
   stage.solve_begin = stage.iterations;
-  stage.variables = kQpAxes * stage.problem.unknowns;
-  stage.inequalities = most(stage.inequalities, count_rows(stage.problem));
   ++stage.solves;
   stage.phase = TrajectoryPhase::kSolve;
 }
@@ -136,7 +134,6 @@ double relative_residual(const QpSolution& solution) {
 
 void keep_best(TrajectoryStage& stage) {
   keep(candidate_of(stage), stage.best);
-  stage.best.active = stage.solution.active_count;
   stage.best.kkt_residual = relative_residual(stage.solution);
 }
 
@@ -239,7 +236,6 @@ Progress finish(TrajectoryStage& stage, const Corridor& corridor, Trajectory& ou
   }
   if (!stage.best.found) return fall_back(stage, corridor, out, work);
   stage.quality = Quality::kOptimised;
-  stage.active = stage.best.active;
   stage.kkt_residual = stage.best.kkt_residual;
   give_out(stage.best, stage.refinement.best.stretch, stage.chain, out);
   return Progress::kDone;
@@ -253,9 +249,6 @@ void clear_results(TrajectoryStage& stage) {
   stage.active_high = 0;
   stage.solves = 0;
   stage.longest_solve = 0;
-  stage.variables = 0;
-  stage.inequalities = 0;
-  stage.active = 0;
   stage.kkt_residual = 0.0;
 }
 

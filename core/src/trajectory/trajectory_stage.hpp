@@ -52,9 +52,6 @@ struct TrajectoryStage {
   int active_high;           ///< the largest working set
   int solves;
   int longest_solve;    ///< iterations
-  int variables;        ///< of one programme, all axes
-  int inequalities;     ///< of the programme with the most rows
-  int active;           ///< active rows of the returned plan
   double kkt_residual;  ///< of the returned plan
 
   // State.

@@ -91,10 +91,10 @@ def triple(v):
     return (v.x, v.y, v.z)
 
 
-def view(owner, field, dtype, count):
-    """A numpy view, without a copy, of `count` elements of a field of a structure that ffi.new() returned. The array
-    keeps the structure alive."""
-    return np.frombuffer(ffi.buffer(owner), dtype, count, ffi.offsetof(ffi.typeof(owner).item, field))
+def view(owner, dtype, count, *path):
+    """A numpy view, without a copy, of `count` elements of a field of a structure that ffi.new() returned. `path`: the
+    names that lead to the field. The array keeps the structure alive."""
+    return np.frombuffer(ffi.buffer(owner), dtype, count, ffi.offsetof(ffi.typeof(owner).item, *path))
 
 
 def words(count):

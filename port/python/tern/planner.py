@@ -76,13 +76,13 @@ class Report:
     @property
     def stages(self) -> dict[str, np.void]:
         """For each stage by name a record: work, bound (of the work) and ticks (0 without a clock)."""
-        array = view(self.struct, "stages", STAGE, len(self.struct.stages))
+        array = view(self.struct, STAGE, len(self.struct.diagnostics.stages), "diagnostics", "stages")
         return {ffi.string(lib.tern_stage_name(i)).decode(): record for i, record in enumerate(array)}
 
     @property
     def high_water(self) -> dict[str, int]:
         """The highest use of each capacity."""
-        water = self.struct.high_water
+        water = self.struct.diagnostics.high_water
         return {name: getattr(water, name) for name in dir(water)}
 
 
@@ -100,12 +100,10 @@ class Result:
 class Polyhedron:
     """Free space for the robot's centre: the points p with normals @ p <= offsets. World frame, metres.
 
-    axes, center: the ellipsoid axes @ q + center, |q| <= 1, inside of it. start, end: the line it was made for.
+    start, end: the line it was made for.
     """
     normals: np.ndarray
     offsets: np.ndarray
-    axes: np.ndarray
-    center: np.ndarray
     start: np.ndarray
     end: np.ndarray
 
@@ -125,17 +123,19 @@ class Planner:
 
     def plan(self, grid: Grid, start: End, goal: End, limits: Limits, *, time_weight: float | None = None,
              fences: Sequence[Fence] = (), vias: Sequence[Via] = (), goal_mode: str = "exact", search: str = "fast",
-             previous: Trajectory | None = None, previous_time: float = 0.0) -> Result:
+             previous: Trajectory | None = None, previous_time: float = 0.0, begin: int = 0) -> Result:
         """Plans from start to goal. Both are a State, or a position to be at rest at. World frame, SI units.
 
         time_weight: duration against smoothness, 0.001 .. 1e6. goal_mode: "exact", or "nearest" to end as near to the
         goal as possible. search: "fast" or "optimal". previous: the plan that is being flown, with start its state at
-        previous_time; see replan(). The grid must be inflated.
+        previous_time; see replan(). begin: when the plan begins, in nanoseconds of a clock of yours; the plan carries
+        it. The grid must be inflated.
         """
         request = self._request(start, goal, limits, fences, vias, previous)
         request.struct.goal_mode = _GOAL_MODES.index(goal_mode)
         request.struct.search = _SEARCHES.index(search)
         request.struct.previous_time = previous_time
+        request.struct.begin = begin
         if time_weight is not None:
             request.struct.time_weight = time_weight
         trajectory, report = Trajectory(), ffi.new("tern_report*")
@@ -169,9 +169,8 @@ class Planner:
 
     def _polyhedron(self, struct):
         planes = np.array([(*triple(plane.normal), plane.offset) for plane in struct.planes[0:struct.count]])
-        axes = np.array([list(row) for row in struct.ellipsoid.axes])
-        world = [self._origin + triple(v) for v in (struct.ellipsoid.center, getattr(struct, "from"), struct.to)]
-        return Polyhedron(planes[:, :3], planes[:, 3] + planes[:, :3] @ self._origin, axes, *world)
+        world = [self._origin + triple(v) for v in (getattr(struct, "from"), struct.to)]
+        return Polyhedron(planes[:, :3], planes[:, 3] + planes[:, :3] @ self._origin, *world)
 
     @staticmethod
     def _request(start, goal, limits, fences, vias, previous):

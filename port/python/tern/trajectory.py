@@ -44,6 +44,15 @@ class Trajectory:
         return lib.tern_duration(self.struct)
 
     @property
+    def begin(self) -> int:
+        """When the plan begins: nanoseconds of a clock of yours, as the request said."""
+        return self.struct.begin
+
+    def time_on(self, now: int) -> float:
+        """The time on the plan when its clock shows `now` (nanoseconds): seconds, negative before its beginning."""
+        return lib.tern_time_on(self.struct, now)
+
+    @property
     def origin(self) -> np.ndarray:
         """World frame, metres: what `control_points` are relative to."""
         return np.array(triple(self.struct.origin))
@@ -52,7 +61,7 @@ class Trajectory:
     def segments(self) -> np.ndarray:
         """A read-only view of the segments, a record each: duration (s), points (8, 3), polyhedron (an index into the
         corridor)."""
-        segments = view(self.struct, "segments", SEGMENT, len(self))
+        segments = view(self.struct, SEGMENT, len(self), "segments")
         segments.flags.writeable = False
         return segments
 

@@ -85,9 +85,9 @@ RunJson common_limit(const LimitRange& limit) {
 RunJson stages_json(const PlanResult& result) {
   RunJson stages = RunJson::array();
   for (int i = 0; i < tern::kStageCount; ++i) {
-    if (result.report.stages[i].work == 0) continue;
+    if (result.report.diagnostics.stages[i].work == 0) continue;
     stages.push_back({{"name", tern::stage_name(static_cast<tern::Stage>(i))},
-                      {"work", result.report.stages[i].work},
+                      {"work", result.report.diagnostics.stages[i].work},
                       {"us", rounded(result.timing.stages[i], 0)}});
   }
   return stages;

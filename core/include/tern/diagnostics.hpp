@@ -1,0 +1,95 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the planner came to its answer: the work of each stage, the use of each capacity, the search. Nothing here is
+// needed to fly.
+#ifndef TERN_DIAGNOSTICS_HPP
+#define TERN_DIAGNOSTICS_HPP
+
+#include <stdint.h>
+
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// What one stage did. All zero if the stage did not run.
+struct StageReport {
+  /// Units of work done. What a unit is depends on the stage:
+  /// - kRequest: none
+  /// - kSearch: a node, voxel or block taken off an open list, or a line that joins start or goal to the grid
+  /// - kShortcut: a line of sight, or a trial of tightening
+  /// - kCorridor: a half-space made, even if it was discarded later
+  /// - kTimes: a segment that got its first duration
+  /// - kTrajectory: an iteration of a quadratic programme
+  /// - kCheck: a polyhedron or a segment checked
+  /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
+  /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
+  /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor
+  /// - kReach: a row of voxels flooded, 1024 words cleared, or a line that joins the start to the grid;
+  ///   Budget::expansions counts it with those of kSearch
+  uint32_t work;
+  /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).
+  uint32_t bound;
+  /// Time in ticks of the clock given to Planner::set_clock. 0 if timing_known is false.
+  uint64_t ticks;
+};
+
+/// The highest use of each capacity of config.hpp during the plan. Compare it with the capacity to choose capacities of
+/// your own. If a capacity ran out, its value here is the capacity itself.
+struct HighWater {
+  /// Jump points that one search generated; of TERN_MAX_NODES. Only the optimal search counts, and the steps that every
+  /// search begins with.
+  int32_t nodes;
+  /// Entries of the open list at one time; of TERN_MAX_OPEN.
+  int32_t open;
+  /// Points of the jump-point path; of TERN_MAX_JUMP_POINTS.
+  int32_t jump_points;
+  /// Legs of the path or segments of the trajectory, whichever is more; of TERN_MAX_SEGMENTS.
+  int32_t segments;
+  /// Half-spaces of the fullest polyhedron; of TERN_MAX_PLANES.
+  int32_t planes;
+  /// Boxes around the busiest segment; of TERN_MAX_LOCAL_BOXES.
+  int32_t local_boxes;
+  /// Rows in the largest active set; of TERN_MAX_ACTIVE.
+  int32_t active;
+  /// Iterations of the longest quadratic programme; of TERN_MAX_QP_ITERATIONS.
+  int32_t qp_iterations;
+  /// Quadratic programmes solved for one corridor; of TERN_MAX_QP_SOLVES.
+  int32_t qp_solves;
+};
+
+/// Which search found the path.
+enum class SearchUsed : uint8_t {
+  /// None did: there is no path, or none was needed between start and goal.
+  kNone = 0,
+  /// The guided search.
+  kGuided,
+  /// The optimal search.
+  kOptimal,
+};
+
+/// Report::diagnostics. Plain data.
+struct Diagnostics {
+  /// One entry a stage; index it with static_cast<int>(Stage::kSearch) and so on.
+  StageReport stages[kStageCount];
+  /// True if ticks were measured. False if no clock was given, or if it stood still or ran backwards.
+  bool timing_known;
+  HighWater high_water;
+  /// What the planner did for a start or goal in motion, if the polyhedron around it had no room for that motion:
+  /// - 0: nothing, there was no need or no way
+  /// - 1, a detour: the path first leads straight ahead to where the motion can stop
+  /// - 2, stop first: the plan comes to rest in any way there is room for and goes on from there; before a goal in
+  ///   motion, it begins that motion from rest. Or one curve leads straight from start to goal
+  /// - 3, previous plan: the plan goes on along Request::previous
+  int32_t detours;
+  /// The cost of the path over the grid, divided by a proven lower bound of the least cost: the path costs at most this
+  /// many times the least possible, but for rounding. Mostly it is much nearer to the optimum. 1 for the optimal
+  /// search, and if no search was needed; 0 without a path.
+  double search_bound;
+  /// Which search found the path.
+  SearchUsed search_used;
+};
+
+}  // namespace tern
+
+#endif
