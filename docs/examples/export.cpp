@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // docs/export.md: a plan as setpoints of an autopilot, within the autopilot's limits.
-#include "tern/export.hpp"
-
 #include "tern/tern.hpp"
+#include "tern_stacks/stacks.hpp"
 
 static int32_t sent = 0;
 static uint8_t last[tern::kMavlinkSetpointBytes];

@@ -15,7 +15,7 @@
 #include <time.h>
 
 #include "telemetry.h"
-#include "tern/tern_export.h"
+#include "tern_stacks/stacks.h"
 
 enum { PERIOD = 20, LONGEST = 500, AFTER_END = 1000, STALE_POSITION = 1000, STALE_HEARTBEAT = 3000 }; /* ms */
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""bindings.py CC INCLUDE OUTPUT [-DDEFINITION...]: writes the Python module OUTPUT that declares Tern's C interface to
-cffi. The declarations are those of the C headers, run through the preprocessor with the library's own definitions. So
-they have its capacities, and no second copy of the interface can fall behind."""
+"""bindings.py CC OUTPUT OPTION...: writes the Python module OUTPUT that declares Tern's C interface to cffi. The
+declarations are those of the C headers, run through the preprocessor with the library's own include folders and
+definitions. So they have its capacities, and no second copy of the interface can fall behind."""
 import pathlib
 import re
 import subprocess
@@ -12,7 +12,8 @@ import tempfile
 
 import cffi
 
-HEADERS = ["corridor", "export", "flight", "record"]  # these include the others
+# These include the others.
+HEADERS = ["tern/tern_corridor.h", "tern/tern_flight.h", "tern/tern_record.h", "tern_stacks/stacks.h"]
 EMPTY = ["stddef.h", "stdint.h", "stdbool.h"]  # cffi knows their types
 CONSTANTS = ["TERN_ABI", "TERN_MAX_SEGMENTS", "TERN_MAX_PLANES", "TERN_MAVLINK_SETPOINT_BYTES",
              "TERN_CRAZYFLIE_PIECES"]
@@ -20,14 +21,14 @@ INLINE = re.compile(r"^static inline .*?^\}", re.MULTILINE | re.DOTALL)
 CAPACITIES = re.compile(r"const uint64_t values\[\] = \{(.*?)\};", re.DOTALL)
 
 
-def preprocessed(compiler, include, definitions):
-    text = "".join(f'#include "tern/tern_{name}.h"\n' for name in HEADERS)
+def preprocessed(compiler, options):
+    text = "".join(f'#include "{header}"\n' for header in HEADERS)
     text += "enum { " + ", ".join(f"PY_{name} = {name}" for name in CONSTANTS) + " };\n"
     text += "enum { PY_CRAZYFLIE_BYTES = TERN_CRAZYFLIE_COMPRESSED_BYTES(TERN_MAX_SEGMENTS) };\n"
     with tempfile.TemporaryDirectory() as empty:
         for name in EMPTY:
             pathlib.Path(empty, name).touch()
-        command = [compiler, "-E", "-P", "-std=c99", "-nostdinc", f"-I{empty}", f"-I{include}", *definitions, "-"]
+        command = [compiler, "-E", "-P", "-std=c99", "-nostdinc", f"-I{empty}", *options, "-"]
         return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
 
 
@@ -41,8 +42,8 @@ def header_hash(text):
 
 
 def main():
-    compiler, include, output, *definitions = sys.argv[1:]
-    text = preprocessed(compiler, include, definitions)
+    compiler, output, *options = sys.argv[1:]
+    text = preprocessed(compiler, options)
     ffi = cffi.FFI()
     ffi.cdef(INLINE.sub("", text))
     ffi.set_source(pathlib.Path(output).stem, None)

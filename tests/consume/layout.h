@@ -7,7 +7,7 @@
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
 #include "tern/tern_corridor.h"
-#include "tern/tern_export.h"
+#include "tern_stacks/stacks.h"
 #include "tern/tern_flight.h"
 #include "tern/tern_yaw.h"
 

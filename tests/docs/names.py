@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""names.py ROOT: every name of the public interface must be explained: in the glossary, or by a comment in its header,
+"""names.py ROOT: every name of the public interface, the core's and that for flight stacks, must be explained: in the glossary, or by a comment in its header,
 on its own line or above it in the same paragraph. And every file and name that the glossary speaks of must exist."""
 import pathlib
 import re
@@ -22,6 +22,10 @@ NAMES = [re.compile(pattern) for pattern in (
 KEYWORDS = {"return", "if", "for", "while", "static_assert", "sizeof", "typedef"}
 
 
+def public_headers(root):
+    return sorted([*(root / "core/include/tern").glob("*.h*"), *(root / "port/stacks/include/tern_stacks").glob("*.h*")])
+
+
 def public_paragraphs(text):
     """Paragraphs without private parts and bodies of functions."""
     text = re.sub(r"\n private:\n.*?\n\};", "\n};", text, flags=re.DOTALL)
@@ -39,7 +43,7 @@ def unexplained(text):
 
 def missing_places(root, glossary):
     """Names in code spans of the glossary that are neither in a public header nor a file."""
-    headers = "\n".join(p.read_text() for p in sorted((root / "core/include/tern").glob("*.h*")))
+    headers = "\n".join(p.read_text() for p in public_headers(root))
     for span in re.findall(r"`([^`]+)`", glossary):
         if "/" in span or span.endswith(".hpp"):
             folders = ("core/src", "core/include/tern", ".")
@@ -55,7 +59,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     glossary = (root / "docs/glossary.md").read_text()
     faults, count = list(missing_places(root, glossary)), 0
-    for header in sorted((root / "core/include/tern").glob("*.h*")):
+    for header in public_headers(root):
         for name, commented in unexplained(header.read_text()):
             count += 1
             if not commented and not re.search(rf"\b{name}\b", glossary):

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "tern/export.hpp"
 #include "tern/vec3.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace {
 

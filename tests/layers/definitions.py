@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""definitions.py ROOT: fails where two files of the core, or of the host's tools, define a type with one name in one
-namespace. No compiler sees both, and a program that links both may take either for the other.
+"""definitions.py ROOT: fails where two files of the core, of the formats for flight stacks or of the host's tools define
+a type with one name in one namespace. No compiler sees both, and a program that links both may take either for the other.
 definitions.py --self-test: fails where it does not find that."""
 import collections
 import pathlib
@@ -56,7 +56,7 @@ def main():
     if sys.argv[1] == "--self-test":
         return self_test()
     root = pathlib.Path(sys.argv[1])
-    paths = [path for folder in ("core", "tools/host") for path in sorted((root / folder).rglob("*.[ch]pp"))]
+    paths = [path for folder in ("core", "port/stacks", "tools/host") for path in sorted((root / folder).rglob("*.[ch]pp"))]
     files = {str(path.relative_to(root)): path.read_text() for path in paths}
     found = list(problems(files))
     print("\n".join(found) or f"{len(files)} files define no type twice in one namespace")

@@ -13,23 +13,24 @@ CXX = ["c++11", "gnu++11", "gnu++14", "c++17"]
 C = ["c99", "c11"]
 
 
-def compiles(compiler, language, standard, include, header):
-    command = [compiler, "-x", language, f"-std={standard}", "-fsyntax-only", *WARNINGS, f"-I{include}", "-"]
+def compiles(compiler, language, standard, folders, header):
+    includes = [f"-I{folder}" for folder in folders]
+    command = [compiler, "-x", language, f"-std={standard}", "-fsyntax-only", *WARNINGS, *includes, "-"]
     if language == "c++":
         command.insert(1, "-nostdinc++")
-    done = subprocess.run(command, input=f'#include "tern/{header.name}"\n', capture_output=True, text=True)
+    done = subprocess.run(command, input=f'#include "{header}"\n', capture_output=True, text=True)
     if done.returncode != 0:
-        print(f"{' '.join(command)} < {header.name}\n{done.stderr}")
+        print(f"{' '.join(command)} < {header}\n{done.stderr}")
     return done.returncode == 0
 
 
 def main():
-    include = pathlib.Path(sys.argv[1]) / "core/include"
-    headers = sorted(include.glob("tern/*.h*"))
+    folders = [pathlib.Path(sys.argv[1]) / name for name in ("core/include", "port/stacks/include")]
+    headers = [path.relative_to(folder) for folder in folders for path in sorted(folder.glob("*/*.h*"))]
     tried = [(compiler, "c++", standard, header) for compiler in sys.argv[2:] for standard in CXX for header in headers]
     tried += [(compiler, "c", standard, header) for compiler in sys.argv[2:] for standard in C
-              for header in sorted(include.glob("tern/*.h"))]
-    bad = [case for case in tried if not compiles(case[0], case[1], case[2], include, case[3])]
+              for header in headers if header.suffix == ".h"]
+    bad = [case for case in tried if not compiles(case[0], case[1], case[2], folders, case[3])]
     print(f"{len(headers)} headers, {len(tried)} compilations, {len(bad)} failed")
     return 1 if bad or not headers or not tried else 0
 

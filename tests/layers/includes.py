@@ -8,7 +8,7 @@ import re
 import sys
 
 ORDER = ["base", "grid", "inflation", "view", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor",
-         "curve", "yaw", "export", "times", "qp", "trajectory", "check", "proof", "planner", "flight", "record"]
+         "curve", "yaw", "times", "qp", "trajectory", "check", "proof", "planner", "flight", "record"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"},
           "proof": {"base", "grid", "proof"}, "record": {"base", "grid", "flight", "record"}}

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""symbols.py [--eigen] NM ARCHIVE [SYMBOL...]: contract C1 on the archive itself. Every undefined symbol must be the
-archive's own, on the allow-list or one of the further ones given (a 32-bit processor's integer helpers), and there must
-be no writable data. Nor a function of Eigen's: the linker could take the caller's instead, compiled with the caller's
+"""symbols.py [--eigen] NM ARCHIVE[,ARCHIVE] [SYMBOL...]: contract C1 on the archives themselves. Every undefined symbol
+must be their own, on the allow-list or one of the further ones given (a 32-bit processor's integer helpers), and there
+must be no writable data. Nor a function of Eigen's: the linker could take the caller's instead, compiled with the caller's
 flags (C3). --eigen allows those, for an archive compiled for size, whose callers must have no Eigen of their own."""
 import subprocess
 import sys
@@ -16,9 +16,9 @@ EIGEN = ("_ZN5Eigen", "_ZNK5Eigen", "_ZZN5Eigen", "_ZGVN5Eigen")
 def main():
     arguments = sys.argv[1:]
     eigen = arguments[0] == "--eigen"
-    nm, archive, *further = arguments[eigen:]
+    nm, archives, *further = arguments[eigen:]
     allowed = ALLOWED | set(further)
-    text = subprocess.run([nm, archive], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([nm, *archives.split(",")], capture_output=True, text=True, check=True).stdout
     defined, undefined, writable = set(), set(), set()
     for line in text.splitlines():
         words = line.split()

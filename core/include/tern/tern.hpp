@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Everything that a C++ program needs to plan and fly. Formats of flight stacks are in tern/export.hpp. C programs
-// include tern.h instead.
+// Everything that a C++ program needs to plan and fly. C programs include tern.h instead. Formats of flight stacks are
+// in a library of their own, tern_stacks/stacks.hpp.
 //
 // In order: run self_test() once, bind a Grid to storage of yours, mark obstacles, inflate the grid, make a Planner
 // over a Workspace, fill in a Request, call plan(), and fly the Trajectory with evaluate(). docs/integration.md has the

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <AP_Math/AP_Math.h>
-#include <tern/tern_export.h>
+#include <tern_stacks/stacks.h>
 
 class AP_Tern {
  public:

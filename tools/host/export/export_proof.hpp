@@ -8,7 +8,7 @@
 #include <string>
 
 #include "host/scenario.hpp"
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace tern_host {
 

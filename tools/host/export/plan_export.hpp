@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "host/session.hpp"
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace tern_host {
 

@@ -13,7 +13,7 @@
 #include <uORB/topics/vehicle_local_position.h>
 #include <uORB/topics/vehicle_status.h>
 
-#include <tern/export.hpp>
+#include <tern_stacks/stacks.hpp>
 #include <uORB/Publication.hpp>
 #include <uORB/Subscription.hpp>
 

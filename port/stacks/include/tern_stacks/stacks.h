@@ -1,14 +1,14 @@
 /* Copyright (c) 2026, the Tern authors
  * SPDX-License-Identifier: BSD-3-Clause
  *
- * Plans for flight stacks, in C99: tern/export.hpp under C names, which explains every field and answer. */
-#ifndef TERN_TERN_EXPORT_H
-#define TERN_TERN_EXPORT_H
+ * Plans for flight stacks, in C99: tern_stacks/stacks.hpp under C names, which explains every field and answer. */
+#ifndef TERN_STACKS_H
+#define TERN_STACKS_H
 
 #include "tern/tern_yaw.h"
 
 #ifdef __cplusplus
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 typedef tern::SetpointNed tern_setpoint;
 typedef tern::MavlinkHeader tern_mavlink_header;
 typedef tern::ExportError tern_export_error;

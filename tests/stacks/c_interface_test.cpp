@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/random.hpp"
-#include "tern/tern_export.h"
+#include "tern_stacks/stacks.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "support/yaw_case.hpp"
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace {
 

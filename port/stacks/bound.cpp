@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "export/bound.hpp"
+#include "bound.hpp"
 
 #include "base/math.hpp"
 #include "curve/bezier.hpp"

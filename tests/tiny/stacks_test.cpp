@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A Crazyflie takes more pieces than a plan has segments here.
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 #include <gtest/gtest.h>
 

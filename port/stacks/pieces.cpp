@@ -1,11 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "export/pieces.hpp"
+#include "pieces.hpp"
 
 #include "base/math.hpp"
+#include "bound.hpp"
 #include "curve/bezier.hpp"
-#include "export/bound.hpp"
-#include "export/yaw_piece.hpp"
+#include "yaw_piece.hpp"
 
 namespace tern {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdint>
 
-#include "tern/tern_export.h"
+#include "tern_stacks/stacks.h"
 
 namespace {
 

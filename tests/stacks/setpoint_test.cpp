@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Plans for flight stacks: frames, bytes, and curves that are the plan's.
-#include "tern/export.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "support/yaw_case.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace {
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How far an export is from the plan: bounds for all times, from the control points of the difference.
-#ifndef TERN_EXPORT_BOUND_HPP
-#define TERN_EXPORT_BOUND_HPP
+#ifndef TERN_STACKS_BOUND_HPP
+#define TERN_STACKS_BOUND_HPP
 
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace tern {
 

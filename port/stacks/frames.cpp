@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/math.hpp"
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 #include "yaw/angle.hpp"
 
 namespace tern {

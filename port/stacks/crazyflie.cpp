@@ -1,10 +1,10 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/math.hpp"
-#include "export/bound.hpp"
-#include "export/pieces.hpp"
-#include "export/yaw_piece.hpp"
-#include "tern/export.hpp"
+#include "bound.hpp"
+#include "pieces.hpp"
+#include "tern_stacks/stacks.hpp"
+#include "yaw_piece.hpp"
 
 namespace tern {
 namespace {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The part of a plan that one piece of a Crazyflie's trajectory covers: a segment or a part of one.
-#ifndef TERN_EXPORT_PIECES_HPP
-#define TERN_EXPORT_PIECES_HPP
+#ifndef TERN_STACKS_PIECES_HPP
+#define TERN_STACKS_PIECES_HPP
 
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace tern {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tern/export.hpp"
+#include "tern_stacks/stacks.hpp"
 
 namespace tern {
 namespace {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Plans in the formats that flight stacks take: setpoints in north-east-down, MAVLink frames, and the Crazyflie's
-// polynomials. Tern's world is east-north-up, its body forward-left-up; this is the only place that turns frames.
+// polynomials. Tern's world is east-north-up, its body forward-left-up; this is the only place that turns frames. Link
+// the library tern_stacks, whose functions are in Tern's namespace.
 // docs/export.md says what each stack does with them.
-#ifndef TERN_EXPORT_HPP
-#define TERN_EXPORT_HPP
+#ifndef TERN_STACKS_HPP
+#define TERN_STACKS_HPP
 
 #include <stdint.h>
 

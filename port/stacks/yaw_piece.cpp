@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "export/yaw_piece.hpp"
+#include "yaw_piece.hpp"
 
 namespace tern {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A yaw plan over one segment as a polynomial of degree 7.
-#ifndef TERN_EXPORT_YAW_PIECE_HPP
-#define TERN_EXPORT_YAW_PIECE_HPP
+#ifndef TERN_STACKS_YAW_PIECE_HPP
+#define TERN_STACKS_YAW_PIECE_HPP
 
 #include "tern/yaw.hpp"
 

@@ -4,11 +4,11 @@
 // The Crazyflie's compressed trajectories: int16 control points, millimetres and tenths of a degree, one byte of types
 // a piece. Of the four degrees that the format has, 0 and 7 are used.
 #include "base/math.hpp"
-#include "export/bound.hpp"
-#include "export/pieces.hpp"
-#include "export/yaw_piece.hpp"
-#include "tern/export.hpp"
+#include "bound.hpp"
+#include "pieces.hpp"
+#include "tern_stacks/stacks.hpp"
 #include "yaw/angle.hpp"
+#include "yaw_piece.hpp"
 
 namespace tern {
 namespace {
