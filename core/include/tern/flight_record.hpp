@@ -83,6 +83,8 @@ class FlightRecorder {
   void clear() noexcept;
 
  private:
+  class Event;
+
   uint8_t* bytes_ = nullptr;
   size_t room_ = 0;        // words
   size_t used_ = 0;        // words in the buffer
@@ -90,8 +92,6 @@ class FlightRecorder {
   uint64_t checksum_ = 0;  // of all words of the record
   uint64_t ticks_ = 0;
   Status status_ = Status::kInvalidArgument;
-
-  friend class FlightEvent;
 };
 
 }  // namespace tern

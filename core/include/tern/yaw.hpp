@@ -124,9 +124,9 @@ class YawPlanner {
   Status finish(YawPlan& plan) noexcept;
 
  private:
-  friend class YawFit;
   friend class FlightState;  // charges the work of units
 
+  class Fit;
   enum class Phase : uint8_t { kIdle = 0, kWish, kFit, kDone };
 
   void begin_lead() noexcept;

@@ -12,10 +12,10 @@
 
 namespace tern {
 
-class FlightEvent {
+class FlightRecorder::Event {
  public:
   /// Opens an event. Nothing is written if the recorder takes no more, or if the call was refused.
-  FlightEvent(FlightRecorder& recorder, FlightEventKind kind, Status answer)
+  Event(FlightRecorder& recorder, FlightEventKind kind, Status answer)
       : recorder_(recorder),
         is_open_(recorder.status_ == Status::kOk && (answer == Status::kOk || answer == Status::kRunning)),
         words_(is_open_ ? recorder.bytes_ + kWordBytes * recorder.used_ : nullptr, is_open_ ? room() : 0) {

@@ -22,12 +22,12 @@ Status FlightRecorder::begin(uint8_t* bytes, size_t room) noexcept {
   checksum_ = kChecksumSeed;
   WordWriter words(bytes, room);
   open_envelope(RecordKind::kFlight, words);
-  FlightEvent::append(*this, words.count());
+  Event::append(*this, words.count());
   return status_ = Status::kOk;
 }
 
 Status FlightRecorder::start(const FlightSpec& spec, const Vec3& position, int64_t t, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kStart, answer);
+  Event event(*this, FlightEventKind::kStart, answer);
   if (event.is_open() && !fences_fit(spec.fences, spec.fence_count)) return Status::kInvalidArgument;
   event.words()(position);
   event.words()(t);
@@ -37,13 +37,13 @@ Status FlightRecorder::start(const FlightSpec& spec, const Vec3& position, int64
 }
 
 Status FlightRecorder::set_goal(const Vec3& goal, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kGoal, answer);
+  Event event(*this, FlightEventKind::kGoal, answer);
   event.words()(goal);
   return event.end();
 }
 
 Status FlightRecorder::set_mission(const Via* points, int32_t count, ViaPolicy policy, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kMission, answer);
+  Event event(*this, FlightEventKind::kMission, answer);
   if (!event.is_open()) return event.end();
   if (!is_count(count, kMaxMissionPoints, points)) return Status::kInvalidArgument;
   event.words()(policy);
@@ -53,7 +53,7 @@ Status FlightRecorder::set_mission(const Via* points, int32_t count, ViaPolicy p
 }
 
 Status FlightRecorder::set_yaw(const FlightYaw& yaw, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kYaw, answer);
+  Event event(*this, FlightEventKind::kYaw, answer);
   if (!event.is_open()) return event.end();
   // Headings that the mode does not read may be anything.
   const int32_t count = yaw.mode == FlightYawMode::kAtPoints ? yaw.heading_count : 0;
@@ -65,17 +65,17 @@ Status FlightRecorder::set_yaw(const FlightYaw& yaw, Status answer) noexcept {
 }
 
 Status FlightRecorder::stop(Status answer) noexcept {
-  return FlightEvent(*this, FlightEventKind::kStop, answer).end();
+  return Event(*this, FlightEventKind::kStop, answer).end();
 }
 
 Status FlightRecorder::set_clock(int64_t t, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kClock, answer);
+  Event event(*this, FlightEventKind::kClock, answer);
   event.words()(t);
   return event.end();
 }
 
 Status FlightRecorder::tick(const Flight& flight, int64_t t, const FlightReport& report, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kTick, answer);
+  Event event(*this, FlightEventKind::kTick, answer);
   if (!event.is_open()) return event.end();
   const Command command = flight.command(t);
   event.words()(t);

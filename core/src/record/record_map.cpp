@@ -58,7 +58,7 @@ size_t scan_record_bytes(size_t count) noexcept {
 }
 
 Status FlightRecorder::bind(const MapSpec& spec, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kBind, answer);
+  Event event(*this, FlightEventKind::kBind, answer);
   if (!event.is_open()) return event.end();
   const bool fits = is_count(spec.prior_count, kMaxPriorBoxes, spec.prior) &&
                     is_count(spec.prior_cylinder_count, kMaxPriorBoxes, spec.prior_cylinders);
@@ -72,26 +72,26 @@ Status FlightRecorder::bind(const MapSpec& spec, Status answer) noexcept {
 }
 
 Status FlightRecorder::assume_free(const Vec3& center, double radius, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kAssumeFree, answer);
+  Event event(*this, FlightEventKind::kAssumeFree, answer);
   event.words()(center);
   event.words()(radius);
   return event.end();
 }
 
 Status FlightRecorder::mark_box(const Box& world, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kMarkBox, answer);
+  Event event(*this, FlightEventKind::kMarkBox, answer);
   list_box(event.words(), world);
   return event.end();
 }
 
 Status FlightRecorder::mark_cylinder(const Cylinder& world, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kMarkCylinder, answer);
+  Event event(*this, FlightEventKind::kMarkCylinder, answer);
   list_cylinder(event.words(), world);
   return event.end();
 }
 
 Status FlightRecorder::mark_points(const Vec3* world, size_t count, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kMarkPoints, answer);
+  Event event(*this, FlightEventKind::kMarkPoints, answer);
   if (!event.is_open()) return event.end();
   if (world == nullptr && count > 0) return Status::kInvalidArgument;
   write_points(world, count, event.words());
@@ -99,7 +99,7 @@ Status FlightRecorder::mark_points(const Vec3* world, size_t count, Status answe
 }
 
 Status FlightRecorder::frame(const DepthView& view, const Pose& pose, int64_t t, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kFrame, answer);
+  Event event(*this, FlightEventKind::kFrame, answer);
   if (!event.is_open()) return event.end();
   const std::size_t count = pixels(view);
   if (count == 0) return Status::kInvalidArgument;
@@ -112,7 +112,7 @@ Status FlightRecorder::frame(const DepthView& view, const Pose& pose, int64_t t,
 }
 
 Status FlightRecorder::scan(const Vec3* points, size_t count, const Vec3& origin, int64_t t, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kScan, answer);
+  Event event(*this, FlightEventKind::kScan, answer);
   if (!event.is_open()) return event.end();
   if (points == nullptr && count > 0) return Status::kInvalidArgument;
   event.words()(t);
@@ -122,7 +122,7 @@ Status FlightRecorder::scan(const Vec3* points, size_t count, const Vec3& origin
 }
 
 Status FlightRecorder::scan(const Beams& beams, const Vec3& origin, int64_t t, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kBeams, answer);
+  Event event(*this, FlightEventKind::kBeams, answer);
   if (!event.is_open()) return event.end();
   if (beams.count > 0 && (beams.directions == nullptr || beams.ranges == nullptr)) return Status::kInvalidArgument;
   event.words()(t);
@@ -135,13 +135,13 @@ Status FlightRecorder::scan(const Beams& beams, const Vec3& origin, int64_t t, S
 }
 
 Status FlightRecorder::follow(const Vec3& center, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kFollow, answer);
+  Event event(*this, FlightEventKind::kFollow, answer);
   event.words()(center);
   return event.end();
 }
 
 Status FlightRecorder::step(uint32_t work, Status answer) noexcept {
-  FlightEvent event(*this, FlightEventKind::kStep, answer);
+  Event event(*this, FlightEventKind::kStep, answer);
   event.words()(work);
   return event.end();
 }

@@ -27,7 +27,7 @@ constexpr int kGiven = 3;
 
 }  // namespace
 
-YawFit::Row YawFit::row(int first, double a, double b, double c) const noexcept {
+YawPlanner::Fit::Row YawPlanner::Fit::row(int first, double a, double b, double c) const noexcept {
   const double factors[3] = {a, b, c};
   const double* points = y_.plan_.points + first;
   Row result{0, {}, {}, (a * points[0] + b * points[1]) + c * points[2]};
@@ -46,23 +46,23 @@ YawFit::Row YawFit::row(int first, double a, double b, double c) const noexcept 
 }
 
 /// The row that gives the angle at a knot.
-YawFit::Row YawFit::fit_row(int knot) const noexcept {
+YawPlanner::Fit::Row YawPlanner::Fit::fit_row(int knot) const noexcept {
   return row(knot, 1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0);
 }
 
-double YawFit::acceleration_bound() const noexcept {
+double YawPlanner::Fit::acceleration_bound() const noexcept {
   return y_.request_.acceleration_max * y_.plan_.step * y_.plan_.step;
 }
 
 /// The limits in turn: even numbers are accelerations, odd ones rates, of the control points that are free.
-YawFit::Limit YawFit::limit(int number) const noexcept {
+YawPlanner::Fit::Limit YawPlanner::Fit::limit(int number) const noexcept {
   const int k = 2 + number / 2;
   if (is_rate(number)) return {row(k, -1.0, 1.0, 0.0), y_.rate_bound_[k], y_.rate_price_ + 2 * k};
   return {row(k - 1, 1.0, -2.0, 1.0), acceleration_bound(), y_.acceleration_price_ + 2 * k};
 }
 
 /// Sets the control points to the brake, and the bounds of the rates around it.
-void YawFit::brake() noexcept {
+void YawPlanner::Fit::brake() noexcept {
   double* c = y_.plan_.points;
   const double most = acceleration_bound();
   const double rate = y_.request_.rate_max * y_.plan_.step;
@@ -77,7 +77,7 @@ void YawFit::brake() noexcept {
 }
 
 /// Mean square of the brake's distance from the wish, rad^2: how much there is to gain.
-double YawFit::first_gap() const noexcept {
+double YawPlanner::Fit::first_gap() const noexcept {
   double sum = 0.0;
   for (int i = 1; i <= y_.plan_.count; ++i) {
     const double error = fit_row(i).value - y_.wish_[i];
@@ -86,7 +86,7 @@ double YawFit::first_gap() const noexcept {
   return larger(sum / y_.plan_.count, kLeastGap);
 }
 
-void YawFit::begin() noexcept {
+void YawPlanner::Fit::begin() noexcept {
   y_.last_step_ = 0.0;
   brake();
   const double gap = first_gap();
@@ -98,7 +98,7 @@ void YawFit::begin() noexcept {
 }
 
 /// Adds weight/2 (row)^2 + slope row to the objective's second-order model.
-void YawFit::add(const Row& row, double weight, double slope) noexcept {
+void YawPlanner::Fit::add(const Row& row, double weight, double slope) noexcept {
   for (int i = 0; i < row.count; ++i) {
     y_.change_[row.variable[i]] -= slope * row.factor[i];
     for (int j = 0; j <= i; ++j) {
@@ -109,7 +109,7 @@ void YawFit::add(const Row& row, double weight, double slope) noexcept {
 
 /// Assembles the matrix and the right-hand side of Newton's step towards the point of the central path with the gap
 /// `target`.
-void YawFit::assemble(double target) noexcept {
+void YawPlanner::Fit::assemble(double target) noexcept {
   for (int i = 0; i < 3 * variables_; ++i) y_.band_[i] = 0.0;
   for (int i = 0; i < variables_; ++i) y_.change_[i] = 0.0;
   const double ratio = kYawSmoothing / y_.plan_.step;
@@ -129,7 +129,7 @@ void YawFit::assemble(double target) noexcept {
 }
 
 /// Replaces the five diagonals by their Cholesky factors, and the right-hand side by the solution.
-void YawFit::solve() noexcept {
+void YawPlanner::Fit::solve() noexcept {
   double* a = y_.band_;
   double* x = y_.change_;
   for (int i = 0; i < variables_; ++i) {
@@ -148,14 +148,14 @@ void YawFit::solve() noexcept {
   }
 }
 
-double YawFit::change_of(const Row& row) const noexcept {
+double YawPlanner::Fit::change_of(const Row& row) const noexcept {
   double sum = 0.0;
   for (int i = 0; i < row.count; ++i) sum += row.factor[i] * y_.change_[row.variable[i]];
   return sum;
 }
 
 /// Mean product of slack and price: half the distance from the optimum, for each limit.
-double YawFit::gap() const noexcept {
+double YawPlanner::Fit::gap() const noexcept {
   double sum = 0.0;
   for (int i = 0; i < limit_count(); ++i) {
     const Limit l = limit(i);
@@ -179,7 +179,7 @@ double part_to_zero(double value, double change) {
 }  // namespace
 
 /// The least of the limits' slacks, as a share of the largest angle.
-double YawFit::least_slack() const noexcept {
+double YawPlanner::Fit::least_slack() const noexcept {
   double least = 1e9;
   double size = 1.0;
   for (int i = 0; i < limit_count(); ++i) {
@@ -190,7 +190,7 @@ double YawFit::least_slack() const noexcept {
   return least / size;
 }
 
-double YawFit::longest_step(double target) const noexcept {
+double YawPlanner::Fit::longest_step(double target) const noexcept {
   double longest = 1.0 / kStay;
   for (int i = 0; i < limit_count(); ++i) {
     const Limit l = limit(i);
@@ -205,7 +205,7 @@ double YawFit::longest_step(double target) const noexcept {
   return kStay * longest;
 }
 
-void YawFit::move(double step, double target) noexcept {
+void YawPlanner::Fit::move(double step, double target) noexcept {
   for (int i = 0; i < limit_count(); ++i) {
     const Limit l = limit(i);
     const double rise = change_of(l.row);
@@ -219,7 +219,7 @@ void YawFit::move(double step, double target) noexcept {
   for (int i = 0; i < 2; ++i) free[variables_ + i] = free[variables_ - 1];
 }
 
-bool YawFit::iterate() noexcept {
+bool YawPlanner::Fit::iterate() noexcept {
   const double now = gap();
   if (!(now > kLeastGap && least_slack() > kLeastSlack)) return false;
   const double target = (y_.last_step_ > kLongStep ? kAim : kAimAgain) * now;

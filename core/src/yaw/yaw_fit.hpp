@@ -22,9 +22,9 @@ namespace tern {
 /// Turns are smoothed over about this time, s: it weighs accelerations against errors of the angle.
 constexpr double kYawSmoothing = 0.15;
 
-class YawFit {
+class YawPlanner::Fit {
  public:
-  explicit YawFit(YawPlanner& planner) noexcept : y_(planner), variables_(planner.plan_.count - 2) {}
+  explicit Fit(YawPlanner& planner) noexcept : y_(planner), variables_(planner.plan_.count - 2) {}
 
   /// Sets the control points to the brake, and the prices of the rows.
   void begin() noexcept;

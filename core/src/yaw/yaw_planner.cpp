@@ -145,7 +145,7 @@ uint32_t YawPlanner::unit_effort() const noexcept {
 
 Status YawPlanner::step(uint32_t work) noexcept {
   if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
-  YawFit fit(*this);
+  Fit fit(*this);
   for (uint32_t left = work; phase_ != Phase::kDone; --left) {
     if (left == 0) return Status::kRunning;
     if (phase_ == Phase::kWish) {
@@ -162,7 +162,7 @@ Status YawPlanner::step(uint32_t work) noexcept {
 
 Status YawPlanner::finish(YawPlan& plan) noexcept {
   if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
-  if (phase_ == Phase::kWish) YawFit(*this).begin();
+  if (phase_ == Phase::kWish) Fit(*this).begin();
   phase_ = Phase::kIdle;
   plan = plan_;
   return Status::kOk;
