@@ -126,7 +126,7 @@ int main(void) {
   const int good = map_words && words && workspace && tern_planner_init(&planner, workspace, bytes) == TERN_OK &&
                    tern_map_bind(&map, &map_spec, map_words, map_count, NULL) == TERN_OK &&
                    tern_map_assume_free(&map, &start, 1.2) == TERN_OK &&
-                   tern_flight_start(&flight, &spec, &map, &planner, words, count, &start, 0) == TERN_OK &&
+                   tern_flight_start(&flight, &spec, &map, &planner, words, count, &start, 0, NULL) == TERN_OK &&
                    tern_flight_set_goal(&flight, &goal) == TERN_OK && fly(&flight, &map, spec.tick, &report);
 
   free(workspace);

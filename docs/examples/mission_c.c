@@ -56,8 +56,8 @@ int main(void) {
   good = good && tern_map_route(&map, &grid) == 0 && plan_mission(&planner, &grid, &plan, &report) &&
          report.vias[0].distance <= 0.3 + 1e-9 && report.vias[0].time < report.vias[1].time;
 
-  good =
-      good && tern_flight_start(&flight, &spec, &map, &planner, words, count, &start, 0) == 0 && fly_mission(&flight);
+  good = good && tern_flight_start(&flight, &spec, &map, &planner, words, count, &start, 0, NULL) == 0 &&
+         fly_mission(&flight);
   for (int64_t now = 0; good && state.reason != TERN_FLIGHT_ARRIVED && now < 20000000000; now += spec.tick) {
     good = tern_flight_tick(&flight, now, &state) == 0;
   }

@@ -39,8 +39,8 @@ struct FlightInC : MapInC {
     tern_flight_spec_init(&flight_spec, &limits);
   }
   std::uint8_t begin() {
-    return tern_flight_start(&flight, &flight_spec, &map, &planner, flight_words.data(), flight_words.size(), &start,
-                             0);
+    return tern_flight_start(&flight, &flight_spec, &map, &planner, flight_words.data(), flight_words.size(), &start, 0,
+                             nullptr);
   }
   std::unique_ptr<tern::Workspace> memory;
   std::vector<std::uint64_t> flight_words;
@@ -85,7 +85,7 @@ TEST(FlightC, EqualsTheFlightInCpp) {
   std::vector<std::uint64_t> words(tern_flight_words(c.spec.dims));
   EXPECT_EQ(words.size(), flown.words.size());
   tern_flight flight{};
-  ASSERT_EQ(tern_flight_start(&flight, &spec, &c.map, &planner, words.data(), words.size(), &c.start, 0), kOk);
+  ASSERT_EQ(tern_flight_start(&flight, &spec, &c.map, &planner, words.data(), words.size(), &c.start, 0, nullptr), kOk);
   const tern_vec3 goal{3.0, 0.5, 1.5};
   ASSERT_EQ(tern_flight_set_goal(&flight, &goal), kOk);
   ASSERT_EQ(flown.flight.set_goal(goal), tern::Status::kOk);
@@ -241,15 +241,15 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
   tern_flight_spec_init(nullptr, nullptr);
   EXPECT_EQ(tern_flight_words({0, 1, 1}), 0u);
   FlightInC c;
-  EXPECT_EQ(tern_flight_start(nullptr, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, nullptr, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, nullptr, &c.planner, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, nullptr, nullptr, 0, &goal, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, nullptr, 0), kInvalid);
-  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0), kInvalid);
+  EXPECT_EQ(tern_flight_start(nullptr, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, nullptr, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, nullptr, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, nullptr, nullptr, 0, &goal, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, nullptr, 0, nullptr), kInvalid);
+  EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &c.map, &c.planner, nullptr, 0, &goal, 0, nullptr), kInvalid);
   const tern_map none{};
   EXPECT_EQ(tern_flight_start(&flight, &c.flight_spec, &none, &c.planner, c.flight_words.data(), c.flight_words.size(),
-                              &goal, 0),
+                              &goal, 0, nullptr),
             kInvalid);
   tern_flight_spec kept = c.flight_spec;
   tern_flight_spec_init(&kept, nullptr);
@@ -259,10 +259,10 @@ TEST(FlightC, CallsThatComeTooEarlyAreRefused) {
 /// flight_refusals_test.cpp has what is refused; here, that the reason reaches C.
 TEST(FlightC, ARefusalSaysWhatIsWrong) {
   FlightInC c;
-  tern_flight_refusal refusal{tern::Field::kBox, 7};
+  tern_flight_refusal refusal{tern::Field::kCell, 7};
   const auto start = [&] {
-    return tern_flight_start_refusal(&c.flight, &c.flight_spec, &c.map, &c.planner, c.flight_words.data(),
-                                     c.flight_words.size(), &c.start, 0, &refusal);
+    return tern_flight_start(&c.flight, &c.flight_spec, &c.map, &c.planner, c.flight_words.data(),
+                             c.flight_words.size(), &c.start, 0, &refusal);
   };
   const tern_halfspace planes[] = {{{1.0, 0.0, 0.0}, 9.0}, {{NAN, 0.0, 0.0}, 9.0}};
   const tern_fence fences[] = {{planes, 1, tern::FenceKind::kKeepIn}, {planes + 1, 1, tern::FenceKind::kKeepIn}};

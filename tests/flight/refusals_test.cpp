@@ -45,7 +45,7 @@ Answer invalid(Field field) {
 /// A flight that began; each call begins it anew.
 struct Starting : FlightRoom {
   Answer begin(const RollingMap& on) {
-    FlightRefusal refusal{Field::kBox, 7};
+    FlightRefusal refusal{Field::kCell, 7};
     const Status status = flight.start(how, on, planner, given, count, position, 0, &refusal);
     EXPECT_EQ(flight.set_goal(start), status == Status::kOk ? Status::kOk : Status::kInvalidArgument);
     return {status, refusal.field, refusal.fence};

@@ -136,13 +136,11 @@ void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits);
 /* Words of 64 bits that a flight over a map of these dimensions needs; 0 if they are out of range. */
 size_t tern_flight_words(tern_voxel dims);
 /* Begins a flight at rest. Map, planner and words must outlive it. ok, non_finite_input, invalid_argument,
- * limits_invalid, fences_full, fence_planes_full, fence_empty, start_occupied or start_fenced. */
+ * limits_invalid, fences_full, fence_planes_full, fence_empty, start_occupied or start_fenced. `refusal` receives what
+ * is wrong; it may be null. */
 uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map, tern_planner* planner,
-                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t);
-/* Begins a flight as tern_flight_start() does. `refusal` receives what is wrong; it may be null. */
-uint8_t tern_flight_start_refusal(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
-                                  tern_planner* planner, uint64_t* words, size_t word_count, const tern_vec3* position,
-                                  int64_t t, tern_flight_refusal* refusal);
+                          uint64_t* words, size_t word_count, const tern_vec3* position, int64_t t,
+                          tern_flight_refusal* refusal);
 /* Sets the goal. ok, non_finite_input or invalid_argument. */
 uint8_t tern_flight_set_goal(tern_flight* flight, const tern_vec3* goal);
 /* Sets a mission: vias, and the goal as the last point, whose tolerance and stop mean nothing. ok, non_finite_input,

@@ -41,7 +41,9 @@ struct Sample {
 /// jump. Plain data without pointers: copy it, store it, send it. The caller owns it.
 ///
 /// A time on a trajectory is in seconds since its beginning: 0 is where the first segment begins, duration() is where
-/// the last one ends. `begin` says when that 0 is on a clock of yours.
+/// the last one ends. `begin` says when that 0 is on a clock of yours. What is left of a trajectory at a later time is
+/// the same trajectory and that time: evaluate(), clear_until(), Proof and Request::previous take both, so nothing is
+/// cut, and nothing is rounded.
 struct Trajectory {
   /// When the trajectory begins: nanoseconds of a clock of yours, which may show any number. A plan has that of its
   /// request (Request::begin), 0 if you set none.
@@ -58,7 +60,7 @@ struct Trajectory {
 double duration(const Trajectory& trajectory) noexcept;
 
 /// The time on the trajectory when the clock shows `now`: seconds since Trajectory::begin, negative before it. Every
-/// pair of numbers has an answer, rounded to double: the difference of two clock readings is exact up to 104 days.
+/// pair of numbers has an answer. If they are at most 104 days apart, it is right to 3e-16 of itself.
 double time_on(const Trajectory& trajectory, int64_t now) noexcept;
 
 /// The state of the trajectory at `t` seconds after its beginning. Every input has an answer:

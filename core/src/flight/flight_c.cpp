@@ -64,13 +64,7 @@ std::size_t tern_flight_words(tern_voxel dims) {
 
 std::uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
                                tern_planner* planner, std::uint64_t* words, std::size_t word_count,
-                               const tern_vec3* position, std::int64_t t) {
-  return tern_flight_start_refusal(flight, spec, map, planner, words, word_count, position, t, nullptr);
-}
-
-std::uint8_t tern_flight_start_refusal(tern_flight* flight, const tern_flight_spec* spec, const tern_map* map,
-                                       tern_planner* planner, std::uint64_t* words, std::size_t word_count,
-                                       const tern_vec3* position, std::int64_t t, tern_flight_refusal* refusal) {
+                               const tern_vec3* position, std::int64_t t, tern_flight_refusal* refusal) {
   if (refusal != nullptr) *refusal = tern::FlightRefusal{};
   if (flight == nullptr || spec == nullptr || map == nullptr || planner == nullptr || position == nullptr) {
     return kInvalid;

@@ -163,8 +163,8 @@ class Flight:
         self._memory, pointer = words(count)
         start = ffi.new("tern_vec3*", vector(position))
         refusal = ffi.new("tern_flight_refusal*")
-        status = lib.tern_flight_start_refusal(self.struct, spec, rolling_map.struct, planner.struct, pointer, count,
-                                               start, t, refusal)
+        status = lib.tern_flight_start(self.struct, spec, rolling_map.struct, planner.struct, pointer, count, start, t,
+                                       refusal)
         require(status, _reason(refusal))
 
     def set_goal(self, goal: Sequence[float]) -> None:
