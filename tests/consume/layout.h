@@ -7,9 +7,9 @@
 #define TERN_TESTS_CONSUME_LAYOUT_H
 
 #include "tern/tern_corridor.h"
-#include "tern_stacks/stacks.h"
 #include "tern/tern_flight.h"
 #include "tern/tern_yaw.h"
+#include "tern_stacks/stacks.h"
 
 #define TERN_LAYOUT(FIELD) \
   TERN_LAYOUT_IN(FIELD)    \
