@@ -98,8 +98,8 @@ class Planner {
   Stage stage() const noexcept;
 
   /// The path of the last plan or route, in the grid's local frame. Null if it has none. If the plan stops first
-  /// (Diagnostics::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the next
-  /// plan or route begins.
+  /// (Diagnostics::detours is 2 or 3), the path begins at that stop. It lies in the workspace and is valid until the
+  /// next plan or route begins.
   const Path* path() const noexcept;
   /// The corridor of the last plan: frame, lifetime and null as for path(). Segment::polyhedron is an index into it. If
   /// the plan stops first, it begins with the polyhedra of that stop.
