@@ -14,6 +14,12 @@ using namespace tern;
 using tern_test::expect_same;
 using tern_test::FlightRoom;
 
+/// What follows the failure of a plan.
+NextPlan ask_again(FlightState& state, const Report& found) {
+  return state.cycle.ask_after_no_plan(state.facts, state.itinerary, found, *state.planner, state.draft.takeover,
+                                       state.charge);
+}
+
 /// The voxel whose centre is so many voxels along x away from the start.
 Box voxel_at(const FlightRoom& room, int voxels) {
   const double x = room.start.x + FlightRoom::kCell * voxels;
@@ -25,26 +31,27 @@ Box voxel_at(const FlightRoom& room, int voxels) {
 TEST(FlightAim, AimsAreWithinReachAndTheWindow) {
   FlightRoom room;
   FlightState& state = room.state();
+  state.cycle.aim.start.d[0] = room.start;
   const double lower[] = {-15.0, -15.0, -1.0};
   const double upper[] = {15.0, 15.0, 3.0};
   for (int a = 0; a < 3; ++a) {
     for (const double sign : {-1.0, 1.0}) {
-      state.goal = room.start;
-      axis(state.goal, a) += sign * 100.0;
+      state.cycle.aim.target_place = room.start;
+      axis(state.cycle.aim.target_place, a) += sign * 100.0;
       Vec3 expected = room.start;
       axis(expected, a) = sign < 0.0 ? lower[a] : upper[a];
-      state.choose_aim(room.start, 1000.0);
-      expect_same(state.aim, expected);
-      EXPECT_FALSE(state.aims_at_goal);
-      state.choose_aim(room.start, 0.5);
+      state.cycle.aim.choose_place(state.facts, 1000.0);
+      expect_same(state.cycle.aim.place, expected);
+      EXPECT_FALSE(state.cycle.aim.at_target);
+      state.cycle.aim.choose_place(state.facts, 0.5);
       axis(expected, a) = axis(room.start, a) + sign * 0.5;
-      expect_same(state.aim, expected);
+      expect_same(state.cycle.aim.place, expected);
     }
   }
-  state.goal = {3.0, 4.0, 1.125};
-  state.choose_aim(room.start, 1000.0);
-  expect_same(state.aim, state.goal);
-  EXPECT_TRUE(state.aims_at_goal);
+  state.cycle.aim.target_place = {3.0, 4.0, 1.125};
+  state.cycle.aim.choose_place(state.facts, 1000.0);
+  expect_same(state.cycle.aim.place, state.cycle.aim.target_place);
+  EXPECT_TRUE(state.cycle.aim.at_target);
 }
 
 /// The window follows a vehicle that has left its middle, unless that would cut off the end of what is flown:
@@ -53,13 +60,13 @@ TEST(FlightAim, TheWindowHoldsWhatIsFlown) {
   const auto follows = [](double at, double way) {
     FlightRoom room;
     FlightState& state = room.state();
-    Trajectory& plan = state.now.flown;
+    Trajectory& plan = state.facts.plans.in_flight.trajectory;
     plan = Trajectory{};
     plan.count = 1;
     plan.origin = {at, 0.125, 1.125};
     plan.segments[0].duration = 10.0;
     for (int i = 0; i < kControlPoints; ++i) plan.segments[0].points[i].x = way * i / kDegree;
-    state.follow_window();
+    state.facts.follow_vehicle();
     return room.map().busy();
   };
   EXPECT_FALSE(follows(1.0, 1.0));
@@ -74,16 +81,17 @@ TEST(FlightAim, WayOutLeadsStraightAway) {
   FlightRoom room;
   FlightState& state = room.state();
   room.mark(voxel_at(room, 2));
-  state.aims_at_goal = true;
-  state.choose_way_out(room.start);
-  expect_same(state.aim, {room.start.x - 0.5, room.start.y, room.start.z});
-  EXPECT_FALSE(state.aims_at_goal);
+  state.cycle.aim.start.d[0] = room.start;
+  state.cycle.aim.at_target = true;
+  state.cycle.aim.choose_way_out(state.facts);
+  expect_same(state.cycle.aim.place, {room.start.x - 0.5, room.start.y, room.start.z});
+  EXPECT_FALSE(state.cycle.aim.at_target);
   room.mark(voxel_at(room, -2));
-  state.aim = {7.0, 8.0, 9.0};
-  state.aims_at_goal = true;
-  state.choose_way_out(room.start);
-  expect_same(state.aim, {7.0, 8.0, 9.0});
-  EXPECT_TRUE(state.aims_at_goal);
+  state.cycle.aim.place = {7.0, 8.0, 9.0};
+  state.cycle.aim.at_target = true;
+  state.cycle.aim.choose_way_out(state.facts);
+  expect_same(state.cycle.aim.place, {7.0, 8.0, 9.0});
+  EXPECT_TRUE(state.cycle.aim.at_target);
 }
 
 /// The proof of resting ends at a voxel aside, or straight above: there is nothing to turn to there.
@@ -92,12 +100,14 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
   const auto look = [&](FlightRoom& room, const Box& box) {
     FlightState& state = room.state();
     room.mark(box);
-    EXPECT_EQ(state.proof.begin(room.map().safe(), state.now.flown, 0.0, nullptr, Beyond::kSolid), Status::kRunning);
-    EXPECT_EQ(state.proof.step(1000), Status::kOk);
-    EXPECT_EQ(state.proof.report().end, ProofEnd::kObstacle);
-    state.look_at = old;
-    state.look_at_obstacle();
-    return state.look_at;
+    EXPECT_EQ(state.draft.proof.begin(room.map().safe(), state.facts.plans.in_flight.trajectory, 0.0, nullptr,
+                                      Beyond::kSolid),
+              Status::kRunning);
+    EXPECT_EQ(state.draft.proof.step(1000), Status::kOk);
+    EXPECT_EQ(state.draft.proof.report().end, ProofEnd::kObstacle);
+    state.search.look_at = old;
+    state.search.look_at_voxel(state.facts, state.draft.proof.report().voxel);
+    return state.search.look_at;
   };
   FlightRoom aside;
   expect_same(look(aside, voxel_at(aside, 2)), {aside.start.x + 1.0, aside.start.y, aside.start.z});
@@ -112,31 +122,31 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
   const auto moves = [](Status status, bool all_free, double reachable, bool at_goal, FlightRoom& room) {
     room.flight.set_goal({8.125, 0.125, 1.125});
     FlightState& state = room.state();
-    state.time = state.takeover = 2000000000;
-    state.route.begin(room.map(), room.start, 0.0, 0.0, 0.0);
-    for (int k = 0; k < 100000 && !state.route.done(); ++k) state.route.advance(room.map());
-    EXPECT_TRUE(state.route.done());
-    state.start = joint_at(state.now.flown, 0.0, kZero);
-    state.goal = state.aim = {8.125, 0.125, 1.125};
-    state.all_free = all_free;
-    state.aims_at_goal = at_goal;
-    state.asked_count = 0;
+    state.facts.time = state.draft.takeover = 2000000000;
+    state.cycle.route.begin(room.map(), room.start, 0.0, 0.0, 0.0);
+    for (int k = 0; k < 100000 && !state.cycle.route.done(); ++k) state.cycle.route.advance(room.map());
+    EXPECT_TRUE(state.cycle.route.done());
+    state.cycle.aim.start = joint_at(state.facts.plans.in_flight.trajectory, 0.0, kZero);
+    state.cycle.aim.target_place = state.cycle.aim.place = {8.125, 0.125, 1.125};
+    state.cycle.all_free = all_free;
+    state.cycle.aim.at_target = at_goal;
+    state.cycle.aim.asked_count = 0;
     Report found{};
     found.status = status;
     found.has_reachable = true;
     found.reachable = {room.start.x + reachable, room.start.y, room.start.z};
-    return state.move_to_reachable(found);
+    return ask_again(state, found) == NextPlan::kAsked;
   };
   FlightRoom far;
   EXPECT_TRUE(moves(Status::kNoPath, true, 3.0, true, far));
-  expect_same(far.state().aim, {far.start.x + 3.0, far.start.y, far.start.z});
-  EXPECT_EQ(far.state().job, Job::kPlan);
-  EXPECT_FALSE(far.state().aims_at_goal);
-  EXPECT_FALSE(far.state().cut_off);
+  expect_same(far.state().cycle.aim.place, {far.start.x + 3.0, far.start.y, far.start.z});
+  EXPECT_EQ(far.state().cycle.job, Job::kPlan);
+  EXPECT_FALSE(far.state().cycle.aim.at_target);
+  EXPECT_FALSE(far.state().cycle.cut_off);
   Report again{};
   again.status = Status::kNoPath;
   again.has_reachable = true;
-  EXPECT_FALSE(far.state().move_to_reachable(again));  // once
+  EXPECT_EQ(ask_again(far.state(), again), NextPlan::kNone);  // once
   FlightRoom unseen;
   EXPECT_FALSE(moves(Status::kNoPath, false, 3.0, true, unseen));
   FlightRoom other;
@@ -144,19 +154,19 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
   for (const bool at_goal : {true, false}) {
     FlightRoom there;
     EXPECT_FALSE(moves(Status::kNoPath, true, 0.2, at_goal, there));
-    EXPECT_EQ(there.state().cut_off, at_goal);
+    EXPECT_EQ(there.state().cycle.cut_off, at_goal);
   }
 }
 
 /// The goal is in an obstacle, and nothing free is nearer to it than the vehicle: it rests where it is.
 TEST(FlightAim, GoalInAnObstacleBesideTheVehicleIsReachedAtOnce) {
   FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
-  room.tick_until([&] { return room.state().rests(); });
+  room.tick_until([&] { return room.state().facts.rests(); });
   room.flight.set_goal({1.2, 0.125, 1.125});
   EXPECT_EQ(room.fly(100), FlightReason::kNearest);
   expect_same(room.position(), room.start);
   EXPECT_EQ(room.report.committed, 0u);
-  EXPECT_EQ(room.state().idle_cycles, 0);
+  EXPECT_EQ(room.state().search.idle_cycles, 0);
 }
 
 /// An aim in an obstacle moves to the nearest free point. The aim of the plan that is flown stays, if it is beside the
@@ -167,22 +177,22 @@ TEST(FlightAim, OccupiedAimMovesToTheNearestFreePoint) {
     FlightRoom room;
     FlightState& state = room.state();
     EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
-    state.takeover = 1000000000;
-    state.start.d[0] = room.start;
-    state.goal = goal;
-    state.keeps = state.now.beside_goal = true;
-    state.now.target = same_target ? 0 : 1;
-    state.now.aim = {old, 0.125, 1.125};
-    state.aims_at_goal = aims_at_goal;
+    state.draft.takeover = 1000000000;
+    state.cycle.aim.start.d[0] = room.start;
+    state.cycle.aim.target_place = goal;
+    state.cycle.remainder_is_free = state.facts.plans.in_flight.beside_target = true;
+    state.facts.plans.in_flight.target = same_target ? 0 : 1;
+    state.facts.plans.in_flight.aim = {old, 0.125, 1.125};
+    state.cycle.aim.at_target = aims_at_goal;
     Report found{};
     found.status = Status::kGoalOccupied;
     found.has_nearest_free = true;
     found.nearest_free = {nearest, 0.125, 1.125};
-    EXPECT_TRUE(state.move_aim(found));
-    EXPECT_EQ(state.job, Job::kPlan);
-    EXPECT_EQ(state.beside_goal, aims_at_goal || same_target);
-    EXPECT_FALSE(state.aims_at_goal);
-    return state.aim.x;
+    EXPECT_EQ(ask_again(state, found), NextPlan::kAsked);
+    EXPECT_EQ(state.cycle.job, Job::kPlan);
+    EXPECT_EQ(state.cycle.aim.beside_target, aims_at_goal || same_target);
+    EXPECT_FALSE(state.cycle.aim.at_target);
+    return state.cycle.aim.place.x;
   };
   EXPECT_EQ(moved(7.0, 6.75, true), 6.75);
   EXPECT_EQ(moved(7.0, 6.25, true), 7.0);
@@ -197,17 +207,17 @@ TEST(FlightAim, OccupiedGoalAfterAPointIsFlownTo) {
     FlightRoom room;
     FlightState& state = room.state();
     EXPECT_EQ(room.flight.set_goal({1.125, 0.125, 1.125}), Status::kOk);
-    state.takeover = 1000000000;
-    state.start.d[0] = room.start;
-    state.goal = {1.125, 0.125, 1.125};
-    state.asked_count = points;
-    state.asked[0].position = {0.125, 3.125, 1.125};
+    state.draft.takeover = 1000000000;
+    state.cycle.aim.start.d[0] = room.start;
+    state.cycle.aim.target_place = {1.125, 0.125, 1.125};
+    state.cycle.aim.asked_count = points;
+    state.cycle.aim.asked[0].position = {0.125, 3.125, 1.125};
     Report found{};
     found.status = Status::kGoalOccupied;
     found.has_nearest_free = true;
     found.nearest_free = room.start;
-    EXPECT_EQ(state.move_aim(found), points > 0);
-    EXPECT_EQ(state.job, points > 0 ? Job::kPlan : Job::kIdle);
+    EXPECT_EQ(ask_again(state, found) == NextPlan::kAsked, points > 0);
+    EXPECT_EQ(state.cycle.job, points > 0 ? Job::kPlan : Job::kIdle);
   }
 }
 
@@ -218,13 +228,13 @@ TEST(FlightAim, OnlyOccupiedAimsMove) {
   Report found{};
   found.status = Status::kNoPath;
   found.has_nearest_free = true;
-  EXPECT_FALSE(state.move_aim(found));
+  EXPECT_EQ(ask_again(state, found), NextPlan::kNone);
   found.status = Status::kGoalOccupied;
-  state.moved_aim = true;
-  EXPECT_FALSE(state.move_aim(found));
-  state.moved_aim = found.has_nearest_free = false;
-  EXPECT_FALSE(state.move_aim(found));
-  EXPECT_EQ(state.job, Job::kIdle);
+  state.cycle.aim.moved = true;
+  EXPECT_EQ(ask_again(state, found), NextPlan::kNone);
+  state.cycle.aim.moved = found.has_nearest_free = false;
+  EXPECT_EQ(ask_again(state, found), NextPlan::kNone);
+  EXPECT_FALSE(state.is_busy());
 }
 
 /// The same with points on the way, a goal whose nearest free point was the aim, and no place that can be reached.
@@ -237,20 +247,21 @@ TEST(FlightAim, OnlyPlansToTheAimAloneMoveToAReachablePoint) {
     FlightRoom room;
     room.flight.set_goal({8.125, 0.125, 1.125});
     FlightState& state = room.state();
-    state.time = state.takeover = 2000000000;
-    state.start = joint_at(state.now.flown, 0.0, kZero);
-    state.goal = state.aim = {8.125, 0.125, 1.125};
-    state.all_free = true;
-    state.aims_at_goal = false;
-    state.beside_goal = c.beside_goal;
-    state.asked_count = c.past_points ? 1 : 0;
+    state.facts.time = state.draft.takeover = 2000000000;
+    state.cycle.aim.start = joint_at(state.facts.plans.in_flight.trajectory, 0.0, kZero);
+    state.cycle.aim.target_place = state.cycle.aim.place = {8.125, 0.125, 1.125};
+    state.cycle.all_free = true;
+    state.cycle.aim.at_target = false;
+    state.cycle.aim.beside_target = c.beside_goal;
+    state.cycle.aim.asked_count = c.past_points ? 1 : 0;
     Report found{};
     found.status = Status::kNoPath;
     found.has_reachable = c.has_reachable;
     found.reachable = room.start;  // the vehicle rests there
-    EXPECT_FALSE(state.move_to_reachable(found));
-    EXPECT_EQ(state.cut_off, c.cut_off);
-    expect_same(state.aim, {8.125, 0.125, 1.125});
+    state.cycle.remainder_is_free = true;
+    EXPECT_EQ(ask_again(state, found), c.cut_off ? NextPlan::kCutOff : NextPlan::kNone);
+    EXPECT_EQ(state.cycle.cut_off, c.cut_off);
+    expect_same(state.cycle.aim.place, {8.125, 0.125, 1.125});
   }
 }
 
@@ -259,15 +270,16 @@ TEST(FlightAim, NewGoalDuringTheProofOfTheRestDropsIt) {
   for (const bool moves : {false, true}) {
     tern_test::Flying room;
     FlightState& state = room.state();
-    for (int k = 0; k < 100000 && state.job != Job::kKeep; ++k) room.advance(1);
-    ASSERT_EQ(state.job, Job::kKeep);
+    for (int k = 0; k < 100000 && state.cycle.job != Job::kRemainder; ++k) room.advance(1);
+    ASSERT_EQ(state.cycle.job, Job::kRemainder);
     if (moves) {
       ASSERT_EQ(room.flight.set_goal({8.125, 4.125, 1.125}), Status::kOk);
     }
-    state.owed = 0;
+    state.charge.owed = 0;
     Work work{100000};
-    ASSERT_EQ(state.run_keep(work), Progress::kDone);
-    EXPECT_EQ(state.keeps, !moves);
+    ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.itinerary, state.draft, state.charge, work),
+              Progress::kDone);
+    EXPECT_EQ(state.cycle.remainder_is_free, !moves);
   }
 }
 

@@ -17,37 +17,38 @@ using tern_test::kNothing;
 struct Braking : Flying {
   Braking() {
     FlightState& s = state();
-    s.time = time;
-    s.threat = true;
-    s.takeover = time + kEvadeTicks * spec.tick;
-    s.deadline = s.takeover - spec.tick;
-    s.job = Job::kEvade;
-    s.extends = false;
-    s.best.number = -1;
-    s.branch = 0;
-    EXPECT_TRUE(s.make_evasion());
+    s.facts.time = time;
+    s.watch.threat = true;
+    s.draft.takeover = time + kEvadeTicks * spec.tick;
+    s.draft.deadline = s.draft.takeover - spec.tick;
+    s.evasion.is_running = true;
+    s.draft.extends = false;
+    s.evasion.best.number = -1;
+    s.evasion.number = 0;
+    EXPECT_TRUE(s.draft.brake(s.facts, s.itinerary, s.evasion.number, s.watch.threat, s.charge));
   }
   /// What ends the proof, and that the brake's limits are proven next.
   void expect_contact(ProofEnd end) {
     FlightState& s = state();
-    ASSERT_TRUE(s.begin_brake_proof(BrakeProof::kClear));
+    ASSERT_TRUE(s.evasion.begin_brake_proof(BrakeProof::kClear, s.facts, s.watch, s.draft));
     Work proof{4000};
-    EXPECT_EQ(s.run_evade(proof), Progress::kDone);
-    EXPECT_EQ(s.tried.number, 0);
-    EXPECT_GT(s.tried.speed, 0.0);
-    ASSERT_EQ(s.proves, BrakeProof::kLimits);
-    EXPECT_EQ(s.proof.report().until, s.tried.until);
+    EXPECT_EQ(s.run_evasion(proof), Progress::kDone);
+    EXPECT_EQ(s.evasion.tried.number, 0);
+    EXPECT_GT(s.evasion.tried.speed, 0.0);
+    ASSERT_EQ(s.evasion.proves, BrakeProof::kLimits);
+    EXPECT_EQ(s.draft.proof.report().until, s.evasion.tried.until);
     EXPECT_EQ(clear_end(), end);
     Work limits{4000};
-    EXPECT_EQ(s.run_evade(limits), Progress::kDone);
-    EXPECT_EQ(s.best.number, 0);
-    EXPECT_FALSE(s.best.known);
+    EXPECT_EQ(s.run_evasion(limits), Progress::kDone);
+    EXPECT_EQ(s.evasion.best.number, 0);
+    EXPECT_FALSE(s.evasion.best.known);
   }
   /// The same proof by itself.
   ProofEnd clear_end() {
     Proof proof;
     FlightState& s = state();
-    EXPECT_EQ(proof.begin(map().safe(), s.draft.flown, 0.0, &s.spec.limits, Beyond::kSolid, s.grounds_of(s.draft)),
+    EXPECT_EQ(proof.begin(map().safe(), s.draft.plan.trajectory, 0.0, &s.facts.spec.limits, Beyond::kSolid,
+                          grounds_of(s.facts.spec, s.draft.plan)),
               Status::kRunning);
     while (proof.step(4000) == Status::kRunning) {
     }
@@ -66,8 +67,8 @@ TEST(FlightBrakeProofs, FenceIsAContact) {
   Braking room;
   const Halfspace plane{{1.0, 0.0, 0.0}, room.position().x + 0.7};
   const Fence fence{&plane, 1, FenceKind::kKeepIn};
-  room.state().spec.fences = &fence;
-  room.state().spec.fence_count = 1;
+  room.state().facts.spec.fences = &fence;
+  room.state().facts.spec.fence_count = 1;
   room.expect_contact(ProofEnd::kFence);
 }
 
@@ -75,7 +76,7 @@ TEST(FlightBrakeProofs, FenceIsAContact) {
 TEST(FlightBrakeProofs, EndOfTheWindowIsAContact) {
   Braking room;
   const GridSpec& window = room.map().safe().spec();
-  Trajectory& brake = room.state().draft.flown;
+  Trajectory& brake = room.state().draft.plan.trajectory;
   const double way = brake.segments[brake.count - 1].points[kDegree].x;
   brake.origin.x = window.origin.x + window.cell * window.dims.x - 0.5 * FlightRoom::kRadius - way;
   room.expect_contact(ProofEnd::kOutside);
@@ -86,16 +87,16 @@ TEST(FlightBrakeProofs, AllIsProvenAnewWhereThatIsAskedFor) {
   Flying room;
   FlightState& state = room.state();
   room.watch(kNothing);
-  ASSERT_FALSE(state.watching);
-  state.watch_all = true;
+  ASSERT_FALSE(state.watch.is_running);
+  state.watch.covers_all = true;
   room.watch(kNothing);
-  EXPECT_TRUE(state.watching);
-  EXPECT_FALSE(state.watch_all);
-  EXPECT_FALSE(state.has_added);
-  EXPECT_EQ(state.watched_part, Watched::kLatest);
+  EXPECT_TRUE(state.watch.is_running);
+  EXPECT_FALSE(state.watch.covers_all);
+  EXPECT_FALSE(state.watch.has_added);
+  EXPECT_EQ(state.watch.part, Watched::kLatest);
   room.watch(4000);
-  EXPECT_FALSE(state.watching);
-  EXPECT_FALSE(state.threat);
+  EXPECT_FALSE(state.watch.is_running);
+  EXPECT_FALSE(state.watch.threat);
 }
 
 /// Something appears where the vehicle is, and not in the way of what is about to take over, 6 m beside it. If that is
@@ -104,25 +105,26 @@ TEST(FlightBrakeProofs, BrakeThatTakesOverAnswersForWhatComesBefore) {
   for (const bool evades : {true, false}) {
     Flying room;
     FlightState& state = room.state();
-    state.next = state.now;
-    state.next.begin = room.time + kEvadeTicks * room.spec.tick;
-    state.next.flown.origin.y -= 6.0;
-    state.next.evades = evades;
-    state.has_next = true;
+    state.facts.plans.waiting = state.facts.plans.in_flight;
+    state.facts.plans.waiting.begin = room.time + kEvadeTicks * room.spec.tick;
+    state.facts.plans.waiting.trajectory.origin.y -= 6.0;
+    state.facts.plans.waiting.evades = evades;
+    state.facts.plans.has_waiting = true;
     const Vec3 p = room.position();
     room.mark({{p.x - 0.5, p.y - 0.5, p.z - 0.5}, {p.x + 0.5, p.y + 0.5, p.z + 0.5}});
     room.watch(4000);
-    EXPECT_FALSE(state.watching);
-    EXPECT_EQ(state.has_next, evades);
-    EXPECT_EQ(state.threat, !evades);
-    EXPECT_EQ(state.alarmed, !evades);
-    EXPECT_EQ(state.meets_before, evades);
-    EXPECT_EQ((evades ? state.before : state.contact).time, room.time);
-    EXPECT_EQ(state.mode(), FlightMode::kThreat);
+    EXPECT_FALSE(state.watch.is_running);
+    EXPECT_EQ(state.facts.plans.has_waiting, evades);
+    EXPECT_EQ(state.watch.threat, !evades);
+    EXPECT_EQ(state.watch.alarmed, !evades);
+    EXPECT_EQ(state.watch.meets_before, evades);
+    EXPECT_EQ((evades ? state.watch.before : state.watch.contact).time, room.time);
+    state.finish_report(0);
+    EXPECT_EQ(state.report.mode, FlightMode::kThreat);
     // Near something else that became solid, it is not seen again.
     room.mark({{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}});
     room.watch(4000);
-    EXPECT_EQ(state.meets_before, evades);
+    EXPECT_EQ(state.watch.meets_before, evades);
   }
 }
 

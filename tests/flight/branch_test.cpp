@@ -78,7 +78,7 @@ TEST(FlightBranch, RestIsThePlansEnd) {
   const double whole = duration(plan);
   for (const double t : {0.0, 0.01, 0.7, 1.25, 1.26}) {
     Trajectory rest{};
-    take_rest(plan, t, 100.0, rest);
+    take_remainder(plan, t, 100.0, rest);
     EXPECT_NEAR(duration(rest), whole - t, 1e-12);
     for (int k = 0; k < 10; ++k) {
       const double since = 0.1 * k * (whole - t);
@@ -87,9 +87,9 @@ TEST(FlightBranch, RestIsThePlansEnd) {
     }
   }
   Trajectory part{};
-  take_rest(plan, 0.2, 0.1, part);
+  take_remainder(plan, 0.2, 0.1, part);
   EXPECT_EQ(part.count, 1);
-  take_rest(plan, whole + 1.0, 1.0, part);
+  take_remainder(plan, whole + 1.0, 1.0, part);
   EXPECT_EQ(part.count, 1);
   expect_near(evaluate(part, 0.0).position, evaluate(plan, whole).position, 1e-12);
 }

@@ -245,14 +245,14 @@ TEST(FlightClock, WhatComesLaterIsShownAsTheLastNumber) {
   FlightRoom room;
   ASSERT_EQ(start_at(room, kLast - kSecond), Status::kOk);
   FlightState& state = room.state();
-  state.threat = true;
+  state.watch.threat = true;
   for (const std::int64_t beyond : {-1, 0, 1}) {
-    state.contact = {kSecond + beyond, 1.0};
+    state.watch.contact = {kSecond + beyond, 1.0};
     state.finish_report(0);
     EXPECT_EQ(state.report.contact_time, beyond < 0 ? kLast - 1 : kLast) << beyond;
   }
-  state.now.flown.segments[0].duration = 1e12;
-  EXPECT_EQ(state.rest_begins(), state.now.begin + kFarthest + 1);
+  state.facts.plans.in_flight.trajectory.segments[0].duration = 1e12;
+  EXPECT_EQ(state.facts.plans.rest_begins(), state.facts.plans.in_flight.begin + kFarthest + 1);
 }
 
 /// The longest tick, the least work and the largest plan together, late in the longest flight.

@@ -38,10 +38,11 @@ int fly(std::uint64_t seed) {
     EXPECT_LE(std::hypot(now.acceleration.x, now.acceleration.y), std::sqrt(2.0) * a + 1e-6) << seed;
     EXPECT_LE(std::max(std::fabs(now.acceleration.x), std::fabs(now.acceleration.y)), a + 1e-6) << seed << ": " << t;
     if (raised) continue;
-    if (t >= wait && !state.has_next && t % 12 == 0) {
+    if (t >= wait && !state.facts.plans.has_waiting && t % 12 == 0) {
       room.flight.set_goal({goal, 0.125 + random.real(-0.3, 0.3), 1.125});
     }
-    if (t < wait || !state.has_next || state.next.evades || now.velocity.x < 0.4) continue;
+    if (t < wait || !state.facts.plans.has_waiting || state.facts.plans.waiting.evades || now.velocity.x < 0.4)
+      continue;
     const double face = (std::floor(now.position.x / 0.25) - 1.0) * 0.25;
     const double gap = now.position.x - face;
     if (gap >= 0.5 - 0.012 * now.velocity.x || gap <= 0.5 - 0.028 * now.velocity.x) continue;

@@ -22,27 +22,27 @@ TEST(FlightGivesUp, WhatBlocksTheWayIsLookedAtBeforeItGivesUp) {
   FlightRoom room;
   room.flight.set_goal({8.125, 0.125, 1.125});
   FlightState& state = room.state();
-  state.time = 2000000000;
-  EXPECT_TRUE(state.rests());
+  state.facts.time = 2000000000;
+  EXPECT_TRUE(state.facts.rests());
   state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-  for (int k = 1; k < kIdleCycles; ++k) state.note_idle();
-  EXPECT_FALSE(state.is_looking);
-  state.note_idle();
-  EXPECT_FALSE(state.seeks);
-  EXPECT_TRUE(state.is_looking);
-  state.note_idle();
-  EXPECT_TRUE(state.is_looking);
-  state.time += 9000000000;  // 13 directions of 0.614 s
-  state.note_idle();
-  EXPECT_TRUE(state.seeks);
-  EXPECT_FALSE(state.goes_away());
-  state.sought = kAround;
-  state.note_idle();
-  EXPECT_TRUE(state.goes_away());
-  EXPECT_FALSE(state.parked);
-  state.note_idle();
-  EXPECT_TRUE(state.parked);
-  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+  for (int k = 1; k < kIdleCycles; ++k) state.after_failed_cycle();
+  EXPECT_FALSE(state.search.is_looking);
+  state.after_failed_cycle();
+  EXPECT_FALSE(state.search.seeks);
+  EXPECT_TRUE(state.search.is_looking);
+  state.after_failed_cycle();
+  EXPECT_TRUE(state.search.is_looking);
+  state.facts.time += 9000000000;  // 13 directions of 0.614 s
+  state.after_failed_cycle();
+  EXPECT_TRUE(state.search.seeks);
+  EXPECT_FALSE(state.search.goes_away());
+  state.search.sought = kAround;
+  state.after_failed_cycle();
+  EXPECT_TRUE(state.search.goes_away());
+  EXPECT_FALSE(state.itinerary.parked);
+  state.after_failed_cycle();
+  EXPECT_TRUE(state.itinerary.parked);
+  EXPECT_EQ(state.itinerary.reason, FlightReason::kNoProgress);
 }
 
 /// Something is within the radius: after a look around the vehicle gives up.
@@ -50,16 +50,16 @@ TEST(FlightGivesUp, HemmedInItLooksForNoPlaceToLookFrom) {
   FlightRoom room;
   room.flight.set_goal({8.125, 0.125, 1.125});
   FlightState& state = room.state();
-  state.time = 2000000000;
+  state.facts.time = 2000000000;
   state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-  state.leaves = true;
-  for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
-  EXPECT_TRUE(state.is_looking);
-  state.time += 9000000000;  // 13 directions of 0.614 s
-  state.note_idle();
-  EXPECT_FALSE(state.seeks);
-  EXPECT_TRUE(state.parked);
-  EXPECT_EQ(state.reason, FlightReason::kHemmedIn);
+  state.cycle.hemmed_in = true;
+  for (int k = 0; k < kIdleCycles; ++k) state.after_failed_cycle();
+  EXPECT_TRUE(state.search.is_looking);
+  state.facts.time += 9000000000;  // 13 directions of 0.614 s
+  state.after_failed_cycle();
+  EXPECT_FALSE(state.search.seeks);
+  EXPECT_TRUE(state.itinerary.parked);
+  EXPECT_EQ(state.itinerary.reason, FlightReason::kHemmedIn);
 }
 
 /// No way leads on to a point of a mission: the next one is the goal now.
@@ -69,12 +69,12 @@ TEST(FlightGivesUp, PointsThatNoWayLeadsToAreLeftOut) {
   ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
   FlightState& state = room.state();
   state.park(FlightReason::kNoProgress);
-  EXPECT_FALSE(state.parked);
+  EXPECT_FALSE(state.itinerary.parked);
   EXPECT_EQ(room.flight.point_state(0), PointState::kSkipped);
   EXPECT_EQ(state.itinerary.leg, 1);
   state.park(FlightReason::kNoProgress);
-  EXPECT_TRUE(state.parked);
-  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+  EXPECT_TRUE(state.itinerary.parked);
+  EXPECT_EQ(state.itinerary.reason, FlightReason::kNoProgress);
 }
 
 /// After a look around, a goal that no way leads to is as near as it gets, unless something is within the radius.
@@ -83,17 +83,17 @@ TEST(FlightGivesUp, AGoalThatIsCutOffIsNotRetreatedFrom) {
     FlightRoom room;
     room.flight.set_goal({8.125, 0.125, 1.125});
     FlightState& state = room.state();
-    state.time = 2000000000;
-    state.leaves = leaves;
-    state.cut_off = true;
-    for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
-    EXPECT_TRUE(state.is_looking);
-    EXPECT_FALSE(state.parked);
-    state.time += 9000000000;  // 13 directions of 0.614 s
-    state.note_idle();
-    EXPECT_TRUE(state.parked);
-    EXPECT_FALSE(state.seeks);
-    EXPECT_EQ(state.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
+    state.facts.time = 2000000000;
+    state.cycle.hemmed_in = leaves;
+    state.cycle.cut_off = true;
+    for (int k = 0; k <= kIdleCycles; ++k) state.after_failed_cycle();
+    EXPECT_TRUE(state.search.is_looking);
+    EXPECT_FALSE(state.itinerary.parked);
+    state.facts.time += 9000000000;  // 13 directions of 0.614 s
+    state.after_failed_cycle();
+    EXPECT_TRUE(state.itinerary.parked);
+    EXPECT_FALSE(state.search.seeks);
+    EXPECT_EQ(state.itinerary.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
   }
 }
 
@@ -104,15 +104,16 @@ TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
     FlightRoom room(FlightRoom::flight_spec(), {{{is_near ? 1.5 : 3.0, -2.0, -2.0}, {4.0, 2.0, 4.0}}});
     ASSERT_EQ(room.flight.set_goal({is_near ? 1.3 : 2.8, 0.125, 1.125}), Status::kOk);
     FlightState& state = room.state();
-    state.time = 20000000000;
-    EXPECT_EQ(state.is_before_goal(), is_near);
-    for (int k = 0; k < kIdleCycles; ++k) state.note_idle();
-    EXPECT_TRUE(state.is_looking);
-    EXPECT_EQ(state.sector_at(state.time), is_near ? kDirections + 1 : 0);
-    state.time += 3200000000;  // five directions of 0.614 s
-    state.note_idle();
-    EXPECT_EQ(state.parked, is_near);
-    EXPECT_EQ(state.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
+    state.facts.time = 20000000000;
+    EXPECT_EQ(state.itinerary.is_right_before(state.facts), is_near);
+    for (int k = 0; k < kIdleCycles; ++k) state.after_failed_cycle();
+    EXPECT_TRUE(state.search.is_looking);
+    EXPECT_EQ(state.search.sector_at(state.facts.time, state.nose.seconds_per_direction(state.facts.spec)),
+              is_near ? kDirections + 1 : 0);
+    state.facts.time += 3200000000;  // five directions of 0.614 s
+    state.after_failed_cycle();
+    EXPECT_EQ(state.itinerary.parked, is_near);
+    EXPECT_EQ(state.itinerary.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
   }
 }
 
@@ -168,31 +169,30 @@ TEST(FlightGivesUp, HemmedInItSaysSo) {
 TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
   FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
   FlightState& state = room.state();
-  state.has_goal = true;
+  state.itinerary.has_goal = true;
   state.itinerary.count = 1;
-  const auto is_nearest = [&](const Vec3& goal, const Vec3& aim, bool aims_at_goal) {
-    state.start.d[0] = room.start;
-    state.takeover = 1000000000;
-    state.goal = goal;
-    state.aim = aim;
-    state.aims_at_goal = aims_at_goal;
-    state.parked = false;
-    return state.is_nearest();
+  const auto next_plan = [&](const Vec3& goal, const Vec3& aim, bool aims_at_goal) {
+    state.cycle.aim.start.d[0] = room.start;
+    state.draft.takeover = 1000000000;
+    state.cycle.aim.target_place = goal;
+    state.cycle.aim.place = aim;
+    state.cycle.aim.at_target = aims_at_goal;
+    state.cycle.aim.moved = false;
+    Report found{};
+    found.status = Status::kGoalOccupied;
+    found.has_nearest_free = true;
+    found.nearest_free = aim;
+    return state.cycle.ask_after_no_plan(state.facts, state.itinerary, found, *state.planner, state.draft.takeover,
+                                         state.charge);
   };
   const Vec3 occupied{1.2, 0.125, 1.125};
   const Vec3 free{-3.0, 0.125, 1.125};
-  EXPECT_FALSE(is_nearest(occupied, {0.875, 0.125, 1.125}, true));  // 0.75 m nearer
-  EXPECT_FALSE(state.parked);
-  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));  // a voxel nearer
-  EXPECT_TRUE(state.parked);
-  EXPECT_EQ(state.reason, FlightReason::kNearest);
-  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, false));  // the aim was on the way to it
-  EXPECT_FALSE(state.parked);
-  EXPECT_TRUE(is_nearest(free, {0.0, 0.125, 1.125}, true));  // something unseen was in it
-  EXPECT_FALSE(state.parked);
+  EXPECT_EQ(next_plan(occupied, {0.875, 0.125, 1.125}, true), NextPlan::kAsked);    // 0.75 m nearer
+  EXPECT_EQ(next_plan(occupied, {0.375, 0.125, 1.125}, true), NextPlan::kNearest);  // a voxel nearer
+  EXPECT_EQ(next_plan(occupied, {0.375, 0.125, 1.125}, false), NextPlan::kNone);    // the aim was on the way to it
+  EXPECT_EQ(next_plan(free, {0.0, 0.125, 1.125}, true), NextPlan::kNone);           // something unseen was in it
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // the map is sliding: nothing is known
-  EXPECT_TRUE(is_nearest(occupied, {0.375, 0.125, 1.125}, true));
-  EXPECT_FALSE(state.parked);
+  EXPECT_EQ(next_plan(occupied, {0.375, 0.125, 1.125}, true), NextPlan::kNone);
 }
 
 /// A fence stays where it is. But there may be a way around it to a goal behind, and out of an obstacle.
@@ -201,14 +201,14 @@ TEST(FlightGivesUp, OnlyAtAFencedGoalWithoutALook) {
     FlightRoom room;
     FlightState& state = room.state();
     room.flight.set_goal({8.0, 0.0, 1.125});
-    state.time = 1000000000;
+    state.facts.time = 1000000000;
     state.report.plan = Status::kGoalFenced;
-    state.aims_at_goal = aims_at_goal;
-    state.leaves = leaves;
-    state.idle_cycles = kIdleCycles - 1;
-    state.note_idle();
-    EXPECT_NE(state.is_looking, state.parked);
-    return state.is_looking;
+    state.cycle.aim.at_target = aims_at_goal;
+    state.cycle.hemmed_in = leaves;
+    state.search.idle_cycles = kIdleCycles - 1;
+    state.after_failed_cycle();
+    EXPECT_NE(state.search.is_looking, state.itinerary.parked);
+    return state.search.is_looking;
   };
   EXPECT_FALSE(looks(true, false));
   EXPECT_TRUE(looks(false, false));
@@ -221,11 +221,11 @@ TEST(FlightGivesUp, BeforeAGoalThatIsKnownToBeOccupied) {
   FlightState& state = room.state();
   const auto is_before = [&](const Vec3& goal) {
     EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
-    return state.is_before_goal();
+    return state.itinerary.is_right_before(state.facts);
   };
   EXPECT_TRUE(is_before({1.125, 0.125, 1.125}));
   EXPECT_FALSE(is_before({-1.125, 0.125, 1.125}));
-  state.now.flown.origin.z = 3.25;
+  state.facts.plans.in_flight.trajectory.origin.z = 3.25;
   EXPECT_TRUE(is_before({0.625, 0.125, 3.875}));
   EXPECT_FALSE(is_before({0.625, 0.125, 4.125}));
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
@@ -237,18 +237,16 @@ TEST(FlightGivesUp, WanderingEnds) {
   FlightRoom room;
   FlightState& state = room.state();
   room.flight.set_goal({8.0, 0.0, 1.125});
-  state.start.d[0] = room.start;
-  state.nearest = 1.0;
-  state.wandering = kWandering - 1;
-  state.learned = state.map.learned() - kLearned;
-  state.note_progress();
-  EXPECT_EQ(state.fruitless, 0);
-  EXPECT_FALSE(state.parked);
-  state.learned = state.map.learned() - kLearned;
-  state.note_progress();
-  EXPECT_EQ(state.fruitless, 0);
-  EXPECT_TRUE(state.parked);
-  EXPECT_EQ(state.reason, FlightReason::kNoProgress);
+  state.itinerary.nearest = 1.0;
+  state.itinerary.wandering = kWandering - 1;
+  state.itinerary.learned = state.facts.map.learned() - kLearned;
+  EXPECT_FALSE(state.itinerary.count_plan(state.facts, room.start));
+  EXPECT_EQ(state.itinerary.fruitless, 0);
+  EXPECT_FALSE(state.itinerary.is_hopeless());
+  state.itinerary.learned = state.facts.map.learned() - kLearned;
+  EXPECT_FALSE(state.itinerary.count_plan(state.facts, room.start));
+  EXPECT_EQ(state.itinerary.fruitless, 0);
+  EXPECT_TRUE(state.itinerary.is_hopeless());
 }
 
 /// A point of a mission that cannot be reached is left out, and the reason says whether it is in an obstacle.
@@ -258,10 +256,10 @@ TEST(FlightGivesUp, PointsThatAreCutOffAreUnreachableAndNotBlocked) {
     FlightState& state = room.state();
     const Via points[2] = {{{4.125, 0.125, 1.125}}, {{8.125, 0.125, 1.125}}};
     ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
-    state.cut_off = cut_off;
+    state.cycle.cut_off = cut_off;
     state.park(FlightReason::kNearest);
-    EXPECT_EQ(state.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
-    EXPECT_TRUE(state.parked);
+    EXPECT_EQ(state.itinerary.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
+    EXPECT_TRUE(state.itinerary.parked);
   }
 }
 

@@ -12,23 +12,23 @@ using namespace tern;
 using tern_test::Flying;
 using tern_test::kNothing;
 
-constexpr Evasion kNoBrake{-1, 0.0, 0.0, false};
-constexpr Evasion kBrake{0, 0.5, 1.0, true};
+constexpr JudgedBrake kNoBrake{-1, 0.0, 0.0, false};
+constexpr JudgedBrake kBrake{0, 0.5, 1.0, true};
 
 /// Brakes are in work, and `tried` of them were tried when the time was up.
 struct TimeIsUp : Flying {
-  TimeIsUp(int tried, bool threat, const Evasion& best) {
+  TimeIsUp(int tried, bool threat, const JudgedBrake& best) {
     FlightState& s = state();
-    s.time = time;
-    s.threat = threat;
-    s.takeover = time + kEvadeTicks * spec.tick;
-    s.contact = {s.takeover + 1000000000, 2.0};
-    s.deadline = s.takeover - spec.tick;
-    s.job = Job::kEvade;
-    s.extends = false;
-    s.evaded = true;
-    s.branch = tried;
-    s.best = best;
+    s.facts.time = time;
+    s.watch.threat = threat;
+    s.draft.takeover = time + kEvadeTicks * spec.tick;
+    s.watch.contact = {s.draft.takeover + 1000000000, 2.0};
+    s.draft.deadline = s.draft.takeover - spec.tick;
+    s.evasion.is_running = true;
+    s.draft.extends = false;
+    s.evasion.was_tried = true;
+    s.evasion.number = tried;
+    s.evasion.best = best;
   }
 };
 
@@ -36,7 +36,7 @@ TEST(FlightLateBrakes, GetMoreTimeUnlessOneCanBeFlown) {
   struct Case {
     int tried;
     bool threat;
-    Evasion best;
+    JudgedBrake best;
     bool again;
   };
   // Without a threat, only a proven brake is flown, and that would have been flown at once.
@@ -44,25 +44,25 @@ TEST(FlightLateBrakes, GetMoreTimeUnlessOneCanBeFlown) {
                         Case{3, false, kNoBrake, true}, Case{kEvasions, true, kNoBrake, false}}) {
     TimeIsUp room(c.tried, c.threat, c.best);
     FlightState& state = room.state();
-    state.end_evade();
-    EXPECT_EQ(state.job, Job::kIdle);
-    EXPECT_EQ(state.missed, c.again ? 2 : 0) << c.tried;
-    EXPECT_EQ(state.evaded, !c.again);
+    state.end_evasion();
+    EXPECT_FALSE(state.is_busy());
+    EXPECT_EQ(state.evasion.missed, c.again ? 2 : 0) << c.tried;
+    EXPECT_EQ(state.evasion.was_tried, !c.again);
   }
 }
 
 TEST(FlightLateBrakes, TimeGrowsOnlySoFar) {
   TimeIsUp room(3, true, kNoBrake);
   FlightState& state = room.state();
-  std::int64_t ticks = state.evade_ticks();
+  std::int64_t ticks = state.evasion.ticks(state.facts.spec);
   for (int k = 0; k < 20; ++k) {
-    state.branch = 3;
-    state.best = kNoBrake;
-    state.end_evade();
-    EXPECT_GE(state.evade_ticks(), ticks);
-    ticks = state.evade_ticks();
+    state.evasion.number = 3;
+    state.evasion.best = kNoBrake;
+    state.end_evasion();
+    EXPECT_GE(state.evasion.ticks(state.facts.spec), ticks);
+    ticks = state.evasion.ticks(state.facts.spec);
   }
-  EXPECT_EQ(state.missed, 2 * kMostDoublings);
+  EXPECT_EQ(state.evasion.missed, 2 * kMostDoublings);
 }
 
 /// Where no brake is proven, a stop is tried again once a plan that waits has taken over, and only then: otherwise it
@@ -74,45 +74,45 @@ TEST(FlightLateBrakes, StopIsTriedAgainAfterAPlanThatWaits) {
     const bool has_goal = (bits & 4) != 0;
     TimeIsUp room(kEvasions, false, kNoBrake);
     FlightState& state = room.state();
-    state.stopping = false;
-    state.stops = stops;
-    state.has_next = waits;
-    state.has_goal = has_goal;
-    state.end_evade();
-    EXPECT_EQ(state.stopping, stops && waits && !has_goal) << bits;
+    state.evasion.stop_asked = false;
+    state.evasion.serves_stop = stops;
+    state.facts.plans.has_waiting = waits;
+    state.itinerary.has_goal = has_goal;
+    state.end_evasion();
+    EXPECT_EQ(state.evasion.stop_asked, stops && waits && !has_goal) << bits;
   }
   TimeIsUp room(kEvasions, false, kNoBrake);  // asked for again meanwhile
-  room.state().stopping = true;
-  room.state().stops = false;
-  room.state().end_evade();
-  EXPECT_TRUE(room.state().stopping);
+  room.state().evasion.stop_asked = true;
+  room.state().evasion.serves_stop = false;
+  room.state().end_evasion();
+  EXPECT_TRUE(room.state().evasion.stop_asked);
 }
 
 TEST(FlightLateBrakes, MissedStopIsTriedAgainUnlessThereIsANewGoal) {
   for (const bool has_goal : {false, true}) {
     TimeIsUp room(3, false, kNoBrake);
     FlightState& state = room.state();
-    state.stopping = false;
-    state.stops = true;
-    state.has_goal = has_goal;
-    state.time = state.deadline + room.spec.tick;  // ticks were skipped
-    state.miss_evasion();
-    EXPECT_EQ(state.stopping, !has_goal);
-    EXPECT_FALSE(state.evaded);
+    state.evasion.stop_asked = false;
+    state.evasion.serves_stop = true;
+    state.itinerary.has_goal = has_goal;
+    state.facts.time = state.draft.deadline + room.spec.tick;  // ticks were skipped
+    state.evasion.miss(state.itinerary.has_goal);
+    EXPECT_EQ(state.evasion.stop_asked, !has_goal);
+    EXPECT_FALSE(state.evasion.was_tried);
   }
 }
 
 /// A stop does not take back the brakes that are being tried for a threat.
 TEST(FlightLateBrakes, StopLeavesBrakesInWork) {
   Flying room;
-  room.state().threat = true;
-  room.state().contact = {room.time + 1000000000, 2.0};
-  room.state().time = room.time;
-  room.state().begin_evade();
-  ASSERT_EQ(room.state().job, Job::kEvade);
+  room.state().watch.threat = true;
+  room.state().watch.contact = {room.time + 1000000000, 2.0};
+  room.state().facts.time = room.time;
+  room.state().begin_evasion();
+  ASSERT_TRUE(room.state().evasion.is_running);
   EXPECT_EQ(room.flight.stop(), Status::kOk);
-  EXPECT_EQ(room.state().job, Job::kEvade);
-  EXPECT_TRUE(room.state().stopping);
+  EXPECT_TRUE(room.state().evasion.is_running);
+  EXPECT_TRUE(room.state().evasion.stop_asked);
   ASSERT_TRUE(room.tick_until([&] { return room.speed() == 0.0; }, 200));
   EXPECT_EQ(room.report.reason, FlightReason::kNoGoal);
 }
@@ -121,13 +121,13 @@ TEST(FlightLateBrakes, StopLeavesBrakesInWork) {
 TEST(FlightLateBrakes, StopTriesBrakesAnewUnderAThreat) {
   Flying room;
   FlightState& state = room.state();
-  state.threat = state.evaded = true;
-  state.contact = {room.time + 1000000000, 2.0};
+  state.watch.threat = state.evasion.was_tried = true;
+  state.watch.contact = {room.time + 1000000000, 2.0};
   EXPECT_EQ(room.flight.stop(), Status::kOk);
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
-  EXPECT_TRUE(state.stops);
-  EXPECT_TRUE(state.evaded);
+  EXPECT_TRUE(state.evasion.is_running);
+  EXPECT_TRUE(state.evasion.serves_stop);
+  EXPECT_TRUE(state.evasion.was_tried);
 }
 
 /// A box that is marked while brakes are being tried: those that failed may be free now, and the other way round.
@@ -136,17 +136,17 @@ TEST(FlightLateBrakes, BrakesAreTriedAnewOnAChangedMap) {
   FlightState& state = room.state();
   EXPECT_EQ(room.flight.stop(), Status::kOk);
   room.advance(kNothing);
-  ASSERT_EQ(state.job, Job::kEvade);
-  const int first = state.branch;
-  state.next_evasion();
-  ASSERT_NE(state.branch, first);
-  state.best = kBrake;
-  const std::int64_t takeover = state.takeover;
+  ASSERT_TRUE(state.evasion.is_running);
+  const int first = state.evasion.number;
+  state.evasion.try_next(state.facts, state.itinerary, state.watch, state.draft, state.charge);
+  ASSERT_NE(state.evasion.number, first);
+  state.evasion.best = kBrake;
+  const std::int64_t takeover = state.draft.takeover;
   room.mark({{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}});
-  state.note_changed_map();
-  EXPECT_EQ(state.branch, first);
-  EXPECT_LT(state.best.number, 0);
-  EXPECT_EQ(state.takeover, takeover);
+  state.prove_anew();
+  EXPECT_EQ(state.evasion.number, first);
+  EXPECT_LT(state.evasion.best.number, 0);
+  EXPECT_EQ(state.draft.takeover, takeover);
   ASSERT_TRUE(room.tick_until([&] { return room.speed() == 0.0; }, 200));
 }
 
@@ -157,20 +157,20 @@ TEST(FlightLateBrakes, ContactBeforeTheTakeoverIsForgottenOnlyByAWholeProof) {
     for (const bool added : {false, true}) {
       Flying room;
       FlightState& state = room.state();
-      state.next = state.now;
-      state.next.begin = room.time + 5 * room.spec.tick;
-      state.next.evades = true;
-      state.has_next = true;
-      state.meets_before = met;
-      state.has_added = added;
-      state.added = {{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}};
-      state.time = room.time;
-      state.watch_part(Watched::kBefore);
-      ASSERT_TRUE(state.watching);
+      state.facts.plans.waiting = state.facts.plans.in_flight;
+      state.facts.plans.waiting.begin = room.time + 5 * room.spec.tick;
+      state.facts.plans.waiting.evades = true;
+      state.facts.plans.has_waiting = true;
+      state.watch.meets_before = met;
+      state.watch.has_added = added;
+      state.watch.added = {{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}};
+      state.facts.time = room.time;
+      state.watch.prove(state.facts, Watched::kBefore);
+      ASSERT_TRUE(state.watch.is_running);
       Work work{4000};
-      ASSERT_EQ(state.step_proof(state.watch, work), Progress::kDone);
-      state.end_part();
-      EXPECT_EQ(state.meets_before, met && added);
+      ASSERT_EQ(state.charge.step(state.watch.proof, work), Progress::kDone);
+      state.end_watched_part();
+      EXPECT_EQ(state.watch.meets_before, met && added);
     }
   }
 }

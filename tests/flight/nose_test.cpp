@@ -104,15 +104,17 @@ TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
   FlightRoom room;
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
   FlightState& state = room.state();
-  ASSERT_TRUE(room.tick_until([&] { return state.rests(); }, 100));
-  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+  ASSERT_TRUE(room.tick_until([&] { return state.facts.rests(); }, 100));
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
+            FlightYawMode::kFixed);
   room.flight.set_goal({8.125, 0.125, 1.125});
-  state.look_at = {3.0, -4.0, 1.0};
-  const NoseWish wish = state.nose_wish(room.time);
+  state.search.look_at = {3.0, -4.0, 1.0};
+  const NoseWish wish = state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed);
   EXPECT_EQ(wish.mode, FlightYawMode::kTowardsPoint);
   EXPECT_EQ(wish.point.y, -4.0);
-  state.parked = true;
-  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
+  state.itinerary.parked = true;
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
+            FlightYawMode::kFixed);
 }
 
 /// Also on the way to a place from where something is to be seen.
@@ -120,12 +122,15 @@ TEST(FlightNose, VehiclesOnTheWayToALookoutLookAtWhatItIsFor) {
   Flying room;
   FlightState& state = room.state();
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
-  state.now.to_goal = false;
-  state.look_at = {3.0, -4.0, 1.0};
-  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kFixed);
-  state.now.looks_out = true;
-  EXPECT_EQ(state.nose_wish(room.time).mode, FlightYawMode::kTowardsPoint);
-  EXPECT_EQ(state.nose_wish(room.time).point.y, -4.0);
+  state.facts.plans.in_flight.to_target = false;
+  state.search.look_at = {3.0, -4.0, 1.0};
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
+            FlightYawMode::kFixed);
+  state.facts.plans.in_flight.looks_out = true;
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
+            FlightYawMode::kTowardsPoint);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).point.y,
+            -4.0);
 }
 
 TEST(FlightNose, YawPlansInWorkAreDroppedIfTheyTurnTooSharplyNow) {
@@ -133,9 +138,9 @@ TEST(FlightNose, YawPlansInWorkAreDroppedIfTheyTurnTooSharplyNow) {
     FlightRoom room(turning(2.5, 400));
     ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, 5.0)), Status::kOk);
     room.tick();
-    ASSERT_TRUE(room.state().nose.busy);
+    ASSERT_TRUE(room.state().nose.is_pending);
     ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed, acceleration)), Status::kOk);
-    EXPECT_EQ(room.state().nose.busy, acceleration >= 5.0);
+    EXPECT_EQ(room.state().nose.is_pending, acceleration >= 5.0);
   }
 }
 
@@ -149,7 +154,7 @@ TEST(FlightNose, SlowNosesTakeAllPieces) {
       room.tick();
       EXPECT_LE(std::fabs(room.flight.yaw(room.time).yaw.rate), rate + 1e-12);
     }
-    return room.state().nose.now.count;
+    return room.state().nose.in_flight.plan.count;
   };
   EXPECT_LT(pieces(2.5, 5.0), 77);
   EXPECT_EQ(pieces(0.02, 0.02), kMaxYawPieces);
@@ -167,12 +172,12 @@ TEST(FlightNose, YawPlanThatIsNotDoneInTimeIsFlownAsItIs) {
   const std::int64_t begin = room.time + kNoseTicks * room.spec.tick;
   while (room.time + room.spec.tick < begin) {
     room.tick();
-    EXPECT_TRUE(state.nose.busy);
-    EXPECT_EQ(state.nose.next_begin, begin);
+    EXPECT_TRUE(state.nose.is_pending);
+    EXPECT_EQ(state.nose.waiting.begin, begin);
   }
   room.tick();
-  EXPECT_FALSE(state.nose.busy);
-  EXPECT_TRUE(state.nose.has_next);
+  EXPECT_FALSE(state.nose.is_pending);
+  EXPECT_TRUE(state.nose.has_waiting);
   for (std::int64_t t = room.time; t < room.time + 8000000000; t += 2000000) {
     EXPECT_LE(std::fabs(room.flight.yaw(t).yaw.rate), 2.5 + 1e-12);
     EXPECT_LE(std::fabs(room.flight.yaw(t).acceleration), 5.0 + 1e-9);
@@ -188,14 +193,14 @@ TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
   Flying room;
   FlightState& state = room.state();
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  state.nose.next_begin = state.now.begin + 1000000000;
-  state.now.branch = 4.0;
-  state.now.passages = 5;
+  state.nose.waiting.begin = state.facts.plans.in_flight.begin + 1000000000;
+  state.facts.plans.in_flight.branch = 4.0;
+  state.facts.plans.in_flight.passages = 5;
   const double times[] = {0.5, 2.0, 2.0, 3.0, 4.5};
-  for (int i = 0; i < 5; ++i) state.now.passage[i] = {i, times[i]};
+  for (int i = 0; i < 5; ++i) state.facts.plans.in_flight.passage[i] = {i, times[i]};
   const auto timed = [&] {
     YawRequest request{};
-    state.time_headings(request);
+    state.nose.time_headings(state.facts, state.itinerary, request);
     return request;
   };
   const YawRequest both = timed();
@@ -206,7 +211,7 @@ TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
   EXPECT_NEAR(both.timed[1].time, 2.0, 1e-9);
   EXPECT_EQ(both.timed[1].heading.sine, -1.0);
   state.itinerary.leg = 2;
-  ++state.goal_number;
+  ++state.itinerary.number;
   const YawRequest none = timed();
   EXPECT_EQ(none.mode, YawMode::kFixed);
   EXPECT_EQ(none.timed_count, 0);
@@ -219,38 +224,41 @@ TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
 TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
   Flying room;
   FlightState& state = room.state();
-  state.time = room.time;
+  state.facts.time = room.time;
   state.nose.has_unseen = true;
   const Vec3 p = room.position();
   state.nose.unseen = {p.x - 2.0, p.y, p.z};
-  EXPECT_FALSE(state.waits_for_view());  // no yaw is planned
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));  // no yaw is planned
   FlightYaw yaw = yaw_of(FlightYawMode::kTowardsUnseen);
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_FALSE(state.waits_for_view());  // no field of view
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));  // no field of view
   yaw.view = 0.5 * M_PI;
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_TRUE(state.waits_for_view());
+  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
   state.nose.unseen = {p.x + 2.0, p.y + 1.9, p.z};
-  EXPECT_FALSE(state.waits_for_view());
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
   state.nose.unseen = {p.x + 2.0, p.y + 2.1, p.z};
-  EXPECT_TRUE(state.waits_for_view());
+  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
   state.nose.has_unseen = false;
-  EXPECT_FALSE(state.waits_for_view());
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
   state.nose.has_unseen = true;
-  state.parked = true;
-  EXPECT_FALSE(state.waits_for_view());
-  state.parked = false;
-  state.has_goal = false;
-  EXPECT_FALSE(state.waits_for_view());
-  state.has_goal = true;
-  EXPECT_TRUE(state.waits_for_view());
+  state.itinerary.parked = true;
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  state.itinerary.parked = false;
+  state.itinerary.has_goal = false;
+  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  state.itinerary.has_goal = true;
+  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
 }
 
 /// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.
 TEST(FlightNose, PlannedOnesHoldEachDirectionForLonger) {
   FlightRoom room;
   FlightState& state = room.state();
-  const auto sector_after = [&](double seconds) { return state.sector_at(state.look_since + nanoseconds(seconds)); };
+  const auto sector_after = [&](double seconds) {
+    return state.search.sector_at(state.search.look_since + nanoseconds(seconds),
+                                  state.nose.seconds_per_direction(state.facts.spec));
+  };
   EXPECT_EQ(sector_after(0.614), 0);
   EXPECT_EQ(sector_after(0.615), 1);
   EXPECT_EQ(sector_after(8 * 0.61416), 8);

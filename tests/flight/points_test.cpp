@@ -25,11 +25,18 @@ struct Way : FlightRoom {
     const double xs[] = {1.0, 3.0, 5.0, 7.0, 20.0};
     for (int i = 0; i < 5; ++i) points[i].position = {xs[i], 0.125, 1.125};
     EXPECT_EQ(flight.set_mission(points, 5, policy), Status::kOk);
-    state().takeover = 0;
-    state().choose_points(start);
-    state().aim = state().goal;
+    state().draft.takeover = 0;
+    state().cycle.aim.start.d[0] = start;
+    state().cycle.aim.choose_points(state().facts, state().itinerary, state().draft.takeover);
+    state().cycle.aim.place = state().cycle.aim.target_place;
   }
 };
+
+/// What follows the failure of a plan.
+NextPlan ask_again(FlightState& state, const Report& report) {
+  return state.cycle.ask_after_no_plan(state.facts, state.itinerary, report, *state.planner, state.draft.takeover,
+                                       state.charge);
+}
 
 Report found(Status status, std::int32_t via = kNoVia) {
   Report report{};
@@ -48,7 +55,7 @@ TEST(FlightPoints, WindowEndsBeforeItsFaces) {
     Vec3 place = middle;
     const auto in_window = [&](double at) {
       axis(place, a) = at;
-      return room.state().in_window(place);
+      return room.state().facts.in_window(place);
     };
     EXPECT_TRUE(in_window(lower[a]));
     EXPECT_FALSE(in_window(lower[a] - 0.01));
@@ -61,17 +68,17 @@ TEST(FlightPoints, WindowEndsBeforeItsFaces) {
 TEST(FlightPoints, PointsWithinTheHorizonAndTheWindowArePassed) {
   Way way;
   FlightState& state = way.state();
-  EXPECT_EQ(state.asked_count, 4);
-  EXPECT_EQ(state.target, 4);
-  EXPECT_EQ(state.goal.x, 20.0);
+  EXPECT_EQ(state.cycle.aim.asked_count, 4);
+  EXPECT_EQ(state.cycle.aim.target, 4);
+  EXPECT_EQ(state.cycle.aim.target_place.x, 20.0);
   state.itinerary.points[2].position.z = 3.5;
-  state.choose_points(way.start);
-  EXPECT_EQ(state.asked_count, 2);
-  EXPECT_EQ(state.target, 2);
-  EXPECT_EQ(state.goal.z, 3.5);
+  state.cycle.aim.choose_points(state.facts, state.itinerary, state.draft.takeover);
+  EXPECT_EQ(state.cycle.aim.asked_count, 2);
+  EXPECT_EQ(state.cycle.aim.target, 2);
+  EXPECT_EQ(state.cycle.aim.target_place.z, 3.5);
   state.itinerary.points[2].position = {5.0, 7.0, 1.125};  // 0.9 + 2 + 7.2 m
-  state.choose_points(way.start);
-  EXPECT_EQ(state.asked_count, 2);
+  state.cycle.aim.choose_points(state.facts, state.itinerary, state.draft.takeover);
+  EXPECT_EQ(state.cycle.aim.asked_count, 2);
 }
 
 /// A point that was taken for blocked and is clear on the map as it is now.
@@ -81,7 +88,7 @@ TEST(FlightPoints, SuspicionEndsWhereThePointIsSeenClear) {
   const auto suspicions_of = [&](std::int32_t point) {
     state.itinerary.suspect = point;
     state.itinerary.suspicions = 2;
-    state.choose_points(way.start);
+    state.itinerary.clear_suspicion(state.facts);
     return state.itinerary.suspicions;
   };
   EXPECT_EQ(suspicions_of(2), 2);
@@ -94,50 +101,50 @@ TEST(FlightPoints, SuspicionEndsWhereThePointIsSeenClear) {
 TEST(FlightPoints, PlanFitsWhileItsPointsAreAhead) {
   Way way;
   FlightState& state = way.state();
-  state.now.passages = 2;
-  state.now.passage[0] = {1, 0.5};
-  state.now.passage[1] = {2, 1.0};
-  state.now.target = 3;
-  EXPECT_TRUE(state.still_fits());
+  state.facts.plans.in_flight.passages = 2;
+  state.facts.plans.in_flight.passage[0] = {1, 0.5};
+  state.facts.plans.in_flight.passage[1] = {2, 1.0};
+  state.facts.plans.in_flight.target = 3;
+  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
   state.itinerary.state[1] = PointState::kPassed;
-  EXPECT_TRUE(state.still_fits());
+  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
   state.itinerary.state[2] = PointState::kSkipped;
-  EXPECT_FALSE(state.still_fits());
-  state.now.passages = 1;
-  EXPECT_TRUE(state.still_fits());
+  EXPECT_FALSE(state.itinerary.still_fits(state.facts.plans.in_flight));
+  state.facts.plans.in_flight.passages = 1;
+  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
   state.itinerary.state[3] = PointState::kSkipped;
-  EXPECT_FALSE(state.still_fits());
+  EXPECT_FALSE(state.itinerary.still_fits(state.facts.plans.in_flight));
 }
 
 /// A plan that does not lead to the next point passes it neither earlier nor later.
 TEST(FlightPoints, OnlyAPlanThatPassesTheNextPointKeepsOneThatPassesItLater) {
   Way way;
   FlightState& state = way.state();
-  state.takeover = 2000000000;  // 2 s into the plan that is flown
-  state.now.passages = state.draft.passages = 0;
-  EXPECT_FALSE(state.passes_later());
-  state.draft.passages = 1;
-  state.draft.passage[0] = {state.itinerary.leg, 5.0};
-  EXPECT_FALSE(state.passes_later());
-  state.now.passages = 1;
-  state.now.passage[0] = {state.itinerary.leg, 4.0};  // 2 s ahead
-  EXPECT_TRUE(state.passes_later());
-  state.draft.passage[0].time = 2.2;
-  EXPECT_FALSE(state.passes_later());
-  state.draft.passages = 0;
-  EXPECT_TRUE(state.passes_later());
+  state.draft.takeover = 2000000000;  // 2 s into the plan that is flown
+  state.facts.plans.in_flight.passages = state.draft.plan.passages = 0;
+  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.draft.plan.passages = 1;
+  state.draft.plan.passage[0] = {state.itinerary.leg, 5.0};
+  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.facts.plans.in_flight.passages = 1;
+  state.facts.plans.in_flight.passage[0] = {state.itinerary.leg, 4.0};  // 2 s ahead
+  EXPECT_TRUE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.draft.plan.passage[0].time = 2.2;
+  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.draft.plan.passages = 0;
+  EXPECT_TRUE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
 }
 
 /// After a failure on the way to a point, the next plan ends at the one before; after any other one at the next point.
 TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
   const auto target_after = [](const Report& report) {
     Way way;
-    EXPECT_TRUE(way.state().ask_for_less(report));
-    EXPECT_EQ(way.state().asked_count, way.state().target);
-    EXPECT_TRUE(way.state().aims_at_goal);
-    EXPECT_EQ(way.state().aim.x, way.state().itinerary.points[way.state().target].position.x);
-    EXPECT_EQ(way.state().job, Job::kPlan);
-    return way.state().target;
+    EXPECT_EQ(ask_again(way.state(), report), NextPlan::kAsked);
+    EXPECT_EQ(way.state().cycle.aim.asked_count, way.state().cycle.aim.target);
+    EXPECT_TRUE(way.state().cycle.aim.at_target);
+    EXPECT_EQ(way.state().cycle.aim.place.x, way.state().itinerary.points[way.state().cycle.aim.target].position.x);
+    EXPECT_EQ(way.state().cycle.job, Job::kPlan);
+    return way.state().cycle.aim.target;
   };
   for (const Status status :
        {Status::kNoPath, Status::kViaOccupied, Status::kViaFenced, Status::kGoalOccupied, Status::kGoalFenced}) {
@@ -154,37 +161,38 @@ TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
 TEST(FlightPoints, NothingIsLeftToAskForLessOf) {
   Way way;
   FlightState& state = way.state();
-  state.keeps = true;
-  EXPECT_FALSE(state.ask_for_less(found(Status::kNoPath)));
-  state.keeps = false;
-  state.asked_count = 0;
-  EXPECT_FALSE(state.ask_for_less(found(Status::kNoPath)));
+  state.cycle.remainder_is_free = true;
+  EXPECT_EQ(ask_again(state, found(Status::kNoPath)), NextPlan::kNone);
+  state.cycle.remainder_is_free = false;
+  state.cycle.aim.asked_count = 0;
+  EXPECT_EQ(ask_again(state, found(Status::kNoPath)), NextPlan::kNone);
 }
 
 TEST(FlightPoints, NothingComesAfterTheGoal) {
   Way way;
   FlightState& state = way.state();
   state.itinerary.state[2] = state.itinerary.state[3] = PointState::kSkipped;
-  state.go_on_from(1);
+  state.itinerary.go_on_from(1);
   EXPECT_EQ(state.itinerary.leg, 4);
-  state.go_on_from(4);
+  state.itinerary.go_on_from(4);
   EXPECT_EQ(state.itinerary.leg, 4);
 }
 
 TEST(FlightPoints, PlansFailAtAViaOrAtThePointThatTheyEndAt) {
   Way way;
   FlightState& state = way.state();
-  EXPECT_EQ(state.point_at_fault(found(Status::kViaOccupied, 2)), 2);
-  EXPECT_EQ(state.point_at_fault(found(Status::kViaFenced, 1)), 1);
-  EXPECT_EQ(state.point_at_fault(found(Status::kViaOccupied)), -1);
-  EXPECT_EQ(state.point_at_fault(found(Status::kNoPath, 2)), -1);
-  state.aims_at_goal = true;
-  EXPECT_EQ(state.point_at_fault(found(Status::kGoalOccupied)), -1);  // the goal is never left out
-  state.end_at_point(1);
-  EXPECT_EQ(state.point_at_fault(found(Status::kGoalOccupied)), 1);
-  EXPECT_EQ(state.point_at_fault(found(Status::kGoalFenced)), 1);
-  state.aims_at_goal = false;
-  EXPECT_EQ(state.point_at_fault(found(Status::kGoalFenced)), -1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied, 2), state.itinerary), 2);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaFenced, 1), state.itinerary), 1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied), state.itinerary), -1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kNoPath, 2), state.itinerary), -1);
+  state.cycle.aim.at_target = true;
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.itinerary),
+            -1);  // the goal is never left out
+  state.cycle.aim.end_at_point(1, state.itinerary);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.itinerary), 1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.itinerary), 1);
+  state.cycle.aim.at_target = false;
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.itinerary), -1);
 }
 
 /// A fence is a fact; what was seen is believed at the third time.
@@ -192,7 +200,7 @@ TEST(FlightPoints, FencedPointsAreLeftOutAtOnce) {
   for (const Status status : {Status::kViaFenced, Status::kGoalFenced}) {
     Way way;
     FlightState& state = way.state();
-    if (status == Status::kGoalFenced) state.end_at_point(2);
+    if (status == Status::kGoalFenced) state.cycle.aim.end_at_point(2, state.itinerary);
     EXPECT_TRUE(state.note_fault(found(status, 2)));
     EXPECT_EQ(way.flight.point_state(2), PointState::kSkipped);
   }
@@ -239,19 +247,22 @@ TEST(FlightPoints, KeptPlansPassWhatIsAhead) {
   const Via points[3] = {{{1.625, 1.125, 1.125}}, {{3.125, -0.875, 1.125}}, {{4.625, 0.125, 1.125}}};
   ASSERT_EQ(room.flight.set_mission(points, 3, ViaPolicy::kEnd), Status::kOk);
   FlightState& state = room.state();
-  ASSERT_TRUE(room.tick_until([&] { return state.now.to_goal && state.now.passages == 3; }, 400));
-  ASSERT_EQ(state.now.target, 2);
+  ASSERT_TRUE(room.tick_until(
+      [&] { return state.facts.plans.in_flight.to_target && state.facts.plans.in_flight.passages == 3; }, 400));
+  ASSERT_EQ(state.facts.plans.in_flight.target, 2);
   const auto kept = [&](std::int64_t at) {
-    state.takeover = at;
-    state.keep_points();
-    std::vector<std::int32_t> numbers(state.asked_point, state.asked_point + state.asked_count);
-    EXPECT_EQ(state.target, 2);
+    state.draft.takeover = at;
+    state.cycle.aim.follow_points(state.facts.plans.in_flight, state.itinerary, state.draft.takeover);
+    std::vector<std::int32_t> numbers(state.cycle.aim.asked_point,
+                                      state.cycle.aim.asked_point + state.cycle.aim.asked_count);
+    EXPECT_EQ(state.cycle.aim.target, 2);
     return numbers;
   };
   const auto passed = [&](int k) {
-    return state.now.begin + static_cast<std::int64_t>(1e9 * state.now.passage[k].time);
+    return state.facts.plans.in_flight.begin +
+           static_cast<std::int64_t>(1e9 * state.facts.plans.in_flight.passage[k].time);
   };
-  EXPECT_EQ(kept(state.now.begin), (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(kept(state.facts.plans.in_flight.begin), (std::vector<std::int32_t>{0, 1}));
   EXPECT_EQ(kept(passed(0) + 1000), std::vector<std::int32_t>{1});
   EXPECT_EQ(kept(passed(1) + 1000), std::vector<std::int32_t>{});
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The sharpest brake straight ahead: within its limits, continuous, and no longer than any other.
-#include "flight/sharp_stop.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/math.hpp"
+#include "flight/brakes.hpp"
 #include "flight/branch.hpp"
 #include "support/random.hpp"
 

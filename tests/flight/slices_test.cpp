@@ -27,8 +27,8 @@ TEST(FlightSlices, DroppedPlansGetMoreTime) {
   for (const std::int64_t ticks : {18, 34, 66, 130, 130, 130}) {
     room.tick();
     EXPECT_EQ(room.report.dropped, dropped++);
-    EXPECT_EQ(room.state().takeover, room.time + (ticks - 1) * spec.tick);
-    room.time = room.state().takeover;
+    EXPECT_EQ(room.state().draft.takeover, room.time + (ticks - 1) * spec.tick);
+    room.time = room.state().draft.takeover;
   }
   EXPECT_EQ(room.report.committed, 0u);
 }
@@ -39,19 +39,19 @@ TEST(FlightSlices, NoPlanBeginsWhileWhatIsFlownIsProvenAnew) {
   FlightState& state = room.state();
   room.mark(kAside);
   room.watch(kNothing);
-  EXPECT_TRUE(state.watching);
+  EXPECT_TRUE(state.watch.is_running);
   const std::uint32_t asked = state.report.asked;
   room.advance(kNothing);
   EXPECT_EQ(state.report.asked, asked);
-  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_FALSE(state.is_busy());
   room.watch(kNothing);
-  EXPECT_TRUE(state.watching);
+  EXPECT_TRUE(state.watch.is_running);
   room.watch(4000);
-  EXPECT_FALSE(state.watching);
-  EXPECT_FALSE(state.threat);
+  EXPECT_FALSE(state.watch.is_running);
+  EXPECT_FALSE(state.watch.threat);
   room.advance(kNothing);
   EXPECT_EQ(state.report.asked, asked + 1);
-  EXPECT_EQ(state.job, Job::kCopy);
+  EXPECT_EQ(state.cycle.job, Job::kCopy);
 }
 
 /// Neither a plan nor a brake begins before the window is done with its slide.
@@ -64,13 +64,13 @@ TEST(FlightSlices, NothingBeginsWhileTheWindowSlides) {
   EXPECT_EQ(state.report.asked, asked);
   room.flight.stop();
   room.advance(4000);
-  EXPECT_EQ(state.job, Job::kIdle);
-  EXPECT_TRUE(state.stopping);
+  EXPECT_FALSE(state.is_busy());
+  EXPECT_TRUE(state.evasion.stop_asked);
   while (room.map().step(100000) == Status::kRunning) {
   }
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
-  EXPECT_FALSE(state.stopping);
+  EXPECT_TRUE(state.evasion.is_running);
+  EXPECT_FALSE(state.evasion.stop_asked);
 }
 
 TEST(FlightSlices, NoBrakeBeginsWhileWhatIsFlownIsProvenAnew) {
@@ -79,10 +79,10 @@ TEST(FlightSlices, NoBrakeBeginsWhileWhatIsFlownIsProvenAnew) {
   room.watch(kNothing);
   room.flight.stop();
   room.advance(kNothing);
-  EXPECT_EQ(room.state().job, Job::kIdle);
+  EXPECT_FALSE(room.state().is_busy());
   room.watch(4000);
   room.advance(kNothing);
-  EXPECT_EQ(room.state().job, Job::kEvade);
+  EXPECT_TRUE(room.state().evasion.is_running);
 }
 
 /// What comes before the takeover is being proven when it is flown already: then all of the rest is proven instead.
@@ -91,24 +91,26 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
     FlightRoom room;
     FlightState& state = room.state();
     room.flight.set_goal({8.125, 0.125, 1.125});
-    ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 100));
+    ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 100));
     room.mark(kAside);
     Work work{is_before ? kNothing : 4000};
-    state.time = room.time;
-    state.begin_watch();
-    EXPECT_EQ(state.watched_part, Watched::kBefore);
+    state.facts.time = room.time;
+    Work none{kNothing};
+    state.run_watch(none);
+    EXPECT_EQ(state.watch.part, Watched::kBefore);
     if (!is_before) {
-      EXPECT_EQ(state.step_proof(state.watch, work), Progress::kDone);
-      state.end_part();
-      EXPECT_EQ(state.watched_part, Watched::kLatest);
+      EXPECT_EQ(state.charge.step(state.watch.proof, work), Progress::kDone);
+      state.end_watched_part();
+      EXPECT_EQ(state.watch.part, Watched::kLatest);
     }
-    EXPECT_TRUE(state.watching);
-    state.watch_all = false;
-    state.time = state.next.begin;
-    state.take_over();
-    EXPECT_FALSE(state.has_next);
-    EXPECT_EQ(state.watching, !is_before);
-    EXPECT_EQ(state.watch_all, is_before);
+    EXPECT_TRUE(state.watch.is_running);
+    state.watch.covers_all = false;
+    state.facts.time = state.facts.plans.waiting.begin;
+    EXPECT_TRUE(state.facts.plans.take_over(state.facts.time));
+    state.watch.note_takeover();
+    EXPECT_FALSE(state.facts.plans.has_waiting);
+    EXPECT_EQ(state.watch.is_running, !is_before);
+    EXPECT_EQ(state.watch.covers_all, is_before);
   }
 }
 
@@ -120,24 +122,24 @@ TEST(FlightSlices, BrakeThatIsNotDoneInTimeGetsMoreTime) {
   const std::uint32_t committed = state.report.committed;
   room.flight.stop();
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
-  EXPECT_EQ(state.takeover, room.time + kEvadeTicks * room.spec.tick);
+  EXPECT_TRUE(state.evasion.is_running);
+  EXPECT_EQ(state.draft.takeover, room.time + kEvadeTicks * room.spec.tick);
   room.time += room.spec.tick;
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
-  room.time = state.deadline;
+  EXPECT_TRUE(state.evasion.is_running);
+  room.time = state.draft.deadline;
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kIdle);
+  EXPECT_FALSE(state.is_busy());
   EXPECT_EQ(state.report.committed, committed);
   EXPECT_EQ(state.report.dropped, 0u);
   EXPECT_EQ(room.flight.rest_position().x, end.x);
   room.time += room.spec.tick;
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
-  EXPECT_EQ(state.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
+  EXPECT_TRUE(state.evasion.is_running);
+  EXPECT_EQ(state.draft.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
   room.advance(4000);
   EXPECT_EQ(state.report.committed, committed + 1);
-  EXPECT_EQ(state.missed, 0);
+  EXPECT_EQ(state.evasion.missed, 0);
 }
 
 /// So may those for a threat, of which none was judged. What is flown is still being proven to touch only the alarm.
@@ -147,19 +149,19 @@ TEST(FlightSlices, BrakesThatAreNotJudgedInTimeGetMoreTime) {
   const Vec3 p = room.position();
   room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
   room.watch(4000);
-  ASSERT_TRUE(state.threat);
+  ASSERT_TRUE(state.watch.threat);
   room.advance(kNothing);
-  ASSERT_EQ(state.job, Job::kEvade);
-  room.time = state.deadline;
+  ASSERT_TRUE(state.evasion.is_running);
+  room.time = state.draft.deadline;
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kIdle);
-  EXPECT_FALSE(state.evaded);
-  EXPECT_FALSE(state.has_next);
+  EXPECT_FALSE(state.is_busy());
+  EXPECT_FALSE(state.evasion.was_tried);
+  EXPECT_FALSE(state.facts.plans.has_waiting);
   room.time += room.spec.tick;
   room.advance(kNothing);
-  EXPECT_EQ(state.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
+  EXPECT_EQ(state.draft.takeover, room.time + 2 * kEvadeTicks * room.spec.tick);
   room.advance(4000);
-  EXPECT_TRUE(state.has_next);
+  EXPECT_TRUE(state.facts.plans.has_waiting);
 }
 
 /// The brake begins as late as its work asks for, next to a yaw plan's quarter of each tick: 900 units after a tick.
@@ -170,7 +172,7 @@ TEST(FlightSlices, BrakesBeginLaterWithLittleWork) {
   } kCases[] = {{256, 6}, {300, 5}, {399, 4}, {400, 4}, {598, 4}, {599, 3}, {4000, 3}};
   for (const auto& c : kCases) {
     FlightRoom room(FlightRoom::flight_spec(c.units));
-    EXPECT_EQ(room.state().evade_ticks(), c.ticks) << c.units;
+    EXPECT_EQ(room.state().evasion.ticks(room.state().facts.spec), c.ticks) << c.units;
   }
 }
 
@@ -182,20 +184,20 @@ TEST(FlightSlices, BrakesBeginWhileTheAlarmIsProven) {
     const Vec3 p = room.position();
     room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
     // Enough for the threat, and not for all of what is flown.
-    for (int k = 0; k < 1000 && !state.threat; ++k) room.watch(6);
-    ASSERT_TRUE(state.threat);
-    ASSERT_TRUE(state.watching);
-    ASSERT_EQ(state.watched_part, Watched::kAlarm);
+    for (int k = 0; k < 1000 && !state.watch.threat; ++k) room.watch(6);
+    ASSERT_TRUE(state.watch.threat);
+    ASSERT_TRUE(state.watch.is_running);
+    ASSERT_EQ(state.watch.part, Watched::kAlarm);
     room.advance(kNothing);
-    ASSERT_EQ(state.job, Job::kEvade);
-    EXPECT_TRUE(state.helps({0, 0.1, 0.5, true}));
-    EXPECT_FALSE(state.helps({0, 0.1, 0.5, false}));
-    if (!is_known) state.alarm.box = {{-9.0, -9.0, 0.0}, {-8.0, -8.0, 1.0}};
-    if (!is_known) state.watch_part(Watched::kAlarm);
+    ASSERT_TRUE(state.evasion.is_running);
+    EXPECT_TRUE(state.evasion.helps({0, 0.1, 0.5, true}, state.facts, state.watch, state.draft.takeover));
+    EXPECT_FALSE(state.evasion.helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover));
+    if (!is_known) state.watch.alarm.box = {{-9.0, -9.0, 0.0}, {-8.0, -8.0, 1.0}};
+    if (!is_known) state.watch.prove(state.facts, Watched::kAlarm);
     room.watch(4000);
-    ASSERT_FALSE(state.watching);
-    EXPECT_EQ(state.known, is_known);
-    EXPECT_EQ(state.helps({0, 0.1, 0.5, false}), !is_known);
+    ASSERT_FALSE(state.watch.is_running);
+    EXPECT_EQ(state.watch.known, is_known);
+    EXPECT_EQ(state.evasion.helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover), !is_known);
   }
 }
 
@@ -207,16 +209,16 @@ TEST(FlightSlices, BrakeThatIsLateIsTriedAgain) {
   room.flight.stop();
   room.advance(kNothing);
   for (const int lead : {1, 1, 2, 2, 4, 4, 8, 8, 8}) {
-    EXPECT_EQ(state.job, Job::kEvade);
-    EXPECT_EQ(state.takeover - room.time, lead * kEvadeTicks * room.spec.tick);
-    room.time = state.takeover;
+    EXPECT_TRUE(state.evasion.is_running);
+    EXPECT_EQ(state.draft.takeover - room.time, lead * kEvadeTicks * room.spec.tick);
+    room.time = state.draft.takeover;
     room.advance(kNothing);
   }
   EXPECT_EQ(state.report.dropped, 9u);
-  EXPECT_EQ(state.late, 0);
+  EXPECT_EQ(state.cycle.late, 0);
   room.advance(4000);
-  EXPECT_TRUE(state.next.branch == 0.0 && state.has_next);
-  EXPECT_EQ(state.missed, 0);
+  EXPECT_TRUE(state.facts.plans.waiting.branch == 0.0 && state.facts.plans.has_waiting);
+  EXPECT_EQ(state.evasion.missed, 0);
 }
 
 /// With a new goal, there is no reason to brake any more.
@@ -225,19 +227,19 @@ TEST(FlightSlices, BrakeThatIsLateIsNotTriedAgainWithANewGoal) {
   FlightState& state = room.state();
   room.flight.stop();
   room.advance(kNothing);
-  EXPECT_EQ(state.job, Job::kEvade);
+  EXPECT_TRUE(state.evasion.is_running);
   room.flight.set_goal({8.125, 0.125, 1.125});
-  room.time = state.takeover;
+  room.time = state.draft.takeover;
   room.advance(kNothing);
-  EXPECT_NE(state.job, Job::kEvade);
-  EXPECT_FALSE(state.stopping);
+  EXPECT_FALSE(state.evasion.is_running);
+  EXPECT_FALSE(state.evasion.stop_asked);
 }
 
 /// A plan from rest is about to take over: it is dropped, and the vehicle stays.
 TEST(FlightSlices, StopBeforeTheTakeoverKeepsTheVehicleAtRest) {
   FlightRoom room;
   room.flight.set_goal({8.125, 0.125, 1.125});
-  ASSERT_TRUE(room.tick_until([&] { return room.state().has_next; }, 100));
+  ASSERT_TRUE(room.tick_until([&] { return room.state().facts.plans.has_waiting; }, 100));
   EXPECT_GT(room.flight.rest_position().x, 2.0);
   room.flight.stop();
   for (int k = 0; k < 100; ++k) {
@@ -254,7 +256,8 @@ TEST(FlightSlices, StopOnABrakeChangesNothing) {
   Flying room;
   FlightState& state = room.state();
   room.flight.stop();
-  ASSERT_TRUE(room.tick_until([&] { return !state.has_next && state.now.branch <= 0.0; }, 10));
+  ASSERT_TRUE(
+      room.tick_until([&] { return !state.facts.plans.has_waiting && state.facts.plans.in_flight.branch <= 0.0; }, 10));
   const std::uint32_t committed = state.report.committed;
   EXPECT_GT(room.speed(), 1.0);
   room.flight.stop();
@@ -269,11 +272,11 @@ TEST(FlightSlices, PlanThatIsFlownIsNotCommittedAgain) {
     FlightRoom room;
     room.flight.set_goal({room.start.x + way, room.start.y, room.start.z});
     std::uint32_t committed = 0;
-    std::int64_t begin = room.state().latest().begin;
+    std::int64_t begin = room.state().facts.plans.latest().begin;
     int changes = 0;
     while (room.report.reason == FlightReason::kNone && room.time < 20000000000) {
       room.tick();
-      const Commitment& latest = room.state().latest();
+      const Commitment& latest = room.state().facts.plans.latest();
       const bool changed = latest.begin != begin;
       EXPECT_EQ(room.report.committed - committed, changed ? 1u : 0u) << room.time;
       changes += changed ? 1 : 0;
@@ -292,16 +295,17 @@ TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
     Flying room;
     FlightState& state = room.state();
     const std::uint32_t committed = state.report.committed;
-    state.extends = true;
-    state.draft = state.now;
-    state.now.branch -= 0.25;
-    state.takeover = room.time;
+    state.draft.extends = true;
+    state.draft.plan = state.facts.plans.in_flight;
+    state.facts.plans.in_flight.branch -= 0.25;
+    state.draft.takeover = room.time;
     if (!is_free) room.mark({{7.0, -1.0, 0.0}, {8.0, 1.0, 2.0}});
-    ASSERT_EQ(state.begin_proof(state.draft.flown, state.start_of_proof()), Status::kRunning);
-    state.job = Job::kConfirm;
+    ASSERT_EQ(state.draft.begin_proof(state.facts, state.draft.plan.trajectory, state.draft.start_of_proof()),
+              Status::kRunning);
+    state.cycle.job = Job::kConfirm;
     Work work{4000};
     EXPECT_EQ(state.run_confirm(work), Progress::kDone);
-    EXPECT_EQ(state.job, is_free ? Job::kIdle : Job::kBranch);
+    EXPECT_EQ(state.cycle.job, is_free ? Job::kIdle : Job::kBranch);
     EXPECT_EQ(state.report.committed, committed + (is_free ? 1 : 0));
   }
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Braking along a plan's own path.
-#include "flight/slow_down.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "base/math.hpp"
+#include "flight/brakes.hpp"
 #include "flight/branch.hpp"
 #include "tern/proof.hpp"
 

@@ -69,26 +69,26 @@ TEST(FlightStale, AFlightThatGivesUpWithoutFramesSaysSo) {
     const Via points[2] = {{{8.125, 0.125, 1.125}}, {{8.125, 4.0, 1.125}}};
     ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
     FlightState& state = room.state();
-    state.time = 2000000000;
+    state.facts.time = 2000000000;
     state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-    for (int k = 0; k <= kIdleCycles; ++k) state.note_idle();
-    EXPECT_TRUE(state.is_looking);
-    state.time += 9000000000;  // 13 directions of 0.614 s
-    state.note_idle();
-    EXPECT_EQ(state.parked, stale);
-    EXPECT_EQ(state.seeks, !stale);
+    for (int k = 0; k <= kIdleCycles; ++k) state.after_failed_cycle();
+    EXPECT_TRUE(state.search.is_looking);
+    state.facts.time += 9000000000;  // 13 directions of 0.614 s
+    state.after_failed_cycle();
+    EXPECT_EQ(state.itinerary.parked, stale);
+    EXPECT_EQ(state.search.seeks, !stale);
     if (!stale) continue;
-    EXPECT_EQ(state.reason, FlightReason::kMapStale);
+    EXPECT_EQ(state.itinerary.reason, FlightReason::kMapStale);
     EXPECT_EQ(state.itinerary.leg, 0);
     EXPECT_EQ(room.flight.point_state(0), PointState::kAhead);
-    room.time = state.time;
+    room.time = state.facts.time;
     room.tick();
     EXPECT_EQ(room.report.reason, FlightReason::kMapStale);
     EXPECT_EQ(room.report.mode, FlightMode::kRest);
     room.enter_frame();
     room.tick();
     EXPECT_EQ(room.report.reason, FlightReason::kNone);
-    EXPECT_FALSE(state.parked);
+    EXPECT_FALSE(state.itinerary.parked);
   }
 }
 

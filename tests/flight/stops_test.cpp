@@ -25,16 +25,19 @@ struct Turning : Flying {
   Turning(double ahead, double side) {
     const FlightState& s = state();
     flight.set_goal({position().x + 1.5, 6.125, 1.125});
-    if (!tick_until([&] { return s.has_next && !s.next.evades; }, 60)) return;
-    const Vec3 p = evaluate(s.now.flown, seconds_between(s.now.begin, s.next.begin)).position;
+    if (!tick_until([&] { return s.facts.plans.has_waiting && !s.facts.plans.waiting.evades; }, 60)) return;
+    const Vec3 p = evaluate(s.facts.plans.in_flight.trajectory,
+                            seconds_between(s.facts.plans.in_flight.begin, s.facts.plans.waiting.begin))
+                       .position;
     box = {{p.x + ahead, p.y - 1.0, -2.0}, {p.x + ahead + kCell, p.y + side, 4.0}};
     mark(box);
     tick();
-    is_ready = s.has_next && !s.next.evades && report.mode != FlightMode::kThreat && is_blocked(s.now);
+    is_ready = s.facts.plans.has_waiting && !s.facts.plans.waiting.evades && report.mode != FlightMode::kThreat &&
+               is_blocked(s.facts.plans.in_flight);
   }
   bool is_blocked(const Commitment& flown) {
     const double from = std::max(0.0, seconds_between(flown.begin, time));
-    return clear_until(map().safe(), flown.flown, from, nullptr, Beyond::kSolid) < duration(flown.flown);
+    return clear_until(map().safe(), flown.trajectory, from, nullptr, Beyond::kSolid) < duration(flown.trajectory);
   }
   double gap() const {
     const Vec3 q = position();
@@ -63,8 +66,9 @@ int try_ends(int ticks_before, End end) {
       Turning room(ahead, side);
       const FlightState& s = room.state();
       if (!room.is_ready) continue;
-      while (s.has_next && s.next.begin - room.time > ticks_before * room.spec.tick) room.tick();
-      if (!s.has_next || room.report.mode == FlightMode::kThreat) continue;
+      while (s.facts.plans.has_waiting && s.facts.plans.waiting.begin - room.time > ticks_before * room.spec.tick)
+        room.tick();
+      if (!s.facts.plans.has_waiting || room.report.mode == FlightMode::kThreat) continue;
       ++tried;
       end(room);
       room.expect_radius_or_threat();
@@ -98,23 +102,23 @@ TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
   Turning room(1.6, -0.45);
   FlightState& state = room.state();
   ASSERT_TRUE(room.is_ready);
-  const std::int64_t begin = state.next.begin;
-  const double end = seconds_between(0, begin) + duration(state.next.flown);
+  const std::int64_t begin = state.facts.plans.waiting.begin;
+  const double end = seconds_between(0, begin) + duration(state.facts.plans.waiting.trajectory);
   ASSERT_GE(begin, room.time + kEvadeTicks * room.spec.tick);
   room.flight.stop();
   room.advance(tern_test::kNothing);
-  ASSERT_EQ(state.job, Job::kEvade);
+  ASSERT_TRUE(state.evasion.is_running);
   room.flight.stop();  // once more: the brake in work is the one
-  ASSERT_EQ(state.job, Job::kEvade);
-  room.time = state.deadline;
+  ASSERT_TRUE(state.evasion.is_running);
+  room.time = state.draft.deadline;
   room.advance(tern_test::kNothing);
-  EXPECT_EQ(state.job, Job::kIdle);
-  ASSERT_TRUE(state.has_next);
-  EXPECT_EQ(state.next.begin, begin);
-  EXPECT_TRUE(state.stopping);
+  EXPECT_FALSE(state.is_busy());
+  ASSERT_TRUE(state.facts.plans.has_waiting);
+  EXPECT_EQ(state.facts.plans.waiting.begin, begin);
+  EXPECT_TRUE(state.evasion.stop_asked);
   room.time = begin;
   room.tick();
-  EXPECT_TRUE(state.has_next || state.job == Job::kEvade);
+  EXPECT_TRUE(state.facts.plans.has_waiting || state.evasion.is_running);
   ASSERT_TRUE(room.tick_until([&] { return room.speed() == 0.0; }, 200));
   EXPECT_LT(seconds_between(0, room.time), end - 0.5);
 }
@@ -125,16 +129,16 @@ TEST(FlightStops, BrakeThatWaitsIsEnough) {
     Flying room;
     FlightState& state = room.state();
     room.flight.stop();
-    ASSERT_TRUE(room.tick_until([&] { return state.has_next; }, 10));
-    const std::int64_t begin = state.next.begin;
+    ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 10));
+    const std::int64_t begin = state.facts.plans.waiting.begin;
     const std::uint32_t committed = state.report.committed;
     if (changes) room.mark({{-8.0, -8.0, 0.0}, {-7.75, -7.75, 2.0}});
     if (changes) room.watch(4000);
-    EXPECT_NE(state.evaded, changes);
+    EXPECT_NE(state.evasion.was_tried, changes);
     room.flight.stop();
     room.tick();
-    ASSERT_TRUE(state.has_next);
-    EXPECT_EQ(state.next.begin, begin);
+    ASSERT_TRUE(state.facts.plans.has_waiting);
+    EXPECT_EQ(state.facts.plans.waiting.begin, begin);
     EXPECT_EQ(state.report.committed, committed);
     EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
     EXPECT_EQ(state.report.committed, committed);

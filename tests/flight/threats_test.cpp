@@ -23,29 +23,29 @@ constexpr double kContact = 2.0;  ///< m/s, on what is flown
 struct Threatened : Flying {
   Threatened() {
     FlightState& s = state();
-    s.time = time;
-    s.threat = true;
-    s.takeover = time + kEvadeTicks * spec.tick;
-    s.contact = {s.takeover + 1000000000, kContact};
-    s.deadline = s.takeover - spec.tick;
-    s.job = Job::kEvade;
-    s.extends = false;
-    s.proves = BrakeProof::kAlarm;
-    s.straight = kStraight;
-    s.along = kSlowDowns;
-    s.branch = kEvasions;
+    s.facts.time = time;
+    s.watch.threat = true;
+    s.draft.takeover = time + kEvadeTicks * spec.tick;
+    s.watch.contact = {s.draft.takeover + 1000000000, kContact};
+    s.draft.deadline = s.draft.takeover - spec.tick;
+    s.evasion.is_running = true;
+    s.draft.extends = false;
+    s.evasion.proves = BrakeProof::kAlarm;
+    s.evasion.straight = kStraight;
+    s.evasion.along = kSlowDowns;
+    s.evasion.number = kEvasions;
   }
   /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
-  bool flies(const Evasion& best, bool known) {
-    state().best = best;
-    state().known = known;
-    state().end_evade();
-    return state().has_next;
+  bool flies(const JudgedBrake& best, bool known) {
+    state().evasion.best = best;
+    state().watch.known = known;
+    state().end_evasion();
+    return state().facts.plans.has_waiting;
   }
 };
 
 TEST(FlightThreats, SlowerBrakesAreFlownUnlessTheyMayTouchMore) {
-  const auto flies = [](const Evasion& best, bool known) { return Threatened().flies(best, known); };
+  const auto flies = [](const JudgedBrake& best, bool known) { return Threatened().flies(best, known); };
   constexpr double kSlower = 1.0;
   constexpr double kFaster = 2.5;
   EXPECT_TRUE(flies({0, 0.1, kSlower, true}, true));
@@ -62,14 +62,14 @@ TEST(FlightThreats, SlowerBrakesAreFlownUnlessTheyMayTouchMore) {
 TEST(FlightThreats, UnprovenBrakeKeepsTheThreat) {
   Threatened room;
   FlightState& state = room.state();
-  state.has_alarm = true;
+  state.watch.has_alarm = true;
   ASSERT_TRUE(room.flies({0, 0.25, 1.0, true}, false));
-  EXPECT_TRUE(state.threat);
-  EXPECT_TRUE(state.has_alarm);
-  EXPECT_TRUE(state.known);
-  EXPECT_TRUE(state.next.evades);
-  EXPECT_EQ(state.contact.time, state.takeover + 250000000);
-  EXPECT_EQ(state.contact.speed, 1.0);
+  EXPECT_TRUE(state.watch.threat);
+  EXPECT_TRUE(state.watch.has_alarm);
+  EXPECT_TRUE(state.watch.known);
+  EXPECT_TRUE(state.facts.plans.waiting.evades);
+  EXPECT_EQ(state.watch.contact.time, state.draft.takeover + 250000000);
+  EXPECT_EQ(state.watch.contact.speed, 1.0);
 }
 
 /// What is flown has its contact before any brake begins: the sharpest brake is flown, slower by then or not. The
@@ -78,15 +78,15 @@ TEST(FlightThreats, ContactBeforeTheTakeoverIsBrakedFor) {
   Threatened room;
   FlightState& state = room.state();
   const std::int64_t first = room.time + room.spec.tick;
-  state.contact = {first, kContact};
+  state.watch.contact = {first, kContact};
   ASSERT_TRUE(room.flies({0, 0.0, kContact + 0.1, true}, true));
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   EXPECT_EQ(room.report.contact_time, first);
   EXPECT_EQ(room.report.contact_speed, kContact);
-  room.time = state.next.begin;
+  room.time = state.facts.plans.waiting.begin;
   room.tick();
-  EXPECT_EQ(room.report.contact_time, state.contact.time);
+  EXPECT_EQ(room.report.contact_time, state.watch.contact.time);
 }
 
 /// The vehicle is on such a brake already: another one would only begin anew.
@@ -94,8 +94,8 @@ TEST(FlightThreats, BrakeThatComesTooLateIsNotRepeated) {
   for (const bool evades : {false, true}) {
     Threatened room;
     FlightState& state = room.state();
-    state.contact = {room.time, kContact};
-    state.now.evades = evades;
+    state.watch.contact = {room.time, kContact};
+    state.facts.plans.in_flight.evades = evades;
     EXPECT_EQ(room.flies({0, 0.0, kContact, true}, true), !evades);
   }
 }
@@ -106,13 +106,13 @@ TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
     Threatened room;
     FlightState& state = room.state();
     const std::int64_t first = room.time + room.spec.tick;
-    state.contact = {first, kContact};
-    state.evaded = true;
-    state.draft = state.now;
-    state.draft.begin = extends ? state.now.begin : state.takeover;
-    state.extends = extends;
+    state.watch.contact = {first, kContact};
+    state.evasion.was_tried = true;
+    state.draft.plan = state.facts.plans.in_flight;
+    state.draft.plan.begin = extends ? state.facts.plans.in_flight.begin : state.draft.takeover;
+    state.draft.extends = extends;
     state.enter_draft();
-    EXPECT_EQ(state.has_next, !extends);
+    EXPECT_EQ(state.facts.plans.has_waiting, !extends);
     for (int k = 0; k < kEvadeTicks; ++k) {
       room.tick();
       EXPECT_EQ(room.report.mode, FlightMode::kThreat) << k;
@@ -131,7 +131,7 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
     tern_test::Flying room;
     FlightState& state = room.state();
     const auto proves = [&] {
-      return state.job == Job::kReach || state.job == Job::kBranch || state.job == Job::kConfirm;
+      return state.cycle.job == Job::kReach || state.cycle.job == Job::kBranch || state.cycle.job == Job::kConfirm;
     };
     for (int k = 0; k < 100000 && !proves(); ++k) room.advance(1);
     ASSERT_TRUE(proves());
@@ -140,11 +140,11 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
     ++marked;
     const double wall = room.flight.rest_position().x - 0.5;
     room.mark({{wall, room.start.y - 8.0, -2.0}, {wall + 0.3, room.start.y + 8.0, 4.0}});
-    state.owed = 0;
+    state.charge.owed = 0;
     room.watch(4000);
-    ASSERT_TRUE(state.threat);
+    ASSERT_TRUE(state.watch.threat);
     room.advance(4000);
-    EXPECT_TRUE(state.threat || (state.has_next && state.next.evades)) << pieces;
+    EXPECT_TRUE(state.watch.threat || (state.facts.plans.has_waiting && state.facts.plans.waiting.evades)) << pieces;
   }
   EXPECT_GT(marked, 0);
 }
@@ -152,9 +152,9 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
 /// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.
 TEST(FlightThreats, UnprovenStopIsNotFlown) {
   Threatened room;
-  room.state().threat = false;
+  room.state().watch.threat = false;
   EXPECT_FALSE(room.flies({0, 0.1, 1.0, true}, false));
-  EXPECT_EQ(room.state().job, Job::kIdle);
+  EXPECT_FALSE(room.state().is_busy());
 }
 
 /// Something else became solid, and is still to be proven, while the brake is committed: then all of the brake is.
@@ -163,38 +163,38 @@ TEST(FlightThreats, CommitThatInterruptsAProofIsProvenAsAWhole) {
   FlightState& state = room.state();
   room.mark({{-10.0, 9.0, 0.0}, {-9.0, 10.0, 1.0}});
   room.watch(kNothing);
-  ASSERT_TRUE(state.watching);
-  state.watch_all = false;
+  ASSERT_TRUE(state.watch.is_running);
+  state.watch.covers_all = false;
   ASSERT_TRUE(room.flies({0, 0.1, 1.0, true}, false));
-  EXPECT_FALSE(state.watching);
-  EXPECT_TRUE(state.watch_all);
+  EXPECT_FALSE(state.watch.is_running);
+  EXPECT_TRUE(state.watch.covers_all);
 }
 
 /// A brake that touches at most the alarm comes first, then the slowest contact, then the latest one.
 TEST(FlightThreats, BrakesAreCompared) {
   Threatened room;
   FlightState& state = room.state();
-  const Evasion best{7, 0.5, 1.0, true};
-  const auto replaces = [&](const Evasion& tried, const Evasion& other) {
-    state.job = Job::kEvade;
-    state.threat = false;  // none is flown in the end
-    state.branch = kEvasions - 1;
-    state.straight = kStraight;
-    state.along = kSlowDowns;
-    state.tried = tried;
-    state.best = other;
-    state.proves = BrakeProof::kAlarm;
+  const JudgedBrake best{7, 0.5, 1.0, true};
+  const auto replaces = [&](const JudgedBrake& tried, const JudgedBrake& other) {
+    state.evasion.is_running = true;
+    state.watch.threat = false;  // none is flown in the end
+    state.evasion.number = kEvasions - 1;
+    state.evasion.straight = kStraight;
+    state.evasion.along = kSlowDowns;
+    state.evasion.tried = tried;
+    state.evasion.best = other;
+    state.evasion.proves = BrakeProof::kAlarm;
     // Resting is proven where all is free, and not beyond the window.
-    Trajectory rest = state.now.flown;
+    Trajectory rest = state.facts.plans.in_flight.trajectory;
     rest.count = 1;
     for (Vec3& point : rest.segments[0].points) point = {0.0, 0.0, 0.0};
     rest.origin = tried.known ? room.start : Vec3{1e3, 0.0, 0.0};
-    EXPECT_EQ(state.begin_proof(rest, 0.0), Status::kRunning);
+    EXPECT_EQ(state.draft.begin_proof(state.facts, rest, 0.0), Status::kRunning);
     Work work{4000};
-    EXPECT_EQ(state.run_evade(work), Progress::kDone);
-    return state.best.number == tried.number;
+    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    return state.evasion.best.number == tried.number;
   };
-  const Evasion none{-1, 0.0, 0.0, false};
+  const JudgedBrake none{-1, 0.0, 0.0, false};
   EXPECT_TRUE(replaces({3, 0.1, 9.0, false}, none));
   EXPECT_TRUE(replaces({3, 0.5, 0.9, true}, best));
   EXPECT_FALSE(replaces({3, 0.6, 1.1, true}, best));
@@ -210,12 +210,12 @@ TEST(FlightThreats, BrakesAreTriedInOrder) {
   for (const int judged : {0, 3, kStraight}) {
     Threatened room;
     FlightState& state = room.state();
-    state.best.number = -1;
-    state.straight = state.along = 0;
+    state.evasion.best.number = -1;
+    state.evasion.straight = state.evasion.along = 0;
     std::vector<int> numbers;
     for (int k = 0; k < kEvasions; ++k) {
-      numbers.push_back(state.number_of_next());
-      if (numbers.back() == judged) state.best.number = judged;
+      numbers.push_back(state.evasion.number_of_next());
+      if (numbers.back() == judged) state.evasion.best.number = judged;
     }
     std::vector<int> expected;
     const int first = std::min(judged + 1, kStraight);
@@ -223,7 +223,7 @@ TEST(FlightThreats, BrakesAreTriedInOrder) {
     for (int k = 0; k < kSlowDowns; ++k) expected.push_back(kStraight + k);
     for (int k = first; k < kStraight; ++k) expected.push_back(k);
     EXPECT_EQ(numbers, expected) << judged;
-    EXPECT_EQ(state.number_of_next(), kEvasions);
+    EXPECT_EQ(state.evasion.number_of_next(), kEvasions);
   }
 }
 
@@ -235,20 +235,21 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     const Vec3 p = room.position();
     const Box wall{{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}};
     room.mark(wall);
-    state.threat = state.has_alarm = has_alarm;
-    state.alarm = {wall, room.map().seen_rows()};
-    state.best.number = -1;
-    state.branch = 0;
-    state.straight = 1;
-    ASSERT_TRUE(state.make_evasion());
-    ASSERT_TRUE(state.begin_brake_proof(BrakeProof::kClear));
+    state.watch.threat = state.watch.has_alarm = has_alarm;
+    state.watch.alarm = {wall, room.map().seen_rows()};
+    state.evasion.best.number = -1;
+    state.evasion.number = 0;
+    state.evasion.straight = 1;
+    ASSERT_TRUE(
+        state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.charge));
+    ASSERT_TRUE(state.evasion.begin_brake_proof(BrakeProof::kClear, state.facts, state.watch, state.draft));
     Work work{4000};
-    EXPECT_EQ(state.run_evade(work), Progress::kDone);
-    ASSERT_EQ(state.proves, BrakeProof::kLimits);
-    EXPECT_EQ(state.run_evade(work), Progress::kDone);
-    EXPECT_EQ(state.proves, has_alarm ? BrakeProof::kAlarm : BrakeProof::kClear);
-    EXPECT_EQ(state.best.number, has_alarm ? -1 : 0);
-    EXPECT_FALSE(state.best.known && !has_alarm);
+    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    ASSERT_EQ(state.evasion.proves, BrakeProof::kLimits);
+    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    EXPECT_EQ(state.evasion.proves, has_alarm ? BrakeProof::kAlarm : BrakeProof::kClear);
+    EXPECT_EQ(state.evasion.best.number, has_alarm ? -1 : 0);
+    EXPECT_FALSE(state.evasion.best.known && !has_alarm);
   }
 }
 
@@ -263,14 +264,15 @@ TEST(FlightThreats, PlanInWorkGoesOnWhereItLeavesTimeToBrake) {
   for (const bool is_far : {true, false}) {
     Flying room;
     FlightState& state = room.state();
-    for (int k = 0; k < 1000 && state.job != Job::kPlan; ++k) room.advance(40);
-    ASSERT_EQ(state.job, Job::kPlan);
+    for (int k = 0; k < 1000 && state.cycle.job != Job::kPlan; ++k) room.advance(40);
+    ASSERT_EQ(state.cycle.job, Job::kPlan);
     wall_at(room, room.position().x + (is_far ? 6.0 : 2.5));
     room.watch(4000);
-    ASSERT_TRUE(state.threat);
+    ASSERT_TRUE(state.watch.threat);
     room.advance(kNothing);
-    EXPECT_EQ(state.job, is_far ? Job::kPlan : Job::kEvade);
-    EXPECT_EQ(state.evaded, !is_far);
+    EXPECT_EQ(state.cycle.job, is_far ? Job::kPlan : Job::kIdle);
+    EXPECT_EQ(state.evasion.is_running, !is_far);
+    EXPECT_EQ(state.evasion.was_tried, !is_far);
   }
 }
 
@@ -284,7 +286,7 @@ TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
   const auto is_ready = [&] {
     face = (std::floor(room.position().x / cell) - 1.0) * cell;
     const double gap = room.position().x - face;
-    return state.has_next && !state.next.evades && gap > 0.43 && gap < 0.47;
+    return state.facts.plans.has_waiting && !state.facts.plans.waiting.evades && gap > 0.43 && gap < 0.47;
   };
   for (int k = 0; k < 10 && !is_ready(); ++k) {
     room.flight.set_goal({8.125, k % 2 == 0 ? 0.25 : -0.25, 1.125});
@@ -294,19 +296,21 @@ TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
   room.mark({{face - 0.5, -0.5, 0.5}, {face - 0.01, 0.5, 1.5}});
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
-  ASSERT_TRUE(state.has_next);
-  EXPECT_TRUE(state.next.evades);
-  const std::int64_t begin = state.next.begin;
-  EXPECT_EQ(clear_until(room.map().safe(), state.next.flown, 0.0, &room.spec.limits, Beyond::kSolid),
-            duration(state.next.flown));
-  EXPECT_EQ(clear_until(room.map().safe(), state.now.flown, seconds_between(state.now.begin, room.time)),
-            seconds_between(state.now.begin, room.time));
+  ASSERT_TRUE(state.facts.plans.has_waiting);
+  EXPECT_TRUE(state.facts.plans.waiting.evades);
+  const std::int64_t begin = state.facts.plans.waiting.begin;
+  EXPECT_EQ(
+      clear_until(room.map().safe(), state.facts.plans.waiting.trajectory, 0.0, &room.spec.limits, Beyond::kSolid),
+      duration(state.facts.plans.waiting.trajectory));
+  EXPECT_EQ(clear_until(room.map().safe(), state.facts.plans.in_flight.trajectory,
+                        seconds_between(state.facts.plans.in_flight.begin, room.time)),
+            seconds_between(state.facts.plans.in_flight.begin, room.time));
   const FlightReport met = room.report;
   EXPECT_LT(met.contact_time, begin);
   EXPECT_GT(met.contact_speed, 2.0);
   for (; room.time < begin; room.tick()) {
-    ASSERT_TRUE(state.has_next);
-    EXPECT_EQ(state.next.begin, begin);
+    ASSERT_TRUE(state.facts.plans.has_waiting);
+    EXPECT_EQ(state.facts.plans.waiting.begin, begin);
     EXPECT_EQ(room.report.mode, FlightMode::kThreat);
     EXPECT_EQ(room.report.contact_time, met.contact_time);
     EXPECT_EQ(room.report.contact_speed, met.contact_speed);
@@ -325,22 +329,22 @@ TEST(FlightThreats, BrakeThatIsAboutToTakeOverIsNotReplaced) {
   room.mark({{x + 2.5, -4.0, -2.0}, {x + 3.0, 4.0, 4.0}});
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
-  ASSERT_TRUE(state.has_next);
-  ASSERT_TRUE(state.next.evades);
-  const std::int64_t begin = state.next.begin;
+  ASSERT_TRUE(state.facts.plans.has_waiting);
+  ASSERT_TRUE(state.facts.plans.waiting.evades);
+  const std::int64_t begin = state.facts.plans.waiting.begin;
   const double end = room.flight.rest_position().x;
   ASSERT_LT(end, x + 2.0);
   room.mark({{end + 0.3, -4.0, -2.0}, {x + 2.5, 4.0, 4.0}});
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
-  EXPECT_TRUE(state.has_next);
-  EXPECT_EQ(state.next.begin, begin);
+  EXPECT_TRUE(state.facts.plans.has_waiting);
+  EXPECT_EQ(state.facts.plans.waiting.begin, begin);
   EXPECT_EQ(room.flight.rest_position().x, end);
-  EXPECT_TRUE(state.threat);
-  EXPECT_TRUE(state.known);  // but for what came into the way, it is clear
-  EXPECT_FALSE(state.evaded);
-  ASSERT_TRUE(room.tick_until([&] { return !state.has_next; }, 3));
-  EXPECT_TRUE(room.tick_until([&] { return state.evaded || !state.threat; }, 3));
+  EXPECT_TRUE(state.watch.threat);
+  EXPECT_TRUE(state.watch.known);  // but for what came into the way, it is clear
+  EXPECT_FALSE(state.evasion.was_tried);
+  ASSERT_TRUE(room.tick_until([&] { return !state.facts.plans.has_waiting; }, 3));
+  EXPECT_TRUE(room.tick_until([&] { return state.evasion.was_tried || !state.watch.threat; }, 3));
 }
 
 /// Something comes into the way of a plan that is about to take over, and not into the way of the one that is flown:
@@ -349,16 +353,16 @@ TEST(FlightThreats, PlanThatIsFlownIsKeptWhereOnlyTheNextOneIsBlocked) {
   Flying room;
   FlightState& state = room.state();
   const Vec3 end = room.flight.rest_position();
-  state.next = state.now;
-  state.next.begin = room.time + 3 * room.spec.tick;
-  state.next.flown.origin.y -= 6.0;
-  state.has_next = true;
+  state.facts.plans.waiting = state.facts.plans.in_flight;
+  state.facts.plans.waiting.begin = room.time + 3 * room.spec.tick;
+  state.facts.plans.waiting.trajectory.origin.y -= 6.0;
+  state.facts.plans.has_waiting = true;
   room.mark({{4.0, -7.0, -2.0}, {5.0, -5.0, 4.0}});
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);  // in this tick alone
-  EXPECT_FALSE(state.threat);
-  EXPECT_FALSE(state.has_next);
-  EXPECT_NE(state.job, Job::kEvade);
+  EXPECT_FALSE(state.watch.threat);
+  EXPECT_FALSE(state.facts.plans.has_waiting);
+  EXPECT_FALSE(state.evasion.is_running);
   EXPECT_EQ(room.flight.rest_position().y, end.y);
   room.tick();
   EXPECT_NE(room.report.mode, FlightMode::kThreat);
@@ -372,19 +376,21 @@ TEST(FlightThreats, BrakesBeyondALimitAreNotFlown) {
       FlightState& state = room.state();
       const Vec3 p = room.position();
       room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
-      state.best.number = -1;
-      state.branch = 0;
-      ASSERT_TRUE(state.make_evasion());
-      if (is_weak) state.spec.limits.a_max = {0.5, 0.5, 0.5};  // for the proof alone: brakes are made by state.limits
-      state.tried = {0, 0.0, 1.0, true};
-      ASSERT_TRUE(state.begin_brake_proof(proves));
+      state.evasion.best.number = -1;
+      state.evasion.number = 0;
+      ASSERT_TRUE(
+          state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.charge));
+      if (is_weak)
+        state.facts.spec.limits.a_max = {0.5, 0.5, 0.5};  // for the proof alone: brakes are made by state.facts.limits
+      state.evasion.tried = {0, 0.0, 1.0, true};
+      ASSERT_TRUE(state.evasion.begin_brake_proof(proves, state.facts, state.watch, state.draft));
       Work work{4000};
-      EXPECT_EQ(state.run_evade(work), Progress::kDone);
+      EXPECT_EQ(state.run_evasion(work), Progress::kDone);
       if (proves == BrakeProof::kClear) {
-        EXPECT_EQ(state.proves, is_weak ? BrakeProof::kClear : BrakeProof::kLimits);
+        EXPECT_EQ(state.evasion.proves, is_weak ? BrakeProof::kClear : BrakeProof::kLimits);
       }
       if (proves == BrakeProof::kLimits) {
-        EXPECT_EQ(state.best.number, is_weak ? -1 : 0);
+        EXPECT_EQ(state.evasion.best.number, is_weak ? -1 : 0);
       }
     }
   }

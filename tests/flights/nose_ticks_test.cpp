@@ -84,9 +84,9 @@ class NoseLooks {
 
  private:
   void check_takeover(const FlightState& state) {
-    if (!state.nose.has_next || state.nose.next_begin <= time_) return;
-    const YawSample before = flight_.yaw(state.nose.next_begin - 1);
-    const YawSample after = flight_.yaw(state.nose.next_begin);
+    if (!state.nose.has_waiting || state.nose.waiting.begin <= time_) return;
+    const YawSample before = flight_.yaw(state.nose.waiting.begin - 1);
+    const YawSample after = flight_.yaw(state.nose.waiting.begin);
     ASSERT_NEAR(before.angle, after.angle, 1e-9 * rate_ + 1e-9);
     ASSERT_NEAR(before.yaw.rate, after.yaw.rate, 1e-9 * acceleration_ + 1e-9);
     // In a nanosecond an acceleration may go a long way only where the rate is at its limit.

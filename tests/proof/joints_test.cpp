@@ -105,18 +105,18 @@ TEST(ProofJoints, DraftThatJumpsIsNotCommitted) {
     for (int k = 0; k < 200 && room.report.committed == 0; ++k) room.tick();
     ASSERT_GT(room.report.committed, 0u);
     tern::FlightState& state = room.state();
-    state.extends = false;
-    state.takeover = state.time + 3 * room.spec.tick;
-    state.draft = state.latest();
-    const Sample at = room.flight.command(state.takeover).sample;
-    state.draft.begin = state.takeover;
-    state.draft.flown = two_halves();
-    state.draft.flown.origin = at.position;
+    state.draft.extends = false;
+    state.draft.takeover = state.facts.time + 3 * room.spec.tick;
+    state.draft.plan = state.facts.plans.latest();
+    const Sample at = room.flight.command(state.draft.takeover).sample;
+    state.draft.plan.begin = state.draft.takeover;
+    state.draft.plan.trajectory = two_halves();
+    state.draft.plan.trajectory.origin = at.position;
     const std::uint32_t failed = state.report.failed;
     if (begins_elsewhere) {
-      state.draft.flown.origin.y += 1e-6;
+      state.draft.plan.trajectory.origin.y += 1e-6;
     } else {
-      state.draft.flown.segments[1].points[0].y += 1e-3;
+      state.draft.plan.trajectory.segments[1].points[0].y += 1e-3;
     }
     EXPECT_FALSE(state.commit());
     EXPECT_EQ(state.report.failed, failed + 1);

@@ -92,16 +92,17 @@ constexpr std::uint32_t kNothing = 0;
 struct Flying : FlightRoom {
   explicit Flying(const tern::FlightSpec& how = flight_spec()) : FlightRoom(how) {
     flight.set_goal({8.125, 0.125, 1.125});
-    EXPECT_TRUE(tick_until([&] { return speed() > 2.5 && state().job == tern::Job::kIdle && !state().has_next; }, 400));
+    EXPECT_TRUE(
+        tick_until([&] { return speed() > 2.5 && !state().is_busy() && !state().facts.plans.has_waiting; }, 400));
   }
   void watch(std::uint32_t units) {
     tern::Work work{units};
-    state().time = time;
+    state().facts.time = time;
     state().run_watch(work);
   }
   void advance(std::uint32_t units) {
     tern::Work work{units};
-    state().time = time;
+    state().facts.time = time;
     state().advance(work);
   }
 };

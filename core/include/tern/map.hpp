@@ -236,7 +236,7 @@ class RollingMap {
   int32_t slack() const noexcept;
 
  private:
-  friend class FlightState;  // does the job piece by piece, and charges the work of pieces
+  friend class FlightWork;  // does the job piece by piece, and charges the work of pieces
 
   MapState* state_ = nullptr;
 };

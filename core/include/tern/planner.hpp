@@ -106,7 +106,7 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  friend class FlightState;  // charges the work of units
+  friend class FlightWork;  // charges the work of units
 
   uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
   Status refuse(Report& report) noexcept;

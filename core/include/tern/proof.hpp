@@ -117,7 +117,7 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
-  friend class FlightState;  // charges the work of pieces, and begins with fences that were checked before
+  friend class FlightWork;  // charges the work of pieces, and begins with fences that were checked before
   // clear_until() has no fences to check, and needs no stack for that.
   friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
 

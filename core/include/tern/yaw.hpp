@@ -124,7 +124,7 @@ class YawPlanner {
   Status finish(YawPlan& plan) noexcept;
 
  private:
-  friend class FlightState;  // charges the work of units
+  friend class FlightWork;  // charges the work of units
 
   class Fit;
   enum class Phase : uint8_t { kIdle = 0, kWish, kFit, kDone };

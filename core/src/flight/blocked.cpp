@@ -1,11 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// What keeps the flight from going on, for its report and for lookouts.
 #include "flight/blocked.hpp"
 
 #include "base/math.hpp"
-#include "flight/flight_state.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
 #include "proof/fence_clear.hpp"
@@ -77,66 +74,64 @@ NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) no
   return best;
 }
 
-/// Reports what ended the proof of the draft. If the flight gave up, or something is too near to the resting vehicle,
-/// the report keeps that instead.
-void FlightState::note_unproven() noexcept {
-  if (parked || is_beside()) return;
-  const ProofReport& found = proof.report();
-  const Vec3 place = evaluate(draft.wished, found.until).position;
-  block = kNoBlockage;
-  if (found.end == ProofEnd::kObstacle) block = block_at(found.voxel);
-  if (found.end == ProofEnd::kOutside) block = {BlockedBy::kWindow, place, kNoFence};
-  if (found.end == ProofEnd::kFence) block = {BlockedBy::kFence, place, found.fence};
-}
-
-/// A voxel that is solid in the safe grid: something was seen or marked in it, or nothing is known of it.
-Blockage FlightState::block_at(const Voxel& voxel) const noexcept {
+Blockage block_at(const RollingMap& map, const Voxel& voxel) noexcept {
   const Grid& safe = map.safe();
   const bool is_seen = map.route().obstacle(voxel);
   return {is_seen ? BlockedBy::kObstacle : BlockedBy::kUnseen, safe.spec().origin + safe.center(voxel), kNoFence};
 }
 
-/// Reports the solid voxel of the safe or route grid that is too near to a place, and returns its distance, or more
-/// than the radius if there is none. Returns kAnywhere while the map slides, because nothing is known of it then.
-double FlightState::note_block_near(const Vec3& place, const Grid& grid) noexcept {
+void Blockage::clear() noexcept {
+  *this = kNoBlockage;
+}
+
+double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid& grid, FlightWork& charge) noexcept {
   if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
   const double reach = window.clearance() + kBeyondRadius * window.cell;
   const NearestSolid solid = nearest_solid(grid, grid.to_local(place), reach);
-  owed += kSolidEffort * solid.words;
-  if (solid.found) block = block_at(solid.voxel);
+  charge.owe(kSolidEffort * solid.words);
+  if (solid.found) *this = block_at(map, solid.voxel);
   return solid.distance;
 }
 
-/// Reports what comes next on the straight line from the reachable point to the goal. A fence counts before any voxel:
-/// it does not go away, whatever is seen there.
-void FlightState::note_block_beyond(const Vec3& reachable) noexcept {
-  const Vec3 way = goal - reachable;
-  const double far = length(way);
-  if (!(far > 0.0)) return;
-  const double clearance = map.safe().spec().clearance();
-  const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
-  for (std::int32_t k = 0; k < spec.fence_count; ++k) {
-    owed += kFenceEffort * static_cast<std::uint32_t>(spec.fences[k].count * spec.fences[k].count);
-    if (fence_clear(spec.fences[k], {place, clearance, 0.0}, &kZero, 1)) continue;
-    block = {BlockedBy::kFence, place, k};
-    return;
-  }
-  note_block_near(place, map.safe());
+void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept {
+  const ProofReport& found = draft.proof.report();
+  const Vec3 place = evaluate(draft.plan.planned, found.until).position;
+  clear();
+  if (found.end == ProofEnd::kObstacle) *this = block_at(map, found.voxel);
+  if (found.end == ProofEnd::kOutside) *this = {BlockedBy::kWindow, place, kNoFence};
+  if (found.end == ProofEnd::kFence) *this = {BlockedBy::kFence, place, found.fence};
 }
 
-/// Reports what is in the way of a plan that failed, unless an earlier proof named a voxel that is still solid.
-void FlightState::note_no_plan(const Report& found) noexcept {
-  const Grid& safe = map.safe();
+/// A fence counts before any voxel: it does not go away, whatever is seen there.
+void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable,
+                           FlightWork& charge) noexcept {
+  const Vec3 way = aim.target_place - reachable;
+  const double far = length(way);
+  if (!(far > 0.0)) return;
+  const double clearance = flight.map.safe().spec().clearance();
+  const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
+  for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
+    const Fence& next = flight.spec.fences[k];
+    charge.owe(kFenceEffort * static_cast<std::uint32_t>(next.count * next.count));
+    if (fence_clear(next, {place, clearance, 0.0}, &kZero, 1)) continue;
+    *this = {BlockedBy::kFence, place, k};
+    return;
+  }
+  note_near(flight.map, place, flight.map.safe(), charge);
+}
+
+void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found,
+                            FlightWork& charge) noexcept {
+  const Grid& safe = flight.map.safe();
   if (!safe.bound()) return;
-  const bool is_voxel = block.by == BlockedBy::kObstacle || block.by == BlockedBy::kUnseen;
-  if (is_voxel && safe.obstacle(safe.voxel_of(safe.to_local(block.at)))) return;
-  block = kNoBlockage;
-  if (found.status == Status::kGoalFenced) block = {BlockedBy::kFence, aim, found.fence};
-  if (found.status == Status::kViaFenced) block = {BlockedBy::kFence, asked[found.via].position, found.fence};
-  if (found.status == Status::kGoalOccupied) note_block_near(aim, safe);
-  if (found.status == Status::kStartOccupied) note_block_near(start.d[0], safe);
-  if (found.status == Status::kNoPath && found.has_reachable) note_block_beyond(found.reachable);
+  if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
+  clear();
+  if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};
+  if (found.status == Status::kViaFenced) *this = {BlockedBy::kFence, aim.asked[found.via].position, found.fence};
+  if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, charge);
+  if (found.status == Status::kStartOccupied) note_near(flight.map, aim.start.d[0], safe, charge);
+  if (found.status == Status::kNoPath && found.has_reachable) note_beyond(flight, aim, found.reachable, charge);
 }
 
 }  // namespace tern

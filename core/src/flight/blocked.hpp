@@ -1,12 +1,17 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The solid voxel nearest to a place: what keeps a vehicle from being there.
+// What keeps the flight from going on, for its report and for lookouts.
 #ifndef TERN_FLIGHT_BLOCKED_HPP
 #define TERN_FLIGHT_BLOCKED_HPP
 
 #include <cstdint>
 
+#include "flight/aim.hpp"
+#include "flight/charge.hpp"
+#include "flight/draft.hpp"
+#include "flight/flight_facts.hpp"
+#include "tern/flight.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
 
@@ -22,6 +27,30 @@ struct NearestSolid {
 /// The marked voxel whose cube is nearest to a place of the local frame, of those less than `reach` away. Of equal
 /// ones, the one with the least z, then y. Reads the rows within the reach.
 NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) noexcept;
+
+/// What is in the way, and where, world frame.
+struct Blockage {
+  BlockedBy by;
+  Vec3 at;
+  std::int32_t fence;  ///< its index for kFence, otherwise kNoFence
+
+  bool is_voxel() const noexcept { return by == BlockedBy::kObstacle || by == BlockedBy::kUnseen; }
+  void clear() noexcept;
+  /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
+  /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
+  double note_near(const RollingMap& map, const Vec3& place, const Grid& grid, FlightWork& charge) noexcept;
+  /// Notes what ended the proof of the draft.
+  void note_unproven(const RollingMap& map, const Draft& draft) noexcept;
+  /// Notes what is in the way of a plan that failed, unless an earlier proof named a voxel that is still solid.
+  void note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found, FlightWork& charge) noexcept;
+  /// Notes what comes next on the straight line from the reachable point to the target.
+  void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, FlightWork& charge) noexcept;
+};
+
+constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};
+
+/// A voxel that is solid in the safe grid: something was seen or marked in it, or nothing is known of it.
+Blockage block_at(const RollingMap& map, const Voxel& voxel) noexcept;
 
 }  // namespace tern
 

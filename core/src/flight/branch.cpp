@@ -75,7 +75,7 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
   }
 }
 
-void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept {
+void take_remainder(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept {
   out.origin = plan.origin;
   out.count = 0;
   double begin = 0.0;

@@ -28,7 +28,7 @@ JointState joint_at(const Trajectory& plan, double t, const Vec3& origin) noexce
 
 /// `out` becomes the part of the plan after `t`, up to the last segment that begins within `ahead` seconds. If nothing
 /// follows `t`, `out` rests at the plan's end. 0 <= t.
-void take_rest(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept;
+void take_remainder(const Trajectory& plan, double t, double ahead, Trajectory& out) noexcept;
 
 /// Appends the segment between two states. False if there is no room (kMaxSegments).
 bool append_between(const JointState& from, const JointState& to, double time, Trajectory& out) noexcept;

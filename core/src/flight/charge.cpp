@@ -1,10 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// How a tick spends its units. Work is done piece by piece as long as any of the tick's units are left, and each piece
-// is paid for by what it took. If the last piece took more than was left, later ticks pay the rest.
-#include "base/math.hpp"
-#include "flight/flight_state.hpp"
+#include "flight/charge.hpp"
+
 #include "map/map_state.hpp"
 
 namespace tern {
@@ -17,63 +14,68 @@ constexpr std::uint32_t kPlanEffort = 40000;
 
 }  // namespace
 
-/// The units of this tick, less what earlier ticks owe. While an evasion runs, deferred debt is not paid.
-Work FlightState::begin_work() noexcept {
-  Work work{spec.work_per_tick};
-  if (job != Job::kEvade) {
+Work FlightWork::begin_tick(std::uint32_t units, bool evades) noexcept {
+  Work work{units};
+  if (!evades) {
     owed += deferred;
     deferred = 0;
   }
-  owe(0, work);
+  pay(0, work);
   return work;
 }
 
-void FlightState::owe(std::uint32_t effort, Work& work) noexcept {
+void FlightWork::pay(std::uint32_t effort, Work& work) noexcept {
   owed += effort;
   const std::uint32_t paid = least(owed / kUnitEffort, work.left);
   work.left -= paid;
   owed -= paid * kUnitEffort;
 }
 
-void FlightState::defer_debt() noexcept {
+void FlightWork::defer_debt() noexcept {
   deferred += owed;
   owed = 0;
 }
 
-Progress FlightState::step_proof(Proof& of, Work& work) noexcept {
+Progress FlightWork::step(Proof& proof, Work& work) noexcept {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
     if (work.left == 0) return Progress::kMore;
-    const std::uint32_t paid = of.effort_;
-    status = of.step(1);
-    owe(of.effort_ - paid, work);
+    const std::uint32_t paid = proof.effort_;
+    status = proof.step(1);
+    pay(proof.effort_ - paid, work);
   }
   return Progress::kDone;
 }
 
-/// For a plan or a route that the planner has just begun.
-void FlightState::charge_planner() noexcept {
-  planner_effort = 0;
+void FlightWork::charge_planner() noexcept {
+  planner_paid = 0;
   owed += kPlanEffort;
 }
 
-/// Runs one unit of the planner.
-Status FlightState::step_planner(Work& work) noexcept {
-  const Status status = planner->step(1);
-  owe(planner->effort() - planner_effort, work);
-  planner_effort = planner->effort();
+Progress FlightWork::run(Planner& planner, Work& work) noexcept {
+  Status status = Status::kRunning;
+  while (status == Status::kRunning) {
+    if (work.left == 0) return Progress::kMore;
+    status = planner.step(1);
+    pay(planner.effort() - planner_paid, work);
+    planner_paid = planner.effort();
+  }
+  return Progress::kDone;
+}
+
+Status FlightWork::step(YawPlanner& planner, Work& work) noexcept {
+  const std::uint32_t effort = planner.unit_effort();
+  const Status status = planner.step(1);
+  pay(effort, work);
   return status;
 }
 
-/// The map gets half of the tick's work, or most of it if there is no job.
-void FlightState::step_map(Work& work) noexcept {
-  if (reads_map()) return;
-  if (!map.busy()) follow_window();
-  if (!map.busy()) return;
-  const std::uint32_t kept = job == Job::kIdle ? work.left / 4 : work.left / 2;
-  while (map.busy() && work.left > kept) owe(map.state_->advance(), work);
-  // Slide before the next frame begins, because a frame may always be waiting.
-  if (!map.busy()) follow_window();
+void FlightWork::step(RollingMap& map, std::uint32_t kept, Work& work) noexcept {
+  while (map.busy() && work.left > kept) pay(map.state_->advance(), work);
+}
+
+void FlightWork::forget_time(RollingMap& map) noexcept {
+  map.state_->timed = false;
 }
 
 }  // namespace tern

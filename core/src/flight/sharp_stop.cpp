@@ -1,11 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "flight/sharp_stop.hpp"
-
 #include "base/math.hpp"
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
-#include "flight/branch.hpp"
+#include "flight/brakes.hpp"
 
 namespace tern {
 namespace {

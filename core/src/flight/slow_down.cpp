@@ -1,11 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "flight/slow_down.hpp"
-
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
-#include "flight/branch.hpp"
+#include "flight/brakes.hpp"
 
 namespace tern {
 namespace {

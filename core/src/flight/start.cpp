@@ -79,11 +79,52 @@ FlightRefusal refusal_of(const Verdict& verdict) {
 
 /// One segment that stays at a point.
 void hover(const Vec3& position, Commitment& commitment) {
-  commitment.flown.origin = commitment.aim = position;
+  commitment.trajectory.origin = commitment.aim = position;
   const JointState rest{};
-  append_between(rest, rest, kMinDuration, commitment.flown);
-  commitment.wished = commitment.flown;
+  append_between(rest, rest, kMinDuration, commitment.trajectory);
+  commitment.planned = commitment.trajectory;
   commitment.branch = kMinDuration;
+}
+
+/// Writes into the refusal what is too near to the place where the vehicle would rest.
+void find_too_near(const RollingMap& map, const Vec3& place, FlightRefusal& refusal) {
+  const Grid& safe = map.safe();
+  const GridSpec& window = safe.spec();
+  const Vec3 local = safe.to_local(place);
+  refusal.needed = window.clearance();
+  refusal.distance = window.clearance() + window.cell;
+  const NearestSolid solid = nearest_solid(safe, local, refusal.distance);
+  if (solid.found) {
+    const Blockage nearest_voxel = block_at(map, solid.voxel);
+    refusal.blocked_by = nearest_voxel.by;
+    refusal.blocked_at = nearest_voxel.at;
+    refusal.distance = solid.distance;
+  }
+  const Box boundary = safe.local_boundary();
+  for (int a = 0; a < 3; ++a) {
+    const double below = axis(local, a) - axis(boundary.lower, a);
+    const double above = axis(boundary.upper, a) - axis(local, a);
+    const double apart = larger(0.0, smaller(below, above));
+    if (apart >= refusal.distance) continue;
+    refusal.blocked_by = BlockedBy::kWindow;
+    refusal.blocked_at = place;
+    axis(refusal.blocked_at, a) = axis(window.origin, a) + axis(below < above ? boundary.lower : boundary.upper, a);
+    refusal.distance = apart;
+  }
+}
+
+/// kOk if the vehicle may stay where it is, otherwise why not. Works in `proof`.
+Status prove_start(const FlightFacts& flight, Proof& proof, FlightRefusal& refusal) {
+  const Commitment& stays = flight.plans.in_flight;
+  FlightWork::begin(proof, flight.map.safe(), stays.trajectory, 0.0, nullptr, Beyond::kSolid,
+                    grounds_of(flight.spec, stays));
+  const ProofReport& found = proof.report();
+  if (proof.step(2 * kProofPieces) == Status::kOk && found.end == ProofEnd::kProven) return Status::kOk;
+  refusal.field = Field::kStartPosition;
+  refusal.fence = found.fence;
+  if (found.end == ProofEnd::kFence) return Status::kStartFenced;
+  find_too_near(flight.map, stays.aim, refusal);
+  return Status::kStartOccupied;
 }
 
 /// Checks the call's arguments before anything is written.
@@ -121,45 +162,6 @@ size_t flight_words(const Voxel& dims) noexcept {
   return grid == 0 ? 0 : state_words() + grid;
 }
 
-/// kOk if the vehicle may stay where it is, otherwise why not.
-Status FlightState::prove_start(FlightRefusal& refusal) noexcept {
-  proof.begin_accepted(map.safe(), now.flown, 0.0, nullptr, Beyond::kSolid, grounds_of(now));
-  const ProofReport& found = proof.report();
-  if (proof.step(2 * kProofPieces) == Status::kOk && found.end == ProofEnd::kProven) return Status::kOk;
-  refusal.field = Field::kStartPosition;
-  refusal.fence = found.fence;
-  if (found.end == ProofEnd::kFence) return Status::kStartFenced;
-  refuse_start(refusal);
-  return Status::kStartOccupied;
-}
-
-/// Writes into the refusal what is too near to the place where the vehicle would rest.
-void FlightState::refuse_start(FlightRefusal& refusal) const noexcept {
-  const Grid& safe = map.safe();
-  const GridSpec& window = safe.spec();
-  const Vec3 local = safe.to_local(now.aim);
-  refusal.needed = window.clearance();
-  refusal.distance = window.clearance() + window.cell;
-  const NearestSolid solid = nearest_solid(safe, local, refusal.distance);
-  if (solid.found) {
-    const Blockage nearest_voxel = block_at(solid.voxel);
-    refusal.blocked_by = nearest_voxel.by;
-    refusal.blocked_at = nearest_voxel.at;
-    refusal.distance = solid.distance;
-  }
-  const Box boundary = safe.local_boundary();
-  for (int a = 0; a < 3; ++a) {
-    const double below = axis(local, a) - axis(boundary.lower, a);
-    const double above = axis(boundary.upper, a) - axis(local, a);
-    const double apart = larger(0.0, smaller(below, above));
-    if (apart >= refusal.distance) continue;
-    refusal.blocked_by = BlockedBy::kWindow;
-    refusal.blocked_at = now.aim;
-    axis(refusal.blocked_at, a) = axis(window.origin, a) + axis(below < above ? boundary.lower : boundary.upper, a);
-    refusal.distance = apart;
-  }
-}
-
 Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& planner, uint64_t* words,
                      size_t word_count, const Vec3& position, int64_t t, FlightRefusal* refusal) noexcept {
   state_ = nullptr;
@@ -168,19 +170,20 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   const Status accepted = accept(spec, map, words, word_count, position, why);
   if (accepted != Status::kOk) return accepted;
   FlightState* const state = new (words) FlightState{};
-  state->spec = spec;
-  state->limits = MotionLimits(spec.limits);
-  state->map = map;
+  FlightFacts& facts = state->facts;
+  facts.spec = spec;
+  facts.limits = MotionLimits(spec.limits);
+  facts.map = map;
+  facts.clock.set(t, 0);
+  facts.shown = t;
+  facts.frames = map.frames();
+  hover(position, facts.plans.in_flight);
   state->planner = &planner;
-  state->clock.set(t, 0);
-  state->shown = t;
-  state->frames = map.frames();
-  state->reason = FlightReason::kNoGoal;
-  state->look_at = position;
-  hover(position, state->now);
-  const Status rests = state->prove_start(why);
+  state->itinerary.reason = FlightReason::kNoGoal;
+  state->search.look_at = position;
+  const Status rests = prove_start(facts, state->draft.proof, why);
   if (rests != Status::kOk) return rests;
-  const Status bound = state->route.bind(map, words + state_words(), word_count - state_words());
+  const Status bound = state->cycle.route.bind(map, words + state_words(), word_count - state_words());
   if (bound == Status::kOk) state_ = state;
   return bound;
 }

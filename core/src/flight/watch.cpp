@@ -1,14 +1,12 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// Proves the committed plan anew near voxels that became solid.
+#include "flight/watch.hpp"
+
 #include "base/math.hpp"
-#include "flight/flight_state.hpp"
+#include "flight/charge.hpp"
 
 namespace tern {
 namespace {
-
-constexpr int kWatchedParts = 4;
 
 Box around(const Box& a, const Box& b) {
   Box box = a;
@@ -21,98 +19,110 @@ Box around(const Box& a, const Box& b) {
 
 }  // namespace
 
-/// The alarm grows until the committed plan is proven.
-void FlightState::note_added() noexcept {
-  alarm.box = has_alarm ? around(alarm.box, added) : added;
-  alarm.seen = map.seen_rows();
-  has_alarm = true;
-}
-
-/// Proves the committed plan anew, but only near what became solid since the last proof. Under a threat, it proves all
-/// of the plan, because what was solid may have become free.
-void FlightState::begin_watch() noexcept {
-  const bool is_added = map.take_added(added);
-  if (is_added) note_added();
-  const bool all = watch_all || (threat && watched != map.safe().revision());
-  if (!all && !is_added) return;
-  has_added = !all;
-  watch_all = false;
-  watched = map.safe().revision();
-  watch_part(has_next ? Watched::kBefore : Watched::kLatest);
-}
-
-void FlightState::watch_part(Watched which) noexcept {
-  watched_part = which;
-  const Commitment& commitment = watched_commitment();
-  const double from = larger(0.0, seconds_between(commitment.begin, time));
-  ProofGrounds grounds = grounds_of(commitment);
-  if (has_added && watched_part != Watched::kAlarm) grounds.added = &added;
-  if (watched_part == Watched::kAlarm) grounds.alarm = &alarm;
-  watching =
-      watch.begin_accepted(map.safe(), commitment.flown, from, nullptr, Beyond::kSolid, grounds) == Status::kRunning;
-}
-
-void FlightState::run_watch(Work& work) noexcept {
-  if (!watching && !map.busy()) begin_watch();
-  for (int k = 0; k < kWatchedParts && watching; ++k) {
-    if (step_proof(watch, work) == Progress::kMore) return;
-    watching = false;
-    end_part();
+/// Proves only what is near the box. Under a threat, it proves all of the plan, because what was solid may have become
+/// free. The alarm grows until the committed plan is proven.
+void Watch::begin(const FlightFacts& flight, const Box* box) noexcept {
+  if (box != nullptr) {
+    added = *box;
+    alarm.box = has_alarm ? around(alarm.box, added) : added;
+    alarm.seen = flight.map.seen_rows();
+    has_alarm = true;
   }
+  const bool all = covers_all || (threat && revision != flight.map.safe().revision());
+  if (!all && box == nullptr) return;
+  has_added = !all;
+  covers_all = false;
+  revision = flight.map.safe().revision();
+  prove(flight, flight.plans.has_waiting ? Watched::kBefore : Watched::kLatest);
 }
 
-Contact FlightState::watched_contact() const noexcept {
-  const Commitment& commitment = watched_commitment();
-  const double until = watch.report().until;
-  return {commitment.begin + nanoseconds(until), length(evaluate(commitment.flown, until).velocity)};
+void Watch::prove(const FlightFacts& flight, Watched which) noexcept {
+  part = which;
+  const Commitment& plan = watched(flight.plans);
+  const double from = larger(0.0, seconds_between(plan.begin, flight.time));
+  ProofGrounds grounds = grounds_of(flight.spec, plan);
+  if (has_added && part != Watched::kAlarm) grounds.added = &added;
+  if (part == Watched::kAlarm) grounds.alarm = &alarm;
+  is_running = FlightWork::begin(proof, flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
+               Status::kRunning;
 }
 
-void FlightState::end_part() noexcept {
-  const bool proven = watch.report().end == ProofEnd::kProven;
-  const bool meets = !proven && (!has_next || watched_contact().time < next.begin);
-  if (watched_part == Watched::kAlarm) {
+Contact Watch::contact_on(const Commitment& plan) const noexcept {
+  const double until = proof.report().until;
+  return {plan.begin + nanoseconds(until), length(evaluate(plan.trajectory, until).velocity)};
+}
+
+WatchResult Watch::end_part(const FlightFacts& flight) noexcept {
+  is_running = false;
+  const CommittedPlans& plans = flight.plans;
+  const bool proven = proof.report().end == ProofEnd::kProven;
+  const bool meets = !proven && (!plans.has_waiting || contact_on(watched(plans)).time < plans.waiting.begin);
+  if (part == Watched::kAlarm) {
     known = proven;
-  } else if (watched_part == Watched::kBefore && (!meets || next.evades)) {
+    return WatchResult::kOpen;
+  }
+  if (part == Watched::kBefore && (!meets || plans.waiting.evades)) {
     // If the waiting plan is a brake, a contact before its takeover calls for no other: none could begin earlier.
     meets_before = meets || (meets_before && has_added);
-    if (meets) before = watched_contact();
-    watch_part(Watched::kLatest);
-  } else if (proven) {
-    threat = evaded = has_alarm = false;
-  } else {
-    note_threat();
+    if (meets) before = contact_on(watched(plans));
+    prove(flight, Watched::kLatest);
+    return WatchResult::kOpen;
   }
+  if (!proven) return WatchResult::kThreat;
+  threat = has_alarm = false;
+  return WatchResult::kNoThreat;
 }
 
-/// Notes what is too near to the resting vehicle, once: it may have come to rest after the threat was found.
-void FlightState::note_beside() noexcept {
-  if (is_beside() && !(beside < kAnywhere)) beside = note_block_near(sample_at(time).position, map.safe());
-}
-
-/// True if a threat is news. At rest, it is news only if something is nearer than before, and so comes towards the
-/// vehicle.
-bool FlightState::is_news() noexcept {
-  const double gap_before = is_beside() ? beside : kAnywhere;
-  beside = rests() ? note_block_near(sample_at(time).position, map.safe()) : kAnywhere;
-  const bool comes_nearer = beside < gap_before;
-  beside = smaller(beside, gap_before);
-  return comes_nearer || !is_beside();
-}
-
-void FlightState::note_threat() noexcept {
-  if (is_news()) {
+/// At rest, a threat is news only if something is nearer than before, and so comes towards the vehicle.
+void Watch::note_threat(const FlightFacts& flight, double nearest) noexcept {
+  const bool was_beside = is_beside(flight);
+  const double nearest_before = was_beside ? beside : kAnywhere;
+  beside = smaller(nearest, nearest_before);
+  if (nearest < nearest_before || !was_beside) {
     alarmed = true;
-    alarm_time = time;
+    alarm_time = flight.time;
   }
   threat = true;
-  evaded = known = false;
-  contact = watched_contact();
-  if (has_next && !next.evades) {
-    has_next = has_added = meets_before = false;  // without the waiting plan, the flight may still be proven
-    watch_part(Watched::kLatest);
+  known = false;
+  contact = contact_on(watched(flight.plans));
+}
+
+void Watch::go_on(const FlightFacts& flight, bool dropped) noexcept {
+  if (dropped) {
+    has_added = meets_before = false;
+    prove(flight, Watched::kLatest);
   } else if (has_alarm) {
-    watch_part(Watched::kAlarm);
+    prove(flight, Watched::kAlarm);
   }
+}
+
+void Watch::note_takeover() noexcept {
+  if (is_running && part == Watched::kBefore) {
+    covers_all = true;
+    is_running = false;
+  }
+  meets_before = false;
+}
+
+void Watch::note_commit(bool extends, std::int64_t takeover) noexcept {
+  if (is_running) covers_all = true;
+  const bool meets = threat && contact.time < takeover;
+  if (meets) before = contact;
+  is_running = has_alarm = false;
+  threat = extends && meets;
+  if (!extends) meets_before = meets;
+}
+
+void Watch::note_unproven_brake(const Contact& of_brake, bool is_known, bool alarm_stays) noexcept {
+  threat = true;
+  contact = of_brake;
+  known = is_known;
+  has_alarm = alarm_stays;
+}
+
+bool Watch::shows_threat(const FlightFacts& flight) const noexcept {
+  const bool was_shown = flight.rests() && flight.time - alarm_time > kThreatShown;
+  return alarmed || ((threat || meets_before) && !was_shown);
 }
 
 }  // namespace tern

@@ -19,12 +19,12 @@ class CommitLog {
   /// To be called after every tick, `t` being its time.
   void look(std::int64_t t, const tern::FlightReport& report, const tern::FlightState& state) {
     const bool has_new = report.committed != committed_;
-    const bool waits = state.has_next && !has_new;
+    const bool waits = state.facts.plans.has_waiting && !has_new;
     if (!commits_.empty() && !waits) withdraw(t, commits_.back());
     if (!has_new) return;
     committed_ = report.committed;
-    const tern::Commitment& latest = state.latest();
-    commits_.push_back({t, latest.begin, kNotWithdrawn, latest.evades, latest.leaves, latest.flown});
+    const tern::Commitment& latest = state.facts.plans.latest();
+    commits_.push_back({t, latest.begin, kNotWithdrawn, latest.evades, latest.hemmed_in, latest.trajectory});
   }
 
   std::vector<FlightCommit> take() { return std::move(commits_); }

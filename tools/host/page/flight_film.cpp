@@ -49,7 +49,7 @@ RunJson commands_of(const FlightMoment& moment) {
 RunJson corridor_of(const FlightMoment& moment) {
   const tern::Corridor* const corridor = moment.planner.corridor();
   if (corridor == nullptr) return RunJson::array();
-  return corridor_json(*corridor, moment.state.route.grid().spec().origin);
+  return corridor_json(*corridor, moment.state.cycle.route.grid().spec().origin);
 }
 
 /// Without the voxels at the boundary: floor, ceiling and walls would hide all that is between them.
@@ -87,23 +87,23 @@ void FlightFilm::note_motion(const FlightMoment& moment) {
 }
 
 void FlightFilm::note_commit(const FlightMoment& moment) {
-  const tern::Commitment& latest = moment.state.latest();
+  const tern::Commitment& latest = moment.state.facts.plans.latest();
   RunJson commit = {{"t", rounded(seconds(moment.t))},
                     {"branch", rounded(seconds(latest.begin) + latest.branch)},
                     {"step", kPlanStep},
                     {"points", commands_of(moment)},
-                    {"wished", points_of(latest.wished, latest.branch)}};
+                    {"wished", points_of(latest.planned, latest.branch)}};
   // Where the plan that is flown goes on, its corridor stays.
-  if (!moment.state.extends && !latest.evades) commit["corridor"] = corridor_of(moment);
+  if (!moment.state.draft.extends && !latest.evades) commit["corridor"] = corridor_of(moment);
   commits_.push_back(commit);
 }
 
 /// Plans that were too late, or of which nothing could be proven.
 void FlightFilm::note_lost(const FlightMoment& moment) {
-  const tern::Commitment& draft = moment.state.draft;
-  if (moment.state.extends || draft.begin == shown_ || draft.wished.count == 0) return;
+  const tern::Commitment& draft = moment.state.draft.plan;
+  if (moment.state.draft.extends || draft.begin == shown_ || draft.planned.count == 0) return;
   shown_ = draft.begin;
-  dropped_.push_back({{"t", rounded(seconds(moment.t))}, {"points", points_of(draft.wished, 0.0)}});
+  dropped_.push_back({{"t", rounded(seconds(moment.t))}, {"points", points_of(draft.planned, 0.0)}});
 }
 
 RunJson FlightFilm::facts(const FlightResult& result) const {

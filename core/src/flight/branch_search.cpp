@@ -1,0 +1,58 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/branch_search.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+/// Units that making a candidate costs.
+constexpr std::uint32_t kBranchPrice = 32;
+
+/// Branches must be later than this, in seconds since the draft's beginning. In an extension, a branch no later than
+/// the committed one would change nothing. A new plan must lead somewhere before its branch.
+double earliest_branch(const FlightFacts& flight, const Draft& draft) {
+  return draft.extends ? flight.plans.in_flight.branch : 2.0 * 1e-9 * static_cast<double>(flight.spec.tick);
+}
+
+}  // namespace
+
+bool leads_on(const FlightFacts& flight, const Vec3& start, const Draft& draft) noexcept {
+  return !flight.rests_at(draft.takeover) || draft.plan.to_target ||
+         distance(draft.plan.end(), start) >= flight.map.safe().spec().cell;
+}
+
+void BranchSearch::begin(double until) noexcept {
+  reached = until;
+  candidate = -1;
+  is_proving = false;
+}
+
+Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Draft& draft, FlightWork& charge,
+                               Work& work) noexcept {
+  while (is_proving || candidate + 1 < kBranches * kBranchShapes) {
+    if (!is_proving) {
+      if (work.left < kBranchPrice) return Progress::kMore;
+      work.left -= kBranchPrice;
+      ++candidate;
+      is_proving = make_candidate(flight, start, draft);
+      continue;
+    }
+    if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+    is_proving = false;
+    if (draft.proof.report().end == ProofEnd::kProven) return Progress::kDone;
+  }
+  return Progress::kFailed;
+}
+
+/// The candidates go back from the last proven instant, and each instant has all brakes.
+bool BranchSearch::make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft) const noexcept {
+  const double earliest = earliest_branch(flight, draft);
+  const int from_last = candidate / kBranchShapes;
+  const double at = off_joints(draft.plan.planned, reached - (reached - earliest) * from_last / kBranches);
+  return at > earliest && draft.branch_off(flight, at, candidate % kBranchShapes) && leads_on(flight, start, draft) &&
+         draft.begin_proof(flight, draft.plan.trajectory, at) == Status::kRunning;
+}
+
+}  // namespace tern

@@ -1,0 +1,45 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/committed_plans.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+
+Vec3 Commitment::end() const noexcept {
+  return trajectory.origin + trajectory.segments[trajectory.count - 1].points[kDegree];
+}
+
+double Commitment::time_of(std::int32_t point) const noexcept {
+  for (std::int32_t i = 0; i < passages; ++i) {
+    if (passage[i].point == point) return passage[i].time;
+  }
+  return kNever;
+}
+
+ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) noexcept {
+  return {nullptr, commitment.hemmed_in ? &commitment.departed : nullptr, nullptr, spec.fences, spec.fence_count};
+}
+
+Sample CommittedPlans::sample_at(std::int64_t t) const noexcept {
+  const Commitment& commitment = at(t);
+  return evaluate(commitment.trajectory, seconds_between(commitment.begin, t));
+}
+
+std::int64_t CommittedPlans::rest_begins() const noexcept {
+  return in_flight.begin + nanoseconds(duration(in_flight.trajectory)) + 1;
+}
+
+bool CommittedPlans::take_over(std::int64_t time) noexcept {
+  if (!has_waiting || time < waiting.begin) return false;
+  in_flight = waiting;
+  has_waiting = false;
+  return true;
+}
+
+void CommittedPlans::commit(const Commitment& draft, bool extends) noexcept {
+  has_waiting = has_waiting || !extends;
+  (extends ? in_flight : waiting) = draft;
+}
+
+}  // namespace tern

@@ -1,0 +1,96 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Committed plans: the one in flight, and one that may wait for its takeover.
+#ifndef TERN_FLIGHT_COMMITTED_PLANS_HPP
+#define TERN_FLIGHT_COMMITTED_PLANS_HPP
+
+#include <cstdint>
+
+#include "flight/flight_clock.hpp"
+#include "tern/flight.hpp"
+#include "tern/proof.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// When a plan passes a point.
+struct Passage {
+  std::int32_t point;  ///< of the itinerary
+  double time;         ///< seconds since the plan's beginning
+};
+
+/// Later than any plan passes a point, seconds.
+constexpr double kNever = 1e9;
+
+/// A committed plan, or a draft of one.
+struct Commitment {
+  Trajectory trajectory;               ///< what the vehicle follows: it ends at rest, and is proven
+  Trajectory planned;                  ///< the planner's plan, which `trajectory` follows up to the branch
+  double branch;                       ///< seconds since the beginning: until then, both are the same
+  std::int64_t begin;                  ///< nanoseconds
+  Vec3 aim;                            ///< where `planned` ends
+  bool to_target;                      ///< the aim is the target
+  bool beside_target;                  ///< the aim is the nearest free point to the target
+  std::uint32_t mission;               ///< number of the mission that the plan was made for
+  std::int32_t target;                 ///< the mission's point that the aim is, or leads to
+  Passage passage[kMaxMissionPoints];  ///< when `planned` passes its points, in order
+  std::int32_t passages;
+  bool evades;     ///< a brake that was made for a threat, proven or not
+  bool hemmed_in;  ///< it begins at rest at `departed`, with something within the radius
+  Vec3 departed;   ///< world frame
+  bool looks_out;  ///< it leads to a place from where `hidden` may be seen
+  Vec3 hidden;     ///< world frame
+
+  /// Where the vehicle rests after `trajectory`, world frame.
+  Vec3 end() const noexcept;
+  /// When it passes the point, in seconds since its beginning; kNever if it does not.
+  double time_of(std::int32_t point) const noexcept;
+};
+
+/// The first instant at which a committed plan is not proven.
+struct Contact {
+  std::int64_t time;  ///< nanoseconds
+  double speed;       ///< m/s, there
+};
+
+/// Seconds from `begin` to `t`.
+inline double seconds_between(std::int64_t begin, std::int64_t t) noexcept {
+  return static_cast<double>(t - begin) * 1e-9;
+}
+
+/// Nanoseconds, rounded down. No plan is flown for longer than kFarthest.
+inline std::int64_t nanoseconds(double seconds) noexcept {
+  const double exact = seconds * 1e9;
+  return exact < static_cast<double>(kFarthest) ? static_cast<std::int64_t>(exact) : kFarthest;
+}
+
+/// What every proof of a commitment rests on. It points into the commitment.
+ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) noexcept;
+
+struct CommittedPlans {
+  Commitment in_flight;
+  Commitment waiting;  ///< its takeover is still ahead
+  bool has_waiting;
+
+  /// The plan that the vehicle follows at time `t`.
+  const Commitment& at(std::int64_t t) const noexcept {
+    return has_waiting && t >= waiting.begin ? waiting : in_flight;
+  }
+  /// The plan that will be followed to its end.
+  const Commitment& latest() const noexcept { return has_waiting ? waiting : in_flight; }
+  Sample sample_at(std::int64_t t) const noexcept;
+  /// When the plan in flight has come to rest.
+  std::int64_t rest_begins() const noexcept;
+  /// True if the waiting plan takes over at `time`.
+  bool take_over(std::int64_t time) noexcept;
+  void drop_waiting() noexcept { has_waiting = false; }
+  /// An extension is the same curve as the plan in flight up to that plan's branch, so it replaces that plan in place.
+  /// Any other draft becomes the waiting plan.
+  void commit(const Commitment& draft, bool extends) noexcept;
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,148 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a cycle asks of the planner: a plan to its aim, or a route; and what else after a failure.
+#include "base/math.hpp"
+#include "flight/cycle.hpp"
+#include "grid/distance.hpp"
+
+namespace tern {
+namespace {
+
+/// Units of a plan's work for each iteration that the optimiser may spend: if it needs more, it answers with the best
+/// plan so far.
+constexpr std::uint32_t kUnitsPerIteration = 64;
+
+/// True if the vehicle will rest, and the nearest free point to an aim in an obstacle, which is the aim now, is no
+/// nearer to the target than its own place.
+bool gets_no_nearer(const FlightFacts& flight, const Aim& aim, std::int64_t takeover) {
+  const double slack = kAimVoxels * flight.map.route().spec().cell;
+  return flight.rests_at(takeover) &&
+         !(distance(aim.start.d[0], aim.target_place) > distance(aim.place, aim.target_place) + slack);
+}
+
+/// True if the aim was the target, and something that was seen is within the radius of it. If only its voxel is
+/// occupied, the vehicle looks around first.
+bool is_target_occupied(const FlightFacts& flight, const Aim& aim) {
+  const Grid& seen = flight.map.route();
+  return seen.bound() && aim.at_target && !point_clear(seen, seen.to_local(aim.target_place), seen.spec().clearance());
+}
+
+}  // namespace
+
+void Cycle::ask(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+  aim.way_length(aim.place) > flight.spec.horizon ? ask_route(flight, planner, charge)
+                                                  : ask_plan(flight, planner, takeover, charge);
+}
+
+void Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept {
+  Request request{};
+  request.start.position = aim.start.d[0];
+  request.goal.position = aim.place;
+  request.limits = flight.spec.limits;
+  request.fences = flight.spec.fences;
+  request.fence_count = flight.spec.fence_count;
+  request.vias = aim.asked;
+  request.via_count = aim.asked_count;
+  planner.begin_route(route.grid(), request);
+  charge.charge_planner();
+  job = Job::kRoute;
+}
+
+void Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+  Request request{};
+  request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
+  request.goal.position = aim.place;
+  request.limits = flight.spec.limits;
+  request.budget.iterations = flight.spec.plan_work / kUnitsPerIteration;
+  request.time_weight = flight.spec.time_weight;
+  request.fences = flight.spec.fences;
+  request.fence_count = flight.spec.fence_count;
+  request.vias = aim.asked;
+  request.via_count = aim.asked_count;
+  const Commitment& in_flight = flight.plans.in_flight;
+  const double from = seconds_between(in_flight.begin, takeover);
+  if (from >= 0.0 && from < in_flight.branch) {
+    planner.begin(route.grid(), request, in_flight.planned, from);
+  } else {
+    planner.begin(route.grid(), request);
+  }
+  charge.charge_planner();
+  job = Job::kPlan;
+}
+
+void Cycle::follow_route(const FlightFacts& flight, const Itinerary& itinerary, Planner& planner, std::int64_t takeover,
+                         FlightWork& charge) noexcept {
+  aim.shorten(*planner.path(), route.grid().spec(), flight.spec.horizon, itinerary);
+  ask_plan(flight, planner, takeover, charge);
+}
+
+bool Cycle::may_move_to_reachable(const Report& found) const noexcept {
+  return found.status == Status::kNoPath && found.has_reachable && all_free && !aim.at_reachable &&
+         aim.asked_count == 0;
+}
+
+/// No way through the window leads to the aim, even with all unseen voxels free: asks for a plan to the reachable point
+/// nearest to it, once. False if the vehicle rests there already; then the target may be cut off.
+bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, Planner& planner, std::int64_t takeover,
+                               FlightWork& charge) noexcept {
+  const double nearer = distance(aim.start.d[0], aim.target_place) - distance(found.reachable, aim.target_place);
+  const bool is_there = flight.rests_at(takeover) && nearer <= flight.map.route().spec().cell;
+  cut_off = is_there && (aim.at_target || aim.beside_target);
+  if (is_there) return false;
+  aim.move_to_reachable(found.reachable);
+  ask(flight, planner, takeover, charge);
+  return true;
+}
+
+void Cycle::ask_for_less(const FlightFacts& flight, const Itinerary& itinerary, const Report& found, Planner& planner,
+                         std::int64_t takeover, FlightWork& charge) noexcept {
+  aim.ask_for_less(found, itinerary);
+  ask_plan(flight, planner, takeover, charge);
+}
+
+/// If there is no path at all, the plan leads along the straight line.
+NextPlan Cycle::ask_after_no_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                                   Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+  if (aim.move_to_free(found)) {
+    aim.end_beside(nullptr, 0.0);
+    ask_route(flight, planner, charge);
+    return NextPlan::kAsked;
+  }
+  if (aim.asked_count > 0) {
+    if (remainder_is_free) return NextPlan::kNone;
+    ask_for_less(flight, itinerary, found, planner, takeover, charge);
+    return NextPlan::kAsked;
+  }
+  const bool may_move = may_move_to_reachable(found);
+  if (may_move && moves_to_reachable(flight, found, planner, takeover, charge)) return NextPlan::kAsked;
+  if (cut_off) return may_move ? NextPlan::kCutOff : NextPlan::kNone;
+  aim.return_to_line(flight);
+  ask_plan(flight, planner, takeover, charge);
+  return NextPlan::kAsked;
+}
+
+/// A plan past points is asked for less only if the plan in flight does not go on anyway.
+NextPlan Cycle::ask_after_no_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                                  Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+  if (aim.move_to_free(found)) {
+    if (aim.asked_count == 0 && gets_no_nearer(flight, aim, takeover)) {
+      if (is_target_occupied(flight, aim)) return NextPlan::kNearest;
+      if (all_free) cut_off = aim.at_target;  // something unseen is in between
+      return NextPlan::kNone;
+    }
+    const double slack = kAimVoxels * flight.map.route().spec().cell;
+    aim.end_beside(remainder_is_free ? &flight.plans.in_flight : nullptr, slack);
+    ask_plan(flight, planner, takeover, charge);
+    return NextPlan::kAsked;
+  }
+  if (may_move_to_reachable(found)) {
+    if (moves_to_reachable(flight, found, planner, takeover, charge)) return NextPlan::kAsked;
+    return cut_off ? NextPlan::kCutOff : NextPlan::kNone;
+  }
+  if (aim.asked_count == 0 || remainder_is_free) return NextPlan::kNone;
+  ask_for_less(flight, itinerary, found, planner, takeover, charge);
+  return NextPlan::kAsked;
+}
+
+}  // namespace tern

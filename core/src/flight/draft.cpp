@@ -1,0 +1,136 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/draft.hpp"
+
+#include "base/math.hpp"
+#include "flight/brakes.hpp"
+#include "flight/branch.hpp"
+#include "proof/proven_joints.hpp"
+
+namespace tern {
+namespace {
+
+/// Instructions to make a brake straight ahead, and one along the committed plan.
+constexpr std::uint32_t kStopEffort = 25000;
+constexpr std::uint32_t kSlowDownEffort = 90000;
+/// How much later than the plan in flight a new plan may pass the next point, seconds.
+constexpr double kLaterAtPoint = 0.25;
+
+}  // namespace
+
+void Draft::begin(const FlightFacts& flight, std::int64_t ticks) noexcept {
+  takeover = flight.time + ticks * flight.spec.tick;
+  deadline = takeover - flight.spec.tick;
+}
+
+void Draft::extend(const Commitment& in_flight) noexcept {
+  plan = in_flight;
+  extends = true;
+}
+
+void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out,
+                    const Vec3& hidden) noexcept {
+  plan.planned = planned;
+  plan.begin = takeover;
+  plan.branch = 0.0;
+  plan.aim = aim.place;
+  plan.to_target = aim.at_target;
+  plan.beside_target = aim.beside_target;
+  plan.mission = aim.mission;
+  plan.evades = false;
+  plan.hemmed_in = hemmed_in;
+  plan.departed = aim.start.d[0];
+  plan.looks_out = looks_out;
+  plan.hidden = hidden;
+}
+
+void Draft::list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept {
+  plan.passages = aim.asked_count;
+  for (std::int32_t i = 0; i < aim.asked_count; ++i) plan.passage[i] = {aim.asked_point[i], found.vias[i].time};
+  plan.target = aim.target;
+  if (aim.at_target) plan.passage[plan.passages++] = {aim.target, duration(planned)};
+}
+
+void Draft::follow_to_end(double until) noexcept {
+  plan.trajectory = plan.planned;
+  plan.branch = until;
+}
+
+bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
+  plan.branch = at;
+  take_first_part(plan.planned, at, plan.trajectory);
+  const JointState joint = joint_at(plan.planned, at, plan.planned.origin);
+  return append_stop(joint, flight.limits, way, stop, plan.trajectory);
+}
+
+bool Draft::brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades,
+                  FlightWork& charge) noexcept {
+  charge.owe(number < kStops ? kStopEffort : kSlowDownEffort);
+  const Commitment& committed = flight.plans.at(takeover);
+  const double from = seconds_between(committed.begin, takeover);
+  extends = false;
+  plan.begin = takeover;
+  plan.branch = 0.0;
+  plan.mission = itinerary.number;
+  plan.target = itinerary.leg;
+  plan.passages = 0;
+  plan.to_target = plan.beside_target = false;
+  plan.evades = evades;
+  plan.looks_out = false;
+  plan.hemmed_in = committed.hemmed_in;
+  plan.departed = committed.departed;
+  plan.trajectory.count = 0;
+  plan.trajectory.origin = evaluate(committed.trajectory, from).position;
+  if (!append_brake(flight, committed, number)) return false;
+  plan.planned = plan.trajectory;
+  plan.aim = plan.end();
+  return true;
+}
+
+/// Straight ahead, or along the committed plan.
+bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept {
+  const double from = seconds_between(committed.begin, takeover);
+  const JointState at = joint_at(committed.trajectory, from, plan.trajectory.origin);
+  if (number == 0) return append_sharp_stop(at, flight.limits, plan.trajectory);
+  if (number < kStraight) return append_stop(at, flight.limits, number - 1, stop, plan.trajectory);
+  const double time = slow_down_time(at.d[1], flight.limits, number - kStraight);
+  return append_slow_down(committed.trajectory, from, time, plan.trajectory);
+}
+
+Status Draft::begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept {
+  proven_on = flight.map.safe().revision();
+  return FlightWork::begin(proof, flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,
+                           grounds_of(flight.spec, plan));
+}
+
+Status Draft::begin_proof(const FlightFacts& flight, double from, Beyond beyond, const ProofGrounds& grounds) noexcept {
+  proven_on = flight.map.safe().revision();
+  return FlightWork::begin(proof, flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
+}
+
+Status Draft::begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept {
+  return FlightWork::begin(proof, copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
+                           {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
+}
+
+double Draft::start_of_proof() const noexcept {
+  return larger(0.0, seconds_between(plan.begin, takeover));
+}
+
+bool Draft::passes_later(const Commitment& in_flight, const Itinerary& itinerary) const noexcept {
+  const std::int32_t leg = itinerary.leg_at(in_flight, takeover);
+  if (leg == itinerary.last()) return false;
+  const double kept = in_flight.time_of(leg);
+  const double since_begin = seconds_between(in_flight.begin, takeover);
+  return kept < kNever && kept - since_begin + kLaterAtPoint < plan.time_of(leg);
+}
+
+bool Draft::joins_committed_plan(const CommittedPlans& plans, FlightWork& charge) const noexcept {
+  const Commitment& committed = plans.at(takeover);
+  charge.owe(effort_of(kJointEffort, plan.trajectory.count + 2));
+  return follows(evaluate(committed.trajectory, seconds_between(committed.begin, takeover)),
+                 evaluate(plan.trajectory, start_of_proof())) &&
+         joints_hold(plan.trajectory);
+}
+
+}  // namespace tern

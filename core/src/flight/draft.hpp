@@ -1,0 +1,75 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The draft: the candidate for the next commit, of a cycle or of an evasion, and its proof.
+#ifndef TERN_FLIGHT_DRAFT_HPP
+#define TERN_FLIGHT_DRAFT_HPP
+
+#include <cstdint>
+
+#include "curve/stopping.hpp"
+#include "flight/aim.hpp"
+#include "flight/charge.hpp"
+#include "flight/committed_plans.hpp"
+#include "flight/flight_facts.hpp"
+#include "tern/proof.hpp"
+#include "tern/report.hpp"
+
+namespace tern {
+
+/// The most doublings of the lead of plans and brakes.
+constexpr int kMostDoublings = 3;
+
+struct Draft {
+  Commitment plan;
+  bool extends;             ///< `plan` goes on along the planner's plan in flight
+  std::int64_t takeover;    ///< when the vehicle follows it
+  std::int64_t deadline;    ///< the last tick that may commit it
+  Proof proof;              ///< of the draft, or of what it is made from
+  std::uint64_t proven_on;  ///< the safe grid's revision when that proof began
+  Stopping stop;            ///< the brake that was made last
+
+  /// The next commit takes over so many ticks ahead.
+  void begin(const FlightFacts& flight, std::int64_t ticks) noexcept;
+  /// Is no extension until it is one again.
+  void clear() noexcept { extends = false; }
+  /// Becomes the remainder of the planner's plan in flight.
+  void extend(const Commitment& in_flight) noexcept;
+  /// Becomes the planner's trajectory. `hidden` may be seen from its end if it looks out.
+  void compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out, const Vec3& hidden) noexcept;
+  /// Lists when the planner's trajectory passes the points that it was asked for, and the target if it ends there.
+  void list_passages(const Aim& aim, const Report& found, const Trajectory& planned) noexcept;
+  /// Follows the planner's plan to its end, which is `until` seconds from its beginning.
+  void follow_to_end(double until) noexcept;
+  /// Follows the planner's plan until `at`, then brakes in one of kBranchShapes ways. False if there is no such brake.
+  bool branch_off(const FlightFacts& flight, double at, int way) noexcept;
+  /// Becomes brake number `number` of an evasion. False if there is no such brake.
+  bool brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades,
+             FlightWork& charge) noexcept;
+
+  /// Begins to prove a trajectory on the safe grid, from this time on, clear and within the limits.
+  Status begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept;
+  /// The same with other grounds than grounds_of().
+  Status begin_proof(const FlightFacts& flight, double from, Beyond beyond, const ProofGrounds& grounds) noexcept;
+  /// Begins to prove the remainder of the planner's plan in flight free on the route copy, from this time on.
+  Status begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept;
+
+  /// Seconds from the draft's beginning to its takeover.
+  double start_of_proof() const noexcept;
+  /// True if it passes the next point much later than the plan in flight: right before a point, the planner may find no
+  /// way through it but to stop and come back.
+  bool passes_later(const Commitment& in_flight, const Itinerary& itinerary) const noexcept;
+  /// Proves that it goes on from the committed plan, without a jump at any joint, and ends at rest. The proofs of
+  /// obstacles and limits look at each segment alone.
+  bool joins_committed_plan(const CommittedPlans& plans, FlightWork& charge) const noexcept;
+  bool changes_committed_plan(const CommittedPlans& plans) const noexcept {
+    return !extends || plan.branch > plans.in_flight.branch;
+  }
+
+ private:
+  bool append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept;
+};
+
+}  // namespace tern
+
+#endif

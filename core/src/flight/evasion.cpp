@@ -1,0 +1,166 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/evasion.hpp"
+
+#include "base/math.hpp"
+
+namespace tern {
+namespace {
+
+/// A brake that touches at most the alarm comes first, then the slowest contact, then the latest one.
+bool is_better(const JudgedBrake& a, const JudgedBrake& b) {
+  if (b.number < 0) return true;
+  if (a.known != b.known) return a.known;
+  return a.speed < b.speed || (!(a.speed > b.speed) && a.until > b.until);
+}
+
+/// Something in the way ended the proof, not the brake itself.
+bool is_contact(ProofEnd end) {
+  return end == ProofEnd::kObstacle || end == ProofEnd::kOutside || end == ProofEnd::kFence;
+}
+
+/// No trajectory comes near to this.
+constexpr double kNowhere = 1e300;
+constexpr Box kNowhereBox{{kNowhere, kNowhere, kNowhere}, {kNowhere, kNowhere, kNowhere}};
+
+}  // namespace
+
+/// A yaw plan may take a quarter of each tick's units.
+std::int64_t Evasion::ticks(const FlightSpec& spec) const noexcept {
+  const std::uint32_t units = spec.work_per_tick - spec.work_per_tick / 4;
+  const std::int64_t needed = 1 + (kEvadeWork + units - 1) / units;
+  return (needed > kEvadeTicks ? needed : kEvadeTicks) << (missed / 2);
+}
+
+/// The waiting plan stays until a brake is proven, because the plan in flight may be blocked beyond that takeover. A
+/// brake never begins after the takeover of a waiting plan. If that takeover comes before a brake could begin, the
+/// evasion begins after it.
+bool Evasion::begin(const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept {
+  const CommittedPlans& plans = flight.plans;
+  const std::int64_t lead = ticks(flight.spec) * flight.spec.tick;
+  const bool plan_is_next = plans.has_waiting && plans.waiting.branch > 0.0;
+  if (plan_is_next && plans.waiting.begin < flight.time + lead) return false;
+  const bool brake_is_next = plans.has_waiting && !plan_is_next;
+  const bool needed = !brake_is_next && !flight.rests() && (watch.threat || plans.at(flight.time).branch > 0.0);
+  serves_stop = stop_asked;
+  stop_asked = false;
+  was_tried = was_tried || !brake_is_next;
+  if (!needed || (watch.threat && plans.rest_begins() <= flight.time + lead)) return false;
+  draft.begin(flight, ticks(flight.spec));
+  draft.clear();
+  is_running = true;
+  return true;
+}
+
+EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch,
+                                  Draft& draft, FlightWork& charge) noexcept {
+  best.number = number = -1;
+  straight = along = 0;
+  return try_next(flight, itinerary, watch, draft, charge);
+}
+
+/// The sharpest brake straight ahead comes first: hardly any other meets what is in the way more slowly. Once a brake
+/// is judged, those along the path follow, which may be clear; the gentler ones straight ahead come last.
+int Evasion::number_of_next() noexcept {
+  const bool none_is_judged = best.number < 0;
+  if (straight < kStraight && (none_is_judged || along == kSlowDowns)) return straight++;
+  return along < kSlowDowns ? kStraight + along++ : kEvasions;
+}
+
+EvasionResult Evasion::try_next(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
+                                FlightWork& charge) noexcept {
+  for (number = number_of_next(); number < kEvasions; number = number_of_next()) {
+    if (draft.brake(flight, itinerary, number, watch.threat, charge) &&
+        begin_brake_proof(BrakeProof::kClear, flight, watch, draft)) {
+      return EvasionResult::kProving;
+    }
+  }
+  return EvasionResult::kOver;
+}
+
+/// A proof of kLimits begins at the contact and takes no obstacle into account, but the brake must stay within the
+/// window.
+bool Evasion::begin_brake_proof(BrakeProof what, const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept {
+  proves = what;
+  ProofGrounds grounds = grounds_of(flight.spec, draft.plan);
+  if (what == BrakeProof::kAlarm) grounds.alarm = &watch.alarm;
+  if (what == BrakeProof::kLimits) grounds.added = &kNowhereBox;
+  const double from = what == BrakeProof::kLimits ? tried.until : 0.0;
+  const Beyond beyond = what == BrakeProof::kLimits ? Beyond::kEmpty : Beyond::kSolid;
+  return draft.begin_proof(flight, from, beyond, grounds) == Status::kRunning;
+}
+
+EvasionResult Evasion::judge(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
+                             FlightWork& charge) noexcept {
+  if (proves == BrakeProof::kClear && draft.proof.report().end == ProofEnd::kProven) {
+    missed = 0;
+    return EvasionResult::kProven;
+  }
+  if (go_on_proving(flight, watch, draft)) return EvasionResult::kProving;
+  return try_next(flight, itinerary, watch, draft, charge);
+}
+
+/// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True if
+/// there is more to prove of the brake.
+bool Evasion::go_on_proving(const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept {
+  bool proven = draft.proof.report().end == ProofEnd::kProven;
+  if (proves == BrakeProof::kClear) {
+    if (!is_contact(draft.proof.report().end)) return false;
+    const double until = draft.proof.report().until;
+    tried = {number, until, length(evaluate(draft.plan.trajectory, until).velocity), true};
+    return is_better(tried, best) && begin_brake_proof(BrakeProof::kLimits, flight, watch, draft);
+  }
+  if (proves == BrakeProof::kLimits) {
+    if (!proven) return false;
+    if (watch.has_alarm && begin_brake_proof(BrakeProof::kAlarm, flight, watch, draft)) return true;
+    proven = false;
+  }
+  tried.known = proven;
+  if (is_better(tried, best)) best = tried;
+  return false;
+}
+
+/// If the committed plan touches at most the alarm, the brake must touch no more either; until this is proven, the plan
+/// counts as if it did. The brake's contact must be slower than the plan's, unless only the brake touches at most the
+/// alarm. It need not be slower either if the plan has its contact before the brake begins and is no brake itself.
+bool Evasion::helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch,
+                    std::int64_t takeover) const noexcept {
+  const bool is_kept = watch.known || (watch.is_running && watch.part == Watched::kAlarm);
+  if (brake.number < 0 || (is_kept && !brake.known)) return false;
+  const bool is_too_late = watch.contact.time < takeover && !flight.plans.latest().evades;
+  return is_too_late || brake.speed < watch.contact.speed || (brake.known && !is_kept);
+}
+
+/// A threat remains. A stop is tried again once the waiting plan has taken over. If there was no time to judge any
+/// brake, or to find one for a stop, the next evasion gets more time.
+bool Evasion::end(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
+                  FlightWork& charge) noexcept {
+  const bool is_late = number < kEvasions && (best.number < 0 || !watch.threat);
+  if (is_late) {
+    miss(itinerary.has_goal);
+    if (missed < 2 * kMostDoublings) ++missed;
+    return false;
+  }
+  missed = 0;
+  stop_asked = stop_asked || (serves_stop && flight.plans.has_waiting && !itinerary.has_goal);
+  number = best.number;
+  return watch.threat && helps(best, flight, watch, draft.takeover) &&
+         draft.brake(flight, itinerary, number, watch.threat, charge);
+}
+
+void Evasion::miss(bool has_goal) noexcept {
+  was_tried = false;
+  stop_asked = stop_asked || (serves_stop && !has_goal);
+  if (missed < 2 * kMostDoublings) ++missed;
+}
+
+/// That is the time before a brake begins, and twice the time that the sharpest brake takes.
+bool Evasion::leaves_time(const FlightFacts& flight, const Watch& watch, std::int64_t takeover) const noexcept {
+  if (takeover >= watch.contact.time) return false;
+  const Vec3& most = flight.spec.limits.a_max;
+  const double weakest = smaller(most.x, smaller(most.y, most.z));
+  const double needed = 2.0 * length(flight.plans.sample_at(takeover).velocity) / weakest + 2.0 * kSettleTime;
+  return seconds_between(takeover + ticks(flight.spec) * flight.spec.tick, watch.contact.time) > needed;
+}
+
+}  // namespace tern

@@ -1,0 +1,85 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flight/flight_facts.hpp"
+
+#include "base/math.hpp"
+#include "grid/bit_rows.hpp"
+
+namespace tern {
+namespace {
+
+/// How far a window's middle may be off the vehicle after it moved: a voxel, and along x half a word and the slack.
+Vec3 offset_after_move(const RollingMap& map) {
+  return map.safe().spec().cell * Vec3{0.5 * kWordBits + map.slack() + 1.0, 1.0, 1.0};
+}
+
+/// How far a plan leads away from `center` along an axis, from time `t` on.
+double reach_along(const Trajectory& plan, double t, const Vec3& center, int a) {
+  double reach = 0.0;
+  double end = 0.0;
+  for (int i = 0; i < plan.count; ++i) {
+    end += plan.segments[i].duration;
+    if (end < t && i + 1 < plan.count) continue;
+    for (const Vec3& point : plan.segments[i].points) {
+      reach = larger(reach, absolute(axis(plan.origin, a) + axis(point, a) - axis(center, a)));
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
+void FlightFacts::begin_tick(std::int64_t t) noexcept {
+  const std::int64_t next = clock.time_of(t);
+  gap = next - time;
+  time = next;
+  shown = t;
+}
+
+void FlightFacts::set_clock(std::int64_t t) noexcept {
+  clock.set(t, time + spec.tick);
+  shown = clock.shown_at(time);
+}
+
+bool FlightFacts::note_frame() noexcept {
+  if (map.frames() == frames) return false;
+  frames = map.frames();
+  frame_time = time;
+  return true;
+}
+
+std::int64_t FlightFacts::time_to_answer(std::int64_t t) const noexcept {
+  const std::int64_t wanted = clock.time_of(t);
+  return wanted < time ? time : wanted;
+}
+
+/// Space that leaves the window is forgotten, and may hold the only way to the goal. If it is wide enough, the window
+/// covers the horizon around the vehicle. It never cuts off the committed plan, with the radius around it.
+void FlightFacts::follow_vehicle() noexcept {
+  const GridSpec& window = map.safe().spec();
+  const Vec3 at = position();
+  const Vec3 offset = offset_after_move(map);
+  const double needed = spec.horizon + window.clearance() + kAimVoxels * window.cell;
+  const Commitment& commitment = plans.latest();
+  Vec3 center = 0.5 * (window.boundary.lower + window.boundary.upper);
+  for (int a = 0; a < 3; ++a) {
+    const double half = 0.5 * (axis(window.boundary.upper, a) - axis(window.boundary.lower, a));
+    const double spare = larger(0.0, half - axis(offset, a) - needed);
+    axis(center, a) = clamp(axis(center, a), axis(at, a) - spare, axis(at, a) + spare);
+    const double room = half - axis(offset, a) - window.clearance() - window.cell;
+    if (reach_along(commitment.trajectory, seconds_between(commitment.begin, time), center, a) > room) return;
+  }
+  map.follow(center);
+}
+
+bool FlightFacts::in_window(const Vec3& place) const noexcept {
+  const GridSpec& window = map.safe().spec();
+  const double margin = window.clearance() + kAimVoxels * window.cell;
+  for (int a = 0; a < 3; ++a) {
+    if (axis(place, a) < axis(window.boundary.lower, a) + margin) return false;
+    if (axis(place, a) > axis(window.boundary.upper, a) - margin) return false;
+  }
+  return true;
+}
+
+}  // namespace tern

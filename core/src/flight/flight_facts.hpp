@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What every part of a flight reads: how to fly, the map, the time and the committed plans. Only a tick writes it.
+#ifndef TERN_FLIGHT_FLIGHT_FACTS_HPP
+#define TERN_FLIGHT_FLIGHT_FACTS_HPP
+
+#include <cstdint>
+
+#include "base/bounds.hpp"
+#include "curve/hermite.hpp"
+#include "flight/committed_plans.hpp"
+#include "flight/flight_clock.hpp"
+#include "tern/flight.hpp"
+#include "tern/map.hpp"
+
+namespace tern {
+
+/// Voxels that an aim keeps from the window's faces, besides the radius. An aim must also be nearer to the goal by more
+/// than this to count as nearer.
+constexpr double kAimVoxels = 2.0;
+/// Metres: further than any window is wide.
+constexpr double kAnywhere = 1e9;
+/// Points of a way that are nearer to each other than this count as the same, metres.
+constexpr double kSamePlace = 1e-6;
+
+struct FlightFacts {
+  FlightSpec spec;
+  MotionLimits limits;  ///< those of the spec
+  RollingMap map;
+  FlightClock clock;
+  std::int64_t shown;  ///< what the clock showed at the last tick
+  std::int64_t time;   ///< of the last tick, in nanoseconds since the start, as all times of a flight
+  std::int64_t gap;    ///< between the last two ticks
+  CommittedPlans plans;
+  std::uint64_t frames;     ///< RollingMap::frames() at the last tick
+  std::int64_t frame_time;  ///< when that number last grew
+
+  /// The clock shows `t` at this tick.
+  void begin_tick(std::int64_t t) noexcept;
+  /// The clock was set and shows `t` one tick after the last one.
+  void set_clock(std::int64_t t) noexcept;
+  /// True if there are new frames.
+  bool note_frame() noexcept;
+  /// Moves the map's window after the vehicle, as far as it must.
+  void follow_vehicle() noexcept;
+
+  /// The flight's time to answer for: never before the last tick, because the past is never commanded again.
+  std::int64_t time_to_answer(std::int64_t t) const noexcept;
+  Vec3 position() const noexcept { return plans.sample_at(time).position; }
+  bool rests() const noexcept { return !plans.has_waiting && time >= plans.rest_begins(); }
+  /// The vehicle hovers: the plan in flight is over, even if another one waits, or it is the hover that start() begins
+  /// with.
+  bool hovers() const noexcept {
+    return time >= plans.rest_begins() || !(duration(plans.in_flight.trajectory) > kMinDuration);
+  }
+  /// The vehicle rests at this takeover, if no other plan takes over before. Two ticks more or less do not matter.
+  bool rests_at(std::int64_t takeover) const noexcept { return takeover + 2 * spec.tick >= plans.rest_begins(); }
+  bool is_stale() const noexcept { return spec.stale_after > 0 && time - frame_time > spec.stale_after; }
+  /// A plan may end at this place: the radius and kAimVoxels from the window's faces.
+  bool in_window(const Vec3& place) const noexcept;
+};
+
+}  // namespace tern
+
+#endif
