@@ -32,7 +32,7 @@ Status grow_timed(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratc
   for (int i = 0; i < kTimings && status == Status::kOk; ++i) {
     reset_counters(scratch);
     const std::uint64_t before = tern_port::ticks(nullptr);
-    status = grow_polyhedron(grid, from, to, scratch, out);
+    status = grow_polyhedron(tern::World(grid), from, to, scratch, out);
     const double taken =
         static_cast<double>(tern_port::ticks(nullptr) - before) * (1e6 / tern_port::ticks_per_second());
     least = i == 0 ? taken : std::min(least, taken);
@@ -100,9 +100,9 @@ void count_reuse(const Map& map, const std::vector<Vec3>& line, Samples& samples
   const auto corridor = std::make_unique<tern::Corridor>();
   path->count = static_cast<int>(line.size());
   std::copy(line.begin(), line.end(), path->points);
-  corridor_begin(*stage, map.grid, *path, 0xFFFFFFFFu);
+  corridor_begin(*stage, *path, 0xFFFFFFFFu);
   tern::Work work{0xFFFFFFFFu};
-  if (corridor_advance(*stage, map.grid, *path, work, *corridor) != tern::Progress::kDone) {
+  if (corridor_advance(*stage, tern::World(map.grid), *path, work, *corridor) != tern::Progress::kDone) {
     ++samples.failed;
     return;
   }

@@ -124,8 +124,8 @@ TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenari
     const double begin = thread_time();
     // Each repetition finds the map new, as the peers do.
     tern::scan_forget(*scans_);
-    tern::search_begin(*search_, *scans_, grid, query);
-    const tern::Progress searched = tern::search_advance(*search_, grid, work, *path_);
+    tern::search_begin(*search_, *scans_, tern::World(grid), query);
+    const tern::Progress searched = tern::search_advance(*search_, tern::World(grid), work, *path_);
     const double between = thread_time();
     routes.status = search_->status;
     if (searched == tern::Progress::kDone) {

@@ -26,7 +26,7 @@ class CorridorGrow : public ::testing::Test {
  protected:
   Status grow(const MarkedWorld& world, const Vec3& from, const Vec3& to) {
     reset_counters(*scratch_);
-    return grow_polyhedron(world.grid, from, to, *scratch_, polyhedron_);
+    return grow_polyhedron(tern::World(world.grid), from, to, *scratch_, polyhedron_);
   }
 
   /// Grows and holds the result against brute force.
@@ -268,7 +268,7 @@ TEST_F(CorridorGrow, TheBudgetIsNeverExceeded) {
   for (std::uint32_t allowed = 0; allowed <= needed; ++allowed) {
     reset_counters(*scratch_);
     scratch_->planes_allowed = allowed;
-    const Status status = grow_polyhedron(world.grid, from, to, *scratch_, polyhedron_);
+    const Status status = grow_polyhedron(tern::World(world.grid), from, to, *scratch_, polyhedron_);
     EXPECT_EQ(status, allowed < needed ? Status::kBudgetCorridor : Status::kOk);
     EXPECT_LE(scratch_->planes, allowed);
   }
@@ -290,13 +290,13 @@ TEST_F(CorridorGrow, UnitsAreSmallAndSlicesChangeNoBit) {
   EXPECT_GT(scratch_->boxes_high, 1000);
   reset_counters(*scratch_);
   tern::Growth growth;
-  grow_begin(growth, world.grid, from, to, *scratch_);
+  grow_begin(growth, tern::World(world.grid), from, to);
   std::uint32_t most = 0;
   std::uint64_t sum = 0;
   tern::Progress progress = tern::Progress::kMore;
   while (progress == tern::Progress::kMore) {
     tern::Work unit{1};
-    progress = grow_advance(growth, world.grid, *scratch_, polyhedron_, unit);
+    progress = grow_advance(growth, tern::World(world.grid), *scratch_, polyhedron_, unit);
     EXPECT_EQ(unit.left, 0u);
     most = std::max(most, unit.effort);
     sum += unit.effort;

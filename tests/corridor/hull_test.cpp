@@ -10,6 +10,7 @@
 #include "corridor/hull_polyhedron.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/proven_clear.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {
@@ -57,7 +58,10 @@ class HullPolyhedron : public testing::Test {
  protected:
   HullPolyhedron() { tern::reset_counters(*scratch_); }
   Status enclose(const MarkedWorld& world, const Vec3* points, int count) {
-    return tern::enclose_hull(world.grid, {points, count}, 0.0, *scratch_, out_);
+    return enclose(tern::World(world.grid), points, count);
+  }
+  Status enclose(const tern::World& world, const Vec3* points, int count) {
+    return tern::enclose_hull(world, {points, count}, 0.0, *scratch_, out_);
   }
 
   void expect_holds(const Hull& hull) const {
@@ -223,17 +227,16 @@ class FencedHull : public HullPolyhedron {
     world_.grid.inflate();
     tern::box_planes({{2, 2, 2}, {3, 3, 3}}, planes_);
     const tern::Fence list[] = {{&inside_, 1, tern::FenceKind::kKeepIn}, {planes_, 6, tern::FenceKind::kKeepOut}};
-    EXPECT_EQ(load_fences(world_.grid, list, 2, *fences_).status, Status::kOk);
-    scratch_->fences = fences_.get();
+    EXPECT_EQ(load_fences(world_.grid, list, 2, *solids_).status, Status::kOk);
   }
   Status leg(const Vec3& from, const Vec3& to) {
     const Vec3 points[] = {from, to};
-    return enclose(world_, points, 2);
+    return enclose(tern::World(world_.grid, *solids_), points, 2);
   }
   MarkedWorld world_;
   tern::Halfspace inside_{{1, 0, 0}, 6.0};
   tern::Halfspace planes_[tern::kBoxPlanes];
-  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
+  std::unique_ptr<tern::Solids> solids_ = std::make_unique<tern::Solids>();
 };
 
 TEST_F(FencedHull, StaysInAKeepIn) {
@@ -246,7 +249,7 @@ TEST_F(FencedHull, KeepsTheRadiusFromAKeepOut) {
   EXPECT_EQ(leg({1, 3.499, 2.5}, {5, 3.499, 2.5}), Status::kCorridorBlocked);
   // Obliquely past the edge (3, 3): the half-space that cuts the box off.
   const Vec3 points[] = {{2.5, 4.5, 2.5}, {4.5, 2.5, 2.5}};
-  ASSERT_EQ(enclose(world_, points, 2), Status::kOk);
+  ASSERT_EQ(enclose(tern::World(world_.grid, *solids_), points, 2), Status::kOk);
   expect_holds({points, 2});
   expect_cut_off(world_, {{{2, 2, 2}, {3, 3, 3}}});
 }
@@ -259,13 +262,12 @@ TEST_F(HullPolyhedron, TouchesAnObliqueFaceOfAKeepOutButForRounding) {
   const tern::Halfspace planes[] = {
       {n, 4 * 11.0 / 7.0}, {{1, 0, 0}, 5}, {{-1, 0, 0}, -3}, {{0, 1, 0}, 5}, {{0, -1, 0}, -3}};
   const tern::Fence fence{planes, 5, tern::FenceKind::kKeepOut};
-  const auto fences = std::make_unique<tern::Fences>();
-  ASSERT_EQ(load_fences(world.grid, &fence, 1, *fences).status, Status::kOk);
-  scratch_->fences = fences.get();
+  const auto solids = std::make_unique<tern::Solids>();
+  ASSERT_EQ(load_fences(world.grid, &fence, 1, *solids).status, Status::kOk);
   for (const double depth : {0.0, 5e-10, 1e-6}) {
     const Vec3 touch{4 - depth * n.x, 4 - depth * n.y, 4 - depth * n.z};
     const Vec3 bow[] = {{3.1, 4.2, 5.5}, touch, {touch.x + 0.3, touch.y - 0.2, touch.z}, {4.8, 4.5, 6}};
-    const Status status = enclose(world, bow, 4);
+    const Status status = enclose(tern::World(world.grid, *solids), bow, 4);
     ASSERT_EQ(status, depth < 1e-8 ? Status::kOk : Status::kCorridorBlocked) << depth;
     if (status != Status::kOk) continue;
     expect_holds({bow, 4});

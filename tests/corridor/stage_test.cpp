@@ -33,10 +33,10 @@ class CorridorStageTest : public ::testing::Test {
   Status run(const MarkedWorld& world, std::uint32_t slice, std::uint32_t max_planes = 0xFFFFFFFFu, int fill = 0xA5) {
     std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
     std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
-    corridor_begin(*stage_, world.grid, *path_, max_planes);
+    corridor_begin(*stage_, *path_, max_planes);
     for (int i = 0; i < 1000000; ++i) {
       Work work{slice};
-      const tern::Progress progress = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
+      const tern::Progress progress = corridor_advance(*stage_, tern::World(world.grid), *path_, work, *corridor_);
       EXPECT_LE(stage_->planes, tern::kCorridorBound);
       EXPECT_LE(stage_->tries, tern::kCorridorTries);
       if (progress != tern::Progress::kMore) return stage_->status;
@@ -180,10 +180,10 @@ TEST_F(CorridorStageTest, APathOutsideTheBoundarySaysSo) {
 TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
   const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{0.5, 0.5, 0.5}, {2.0, 2.0, 2.0}});
-  corridor_begin(*stage_, world.grid, *path_, 100);
+  corridor_begin(*stage_, *path_, 100);
   for (int i = 0; i < 5; ++i) {
     Work none{0};
-    EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, none, *corridor_), tern::Progress::kMore);
+    EXPECT_EQ(corridor_advance(*stage_, tern::World(world.grid), *path_, none, *corridor_), tern::Progress::kMore);
   }
   EXPECT_EQ(stage_->planes, 0u);
 }

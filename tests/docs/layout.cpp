@@ -21,8 +21,7 @@ int main() {
         sizeof Layout::path + sizeof Layout::mission + sizeof Layout::corridor + sizeof Layout::trajectory);
   print("`plan`, `ends`, `escapes`, `previous`",
         sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
-  print("`fences`, `asked_fences`, `fenced`, `fence_layer`",
-        sizeof Layout::fences + sizeof Layout::asked_fences + sizeof Layout::fenced + sizeof Layout::fence_layer);
+  print("`asked_fences`, `world`", sizeof Layout::asked_fences + sizeof Layout::world);
   print("`scans`", sizeof Layout::scans);
   print("`stage.search`", sizeof Layout::stage.search);
   print("`stage.reach`", sizeof Layout::stage.reach);

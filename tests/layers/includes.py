@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "grid", "inflation", "view", "map", "fence", "search", "guide", "path", "ellipsoid", "corridor",
+ORDER = ["base", "grid", "inflation", "view", "map", "world", "search", "guide", "path", "ellipsoid", "corridor",
          "curve", "yaw", "times", "qp", "trajectory", "check", "proof", "planner", "flight", "record"]
 # check shares nothing with the stages that it checks; qp knows nothing of trajectories.
 NARROW = {"qp": {"base", "qp"}, "check": {"base", "grid", "check"},

@@ -14,9 +14,9 @@
 #include <tuple>
 #include <vector>
 
-#include "fence/fences.hpp"
 #include "grid/distance.hpp"
 #include "support/random.hpp"
+#include "world/fences.hpp"
 
 namespace {
 
@@ -38,7 +38,9 @@ struct Place {
   std::vector<std::uint64_t> words;
   Grid grid;
   Vec3 point{};
-  std::unique_ptr<tern::Fences> fences;
+  std::unique_ptr<tern::Solids> solids;
+
+  tern::World world() const { return solids ? tern::World(grid, *solids) : tern::World(grid); }
 
   explicit Place(Random& random) {
     constexpr double kCells[] = {0.1, 0.25, 1.0, 3.0};
@@ -72,8 +74,8 @@ struct Place {
     const double size = grid.spec().cell * grid.spec().dims.x;
     const tern::Halfspace plane{{random.real(-1.0, 1.0), random.real(-1.0, 1.0), 1.1}, random.real(0.3, 1.5) * size};
     const tern::Fence fence{&plane, 1, tern::FenceKind::kKeepIn};
-    fences = std::make_unique<tern::Fences>();
-    EXPECT_EQ(load_fences(grid, &fence, 1, *fences).status, tern::Status::kOk);
+    solids = std::make_unique<tern::Solids>();
+    EXPECT_EQ(load_fences(grid, &fence, 1, *solids).status, tern::Status::kOk);
   }
 };
 
@@ -93,7 +95,7 @@ class Reference {
     for (const Voxel& voxel : candidates_) {
       const Vec3 center = place_.grid.center(voxel);
       if (searched_.count(key(voxel)) != 0) continue;
-      if (place_.fences && !tern::fences_clear(*place_.fences, place_.point, center, radius)) continue;
+      if (!place_.world().solids_clear(place_.point, center)) continue;
       if (tern::segment_clear(place_.grid, place_.point, center, radius)) take(voxel);
     }
     return joined_;
@@ -157,7 +159,7 @@ std::vector<Key> joined(const Place& place, bool moves) {
   std::vector<Key> found;
   for (int turn = 0; turn <= 2 * tern::kJoinCells && join->state != tern::JoinState::kRefused; ++turn) {
     if (join->state == tern::JoinState::kTrying) {
-      tern::join_try(*join, place.grid, place.fences.get(), place.point);
+      tern::join_try(*join, place.world(), place.point);
     } else {
       found.push_back(key(join->voxel));
       const bool more = tern::join_others(*join, place.grid, place.point, moves);

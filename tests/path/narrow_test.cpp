@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/math.hpp"
-#include "fence/fences.hpp"
 #include "grid/distance.hpp"
 #include "support/grid_storage.hpp"
 #include "support/random.hpp"

@@ -141,14 +141,14 @@ TEST_F(Pockets, JoinOthersLeavesOutWhatWasSearched) {
   ASSERT_TRUE(join_others(*join, world_.grid, kCorner, false));
   EXPECT_EQ(join->state, JoinState::kTrying);
   EXPECT_GT(join->count, 1);
-  while (join->state == JoinState::kTrying) join_try(*join, world_.grid, nullptr, kCorner);
+  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner);
   ASSERT_EQ(join->state, JoinState::kJoined);
   const Voxel first = join->voxel;
   EXPECT_NE(first.x + first.y + first.z, 12) << "not the pocket itself";
   EXPECT_TRUE(world_.grid.free(first));
   // All the others that the corner sees are joined to it by faces: none is left.
   EXPECT_TRUE(join_others(*join, world_.grid, kCorner, false));
-  while (join->state == JoinState::kTrying) join_try(*join, world_.grid, nullptr, kCorner);
+  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner);
   EXPECT_EQ(join->state, JoinState::kRefused);
   EXPECT_FALSE(join_others(*join, world_.grid, kCorner, false));
 }

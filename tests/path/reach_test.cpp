@@ -27,10 +27,10 @@ class Runner {
 
   Progress run(const tern::Grid& grid, const Vec3& start, const Vec3& goal, std::uint32_t slice = kAll,
                std::uint32_t budget = kAll) {
-    tern::reach_begin(*stage_, grid, {start, goal, budget});
+    tern::reach_begin(*stage_, tern::World(grid), {start, goal, budget});
     for (;;) {
       tern::Work work{slice};
-      const Progress progress = tern::reach_advance(*stage_, grid, work);
+      const Progress progress = tern::reach_advance(*stage_, tern::World(grid), work);
       if (progress != Progress::kMore) return progress;
       EXPECT_EQ(work.left, 0u);
     }

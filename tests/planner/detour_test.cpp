@@ -11,6 +11,7 @@
 #include "curve/rest.hpp"
 #include "support/world.hpp"
 #include "trajectory/stop_and_go.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {
@@ -36,7 +37,7 @@ class Detour : public testing::Test {
     request_.start.position = path_->points[0];
     request_.goal.position = path_->points[path_->count - 1];
   }
-  bool take() { return tern::take_detour(world_.grid, nullptr, request_, request_.limits, *path_, lines_); }
+  bool take() { return tern::take_detour(tern::World(world_.grid), request_, request_.limits, *path_, lines_); }
 
   World world_;
   Request request_{};
@@ -105,7 +106,7 @@ TEST(DetourFarAway, StopsOnTheBoundaryWhereRoundingLeadsBeyondIt) {
   const tern::State& start = request.start;
   ASSERT_LT(tern::stopping_point(tern::make_brake(start, limits, tern::kBrakeShapes - 1)).x, -1e-9);
   std::uint32_t lines = 0;
-  ASSERT_TRUE(tern::take_detour(far.grid, nullptr, request, limits, path, lines));
+  ASSERT_TRUE(tern::take_detour(tern::World(far.grid), request, limits, path, lines));
   EXPECT_EQ(path.points[1].x, 0.0);
 }
 
@@ -135,10 +136,10 @@ class FencedDetour : public Detour {
     tern::Halfspace planes[tern::kBoxPlanes];
     tern::box_planes(box, planes);
     const tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut};
-    EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *fences_).status, Status::kOk);
-    return tern::take_detour(world_.grid, fences_.get(), request_, request_.limits, *path_, lines_);
+    EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *solids_).status, Status::kOk);
+    return tern::take_detour(tern::World(world_.grid, *solids_), request_, request_.limits, *path_, lines_);
   }
-  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
+  std::unique_ptr<tern::Solids> solids_ = std::make_unique<tern::Solids>();
 };
 
 TEST_F(FencedDetour, ThereIsNoneIntoAFence) {

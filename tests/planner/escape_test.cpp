@@ -157,7 +157,7 @@ TEST_F(EscapePlan, BoundsThatAreTooLargeAreTheLargestNumber) {
 /// Empty space, 4 m wide, the plan's origin in its middle.
 class EscapeTry : public testing::Test {
  protected:
-  EscapeTry() : world_({40, 40, 40}, 0.1, 0.2), room_{world_.grid, {2.0, 2.0, 2.0}, false} {
+  EscapeTry() : world_({40, 40, 40}, 0.1, 0.2), room_{tern::World(world_.grid), {2.0, 2.0, 2.0}, false} {
     world_.grid.inflate();
     tern::reset_counters(*scratch_);
     escape_->next = 0;
@@ -211,7 +211,7 @@ TEST_F(EscapeTry, ArrivalKeepsLimitsAndClearance) {
 
 TEST_F(EscapeTry, GoalsAreFlownBackwards) {
   const tern::State goal{{0.5, 0, 0}, {1, 0.5, 0}, {0, 0, 0}};
-  tern::EscapeRoom room{world_.grid, {2.0, 2.0, 2.0}, true};
+  tern::EscapeRoom room{tern::World(world_.grid), {2.0, 2.0, 2.0}, true};
   tern::Work all{0xFFFFFFFFu};
   ASSERT_EQ(tern::escape_advance(room, goal, world_.request.limits, *scratch_, *escape_, all), tern::Progress::kDone);
   EXPECT_EQ(escape_->next, 1);

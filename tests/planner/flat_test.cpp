@@ -9,10 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "fence/fence_layer.hpp"
-#include "fence/narrow_boundary.hpp"
 #include "support/slab.hpp"
 #include "tern/tern.hpp"
+#include "world/world_memory.hpp"
 
 namespace tern_test {
 namespace {
@@ -158,23 +157,19 @@ class FencedLayer {
  public:
   void make(const tern::Grid& grid, const std::vector<tern::Fence>& list) {
     const auto count = static_cast<std::int32_t>(list.size());
-    ASSERT_EQ(load_fences(grid, list.data(), count, *fences_).status, Status::kOk);
-    ASSERT_EQ(copy_blocked(grid, *layer_, view), Status::kOk);
-    layer_->narrowed = narrow_boundary(*fences_, view);
-    const int planes = grid.spec().dims.z;
-    for (int z = 0; z < planes; ++z) block_outside(*fences_, *layer_, view, z);
-    for (int k = 0; k < fences_->keep_out_count; ++k) {
-      prepare_keep_out(*fences_, fences_->keep_out[k], *layer_, view);
-      for (int z = 0; z < planes; ++z) block_keep_out(*layer_, view, z);
-    }
+    world_begin(*memory_, grid);
+    ASSERT_EQ(world_add(*memory_, list.data(), count).status, Status::kOk);
+    ASSERT_EQ(world_prepare(*memory_), Status::kOk);
+    tern::Work work{0xFFFFFFFFu};
+    ASSERT_EQ(world_advance(*memory_, work), tern::Progress::kDone);
+    view = memory_->view;
   }
-  bool narrowed() const { return layer_->narrowed; }
+  bool narrowed() const { return memory_->layer.narrowed; }
 
   tern::Grid view;
 
  private:
-  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
-  std::unique_ptr<tern::FenceLayer> layer_ = std::make_unique<tern::FenceLayer>();
+  std::unique_ptr<tern::WorldMemory> memory_ = std::make_unique<tern::WorldMemory>();
 };
 
 /// Bit for bit, also where the boundary cuts the voxels of the keep-in, and where a keep-out is near.

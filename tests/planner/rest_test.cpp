@@ -127,7 +127,7 @@ class Enclosing : public testing::Test {
   }
   Status enclose(int capacity) {
     tube_ = {segments_.get(), polyhedra_.get(), capacity, 0, 0.0};
-    return tern::enclose(world_.grid, {1.0, 1.0, 1.0}, segment_, *scratch_, tube_);
+    return tern::enclose(tern::World(world_.grid), {1.0, 1.0, 1.0}, segment_, *scratch_, tube_);
   }
   World world_;
   tern::Segment segment_{};

@@ -65,7 +65,6 @@ struct PathQuery {
   tern::Vec3 goal;
   std::uint32_t max_expansions = 0xFFFFFFFFu;
   std::uint32_t max_sight_lines = 0xFFFFFFFFu;
-  const tern::Fences* fences = nullptr;
   bool start_moves = false;
   bool goal_moves = false;
   tern::SearchMode search = tern::SearchMode::kOptimal;
@@ -89,10 +88,12 @@ class PathRunner {
   tern::Status run(const tern::Grid& grid, const PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
     last_ = tern::Stage::kSearch;
     shortcut_->sight_lines = 0;  // stays so where the search fails
-    tern::search_begin(*search_, *scans_, grid,
-                       {query.start, query.goal, query.max_expansions, query.fences, query.start_moves,
-                        query.goal_moves, query.search});
-    const auto search = [&](tern::Work& work) { return tern::search_advance(*search_, grid, work, *path_); };
+    tern::search_begin(
+        *search_, *scans_, tern::World(grid),
+        {query.start, query.goal, query.max_expansions, query.start_moves, query.goal_moves, query.search});
+    const auto search = [&](tern::Work& work) {
+      return tern::search_advance(*search_, tern::World(grid), work, *path_);
+    };
     if (run_in_slices(search, slice) == tern::Progress::kFailed) return search_->status;
     last_ = tern::Stage::kShortcut;
     tern::shortcut_begin(*shortcut_, grid, query.max_sight_lines, *path_);

@@ -28,9 +28,9 @@ class TinyCorridor : public ::testing::Test {
   Status run(const MarkedWorld& world, std::initializer_list<Vec3> points) {
     path_->count = 0;
     for (const Vec3& p : points) path_->points[path_->count++] = p;
-    corridor_begin(*stage_, world.grid, *path_, 0xFFFFFFFFu);
+    corridor_begin(*stage_, *path_, 0xFFFFFFFFu);
     Work work{0xFFFFFFFFu};
-    const tern::Progress progress = corridor_advance(*stage_, world.grid, *path_, work, *corridor_);
+    const tern::Progress progress = corridor_advance(*stage_, tern::World(world.grid), *path_, work, *corridor_);
     EXPECT_NE(progress, tern::Progress::kMore);
     EXPECT_LE(stage_->tries, tern::kCorridorTries) << "more tries than the stated bound";
     const Status status = stage_->status;
@@ -103,9 +103,9 @@ TEST_F(TinyCorridor, TooManyBoxesAroundAHull) {
   const auto scratch = std::make_unique<GrowScratch>();
   const auto polyhedron = std::make_unique<Polyhedron>();
   tern::reset_counters(*scratch);
-  EXPECT_EQ(enclose_hull(world.grid, {points, 4}, 0.0, *scratch, *polyhedron), Status::kCorridorBlocked);
+  EXPECT_EQ(enclose_hull(tern::World(world.grid), {points, 4}, 0.0, *scratch, *polyhedron), Status::kCorridorBlocked);
   world.mark(13, 13, 4);
-  EXPECT_EQ(enclose_hull(world.grid, {points, 4}, 0.0, *scratch, *polyhedron), Status::kObstaclesFull);
+  EXPECT_EQ(enclose_hull(tern::World(world.grid), {points, 4}, 0.0, *scratch, *polyhedron), Status::kObstaclesFull);
 }
 
 TEST_F(TinyCorridor, TooManyPlanesShrinkTheBox) {
@@ -169,9 +169,9 @@ TEST_F(TinyCorridor, HalvingRunsOutOfSegments) {
 TEST_F(TinyCorridor, MoreLegsThanSegments) {
   const MarkedWorld world({40, 40, 8}, 0.1, 0.0);
   path_->count = tern::kMaxSegments + 2;  // what no shortcut stage hands over
-  corridor_begin(*stage_, world.grid, *path_, 1000);
+  corridor_begin(*stage_, *path_, 1000);
   Work work{100};
-  EXPECT_EQ(corridor_advance(*stage_, world.grid, *path_, work, *corridor_), tern::Progress::kFailed);
+  EXPECT_EQ(corridor_advance(*stage_, tern::World(world.grid), *path_, work, *corridor_), tern::Progress::kFailed);
   EXPECT_EQ(stage_->status, Status::kSegmentsFull);
 }
 

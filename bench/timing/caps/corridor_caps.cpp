@@ -63,7 +63,8 @@ void corridor_caps() {
   auto& polyhedron = state_at<tern::Polyhedron>(kPolyhedronOffset);
   const tern::Grid grid = crowded_grid();
   tern::reset_counters(scratch);
-  const std::uint64_t instructions = count([&] { tern::grow_polyhedron(grid, kFrom, kTo, scratch, polyhedron); });
+  const std::uint64_t instructions =
+      count([&] { tern::grow_polyhedron(tern::World(grid), kFrom, kTo, scratch, polyhedron); });
   const std::uint64_t tries = tern::kCorridorTries;
   const auto planes = static_cast<std::uint64_t>(scratch.planes_high);
   const auto boxes = static_cast<std::uint64_t>(scratch.boxes_high);

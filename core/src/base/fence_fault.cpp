@@ -11,8 +11,8 @@ namespace tern {
 namespace {
 
 /// Half-spaces that miss each other by at most this share of the map's diagonal count as a flat fence, not as an empty
-/// one. The stage that reads keep-outs (fence/fences.cpp) moves their planes out by twice as much, so that it also
-/// finds points in every fence that is not empty here.
+/// one. The planner moves the planes of keep-outs out by twice as much (world/corners.cpp), so that it also finds
+/// points in every fence that is not empty here.
 constexpr double kFlat = 5e-14;
 
 /// Centre and size of the map, the `center` and `scale` of a CommonPoint.

@@ -6,6 +6,15 @@
 
 namespace tern {
 
+void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    out[2 * a] = {{0.0, 0.0, 0.0}, axis(box.upper, a)};
+    out[2 * a + 1] = {{0.0, 0.0, 0.0}, -axis(box.lower, a)};
+    axis(out[2 * a].normal, a) = 1.0;
+    axis(out[2 * a + 1].normal, a) = -1.0;
+  }
+}
+
 bool holds(const Polyhedron& polyhedron, const Vec3& point, double margin) noexcept {
   for (int p = 0; p < polyhedron.count; ++p) {
     const Halfspace& plane = polyhedron.planes[p];

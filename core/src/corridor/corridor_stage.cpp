@@ -120,9 +120,9 @@ void drop_held(Corridor& out, double margin, std::int32_t fixed) {
 }
 
 /// Begins the polyhedron of the current piece. False if the capacity for segments has no room for it.
-bool begin_piece(CorridorStage& stage, const Grid& grid, const Path& path) {
+bool begin_piece(CorridorStage& stage, const World& world, const Path& path) {
   if (is_full(stage.built + segments_ahead(stage, path) + stage.pending > kMaxSegments)) return false;
-  grow_begin(stage.growth, grid, stage.from, stage.ends[stage.pending - 1], stage.grow);
+  grow_begin(stage.growth, world, stage.from, stage.ends[stage.pending - 1]);
   stage.growing = true;
   ++stage.tries;
   return true;
@@ -143,8 +143,7 @@ Progress end_piece(CorridorStage& stage, const Grid& grid, const Path& path, Cor
 
 }  // namespace
 
-void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::uint32_t max_planes, const Fences* fences,
-                    ViaMarks* marks) noexcept {
+void corridor_begin(CorridorStage& stage, const Path& path, std::uint32_t max_planes, ViaMarks* marks) noexcept {
   stage.status = Status::kOk;
   stage.tries = 0;
   stage.planes = 0;
@@ -152,7 +151,6 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   stage.boxes_high = 0;
   reset_counters(stage.grow);
   stage.grow.planes_allowed = max_planes;
-  stage.grow.fences = fences;
   stage.marks = marks;
   stage.passed = 0;
   stage.at_via = false;
@@ -166,7 +164,7 @@ void corridor_begin(CorridorStage& stage, const Grid&, const Path& path, std::ui
   stage.from = path.points[0];
 }
 
-Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work,
+Progress corridor_advance(CorridorStage& stage, const World& world, const Path& path, Work& work,
                           Corridor& out) noexcept {
   if (legs_of(path) < 1 || is_full(legs_of(path) > kMaxSegments)) return conclude(Status::kSegmentsFull, stage.status);
   if (stage.leg < 0) {
@@ -175,13 +173,13 @@ Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& pa
   }
   Progress progress = Progress::kMore;
   while (progress == Progress::kMore) {
-    if (!stage.growing && !begin_piece(stage, grid, path)) return conclude(Status::kSegmentsFull, stage.status);
-    const Progress grown = grow_advance(stage.growth, grid, stage.grow, out.polyhedra[out.count], work);
+    if (!stage.growing && !begin_piece(stage, world, path)) return conclude(Status::kSegmentsFull, stage.status);
+    const Progress grown = grow_advance(stage.growth, world, stage.grow, out.polyhedra[out.count], work);
     stage.planes = stage.grow.planes;
     stage.planes_high = stage.grow.planes_high;
     stage.boxes_high = stage.grow.boxes_high;
     if (grown == Progress::kMore) return grown;
-    progress = end_piece(stage, grid, path, out);
+    progress = end_piece(stage, world.voxels(), path, out);
   }
   return progress;
 }

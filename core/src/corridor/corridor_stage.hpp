@@ -16,6 +16,7 @@
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -60,10 +61,10 @@ struct CorridorStage {
   GrowScratch grow;
 };
 
-/// `max_planes` is the budget of half-spaces (Budget::planes). `fences` and `marks` must outlive the stage; null means
-/// none. `marks` says which waypoints are vias, and receives the polyhedra that begin there.
-void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, std::uint32_t max_planes,
-                    const Fences* fences = nullptr, ViaMarks* marks = nullptr) noexcept;
+/// `max_planes` is the budget of half-spaces (Budget::planes). `marks`, which must outlive the stage, says which
+/// waypoints are vias, and receives the polyhedra that begin there; null means none.
+void corridor_begin(CorridorStage& stage, const Path& path, std::uint32_t max_planes,
+                    ViaMarks* marks = nullptr) noexcept;
 
 /// The units of work are those of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
 /// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
@@ -76,7 +77,8 @@ void corridor_begin(CorridorStage& stage, const Grid& grid, const Path& path, st
 ///
 /// Any two neighbours share a ball around their common point, if the interior legs of the path keep kSightMargin of a
 /// voxel from everything that is not free. The ball's radius is kSightMargin * cell, less 1e-9 m of rounding.
-Progress corridor_advance(CorridorStage& stage, const Grid& grid, const Path& path, Work& work, Corridor& out) noexcept;
+Progress corridor_advance(CorridorStage& stage, const World& world, const Path& path, Work& work,
+                          Corridor& out) noexcept;
 
 }  // namespace tern
 

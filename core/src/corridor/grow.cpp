@@ -4,14 +4,14 @@
 
 #include "base/math.hpp"
 #include "base/polyhedron.hpp"
-#include "corridor/fence_planes.hpp"
 #include "corridor/improve.hpp"
 #include "corridor/redundancy.hpp"
 #include "corridor/separation.hpp"
+#include "corridor/solid_planes.hpp"
 #include "corridor/tangent_planes.hpp"
 #include "ellipsoid/ellipsoid_fit.hpp"
 #include "grid/distance.hpp"
-#include "tern/fence.hpp"
+#include "tern/halfspace.hpp"
 
 namespace tern {
 namespace {
@@ -23,19 +23,17 @@ constexpr double kThickness = 0.3;
 /// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
-/// Instructions of the local box, of a keep-in, of a keep-out, of finishing a polyhedron, of a half-space in that, and
+/// Instructions of the local box, of a wall, of a solid, of finishing a polyhedron, of a half-space in that, and
 /// of a cut of a facet.
 constexpr std::uint32_t kBoxEffort = 1500;
-constexpr std::uint32_t kKeepInEffort = 200;
-constexpr std::uint32_t kKeepOutEffort = 20000;
+constexpr std::uint32_t kWallEffort = 200;
+constexpr std::uint32_t kSolidEffort = 20000;
 constexpr std::uint32_t kFinishEffort = 1500;
 constexpr std::uint32_t kFinishPlaneEffort = 300;
 constexpr std::uint32_t kCutEffort = 350;
 
-std::uint32_t fence_effort(const GrowScratch& scratch) {
-  if (scratch.fences == nullptr) return 0;
-  return effort_of(kKeepInEffort, scratch.fences->keep_in_count) +
-         effort_of(kKeepOutEffort, scratch.fences->keep_out_count);
+std::uint32_t solids_effort(const World& world) {
+  return effort_of(kWallEffort, world.wall_count()) + effort_of(kSolidEffort, world.solid_count());
 }
 
 /// The box around the segment that the polyhedron stays in.
@@ -87,17 +85,18 @@ Enclosure enclosure_of(const Growth& growth, const GridSpec& spec, const GrowScr
   return {obstacles, growth.segment, kLeastSlackCells * spec.cell, growth.given};
 }
 
-/// Makes the half-spaces that come before those for obstacles: the faces of the local box, and the fences.
-Progress make_box(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
+/// Makes the half-spaces that come before those for obstacles: the faces of the local box, walls and solids.
+Progress make_box(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) {
   if (!work.take()) return Progress::kMore;
+  const Grid& grid = world.voxels();
   const SegmentMargin& segment = growth.segment;
   const Box box = local_box(grid, segment.from, segment.to, growth.reach);
   out.count = 0;
   Status status = append_faces(box, scratch, out);
-  if (status == Status::kOk) status = append_fence_planes(box, segment, grid.spec().clearance(), scratch, out);
+  if (status == Status::kOk) status = append_solid_planes(world, box, segment, scratch, out);
   growth.given = out.count;
   extract_begin(voxels_within_reach(grid, box), scratch.extract);
-  work.effort += kBoxEffort + fence_effort(scratch);
+  work.effort += kBoxEffort + solids_effort(world);
   return conclude(status, growth.status);
 }
 
@@ -135,11 +134,12 @@ Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& wor
 }
 
 /// Goes on with the current phase; kDone at its end.
-Progress advance_phase(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) {
+Progress advance_phase(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) {
+  const Grid& grid = world.voxels();
   const GridSpec& spec = grid.spec();
   switch (growth.phase) {
     case GrowPhase::kBox:
-      return make_box(growth, grid, scratch, out, work);
+      return make_box(growth, world, scratch, out, work);
     case GrowPhase::kExtract:
       return extract(growth, grid, scratch, work);
     case GrowPhase::kFit:
@@ -170,25 +170,24 @@ bool shrink_box(Growth& growth) {
 
 }  // namespace
 
-void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& to,
-                const GrowScratch& scratch) noexcept {
-  const double cell = grid.spec().cell;
+void grow_begin(Growth& growth, const World& world, const Vec3& from, const Vec3& to) noexcept {
+  const double cell = world.spec().cell;
   growth.status = Status::kOk;
   growth.phase = GrowPhase::kBox;
   growth.level = 0;
   growth.reach = larger(kLocalMargin, kLocalMarginCells * cell);
-  growth.segment = {from, to, kSightMargin * cell, touching_of(grid, scratch), direction_tolerance(grid.spec())};
+  growth.segment = {from, to, kSightMargin * cell, world.touching(), direction_tolerance(world.spec())};
 }
 
-Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept {
+Progress grow_advance(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept {
   const SegmentMargin& segment = growth.segment;
-  const Box boundary = grid.local_boundary();
+  const Box boundary = world.voxels().local_boundary();
   if (!within(boundary, segment.from, segment.touching) || !within(boundary, segment.to, segment.touching)) {
     return conclude(Status::kOutOfMap, growth.status);
   }
   // Each turn ends a phase; each size of the local box has each phase once at most.
   while (true) {
-    const Progress progress = advance_phase(growth, grid, scratch, out, work);
+    const Progress progress = advance_phase(growth, world, scratch, out, work);
     if (progress == Progress::kMore) return progress;
     if (progress == Progress::kFailed) {
       if (!shrink_box(growth)) return progress;
@@ -200,12 +199,12 @@ Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Po
   }
 }
 
-Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
+Status grow_polyhedron(const World& world, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept {
   Growth growth;
-  grow_begin(growth, grid, from, to, scratch);
+  grow_begin(growth, world, from, to);
   Work all{0xFFFFFFFFu};
-  grow_advance(growth, grid, scratch, out, all);
+  grow_advance(growth, world, scratch, out, all);
   return growth.status;
 }
 

@@ -20,6 +20,7 @@
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -36,10 +37,10 @@ constexpr std::uint32_t kGrowBound =
 
 /// The phase of a growing polyhedron: what it makes next.
 enum class GrowPhase : std::uint8_t {
-  kBox,      ///< the half-spaces of the local box and of the fences
+  kBox,      ///< the half-spaces of the local box, of walls and of solids
   kExtract,  ///< the obstacles in the local box
   kFit,      ///< the segment's ellipsoid between the obstacles
-  kSieve,    ///< the obstacles that box and fences leave
+  kSieve,    ///< the obstacles that those leave
   kCutOff,   ///< half-spaces that cut off the obstacles that are left
   kImprove,  ///< a larger polyhedron
   kFinish,
@@ -52,7 +53,7 @@ struct Growth {
   int level;     ///< how often the local box was shrunk
   double reach;  ///< of the local box beyond the segment, metres
   SegmentMargin segment;
-  int given;  ///< half-spaces of the local box and the fences
+  int given;  ///< half-spaces of the local box, walls and solids
   EllipsoidFit fit;
   Sieve sieve;
   TangentPass pass;
@@ -60,22 +61,21 @@ struct Growth {
 };
 
 /// Grows the polyhedron of the segment from `from` to `to` (local frame, metres; it may be a point). The segment must
-/// keep the radius from every obstacle and lie inside the boundary.
-void grow_begin(Growth& growth, const Grid& grid, const Vec3& from, const Vec3& to,
-                const GrowScratch& scratch) noexcept;
+/// keep the radius from everything in the world and lie inside the boundary.
+void grow_begin(Growth& growth, const World& world, const Vec3& from, const Vec3& to) noexcept;
 
 /// A unit of work is a unit of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
-/// the half-spaces of the local box, or finishes the polyhedron.
+/// the half-spaces of phase kBox, or finishes the polyhedron.
 ///
 /// kDone: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
 /// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). kFailed, with
-/// growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: an obstacle is nearer to the segment
+/// growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: something is nearer to the segment
 /// than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment may fit.
 /// kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
-Progress grow_advance(Growth& growth, const Grid& grid, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
+Progress grow_advance(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
 
 /// Grows the polyhedron in one call. Returns kOk, or why it failed.
-Status grow_polyhedron(const Grid& grid, const Vec3& from, const Vec3& to, GrowScratch& scratch,
+Status grow_polyhedron(const World& world, const Vec3& from, const Vec3& to, GrowScratch& scratch,
                        Polyhedron& out) noexcept;
 
 }  // namespace tern

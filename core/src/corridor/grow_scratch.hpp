@@ -6,8 +6,6 @@
 #include <cstdint>
 
 #include "base/capacity.hpp"
-#include "fence/fences.hpp"
-#include "grid/distance.hpp"
 #include "grid/local_boxes.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
@@ -16,7 +14,6 @@ namespace tern {
 
 /// Scratch and counters of grow_polyhedron. The counters add up over calls: reset them before the first.
 struct GrowScratch {
-  const Fences* fences;          ///< null: none
   std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
   std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
   std::int32_t planes_high;      ///< half-spaces of the fullest polyhedron
@@ -30,18 +27,12 @@ struct GrowScratch {
   ExtractScratch extract;
 };
 
-/// Resets everything: counters of zero, no budget and no fences.
+/// Resets everything: counters of zero and no budget.
 inline void reset_counters(GrowScratch& scratch) noexcept {
-  scratch.fences = nullptr;
   scratch.planes = 0;
   scratch.planes_allowed = 0xFFFFFFFFu;
   scratch.planes_high = 0;
   scratch.boxes_high = 0;
-}
-
-/// Metres by which a segment may come closer than the radius to an obstacle or a fence.
-inline double touching_of(const Grid& grid, const GrowScratch& scratch) noexcept {
-  return scratch.fences != nullptr ? scratch.fences->touching : contact_tolerance(grid.spec());
 }
 
 /// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull. The polyhedron is unchanged unless kOk.

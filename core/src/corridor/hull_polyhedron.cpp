@@ -3,7 +3,7 @@
 #include "corridor/hull_polyhedron.hpp"
 
 #include "base/math.hpp"
-#include "corridor/fence_planes.hpp"
+#include "corridor/solid_planes.hpp"
 #include "grid/distance.hpp"
 
 namespace tern {
@@ -11,18 +11,19 @@ namespace {
 
 constexpr int kCorners = 8;
 
-/// Instructions of the box, of a unit, of a test of a box against a half-space, of the gap to a box, and of fences.
+/// Instructions of the box, of a unit, of a test of a box against a half-space, of the gap to a box, of a wall and of a
+/// solid.
 constexpr std::uint32_t kHullEffort = 3000;
 constexpr std::uint32_t kPieceEffort = 300;
 constexpr std::uint32_t kPlaneTestEffort = 80;
 constexpr std::uint32_t kGapEffort = 8000;
-constexpr std::uint32_t kHullKeepInEffort = 200;
-constexpr std::uint32_t kHullKeepOutEffort = 30000;
+constexpr std::uint32_t kHullWallEffort = 200;
+constexpr std::uint32_t kHullSolidEffort = 30000;
 
 /// Takes normals of any length and keeps the one that leaves the most room between hull and solid.
 struct Widest {
   const Hull& hull;
-  const Hull& solid;
+  const ConvexSolid& solid;
   Vec3 normal;
   double room;
 
@@ -30,25 +31,19 @@ struct Widest {
     const double size = length(any);
     if (!(size > 0.0)) return;
     const Vec3 unit = (1.0 / size) * any;
-    const double offered = hull_support(unit, solid) - hull_reach(unit, hull);
+    const double offered = solid_support(unit, solid) - hull_reach(unit, hull);
     if (offered <= room) return;
     normal = unit;
     room = offered;
   }
 };
 
-/// Faces of a solid that is not a box.
-struct Faces {
-  const Halfspace* at;
-  int count;
-};
-
 /// The normal that leaves the most room between hull and solid. If their gap is below `too_close`, its normal is only
 /// rounding, or there is none. Then more normals are tried: the axes, the solid's faces, and the cross products of the
 /// hull's direction with the axes and with the solid's edges. The products separate the hull from an edge that the
 /// curve grazes.
-Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, double too_close) {
-  const HullGap gap = hull_gap(hull, solid);
+Vec3 widest_normal(const Hull& hull, const ConvexSolid& solid, double too_close) {
+  const HullGap gap = solid_gap(hull, solid);
   if (gap.distance >= too_close) return gap.normal;
   Widest widest{hull, solid, {1.0, 0.0, 0.0}, -1e300};
   widest.offer(gap.normal);
@@ -59,10 +54,10 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, doub
     widest.offer(normal);
     widest.offer(cross(normal, along));
   }
-  for (int f = 0; f < faces.count; ++f) {
-    widest.offer(-1.0 * faces.at[f].normal);
+  for (int f = 0; f < solid.face_count; ++f) {
+    widest.offer(-1.0 * solid.faces[f].normal);
     for (int g = 0; g < f; ++g) {
-      const Vec3 across = cross(cross(faces.at[f].normal, faces.at[g].normal), along);
+      const Vec3 across = cross(cross(solid.faces[f].normal, solid.faces[g].normal), along);
       widest.offer(across);
       widest.offer(-1.0 * across);
     }
@@ -70,13 +65,13 @@ Vec3 widest_normal(const Hull& hull, const Hull& solid, const Faces& faces, doub
   return widest.normal;
 }
 
-Status append_between(const Grid& grid, const Hull& hull, const Hull& solid, const Faces& faces, double slack,
+Status append_between(const World& world, const Hull& hull, const ConvexSolid& solid, double slack,
                       GrowScratch& scratch, Polyhedron& out) {
-  const double radius = grid.spec().clearance();
-  const Vec3 normal = widest_normal(hull, solid, faces, direction_tolerance(grid.spec()));
+  const double radius = world.spec().clearance();
+  const Vec3 normal = widest_normal(hull, solid, direction_tolerance(world.spec()));
   const double far = hull_reach(normal, hull);
-  const double offset = hull_support(normal, solid) - radius;
-  const double most = offset + touching_of(grid, scratch);
+  const double offset = solid_support(normal, solid) - radius;
+  const double most = offset + world.touching();
   if (far > most + slack) return Status::kCorridorBlocked;
   return append({normal, clamp(far, offset, most)}, scratch, out);
 }
@@ -112,47 +107,45 @@ Status make_box(const Grid& grid, const Hull& hull, GrowScratch& scratch, Polyhe
 }
 
 /// Looks at the next solid boxes. Each that no half-space cuts off gets one.
-Status cut_off_some(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+Status cut_off_some(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
                     Polyhedron& out, Work& work) {
   const int left = scratch.extract.count - growth.next;
   const int tests = left < kHullTests ? left : kHullTests;
   work.effort += kPieceEffort + effort_of(kPlaneTestEffort, tests * out.count);
   for (int k = 0; k < tests; ++k) {
-    const LocalBox& solid = scratch.boxes[growth.next++];
+    const LocalBox& box = scratch.boxes[growth.next++];
     Vec3 corners[kCorners];
     for (int c = 0; c < kCorners; ++c) {
-      corners[c] = {(c & 1) != 0 ? solid.upper[0] : solid.lower[0], (c & 2) != 0 ? solid.upper[1] : solid.lower[1],
-                    (c & 4) != 0 ? solid.upper[2] : solid.lower[2]};
+      corners[c] = {(c & 1) != 0 ? box.upper[0] : box.lower[0], (c & 2) != 0 ? box.upper[1] : box.lower[1],
+                    (c & 4) != 0 ? box.upper[2] : box.lower[2]};
     }
-    const Hull corner_hull{corners, kCorners};
-    if (is_cut_off(corner_hull, grid.spec().clearance(), out)) continue;
+    const ConvexSolid solid{{corners, kCorners}, nullptr, 0};
+    if (is_cut_off(solid, world.spec().clearance(), out)) continue;
     work.effort += kGapEffort;
-    return append_between(grid, hull, corner_hull, {nullptr, 0}, slack, scratch, out);
+    return append_between(world, hull, solid, slack, scratch, out);
   }
   return Status::kOk;
 }
 
-bool keeps_in(const Fences& fences, const Hull& hull) {
-  for (int k = 0; k < fences.keep_in_count; ++k) {
-    if (hull_reach(fences.keep_in[k].normal, hull) > fences.keep_in[k].offset + fences.touching) return false;
+bool inside_walls(const World& world, const Hull& hull) {
+  for (int k = 0; k < world.wall_count(); ++k) {
+    if (hull_reach(world.wall(k).normal, hull) > world.wall(k).offset + world.touching()) return false;
   }
   return true;
 }
 
-/// Keeps the next fence: first all keep-ins together, then one keep-out after the other.
-Status keep_fence(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
-                  Polyhedron& out, Work& work) {
-  const Fences& fences = *scratch.fences;
+/// Keeps off the next solid: first all walls together, then one solid after the other.
+Status keep_off(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
+                Polyhedron& out, Work& work) {
   const int index = growth.next++ - 1;
   if (index < 0) {
-    work.effort += kPieceEffort + effort_of(kHullKeepInEffort, fences.keep_in_count);
-    return keeps_in(fences, hull) ? Status::kOk : Status::kCorridorBlocked;
+    work.effort += kPieceEffort + effort_of(kHullWallEffort, world.wall_count());
+    return inside_walls(world, hull) ? Status::kOk : Status::kCorridorBlocked;
   }
-  work.effort += kHullKeepOutEffort;
-  const KeepOut& fence = fences.keep_out[index];
-  const Hull solid = hull_of(fences, fence);
-  if (is_cut_off(solid, grid.spec().clearance(), out)) return Status::kOk;
-  return append_between(grid, hull, solid, {fences.planes + fence.first_plane, fence.planes}, slack, scratch, out);
+  work.effort += kHullSolidEffort;
+  const ConvexSolid solid = world.solid(index);
+  if (is_cut_off(solid, world.spec().clearance(), out)) return Status::kOk;
+  return append_between(world, hull, solid, slack, scratch, out);
 }
 
 Progress extract(HullGrowth& growth, const Grid& grid, GrowScratch& scratch, Work& work) {
@@ -161,28 +154,28 @@ Progress extract(HullGrowth& growth, const Grid& grid, GrowScratch& scratch, Wor
 }
 
 /// How many items the phase has to look at.
-int count_of(HullPhase phase, const GrowScratch& scratch) {
+int count_of(HullPhase phase, const World& world, const GrowScratch& scratch) {
   if (phase == HullPhase::kBox) return 1;
   if (phase == HullPhase::kObstacles) return scratch.extract.count;
-  return scratch.fences == nullptr ? 0 : 1 + scratch.fences->keep_out_count;
+  return world.has_solids() ? 1 + world.solid_count() : 0;
 }
 
-Status do_unit(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+Status do_unit(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
                Polyhedron& out, Work& work) {
-  if (growth.phase == HullPhase::kObstacles) return cut_off_some(growth, grid, hull, slack, scratch, out, work);
-  if (growth.phase == HullPhase::kFences) return keep_fence(growth, grid, hull, slack, scratch, out, work);
+  if (growth.phase == HullPhase::kObstacles) return cut_off_some(growth, world, hull, slack, scratch, out, work);
+  if (growth.phase == HullPhase::kSolids) return keep_off(growth, world, hull, slack, scratch, out, work);
   ++growth.next;
   work.effort += kHullEffort;
-  return make_box(grid, hull, scratch, out);
+  return make_box(world.voxels(), hull, scratch, out);
 }
 
 /// Goes on with the current phase; kDone at its end.
-Progress advance_phase(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+Progress advance_phase(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
                        Polyhedron& out, Work& work) {
-  if (growth.phase == HullPhase::kExtract) return extract(growth, grid, scratch, work);
-  while (growth.next < count_of(growth.phase, scratch)) {
+  if (growth.phase == HullPhase::kExtract) return extract(growth, world.voxels(), scratch, work);
+  while (growth.next < count_of(growth.phase, world, scratch)) {
     if (!work.take()) return Progress::kMore;
-    const Status status = do_unit(growth, grid, hull, slack, scratch, out, work);
+    const Status status = do_unit(growth, world, hull, slack, scratch, out, work);
     if (status != Status::kOk) return conclude(status, growth.status);
   }
   growth.next = 0;
@@ -197,21 +190,22 @@ void enclose_begin(HullGrowth& growth) noexcept {
   growth.next = 0;
 }
 
-Progress enclose_advance(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+Progress enclose_advance(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
                          Polyhedron& out, Work& work) noexcept {
   while (growth.phase != HullPhase::kDone) {
-    const Progress progress = advance_phase(growth, grid, hull, slack, scratch, out, work);
+    const Progress progress = advance_phase(growth, world, hull, slack, scratch, out, work);
     if (progress != Progress::kDone) return progress;
     growth.phase = static_cast<HullPhase>(static_cast<int>(growth.phase) + 1);
   }
   return Progress::kDone;
 }
 
-Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept {
+Status enclose_hull(const World& world, const Hull& hull, double slack, GrowScratch& scratch,
+                    Polyhedron& out) noexcept {
   HullGrowth growth;
   enclose_begin(growth);
   Work all{0xFFFFFFFFu};
-  enclose_advance(growth, grid, hull, slack, scratch, out, all);
+  enclose_advance(growth, world, hull, slack, scratch, out, all);
   return growth.status;
 }
 

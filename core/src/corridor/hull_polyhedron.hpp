@@ -15,39 +15,39 @@
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
-enum class HullPhase : std::uint8_t { kBox, kExtract, kObstacles, kFences, kDone };
+enum class HullPhase : std::uint8_t { kBox, kExtract, kObstacles, kSolids, kDone };
 
 /// A hull being enclosed. Plain data; needs no initialisation before enclose_begin.
 struct HullGrowth {
   Status status;  ///< why it failed; else kOk
   HullPhase phase;
-  int next;  ///< the solid box or fence to look at next
+  int next;  ///< the solid to look at next
 };
 
-/// Fills `out` with the box around the hull, and adds a half-space for each obstacle and keep-out that none of the
-/// others cuts off by the radius. Local frame; scratch.fences as in grow_polyhedron. The polyhedron's segment leads
-/// from the hull's first point to its last.
+/// Fills `out` with the box around the hull, and adds a half-space for each obstacle and solid that none of the others
+/// cuts off by the radius. Local frame. The polyhedron's segment leads from the hull's first point to its last.
 ///
-/// A unit of work is a unit of extract_advance, or makes the box around the hull, or looks at one keep-out or all
-/// keep-ins. Or it looks at kHullTests solid boxes, but at none after the first that needs a half-space.
+/// A unit of work is a unit of extract_advance, or makes the box around the hull, or looks at one solid or all
+/// walls. Or it looks at kHullTests obstacle boxes, but at none after the first that needs a half-space.
 ///
 /// kDone: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kFailed, with
-/// `status`. kOutOfMap: a point lies outside the boundary. kCorridorBlocked: an obstacle or a keep-out is closer than
-/// the radius, or a point is outside a keep-in. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is
+/// `status`. kOutOfMap: a point lies outside the boundary. kCorridorBlocked: an obstacle or a solid is closer than
+/// the radius, or a point is outside a wall. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is
 /// undefined unless kDone.
 ///
 /// `slack`: metres by which the hull may come closer than touching allows. The half-spaces do not move out for it, so
 /// points of the hull may lie outside them by that much.
 constexpr int kHullTests = 32;
 void enclose_begin(HullGrowth& growth) noexcept;
-Progress enclose_advance(HullGrowth& growth, const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch,
+Progress enclose_advance(HullGrowth& growth, const World& world, const Hull& hull, double slack, GrowScratch& scratch,
                          Polyhedron& out, Work& work) noexcept;
 
 /// Encloses the hull in one call. Returns kOk, or why it failed.
-Status enclose_hull(const Grid& grid, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
+Status enclose_hull(const World& world, const Hull& hull, double slack, GrowScratch& scratch, Polyhedron& out) noexcept;
 
 }  // namespace tern
 

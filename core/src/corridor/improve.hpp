@@ -34,7 +34,7 @@ struct Enclosure {
   Obstacles obstacles;
   const SegmentMargin& segment;
   double least_slack;  ///< of the barrier, metres
-  int given;           ///< half-spaces that come first and stay: those of the local box and the fences
+  int given;           ///< half-spaces that come first and stay: those of the local box, walls and solids
 };
 
 /// The phase of an improvement: what it does next.

@@ -23,10 +23,10 @@ Halfspace plane_along(const SegmentMargin& segment, const LocalBox& box, double 
   return {unit, larger(support(unit, box_of(box)) - radius - kHairline * segment.least, far)};
 }
 
-/// The half-space with normal `unit` that keeps the radius from the hull. `far` is how far the segment reaches along
+/// The half-space with normal `unit` that keeps the radius from the solid. `far` is how far the segment reaches along
 /// `unit`.
-Halfspace plane_before(const Hull& hull, double radius, double hair, const Vec3& unit, double far) {
-  return {unit, larger(hull_support(unit, hull) - radius - hair, far)};
+Halfspace plane_before(const ConvexSolid& solid, double radius, double hair, const Vec3& unit, double far) {
+  return {unit, larger(solid_support(unit, solid) - radius - hair, far)};
 }
 
 /// By how much a normal's room may fall short of the gap, as a share of SegmentMargin::touching.
@@ -82,13 +82,12 @@ Status separate(const SegmentMargin& segment, const LocalBox& box, double radius
   return Status::kOk;
 }
 
-Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
-                Halfspace& out) noexcept {
+Status separate(const SegmentMargin& segment, const ConvexSolid& solid, double radius, Halfspace& out) noexcept {
   const double enough = radius + segment.direction;
-  const Vec3 unit = widest_gap(segment.from, segment.to, hull, faces, face_count, enough).normal;
+  const Vec3 unit = solid_gap(segment.from, segment.to, solid, enough).normal;
   const double far = larger(dot(unit, segment.from), dot(unit, segment.to));
-  if (hull_support(unit, hull) - far < radius - segment.touching) return Status::kCorridorBlocked;
-  out = plane_before(hull, radius, kHairline * segment.least, unit, far);
+  if (solid_support(unit, solid) - far < radius - segment.touching) return Status::kCorridorBlocked;
+  out = plane_before(solid, radius, kHairline * segment.least, unit, far);
   return Status::kOk;
 }
 

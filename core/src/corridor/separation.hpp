@@ -8,10 +8,10 @@
 
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "grid/distance.hpp"
-#include "grid/hull_gap.hpp"
 #include "grid/local_boxes.hpp"
 #include "tern/corridor.hpp"
 #include "tern/status.hpp"
+#include "world/solids.hpp"
 
 namespace tern {
 
@@ -41,11 +41,9 @@ constexpr double kMostMargin = 0.25;
 Status separate(const SegmentMargin& segment, const LocalBox& box, double radius, const Vec3& tangent,
                 Halfspace& out) noexcept;
 
-/// Writes the half-space that keeps `radius` from the hull of a keep-out and contains the segment. Its normal leaves
-/// the most room. `faces` are the keep-out's half-spaces, which are needed if the segment touches it. kOk, or
-/// kCorridorBlocked as for a box.
-Status separate(const SegmentMargin& segment, const Hull& hull, const Halfspace* faces, int face_count, double radius,
-                Halfspace& out) noexcept;
+/// Writes the half-space that keeps `radius` from the solid and contains the segment. Its normal leaves the most room.
+/// kOk, or kCorridorBlocked as for a box.
+Status separate(const SegmentMargin& segment, const ConvexSolid& solid, double radius, Halfspace& out) noexcept;
 
 }  // namespace tern
 

@@ -4,7 +4,6 @@
 
 #include "base/free_point.hpp"
 #include "base/math.hpp"
-#include "grid/distance.hpp"
 #include "grid/lattice.hpp"
 
 namespace tern {
@@ -76,15 +75,11 @@ bool resolves(const GridSpec& spec) {
 }
 
 /// True if the point would join the voxel.
-bool would_join(const Grid& grid, const Grid& fine, const Fences* fences, const Vec3& point, const Voxel& voxel,
-                std::uint32_t& effort) {
-  if (!is_inside(fine, voxel) || !keeps_radius(grid, fine, voxel, effort)) return false;
-  const double radius = grid.spec().clearance();
-  if (fences != nullptr && fence_over(*fences, cube_of(fine, voxel), radius) != kNoFence) return false;
-  const Vec3 to = free_point(fine, voxel);
+bool would_join(const World& world, const Grid& fine, const Vec3& point, const Voxel& voxel, std::uint32_t& effort) {
+  if (!is_inside(fine, voxel) || !keeps_radius(world.voxels(), fine, voxel, effort)) return false;
+  if (!world.solids_clear(cube_of(fine, voxel))) return false;
   effort += kLineEffort;
-  if (fences != nullptr && !fences_clear(*fences, point, to, radius)) return false;
-  return segment_clear(grid, point, to, radius);
+  return world.line_clear(point, free_point(fine, voxel));
 }
 
 }  // namespace
@@ -96,10 +91,10 @@ void finer_begin(FinerCell& finer, const Vec3& point) noexcept {
   finer.cell = 0.0;
 }
 
-Progress finer_advance(FinerCell& finer, const Grid& grid, const Fences* fences, Work& work) noexcept {
+Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcept {
   for (; finer.halvings <= kFinerHalvings; ++finer.halvings) {
     Grid fine;
-    if (!GridView::halved(grid, finer.halvings, fine) || !resolves(fine.spec())) return Progress::kDone;
+    if (!GridView::halved(world.voxels(), finer.halvings, fine) || !resolves(fine.spec())) return Progress::kDone;
     const Voxel home = fine.voxel_of(finer.point);
     for (; finer.candidate < kJoinCells; ++finer.candidate) {
       if (!work.take()) return Progress::kMore;
@@ -107,7 +102,7 @@ Progress finer_advance(FinerCell& finer, const Grid& grid, const Fences* fences,
       const Voxel voxel{home.x + k % kJoinWidth - kJoinReach, home.y + k / kJoinWidth % kJoinWidth - kJoinReach,
                         home.z + k / (kJoinWidth * kJoinWidth) - kJoinReach};
       std::uint32_t effort = kVoxelEffort;
-      const bool joins = would_join(grid, fine, fences, finer.point, voxel, effort);
+      const bool joins = would_join(world, fine, finer.point, voxel, effort);
       work.effort += effort;
       if (!joins) continue;
       finer.cell = fine.spec().cell;

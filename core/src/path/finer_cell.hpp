@@ -9,9 +9,8 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
-#include "fence/fences.hpp"
 #include "path/join.hpp"
-#include "tern/grid.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -28,12 +27,12 @@ struct FinerCell {
 
 /// Looks for the largest of cell / 2, cell / 4 and so on at which the point joins the grid. It joins if a finer grid
 /// has a free voxel near the point and the line to it is clear. The finer grid has the same origin and boundary, and
-/// its obstacles fill the same space. Local frame; the point keeps the radius and the fences.
+/// its obstacles fill the same space. Local frame; the point breaks nothing of the world.
 void finer_begin(FinerCell& finer, const Vec3& point) noexcept;
 
 /// A unit is one voxel of one resolution. kDone: `cell` is the result. Ends without a result once the finer grid would
 /// exceed kMaxCells or kMaxDimension.
-Progress finer_advance(FinerCell& finer, const Grid& grid, const Fences* fences, Work& work) noexcept;
+Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -104,14 +104,13 @@ bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) no
   return join.state == JoinState::kTrying;
 }
 
-std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept {
+std::uint32_t join_try(Join& join, const World& world, const Vec3& point) noexcept {
+  const Grid& grid = world.voxels();
   const Voxel candidate = join.candidates[join.next++];
   const Vec3 center = free_point(grid, candidate);
-  const double radius = grid.spec().clearance();
   const bool known = join.searched[cell_of(join, candidate)];
-  const bool allowed = fences == nullptr || fences_clear(*fences, point, center, radius);
-  const bool looks = !known && allowed;
-  if (looks && segment_clear(grid, point, center, radius)) {
+  const bool looks = !known && world.solids_clear(point, center);
+  if (looks && segment_clear(grid, point, center, grid.spec().clearance())) {
     join.voxel = candidate;
     join.state = JoinState::kJoined;
   } else if (join.next == join.count) {

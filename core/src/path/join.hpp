@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "base/work.hpp"
-#include "fence/fences.hpp"
 #include "tern/grid.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -55,9 +55,8 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 /// the point may have come through a corner, and may go back through it.
 bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept;
 
-/// Checks the line to the next candidate. The line must be clear of obstacles and of `fences` (null: there are none).
-/// Call only while kTrying. Returns the cost, in instructions (see Work).
-std::uint32_t join_try(Join& join, const Grid& grid, const Fences* fences, const Vec3& point) noexcept;
+/// Checks the line to the next candidate. Call only while kTrying. Returns the cost, in instructions (see Work).
+std::uint32_t join_try(Join& join, const World& world, const Vec3& point) noexcept;
 
 }  // namespace tern
 

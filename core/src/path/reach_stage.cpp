@@ -39,10 +39,9 @@ void end_flood(ReachStage& stage, const Grid& grid) {
 }
 
 /// Joins the start to a voxel, and begins to flood from there.
-void join(ReachStage& stage, const Grid& grid, Work& work) {
-  if (stage.start.state == JoinState::kTrying) {
-    work.effort += join_try(stage.start, grid, stage.query.fences, stage.query.start);
-  }
+void join(ReachStage& stage, const World& world, Work& work) {
+  const Grid& grid = world.voxels();
+  if (stage.start.state == JoinState::kTrying) work.effort += join_try(stage.start, world, stage.query.start);
   if (stage.start.state == JoinState::kRefused) end_flood(stage, grid);
   if (stage.start.state != JoinState::kJoined) return;
   flood_from(stage.flood, grid, stage.start.voxel);
@@ -64,10 +63,11 @@ void flood(ReachStage& stage, const Grid& grid, Work& work) {
   }
 }
 
-void advance_once(ReachStage& stage, const Grid& grid, Work& work) {
+void advance_once(ReachStage& stage, const World& world, Work& work) {
+  const Grid& grid = world.voxels();
   work.effort += kUnitEffort;
   if (stage.phase == ReachPhase::kClear) return clear(stage, grid);
-  stage.phase == ReachPhase::kJoin ? join(stage, grid, work) : flood(stage, grid, work);
+  stage.phase == ReachPhase::kJoin ? join(stage, world, work) : flood(stage, grid, work);
 }
 
 bool searches(const ReachStage& stage) {
@@ -76,8 +76,8 @@ bool searches(const ReachStage& stage) {
 
 }  // namespace
 
-void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept {
-  const bool fits = !is_full(!flood_begin(stage.flood, grid));
+void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept {
+  const bool fits = !is_full(!flood_begin(stage.flood, world.voxels()));
   stage.status = fits ? Status::kOk : Status::kFenceLayerFull;
   stage.units = 0;
   stage.joined = false;
@@ -85,7 +85,8 @@ void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) n
   stage.query = query;
 }
 
-Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept {
+Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept {
+  const Grid& grid = world.voxels();
   // Each turn takes a unit or ends a search. At most kReachBound units count.
   while (stage.phase != ReachPhase::kEnd) {
     if (searches(stage)) {
@@ -97,7 +98,7 @@ Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept
     if (is_full(stage.units >= stage.query.max_units)) return conclude(Status::kBudgetSearch, stage.status);
     if (!work.take()) return Progress::kMore;
     ++stage.units;
-    advance_once(stage, grid, work);
+    advance_once(stage, world, work);
   }
   if (stage.status != Status::kOk) return Progress::kFailed;
   return stage.joined ? Progress::kDone : conclude(Status::kStartOccupied, stage.status);

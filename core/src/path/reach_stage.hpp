@@ -15,6 +15,7 @@
 #include "path/join.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -24,11 +25,10 @@ constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_ca
 
 /// What to find. Local frame.
 struct ReachQuery {
-  Vec3 start;                      ///< inside the grid's boundary
-  Vec3 goal;                       ///< anywhere
-  std::uint32_t max_units;         ///< the rest of Budget::expansions
-  const Fences* fences = nullptr;  ///< as SearchQuery::fences
-  bool start_moves = false;        ///< as SearchQuery::start_moves
+  Vec3 start;                ///< inside the grid's boundary; breaks no wall and no solid
+  Vec3 goal;                 ///< anywhere
+  std::uint32_t max_units;   ///< the rest of Budget::expansions
+  bool start_moves = false;  ///< as SearchQuery::start_moves
 };
 
 enum class ReachPhase : std::uint8_t {
@@ -54,14 +54,14 @@ struct ReachStage {
   Flood flood;
 };
 
-/// The grid must be inflated and must not change until the stage ends.
-void reach_begin(ReachStage& stage, const Grid& grid, const ReachQuery& query) noexcept;
+/// The grid must be inflated, and the world must not change until the stage ends.
+void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept;
 
 /// One unit is one row of the flood, one line that joins the start to the grid, 1024 words cleared before that, or one
 /// unit of nearest_advance. The units of nearest_advance do not count against the budget. kDone: `nearest` is the
 /// result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no voxel), kBudgetSearch,
 /// or kFenceLayerFull (the grid is too large).
-Progress reach_advance(ReachStage& stage, const Grid& grid, Work& work) noexcept;
+Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -29,9 +29,10 @@ void refuse_end(SearchStage& stage, const Grid& grid, const Vec3& point, bool at
   nearest_begin(stage.nearest, grid, point);
 }
 
-Progress advance_nearest(SearchStage& stage, const Grid& grid, Work& work) {
+Progress advance_nearest(SearchStage& stage, const World& world, Work& work) {
+  const Grid& grid = world.voxels();
   if (stage.phase == SearchPhase::kFiner) {
-    if (finer_advance(stage.finer, grid, stage.query.fences, work) == Progress::kMore) return Progress::kMore;
+    if (finer_advance(stage.finer, world, work) == Progress::kMore) return Progress::kMore;
     stage.phase = SearchPhase::kNearest;
   }
   if (nearest_advance(stage.nearest, grid, work) == Progress::kMore) return Progress::kMore;
@@ -50,16 +51,16 @@ Progress take_expansion(SearchStage& stage, Work& work) {
 
 /// Tries to join an end to the grid. kDone once it has joined. If no candidate is left: kNoPath after a search that
 /// found no path, otherwise goes on with refuse_end.
-Progress advance_join(SearchStage& stage, const Grid& grid, Work& work, Join& join, const Vec3& point) {
+Progress advance_join(SearchStage& stage, const World& world, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
     const Progress taken = take_expansion(stage, work);
     if (taken != Progress::kDone) return taken;
-    work.effort += join_try(join, grid, stage.query.fences, point);
+    work.effort += join_try(join, world, point);
   }
   if (join.state == JoinState::kJoined) return Progress::kDone;
   if (stage.failed > 0) return conclude(Status::kNoPath, stage.status);
-  refuse_end(stage, grid, point, &join == &stage.start);
-  return advance_nearest(stage, grid, work);
+  refuse_end(stage, world.voxels(), point, &join == &stage.start);
+  return advance_nearest(stage, world, work);
 }
 
 void join_start(SearchStage& stage, const Grid& grid) {
@@ -148,15 +149,16 @@ Progress expand(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
 }
 
 /// Joins both ends to the grid and searches once, going on from the current phase.
-Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& out) {
-  if (stage.phase >= SearchPhase::kFiner) return advance_nearest(stage, grid, work);
+Progress advance_once(SearchStage& stage, const World& world, Work& work, Path& out) {
+  const Grid& grid = world.voxels();
+  if (stage.phase >= SearchPhase::kFiner) return advance_nearest(stage, world, work);
   if (stage.phase == SearchPhase::kJoinStart) {
-    const Progress joined = advance_join(stage, grid, work, stage.start, stage.query.start);
+    const Progress joined = advance_join(stage, world, work, stage.start, stage.query.start);
     if (joined != Progress::kDone) return joined;
     stage.phase = SearchPhase::kJoinGoal;
   }
   if (stage.phase == SearchPhase::kJoinGoal) {
-    const Progress joined = advance_join(stage, grid, work, stage.goal, stage.query.goal);
+    const Progress joined = advance_join(stage, world, work, stage.goal, stage.query.goal);
     if (joined != Progress::kDone) return joined;
     work.effort += kEndsEffort;
     voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
@@ -167,7 +169,8 @@ Progress advance_once(SearchStage& stage, const Grid& grid, Work& work, Path& ou
 
 }  // namespace
 
-void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept {
+void search_begin(SearchStage& stage, ScanMap& map, const World& world, const SearchQuery& query) noexcept {
+  const Grid& grid = world.voxels();
   stage.status = Status::kOk;
   stage.map = &map;
   stage.expansions = 0;
@@ -185,7 +188,8 @@ void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const Sear
   join_begin(stage.goal, grid, query.goal);
 }
 
-Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept {
+Progress search_advance(SearchStage& stage, const World& world, Work& work, Path& out) noexcept {
+  const Grid& grid = world.voxels();
   if (stage.phase == SearchPhase::kJoinStart && stage.failed == 0 && is_direct(stage, grid)) {
     work.effort += kEndsEffort;
     direct_path(stage, out);
@@ -193,7 +197,7 @@ Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& 
   }
   // If there is no path, searches again from other voxels that the ends can join.
   for (std::uint32_t k = 0; k <= kJoinSearches; ++k) {
-    const Progress progress = advance_once(stage, grid, work, out);
+    const Progress progress = advance_once(stage, world, work, out);
     const bool no_path = progress == Progress::kFailed && stage.status == Status::kNoPath;
     if (!no_path || !join_elsewhere(stage, grid, work)) return progress;
   }

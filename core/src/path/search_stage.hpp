@@ -17,6 +17,7 @@
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -30,13 +31,12 @@ constexpr std::uint32_t kJoinSearches = 4096;
 constexpr std::uint32_t kSearchBound =
     kExpansionBound + kVoxelSearchBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
 
-/// What to find. Local frame; both points inside the grid's boundary.
+/// What to find. Local frame; both points are inside the grid's boundary, and break no wall and no solid.
 struct SearchQuery {
   Vec3 start;
   Vec3 goal;
-  std::uint32_t max_expansions;    ///< the rest of Budget::expansions
-  const Fences* fences = nullptr;  ///< both points obey them, and the grid's blocked layer includes them
-  bool start_moves = false;        ///< the start is a state in flight, see join_others
+  std::uint32_t max_expansions;  ///< the rest of Budget::expansions
+  bool start_moves = false;      ///< the start is a state in flight, see join_others
   bool goal_moves = false;
   SearchMode mode = SearchMode::kOptimal;
 };
@@ -73,8 +73,9 @@ struct SearchStage {
   VoxelSearch search;
 };
 
-/// The grid must be inflated and must not change until the stage ends. `map` is passed on to the search over voxels.
-void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const SearchQuery& query) noexcept;
+/// The grid must be inflated, and the world must not change until the stage ends. `map` is passed on to the search over
+/// voxels.
+void search_begin(SearchStage& stage, ScanMap& map, const World& world, const SearchQuery& query) noexcept;
 
 /// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
 /// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied,
@@ -83,7 +84,7 @@ void search_begin(SearchStage& stage, ScanMap& map, const Grid& grid, const Sear
 ///
 /// Every leg lies in free voxels, except the first or the last if the exact start or goal is not in a free voxel. Such
 /// a leg leads to a free voxel near it along a line that keeps the radius.
-Progress search_advance(SearchStage& stage, const Grid& grid, Work& work, Path& out) noexcept;
+Progress search_advance(SearchStage& stage, const World& world, Work& work, Path& out) noexcept;
 
 }  // namespace tern
 

@@ -14,25 +14,20 @@ namespace {
 
 /// What lines are checked against, and how many have been checked.
 struct Lines {
-  const Grid& grid;
-  const Fences* fences;
+  const World& world;
   std::uint32_t count;
 };
-
-bool fences_allow(const Lines& lines, const Vec3& from, const Vec3& to) {
-  return lines.fences == nullptr || fences_clear(*lines.fences, from, to, lines.grid.spec().clearance());
-}
 
 /// A braking motion needs only the radius, like a start that is not in a free voxel.
 bool can_brake_along(Lines& lines, const Vec3& from, const Vec3& to) {
   ++lines.count;
-  return segment_clear(lines.grid, from, to, lines.grid.spec().clearance()) && fences_allow(lines, from, to);
+  return lines.world.line_clear(from, to);
 }
 
 /// Legs of a path keep the margin that gives neighbouring polyhedra room in common.
 bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
   ++lines.count;
-  return line_of_sight(lines.grid, from, to) && fences_allow(lines, from, to);
+  return line_of_sight(lines.world.voxels(), from, to) && lines.world.solids_clear(from, to);
 }
 
 /// The stopping point of the sharpest braking that has room straight ahead. Whatever the acceleration, it leads nearly
@@ -41,7 +36,7 @@ bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
 bool find_stop(Lines& lines, const State& state, const MotionLimits& limits, Vec3& stop) {
   for (int shape = kBrakeShapes - 1; shape >= 0; --shape) {
     const Vec3 end = stopping_point(make_brake(state, limits, shape));
-    stop = nearest_in_box(end, lines.grid.local_boundary());
+    stop = nearest_in_box(end, lines.world.voxels().local_boundary());
     if (can_brake_along(lines, state.position, end)) return true;
   }
   return false;
@@ -89,16 +84,16 @@ bool lead_through_stop(Lines& lines, const State& start, const MotionLimits& lim
 
 }  // namespace
 
-bool take_detour(const Grid& grid, const Fences* fences, const Request& request, const MotionLimits& limits, Path& path,
+bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept {
-  Lines world{grid, fences, 0};
-  const bool start_led = lead_through_stop(world, request.start, limits, path.count - 1, path);
+  Lines checked{world, 0};
+  const bool start_led = lead_through_stop(checked, request.start, limits, path.count - 1, path);
   reverse(path);
   // The start's own leg stays, whatever the stopping point of the goal can see.
   const int last = path.count - (start_led ? 2 : 1);
-  const bool goal_led = lead_through_stop(world, backwards(request.goal), backwards(limits), last, path);
+  const bool goal_led = lead_through_stop(checked, backwards(request.goal), backwards(limits), last, path);
   reverse(path);
-  lines = world.count;
+  lines = checked.count;
   if (!start_led && !goal_led) return false;
   path.length = polyline_length(path.points, path.count);
   return true;

@@ -10,10 +10,10 @@
 
 #include "base/bounds.hpp"
 #include "curve/brake.hpp"
-#include "fence/fences.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/request.hpp"
+#include "world/world.hpp"
 
 namespace tern {
 
@@ -30,9 +30,8 @@ constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeSha
 /// (for the goal: where it can have begun), if this line keeps the radius. From there it goes to the furthest waypoint
 /// in sight, or back to its end and along the old path. Adds at most two waypoints per end. False, with `path`
 /// unchanged, if neither end has such a point or the path has no room for it. The request is in the local frame, and
-/// `limits` are its limits; `fences` is null if there are none. `lines` receives the number of lines checked, <=
-/// kDetourLines.
-bool take_detour(const Grid& grid, const Fences* fences, const Request& request, const MotionLimits& limits, Path& path,
+/// `limits` are its limits. `lines` receives the number of lines checked, <= kDetourLines.
+bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept;
 
 }  // namespace tern

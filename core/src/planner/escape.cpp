@@ -74,7 +74,7 @@ Progress advance_trial(const EscapeRoom& room, GrowScratch& scratch, Escape& esc
   tube.count = escape.enclosed;
   Progress progress = Progress::kDone;
   while (progress == Progress::kDone && escape.appended < escape.stopping.count) {
-    progress = append_advance(escape.appending, room.grid, room.origin, scratch, tube, work);
+    progress = append_advance(escape.appending, room.world, room.origin, scratch, tube, work);
     escape.enclosed = tube.count;
     if (progress == Progress::kMore) return progress;
     if (++escape.appended < escape.stopping.count) {

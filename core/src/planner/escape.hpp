@@ -49,9 +49,9 @@ inline Tube tube_of(Escape& escape, int capacity) noexcept {
   return {escape.segments, escape.polyhedra, capacity, 0, 0.0};
 }
 
-/// The grid and the frame that a stop is flown in, and the end that it is for.
+/// The world and the frame that a stop is flown in, and the end that it is for.
 struct EscapeRoom {
-  const Grid& grid;
+  World world;
   Vec3 origin;   ///< of the plan's frame, in the grid's local frame
   bool to_goal;  ///< the state is the goal's
 };

@@ -6,8 +6,6 @@
 #include "base/via_marks.hpp"
 #include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
-#include "fence/fence_layer.hpp"
-#include "fence/fences.hpp"
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
@@ -19,6 +17,7 @@
 #include "times/chain.hpp"
 #include "times/times_stage.hpp"
 #include "trajectory/trajectory_stage.hpp"
+#include "world/world_memory.hpp"
 
 namespace tern {
 
@@ -60,10 +59,8 @@ struct Layout {
   FlightEnds ends;
   Escape escapes[2];  ///< the start's and the goal's
   Previous previous;
-  Fences fences;
   AskedFences asked_fences;  ///< the fences as the caller gave them, for the check
-  Grid fenced;               ///< the caller's grid with fence_layer as its blocked layer, for a request with fences
-  FenceLayer fence_layer;
+  WorldMemory world;
   ScanMap scans;  ///< jump stops, which are kept for the next search
   union {
     SearchStage search;

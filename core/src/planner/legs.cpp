@@ -6,7 +6,6 @@
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "base/too_narrow.hpp"
-#include "fence/fences.hpp"
 #include "grid/lattice.hpp"
 #include "path/way.hpp"
 #include "planner/layout.hpp"
@@ -57,11 +56,11 @@ void Plan::begin_way() noexcept {
 
 /// Both ends of the current leg, local frame.
 Vec3 Plan::leg_from() const noexcept {
-  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(world(), memory_->mission.vias[leg_ - 1].position);
+  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(voxels(), memory_->mission.vias[leg_ - 1].position);
 }
 
 Vec3 Plan::leg_to() const noexcept {
-  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(world(), memory_->mission.vias[leg_].position);
+  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(voxels(), memory_->mission.vias[leg_].position);
 }
 
 /// Without vias, the path's only leg is the path.
@@ -96,11 +95,9 @@ Status Plan::status_of_leg(Status status) const noexcept {
 void Plan::note_narrowness() noexcept {
   const SearchStage& search = memory_->stage.search;
   if (!is_too_narrow(search.status) || escapes_ > 0) return;  // > 0 after the previous plan too: an escape follows it
-  const Voxel home = world().voxel_of(search.finer.point);
+  const Voxel home = voxels().voxel_of(search.finer.point);
   report_.finer_cell = search.finer.cell;
-  const bool is_fenced = has_fences_ && grid_->free(home);
-  const double radius = grid_->spec().clearance();
-  narrow_fence_ = is_fenced ? fence_over(memory_->fences, cube_of(*grid_, home), radius) : kNoFence;
+  narrow_fence_ = grid_->free(home) ? world().first_over(cube_of(*grid_, home)) : kNoFence;
 }
 
 /// The via that the failed part of the way leads to, or the via that it begins at if that one cannot be left. kNoVia if
@@ -121,7 +118,7 @@ void Plan::make_holds() noexcept {
   Mission& mission = memory_->mission;
   for (std::int32_t v = 0; v < mission.marks.count; ++v) {
     const Via& via = mission.vias[v];
-    const bool free = world().free(world().voxel_of(to_local(world(), via.position)));
+    const bool free = voxels().free(voxels().voxel_of(to_local(voxels(), via.position)));
     mission.holds[v] = hold_of(via, asked_.start.position, mission.marks.polyhedron[v], free ? reach_of(via) : 0.0);
   }
 }

@@ -78,7 +78,7 @@ Progress Plan::run_detour(Work& work) noexcept {
   if (!work.take()) return Progress::kMore;
   std::uint32_t lines = 0;
   const bool found = sight_lines_left() >= kDetourLines &&
-                     take_detour(world(), fences(), to_local(world(), asked_), limits_, memory_->path, lines);
+                     take_detour(world(), to_local(voxels(), asked_), limits_, memory_->path, lines);
   work.effort += kDetourEffort + lines * kDetourLineEffort;
   count(Stage::kDetour, lines, asked_.budget.sight_lines, attempts() * kDetourLines);
   if (!found) {
@@ -222,7 +222,7 @@ Progress Plan::run_escape(Work& work) noexcept {
 void Plan::rest_at_escapes() noexcept {
   Layout& memory = *memory_;
   FlightEnds& ends = memory.ends;
-  const Box boundary = world().local_boundary();
+  const Box boundary = voxels().local_boundary();
   if (memory.escapes[0].count > 0) {
     ends.start = {memory.escapes[0].rest, kZero, kZero};
     ends.start_in_grid = nearest_in_box(ends.origin_in_grid + ends.start.position, boundary);

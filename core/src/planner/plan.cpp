@@ -5,7 +5,6 @@
 #include "base/math.hpp"
 #include "base/too_narrow.hpp"
 #include "base/work.hpp"
-#include "fence/narrow_boundary.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
@@ -56,12 +55,12 @@ Status Plan::end(Stage stage, Status status) noexcept {
   return status;
 }
 
-const Grid& Plan::world() const noexcept {
-  return has_fences_ ? memory_->fenced : *grid_;
+World Plan::world() const noexcept {
+  return world_of(memory_->world);
 }
 
-const Fences* Plan::fences() const noexcept {
-  return has_fences_ ? &memory_->fences : nullptr;
+const Grid& Plan::voxels() const noexcept {
+  return world().voxels();
 }
 
 /// Notes that the goal cannot be planned to. What remains is the nearest point that can be reached.
@@ -85,17 +84,15 @@ Status Plan::accept_vias(const Request& request) noexcept {
 
 /// Checks a place (local frame) against the fences. If it breaks one, the report names that fence.
 bool Plan::keeps_fences(const Vec3& place) noexcept {
-  report_.fence = fence_broken(memory_->fences, place, place, grid_->spec().clearance());
+  report_.fence = world().first_broken(place, place);
   return report_.fence == kNoFence;
 }
 
 /// Reads the fences and checks start, vias and goal against them; kRunning unless the request is refused.
 Status Plan::accept_fences(const Request& request) noexcept {
-  has_fences_ = request.fence_count != 0;
-  fences_blocked_ = fence_plane_ = 0;
-  if (!has_fences_) return Status::kRunning;
+  if (request.fence_count == 0) return Status::kRunning;
   Layout& memory = *memory_;
-  const FenceFault fault = load_fences(*grid_, request.fences, request.fence_count, memory.fences);
+  const FenceFault fault = world_add(memory.world, request.fences, request.fence_count);
   report_.fence = fault.fence;
   if (fault.status != Status::kOk) return refuse(fault.status, Field::kFences);
   if (!copy_fences(request.fences, request.fence_count, memory.asked_fences)) {
@@ -109,19 +106,18 @@ Status Plan::accept_fences(const Request& request) noexcept {
   }
   if (!keeps_fences(memory.ends.goal_in_grid)) give_up_goal();
   effort_ += static_cast<std::uint32_t>(2 * GridView::layer_words(*grid_));
-  const Status copied = copy_blocked(*grid_, memory.fence_layer, memory.fenced);
-  if (copied == Status::kOk) {
-    memory.fence_layer.narrowed = narrow_boundary(memory.fences, memory.fenced);
+  const Status prepared = world_prepare(memory.world);
+  if (prepared == Status::kOk) {
     place_ends();
     return Status::kRunning;
   }
   if (report_.field == Field::kGoalPosition) return refuse(Status::kGoalFenced, Field::kGoalPosition);
-  return refuse(copied, Field::kFences);
+  return refuse(prepared, Field::kFences);
 }
 
 /// Puts both ends of the request into the grid.
 void Plan::place_ends() noexcept {
-  const Request local = to_local(world(), asked_);
+  const Request local = to_local(voxels(), asked_);
   FlightEnds& ends = memory_->ends;
   ends.start_in_grid = local.start.position;
   ends.goal_in_grid = local.goal.position;
@@ -180,11 +176,11 @@ Status Plan::begin_query(const Grid& grid, const Request& request, bool route_on
   route_only_ = route_only;
   report_ = Report{};
   report_.diagnostics.timing_known = clock_ != nullptr;
-  has_fences_ = false;
   has_path_ = false;
   has_corridor_ = false;
   searched_again_ = 0;
   grid_ = &grid;
+  world_begin(memory_->world, grid);
   effort_ = kBeginEffort + static_cast<std::uint32_t>(request.fence_count > 0 ? request.fence_count : 0) * kFenceEffort;
   if (!grid.inflated()) return refuse(Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage);
   const Verdict verdict = validate(grid, request, limits_);
@@ -201,7 +197,7 @@ Status Plan::begin_query(const Grid& grid, const Request& request, bool route_on
   version_ = grid.version();
   status_ = Status::kRunning;
   life_ = Life::kBegun;
-  if (has_fences_) {
+  if (memory_->world.has_solids) {
     enter(Stage::kFences);
   } else {
     begin_with_rest();

@@ -21,7 +21,7 @@
 
 namespace tern {
 
-struct Fences;
+class World;
 struct Layout;
 struct Work;
 
@@ -63,7 +63,8 @@ class Plan {
   Status accept_vias(const Request& request) noexcept;
   Status accept_fences(const Request& request) noexcept;
   bool keeps_fences(const Vec3& place) noexcept;
-  const Grid& world() const noexcept;
+  World world() const noexcept;
+  const Grid& voxels() const noexcept;
 
   // stages.cpp: the current stage.
   void enter(Stage stage) noexcept;
@@ -85,8 +86,7 @@ class Plan {
   void report_vias() noexcept;
 
   // run_stages.cpp: runs a slice of each stage, and enters the next one. kMore if the slice is used up.
-  std::uint32_t block_plane(std::int32_t z) noexcept;
-  Progress run_fences(Work& work) noexcept;
+  Progress run_world(Work& work) noexcept;
   void begin_search() noexcept;
   Progress run_search(Work& work) noexcept;
   void note_narrowness() noexcept;
@@ -110,7 +110,6 @@ class Plan {
   std::uint32_t expansions_left() const noexcept;
   std::uint32_t sight_lines_left() const noexcept;
   std::uint32_t planes_left() const noexcept;
-  const Fences* fences() const noexcept;
 
   // moving_ends.cpp: further attempts if an end is in motion.
   void fail(Stage stage, Status status) noexcept;
@@ -159,13 +158,10 @@ class Plan {
   Life life_ = Life::kIdle;
   bool route_only_ = false;  // the path is the result
   std::uint32_t effort_ = 0;
-  Stage stage_ = Stage::kRequest;  // the current one
-  bool has_fences_ = false;
+  Stage stage_ = Stage::kRequest;           // the current one
   std::int32_t narrow_fence_ = kNoFence;    // Report::fence if a point is too narrow
   std::int32_t leg_ = 0;                    // index of the leg being searched for: to via `leg_`, or to the goal
   bool given_at_rest_ = false;              // both ends of the request as given are at rest
-  std::int32_t fences_blocked_ = 0;         // blocking steps done: one for all keep-ins, then one a keep-out
-  std::int32_t fence_plane_ = 0;            // the next plane of voxels in the current step
   std::uint32_t before_[kStageCount] = {};  // work of each stage when the current one began
   std::uint32_t escapes_ = 0;               // escapes tried
   std::int32_t arrivals_ = 0;               // arrivals tried

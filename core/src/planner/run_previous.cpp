@@ -70,7 +70,6 @@ void Plan::begin_hulls() noexcept {
   GrowScratch& scratch = memory.stage.corridor.grow;
   reset_counters(scratch);
   scratch.planes_allowed = planes_left();
-  if (has_fences_) scratch.fences = &memory.fences;
 }
 
 /// True if the rest of the previous plan may help after this failure. A rest that ends elsewhere than at the goal

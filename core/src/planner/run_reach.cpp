@@ -36,10 +36,9 @@ void Plan::give_up() noexcept {
 
 /// Looks near the goal itself, not near the point from which the last attempt was to reach the goal.
 void Plan::begin_reach() noexcept {
-  const Request local = to_local(world(), asked_);
+  const Request local = to_local(voxels(), asked_);
   const Vec3 target = leg_ == via_count() ? local.goal.position : leg_to();
-  reach_begin(memory_->stage.reach, world(),
-              {local.start.position, target, expansions_left(), fences(), !at_rest(asked_.start)});
+  reach_begin(memory_->stage.reach, world(), {local.start.position, target, expansions_left(), !at_rest(asked_.start)});
 }
 
 Progress Plan::run_reach(Work& work) noexcept {
@@ -55,7 +54,7 @@ Progress Plan::run_reach(Work& work) noexcept {
   }
   report_.has_reachable = true;
   report_.reachable = reachable_point(stage.nearest);
-  const bool at_goal = same(world().voxel_of(stage.query.goal), stage.nearest);
+  const bool at_goal = same(voxels().voxel_of(stage.query.goal), stage.nearest);
   if (go_there && !(at_goal && lacks_nodes(failed_status_))) {
     plan_to_reachable();
   } else {
@@ -66,8 +65,8 @@ Progress Plan::run_reach(Work& work) noexcept {
 
 /// The voxel's centre in the world, or the start if it rests in that voxel already.
 Vec3 Plan::reachable_point(const Voxel& voxel) const noexcept {
-  const Grid& grid = world();
-  const Vec3 start = to_local(world(), asked_).start.position;
+  const Grid& grid = voxels();
+  const Vec3 start = to_local(voxels(), asked_).start.position;
   const bool stays = at_rest(asked_.start) && same(grid.voxel_of(start), voxel);
   return stays ? asked_.start.position : free_point(grid, voxel) + grid.spec().origin;
 }

@@ -42,27 +42,10 @@ std::uint32_t Plan::planes_left() const noexcept {
   return asked_.budget.planes - before(Stage::kCorridor) - before(Stage::kPrevious) - before(Stage::kEscape);
 }
 
-/// Blocks the voxels of plane z that the current fence forbids: all keep-ins together, or one keep-out.
-std::uint32_t Plan::block_plane(std::int32_t z) noexcept {
-  const Fences& fences = memory_->fences;
-  FenceLayer& layer = memory_->fence_layer;
-  if (fences_blocked_ == 0) return block_outside(fences, layer, memory_->fenced, z);
-  const KeepOut& fence = fences.keep_out[fences_blocked_ - 1];
-  const std::uint32_t effort = z == 0 ? prepare_keep_out(fences, fence, layer, memory_->fenced) : 0;
-  return effort + block_keep_out(layer, memory_->fenced, z);
-}
-
-/// One unit of work is a plane of voxels for all keep-ins together, or for one keep-out.
-Progress Plan::run_fences(Work& work) noexcept {
-  const std::int32_t planes = world().spec().dims.z;
-  for (; fences_blocked_ <= memory_->fences.keep_out_count; ++fences_blocked_) {
-    for (; fence_plane_ < planes; ++fence_plane_) {
-      if (!work.take()) return Progress::kMore;
-      work.effort += block_plane(fence_plane_);
-    }
-    fence_plane_ = 0;
-    count(Stage::kFences, static_cast<std::uint32_t>(fences_blocked_) + 1, kNoBudget, kMaxFences + 1);
-  }
+Progress Plan::run_world(Work& work) noexcept {
+  const Progress progress = world_advance(memory_->world, work);
+  count(Stage::kFences, static_cast<std::uint32_t>(memory_->world.steps), kNoBudget, kWorldBound);
+  if (progress == Progress::kMore) return progress;
   if (failed_status_ == Status::kGoalFenced) {
     enter(Stage::kReach);
   } else {
@@ -76,7 +59,6 @@ void Plan::begin_search() noexcept {
   const SearchQuery query{leg_from(),
                           leg_to(),
                           expansions_left(),
-                          fences(),
                           leg_ == 0 && !at_rest(ends.start),
                           leg_ == via_count() && !at_rest(ends.goal),
                           searched_again_ != 0 ? SearchMode::kOptimal : asked_.search};
@@ -97,7 +79,7 @@ Progress Plan::run_search(Work& work) noexcept {
   if (progress == Progress::kMore) return progress;
   report_.raw_occupied = stage.raw_occupied;
   report_.has_nearest_free = stage.has_nearest_free;
-  if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + world().spec().origin;
+  if (stage.has_nearest_free) report_.nearest_free = stage.nearest_free + voxels().spec().origin;
   if (progress == Progress::kFailed) {
     note_narrowness();
     fail(Stage::kSearch, status_of_leg(stage.status));
@@ -108,12 +90,12 @@ Progress Plan::run_search(Work& work) noexcept {
 }
 
 void Plan::begin_shortcut() noexcept {
-  shortcut_begin(memory_->stage.shortcut, world(), sight_lines_left(), leg_path());
+  shortcut_begin(memory_->stage.shortcut, voxels(), sight_lines_left(), leg_path());
 }
 
 Progress Plan::run_shortcut(Work& work) noexcept {
   ShortcutStage& stage = memory_->stage.shortcut;
-  const Progress progress = shortcut_advance(stage, world(), work, leg_path());
+  const Progress progress = shortcut_advance(stage, voxels(), work, leg_path());
   count(Stage::kShortcut, stage.sight_lines, asked_.budget.sight_lines, legs_searched(kShortcutBound));
   raise(report_.diagnostics.high_water.segments, stage.segments_high);
   if (progress == Progress::kMore) return progress;
@@ -145,7 +127,7 @@ bool Plan::search_again(Status why) noexcept {
 }
 
 void Plan::begin_corridor() noexcept {
-  corridor_begin(memory_->stage.corridor, world(), memory_->path, planes_left(), fences(), &memory_->mission.marks);
+  corridor_begin(memory_->stage.corridor, memory_->path, planes_left(), &memory_->mission.marks);
 }
 
 Progress Plan::run_corridor(Work& work) noexcept {
@@ -261,7 +243,7 @@ void Plan::fall_back(Status why) noexcept {
 Progress Plan::run_check(Work& work) noexcept {
   Layout& memory = *memory_;
   CheckStage& stage = memory.stage.check;
-  CheckQuery query{asked_.start, asked_.goal, asked_.limits, has_fences_ ? &memory.asked_fences : nullptr};
+  CheckQuery query{asked_.start, asked_.goal, asked_.limits, memory.world.has_solids ? &memory.asked_fences : nullptr};
   query.start.jerk = start_jerk();
   query.vias = memory.mission.vias;
   query.joints = memory.mission.joint;

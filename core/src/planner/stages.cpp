@@ -42,7 +42,7 @@ void Plan::enter(Stage stage) noexcept {
 Progress Plan::run_stage(Work& work) noexcept {
   switch (stage_) {
     case Stage::kFences:
-      return run_fences(work);
+      return run_world(work);
     case Stage::kSearch:
       return run_search(work);
     case Stage::kShortcut:

@@ -15,12 +15,12 @@ void push(Appending& appending, const Segment& next, int halved) {
 }
 
 /// Grows a polyhedron around the hull of the next part.
-Progress enclose_next(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+Progress enclose_next(Appending& appending, const World& world, const Vec3& origin, GrowScratch& scratch, Tube& tube,
                       Work& work) {
   const Segment& segment = appending.segment[appending.pending - 1];
   Vec3 points[kControlPoints];
   for (int k = 0; k < kControlPoints; ++k) points[k] = origin + segment.points[k];
-  return enclose_advance(appending.growth, grid, {points, kControlPoints}, tube.slack, scratch,
+  return enclose_advance(appending.growth, world, {points, kControlPoints}, tube.slack, scratch,
                          tube.polyhedra[tube.count], work);
 }
 
@@ -59,13 +59,13 @@ void append_begin(Appending& appending, const Segment& whole) noexcept {
   push(appending, whole, 0);
 }
 
-Progress append_advance(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+Progress append_advance(Appending& appending, const World& world, const Vec3& origin, GrowScratch& scratch, Tube& tube,
                         Work& work) noexcept {
   // Each turn appends a part or halves one. A part that does not fit ends the loop.
   while (appending.pending > 0) {
     if (is_full(tube.count + appending.pending > tube.capacity))
       return conclude(Status::kSegmentsFull, appending.status);
-    const Progress enclosed = enclose_next(appending, grid, origin, scratch, tube, work);
+    const Progress enclosed = enclose_next(appending, world, origin, scratch, tube, work);
     if (enclosed == Progress::kMore) return enclosed;
     if (enclosed == Progress::kDone) {
       append(appending, tube);
@@ -76,11 +76,12 @@ Progress append_advance(Appending& appending, const Grid& grid, const Vec3& orig
   return Progress::kDone;
 }
 
-Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept {
+Status enclose(const World& world, const Vec3& origin, const Segment& whole, GrowScratch& scratch,
+               Tube& tube) noexcept {
   Appending appending;
   append_begin(appending, whole);
   Work all{0xFFFFFFFFu};
-  append_advance(appending, grid, origin, scratch, tube, all);
+  append_advance(appending, world, origin, scratch, tube, all);
   return appending.status;
 }
 

@@ -43,11 +43,11 @@ struct Appending {
 /// kFailed: kCorridorBlocked if even the smallest parts do not keep clear; kSegmentsFull if the tube has too little
 /// room for the parts. It then contains the parts that fitted.
 void append_begin(Appending& appending, const Segment& whole) noexcept;
-Progress append_advance(Appending& appending, const Grid& grid, const Vec3& origin, GrowScratch& scratch, Tube& tube,
+Progress append_advance(Appending& appending, const World& world, const Vec3& origin, GrowScratch& scratch, Tube& tube,
                         Work& work) noexcept;
 
 /// Appends a segment in one call. Returns kOk, or why it failed.
-Status enclose(const Grid& grid, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
+Status enclose(const World& world, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;
 
 }  // namespace tern
 

@@ -4,7 +4,7 @@
 
 #include "base/math.hpp"
 #include "curve/motion_limits.hpp"
-#include "tern/fence.hpp"
+#include "tern/halfspace.hpp"
 #include "trajectory/end_weights.hpp"
 #include "trajectory/limit_planes.hpp"
 #include "trajectory/piece.hpp"

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fence/fence_layer.hpp"
+#include "world/solid_layer.hpp"
 
 #include <cstddef>
 
@@ -23,7 +23,7 @@ constexpr std::uint32_t kStencilEffort = 8000;
 constexpr std::uint32_t kRowEffort = 40;
 
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
-void block_run(FenceLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
+void block_run(SolidLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
   if (run.end <= run.begin) return;
   std::uint64_t* row = layer.words + GridView::blocked(view).index(y, z);
   for (std::int32_t k = run.begin >> 6; k <= (run.end - 1) >> 6; ++k) row[k] |= bits_within(run, k);
@@ -64,35 +64,33 @@ void keep_short_of(const Halfspace& beyond, const Row& row, double cell, IndexRa
 /// If two normals are closer to opposite than this, their mean has no useful direction.
 constexpr double kOpposite = -0.99;
 
-void add_normal(const Hull& hull, const Vec3& unit, double radius, FenceLayer& layer) {
-  layer.clear[layer.clear_count++] = {unit, radius - hull_support(-1.0 * unit, hull)};
+void add_normal(const ConvexSolid& solid, const Vec3& unit, double radius, SolidLayer& layer) {
+  layer.clear[layer.clear_count++] = {unit, radius - solid_support(-1.0 * unit, solid)};
 }
 
-/// The planes tried for the keep-out: a voxel beyond any of them is clear of it.
-void collect_normals(const Fences& fences, const KeepOut& fence, double radius, FenceLayer& layer) {
-  const Hull hull = hull_of(fences, fence);
-  const Halfspace* faces = fences.planes + fence.first_plane;
+/// The planes tried for the solid: a voxel beyond any of them is clear of it.
+void collect_normals(const ConvexSolid& solid, double radius, SolidLayer& layer) {
   layer.clear_count = 0;
   for (int a = 0; a < 3; ++a) {
     Vec3 unit{0.0, 0.0, 0.0};
     axis(unit, a) = 1.0;
-    add_normal(hull, unit, radius, layer);
-    add_normal(hull, -1.0 * unit, radius, layer);
+    add_normal(solid, unit, radius, layer);
+    add_normal(solid, -1.0 * unit, radius, layer);
   }
-  for (int i = 0; i < fence.planes; ++i) {
-    add_normal(hull, faces[i].normal, radius, layer);
+  for (int i = 0; i < solid.face_count; ++i) {
+    add_normal(solid, solid.faces[i].normal, radius, layer);
     for (int j = 0; j < i; ++j) {
-      const double along = dot(faces[i].normal, faces[j].normal);
+      const double along = dot(solid.faces[i].normal, solid.faces[j].normal);
       if (along < kOpposite) continue;
-      const Vec3 mean = faces[i].normal + faces[j].normal;
-      add_normal(hull, (1.0 / length(mean)) * mean, radius, layer);
+      const Vec3 mean = solid.faces[i].normal + solid.faces[j].normal;
+      add_normal(solid, (1.0 / length(mean)) * mean, radius, layer);
     }
   }
 }
 
-/// Rows whose cubes the keep-out, grown by the radius, may reach. They follow from the first six planes, which are
+/// Rows whose cubes the solid, grown by the radius, may reach. They follow from the first six planes, which are
 /// across the axes, two for each.
-IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
+IndexRange rows_near(const SolidLayer& layer, const Grid& view, int a) {
   const double cell = view.spec().cell;
   const std::int32_t count = axis(view.spec().dims, a);
   return {floor_index(-layer.clear[2 * a + 1].offset / cell - 1.0, 0, count),
@@ -100,7 +98,7 @@ IndexRange rows_near(const FenceLayer& layer, const Grid& view, int a) {
 }
 
 /// Makes plane z of the blocked layer from the obstacles, within the view's boundary.
-std::uint32_t make_plane(FenceLayer& layer, const Grid& view, std::int32_t z) {
+std::uint32_t make_plane(SolidLayer& layer, const Grid& view, std::int32_t z) {
   const Stencil stencil(view.spec());
   const PatchMaker maker(view, stencil, layer.words);
   const Voxel& dims = view.spec().dims;
@@ -115,7 +113,7 @@ std::uint32_t make_plane(FenceLayer& layer, const Grid& view, std::int32_t z) {
 
 }  // namespace
 
-Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
+Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
   const std::size_t words = GridView::layer_words(grid);
   if (is_full(words > static_cast<std::size_t>(kMaxFenceWords))) return Status::kFenceLayerFull;
   const std::uint64_t* from = GridView::blocked(grid).words;
@@ -125,30 +123,29 @@ Status copy_blocked(const Grid& grid, FenceLayer& layer, Grid& view) noexcept {
   return Status::kOk;
 }
 
-std::uint32_t block_outside(const Fences& fences, FenceLayer& layer, const Grid& view, std::int32_t z) noexcept {
+std::uint32_t block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z) noexcept {
   const Voxel& dims = view.spec().dims;
   const double cell = view.spec().cell;
   const std::uint32_t made = layer.narrowed ? make_plane(layer, view, z) : 0;
   for (std::int32_t y = 0; y < dims.y; ++y) {
-    for (int p = 0; p < fences.keep_in_count; ++p) {
-      const Halfspace& plane = fences.keep_in[p];
+    for (int p = 0; p < solids.wall_count; ++p) {
+      const Halfspace& plane = solids.walls[p];
       IndexRange run{0, dims.x};
       keep_short_of({-1.0 * plane.normal, -plane.offset}, {y * cell, z * cell}, cell, run);
       block_run(layer, view, y, z, run);
     }
   }
-  return made + kPlaneEffort + effort_of(kCutEffort, dims.y * fences.keep_in_count);
+  return made + kPlaneEffort + effort_of(kCutEffort, dims.y * solids.wall_count);
 }
 
-std::uint32_t prepare_keep_out(const Fences& fences, const KeepOut& fence, FenceLayer& layer,
-                               const Grid& view) noexcept {
-  collect_normals(fences, fence, view.spec().clearance(), layer);
+std::uint32_t prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view) noexcept {
+  collect_normals(solid, view.spec().clearance(), layer);
   layer.planes = rows_near(layer, view, 2);
   layer.rows = rows_near(layer, view, 1);
   return kPlaneEffort + effort_of(kNormalEffort, layer.clear_count);
 }
 
-std::uint32_t block_keep_out(FenceLayer& layer, const Grid& view, std::int32_t z) noexcept {
+std::uint32_t block_solid(SolidLayer& layer, const Grid& view, std::int32_t z) noexcept {
   if (!contains(layer.planes, z)) return kPlaneEffort;
   const double cell = view.spec().cell;
   int cuts = 0;

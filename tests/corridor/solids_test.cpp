@@ -13,6 +13,7 @@
 #include "corridor/grow.hpp"
 #include "corridor/hull_polyhedron.hpp"
 #include "support/corridor_reference.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {
@@ -31,16 +32,15 @@ class CorridorFences : public ::testing::Test {
     tern::reset_counters(*scratch_);
   }
   void load(const std::vector<Fence>& fences) {
-    ASSERT_EQ(tern::load_fences(world_.grid, fences.data(), static_cast<std::int32_t>(fences.size()), *fences_).status,
+    ASSERT_EQ(tern::load_fences(world_.grid, fences.data(), static_cast<std::int32_t>(fences.size()), *solids_).status,
               Status::kOk);
-    scratch_->fences = fences_.get();
   }
+  tern::World world() const { return tern::World(world_.grid, *solids_); }
   Status grow(const Vec3& from, const Vec3& to) {
-    return tern::grow_polyhedron(world_.grid, from, to, *scratch_, *polyhedron_);
+    return tern::grow_polyhedron(world(), from, to, *scratch_, *polyhedron_);
   }
   Status enclose(const std::vector<Vec3>& points) {
-    return tern::enclose_hull(world_.grid, {points.data(), static_cast<int>(points.size())}, 0.0, *scratch_,
-                              *polyhedron_);
+    return tern::enclose_hull(world(), {points.data(), static_cast<int>(points.size())}, 0.0, *scratch_, *polyhedron_);
   }
   /// A keep-out box.
   Fence block(const Vec3& lower, const Vec3& upper) {
@@ -54,7 +54,7 @@ class CorridorFences : public ::testing::Test {
     Halfspace at[tern::kBoxPlanes];
   };
   std::deque<Faces> faces_;
-  std::unique_ptr<tern::Fences> fences_ = std::make_unique<tern::Fences>();
+  std::unique_ptr<tern::Solids> solids_ = std::make_unique<tern::Solids>();
   std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();
   std::unique_ptr<tern::Polyhedron> polyhedron_ = std::make_unique<tern::Polyhedron>();
 };
@@ -102,9 +102,9 @@ TEST_F(CorridorFences, APipeOfTooManyFacesIsFull) {
   path->count = 2;
   path->points[0] = {1.0, 2.0, 2.0};
   path->points[1] = {3.0, 2.0, 2.0};
-  tern::corridor_begin(*stage, world_.grid, *path, 0xFFFFFFFFu, fences_.get());
+  tern::corridor_begin(*stage, *path, 0xFFFFFFFFu);
   tern::Work work{0xFFFFFFFFu};
-  EXPECT_EQ(tern::corridor_advance(*stage, world_.grid, *path, work, *corridor), tern::Progress::kFailed);
+  EXPECT_EQ(tern::corridor_advance(*stage, world(), *path, work, *corridor), tern::Progress::kFailed);
   EXPECT_EQ(stage->status, Status::kPlanesFull);
   EXPECT_EQ(stage->pending, tern::kMaxHalvings + 1);
   EXPECT_NEAR(stage->ends[tern::kMaxHalvings].x, 1.0 + 2.0 / 64.0, 1e-12);
@@ -119,9 +119,9 @@ TEST(CorridorWithoutALeg, IsFull) {
   path->points[0] = {1.0, 2.0, 2.0};
   for (const int count : {0, 1}) {
     path->count = count;
-    tern::corridor_begin(*stage, world.grid, *path, 0xFFFFFFFFu);
+    tern::corridor_begin(*stage, *path, 0xFFFFFFFFu);
     tern::Work work{10};
-    EXPECT_EQ(tern::corridor_advance(*stage, world.grid, *path, work, *corridor), tern::Progress::kFailed);
+    EXPECT_EQ(tern::corridor_advance(*stage, tern::World(world.grid), *path, work, *corridor), tern::Progress::kFailed);
     EXPECT_EQ(stage->status, Status::kSegmentsFull);
     EXPECT_EQ(work.left, 10u);
   }

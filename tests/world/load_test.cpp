@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Geofences on their way into the core: gaps between segments and hulls, corners, refusals, the search's voxels.
+// Geofences on their way into the world: gaps between segments and hulls, corners, refusals, the search's voxels.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,10 +9,11 @@
 #include <memory>
 
 #include "base/math.hpp"
-#include "fence/fence_layer.hpp"
-#include "fence/fences.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
+#include "world/fences.hpp"
+#include "world/solid_layer.hpp"
+#include "world/world.hpp"
 
 namespace tern_test {
 namespace {
@@ -20,8 +21,8 @@ namespace {
 using tern::Box;
 using tern::Fence;
 using tern::FenceKind;
-using tern::Fences;
 using tern::Halfspace;
+using tern::Solids;
 using tern::Status;
 using tern::Vec3;
 
@@ -52,58 +53,67 @@ TEST(FenceGap, AgreesWithBoxesAtRandom) {
 
 class FencesTest : public ::testing::Test {
  protected:
-  /// All planes of a keep-out.
-  void block(int keep_out, tern::FenceLayer& layer, const tern::Grid& view) {
-    prepare_keep_out(*fences_, fences_->keep_out[keep_out], layer, view);
-    for (int z = 0; z < view.spec().dims.z; ++z) block_keep_out(layer, view, z);
+  /// The first solid.
+  tern::ConvexSolid solid() const { return solid_of(*solids_, solids_->parts[0]); }
+  /// All planes of a solid.
+  void block(int k, tern::SolidLayer& layer, const tern::Grid& view) {
+    prepare_solid(solid_of(*solids_, solids_->parts[k]), layer, view);
+    for (int z = 0; z < view.spec().dims.z; ++z) block_solid(layer, view, z);
+  }
+  /// Of a grid with this radius: 0, 0.2 or 0.4.
+  bool is_clear(const Vec3& from, const Vec3& to, double radius) const {
+    const MarkedWorld& marked = radius > 0.3 ? wide_ : radius > 0.1 ? world_ : bare_;
+    return tern::World(marked.grid, *solids_).solids_clear(from, to);
   }
   Status load(const std::vector<Fence>& list) {
-    return load_fences(world_.grid, list.data(), static_cast<std::int32_t>(list.size()), *fences_).status;
+    return load_fences(world_.grid, list.data(), static_cast<std::int32_t>(list.size()), *solids_).status;
   }
   Status load_one(FenceKind kind, const std::vector<Halfspace>& planes) {
     return load({{planes.data(), static_cast<std::int32_t>(planes.size()), kind}});
   }
 
   MarkedWorld world_{{40, 40, 20}, 0.1, 0.2};
-  std::unique_ptr<Fences> fences_ = std::make_unique<Fences>();
+  MarkedWorld bare_{{40, 40, 20}, 0.1, 0.0};
+  MarkedWorld wide_{{40, 40, 20}, 0.1, 0.4};
+  std::unique_ptr<Solids> solids_ = std::make_unique<Solids>();
 };
 
 TEST_F(FencesTest, ABoxHasItsEightCorners) {
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   ASSERT_EQ(load({{planes, 6, FenceKind::kKeepOut}}), Status::kOk);
-  ASSERT_EQ(fences_->keep_out_count, 1);
-  EXPECT_EQ(fences_->keep_out[0].corners, 8);
-  EXPECT_TRUE(fences_clear(*fences_, {0.8, 1.2, 0.7}, {0.8, 1.2, 0.7}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {0.81, 1.2, 0.7}, {0.81, 1.2, 0.7}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {0.5, 1.2, 0.7}, {3.0, 1.2, 0.7}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {1.5, 1.2, 0.7}, {1.5, 1.2, 0.7}, 0.0)) << "inside";
+  ASSERT_EQ(solids_->solid_count, 1);
+  EXPECT_EQ(solids_->parts[0].corners, 8);
+  EXPECT_TRUE(is_clear({0.8, 1.2, 0.7}, {0.8, 1.2, 0.7}, 0.2));
+  EXPECT_FALSE(is_clear({0.81, 1.2, 0.7}, {0.81, 1.2, 0.7}, 0.2));
+  EXPECT_FALSE(is_clear({0.5, 1.2, 0.7}, {3.0, 1.2, 0.7}, 0.2));
+  EXPECT_FALSE(is_clear({1.5, 1.2, 0.7}, {1.5, 1.2, 0.7}, 0.0)) << "inside";
 }
 
 TEST_F(FencesTest, AHalfSpaceIsCutToTheSurroundings) {
   ASSERT_EQ(load_one(FenceKind::kKeepOut, {{{-2.0, 0.0, 0.0}, -6.0}}), Status::kOk);  // x >= 3, normal of length 2
-  ASSERT_EQ(fences_->keep_out_count, 1);
-  EXPECT_EQ(fences_->keep_out[0].corners, 8);
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.8, 1.0, 1.0}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.81, 1.0, 1.0}, 0.2));
+  ASSERT_EQ(solids_->solid_count, 1);
+  EXPECT_EQ(solids_->parts[0].corners, 8);
+  EXPECT_TRUE(is_clear({1.0, 1.0, 1.0}, {2.8, 1.0, 1.0}, 0.2));
+  EXPECT_FALSE(is_clear({1.0, 1.0, 1.0}, {2.81, 1.0, 1.0}, 0.2));
 }
 
 TEST_F(FencesTest, FarKeepOutsKeepNothingOut) {
   ASSERT_EQ(load_one(FenceKind::kKeepOut, {{{-1.0, 0.0, 0.0}, -9.0}}), Status::kOk);
-  EXPECT_EQ(fences_->keep_out_count, 0);
+  EXPECT_EQ(solids_->solid_count, 0);
 }
 
 TEST_F(FencesTest, AFlatKeepOutStillCounts) {
   ASSERT_EQ(load_one(FenceKind::kKeepOut, {{{1.0, 0.0, 0.0}, 2.0}, {{-1.0, 0.0, 0.0}, -2.0}}), Status::kOk);
-  ASSERT_EQ(fences_->keep_out_count, 1);
-  EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}, 0.0));
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {1.5, 1.0, 1.0}, 0.2));
+  ASSERT_EQ(solids_->solid_count, 1);
+  EXPECT_FALSE(is_clear({1.0, 1.0, 1.0}, {3.0, 1.0, 1.0}, 0.0));
+  EXPECT_TRUE(is_clear({1.0, 1.0, 1.0}, {1.5, 1.0, 1.0}, 0.2));
 }
 
 TEST_F(FencesTest, KeepInsAreClosed) {
   ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{1.0, 0.0, 0.0}, 2.0}}), Status::kOk);
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.0, 1.0, 1.0}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {1.0, 1.0, 1.0}, {2.0001, 1.0, 1.0}, 0.2));
+  EXPECT_TRUE(is_clear({1.0, 1.0, 1.0}, {2.0, 1.0, 1.0}, 0.2));
+  EXPECT_FALSE(is_clear({1.0, 1.0, 1.0}, {2.0001, 1.0, 1.0}, 0.2));
 }
 
 TEST_F(FencesTest, AKeepInCutsKeepOutsShortAsABoundaryDoes) {
@@ -118,9 +128,9 @@ TEST_F(FencesTest, AKeepInCutsKeepOutsShortAsABoundaryDoes) {
   const Fence map{&beyond, 1, FenceKind::kKeepIn};
   for (const std::vector<Fence>& list : {std::vector<Fence>{out, map, in}, std::vector<Fence>{in, out}}) {
     ASSERT_EQ(load(list), Status::kOk);
-    ASSERT_EQ(fences_->keep_out_count, 1);
-    EXPECT_EQ(fences_->keep_out[0].corners, 8);
-    const tern::Hull hull = hull_of(*fences_, fences_->keep_out[0]);
+    ASSERT_EQ(solids_->solid_count, 1);
+    EXPECT_EQ(solids_->parts[0].corners, 8);
+    const tern::Hull hull = solid().hull;
     for (int a = 0; a < 3; ++a) {
       Vec3 up{};
       tern::axis(up, a) = 1.0;
@@ -138,9 +148,9 @@ TEST_F(FencesTest, AKeepInOfOnePointLosesNoKeepOutAboutIt) {
   for (const double face : {1.0, 1.2}) {
     const Halfspace half{{1.0, 0.0, 0.0}, face};
     const Fence list[] = {{planes, 6, FenceKind::kKeepIn}, {&half, 1, FenceKind::kKeepOut}};
-    ASSERT_EQ(load_fences(world.grid, list, 2, *fences_).status, Status::kOk);
-    ASSERT_EQ(fences_->keep_out_count, 1);
-    EXPECT_EQ(fences_clear(*fences_, point, point, 0.0), face < 1.1) << "it may touch";
+    ASSERT_EQ(load_fences(world.grid, list, 2, *solids_).status, Status::kOk);
+    ASSERT_EQ(solids_->solid_count, 1);
+    EXPECT_EQ(is_clear(point, point, 0.0), face < 1.1) << "it may touch";
   }
 }
 
@@ -151,16 +161,16 @@ TEST_F(FencesTest, AFlatKeepOutStillCountsInASmallKeepIn) {
                              {{0.0, -1.0, 0.0}, -1.0}, {{0.0, 0.0, 1.0}, 1.01},   {{0.0, 0.0, -1.0}, -1.0}};
   const World world({40, 40, 20}, 0.1, 0.0);
   const Fence list[] = {{plate, 2, FenceKind::kKeepOut}, {small, 6, FenceKind::kKeepIn}};
-  ASSERT_EQ(load_fences(world.grid, list, 2, *fences_).status, Status::kOk);
-  EXPECT_EQ(fences_->keep_out_count, 1);
+  ASSERT_EQ(load_fences(world.grid, list, 2, *solids_).status, Status::kOk);
+  EXPECT_EQ(solids_->solid_count, 1);
 }
 
 TEST_F(FencesTest, HalfSpacesFarBeyondTheMapHoldAllOrNothing) {
   for (const double far : {50.0, 1e300}) {
     ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{2.0, 0.0, 0.0}, far}}), Status::kOk);
-    EXPECT_TRUE(fences_clear(*fences_, {0.1, 1.0, 1.0}, {3.9, 1.0, 1.0}, 0.2));
+    EXPECT_TRUE(is_clear({0.1, 1.0, 1.0}, {3.9, 1.0, 1.0}, 0.2));
     ASSERT_EQ(load_one(FenceKind::kKeepIn, {{{2.0, 0.0, 0.0}, -far}}), Status::kOk);
-    EXPECT_FALSE(fences_clear(*fences_, {0.1, 1.0, 1.0}, {0.1, 1.0, 1.0}, 0.2));
+    EXPECT_FALSE(is_clear({0.1, 1.0, 1.0}, {0.1, 1.0, 1.0}, 0.2));
   }
   // 1e308 / 1e-3 is no number.
   EXPECT_EQ(load_one(FenceKind::kKeepIn, {{{1e-3, 0.0, 0.0}, 1e308}}), Status::kNonFiniteInput);
@@ -175,7 +185,7 @@ TEST_F(FencesTest, WhatIsNotEmptyHasCorners) {
         load_one(FenceKind::kKeepOut, {{{1.0, 0.0, 0.0}, 2.0 - 0.5 * by}, {{-1.0, 0.0, 0.0}, -2.0 - 0.5 * by}});
     EXPECT_EQ(status, miss < 1.1e-13 ? Status::kOk : Status::kFenceEmpty) << miss;
     if (status == Status::kOk) {
-      EXPECT_EQ(fences_->keep_out_count, 1) << miss;
+      EXPECT_EQ(solids_->solid_count, 1) << miss;
     }
   }
 }
@@ -190,9 +200,9 @@ TEST_F(FencesTest, RefusesWhatIsNoFence) {
   EXPECT_EQ(load({{nullptr, 1, FenceKind::kKeepIn}}), Status::kInvalidArgument);
   EXPECT_EQ(load({{&good, 0, FenceKind::kKeepIn}}), Status::kInvalidArgument);
   EXPECT_EQ(load({{&good, 1, static_cast<FenceKind>(7)}}), Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, 1, *fences_).status, Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, -1, *fences_).status, Status::kInvalidArgument);
-  EXPECT_EQ(load_fences(world_.grid, nullptr, 0, *fences_).status, Status::kOk);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, 1, *solids_).status, Status::kInvalidArgument);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, -1, *solids_).status, Status::kInvalidArgument);
+  EXPECT_EQ(load_fences(world_.grid, nullptr, 0, *solids_).status, Status::kOk);
   EXPECT_EQ(load(std::vector<Fence>(tern::kMaxFences + 1, {&good, 1, FenceKind::kKeepIn})), Status::kFencesFull);
   EXPECT_EQ(load_one(FenceKind::kKeepOut, std::vector<Halfspace>(tern::kMaxFencePlanes + 1, good)),
             Status::kFencePlanesFull);
@@ -213,10 +223,10 @@ TEST_F(FencesTest, EqualPlanesMakeNoMoreCornersAndLoseNone) {
     twice.push_back({{3.0 * h.normal.x, 3.0 * h.normal.y, 3.0 * h.normal.z}, 3.0 * h.offset});
   }
   ASSERT_EQ(load_one(FenceKind::kKeepOut, twice), Status::kOk);
-  ASSERT_EQ(fences_->keep_out_count, 1);
-  EXPECT_EQ(fences_->keep_out[0].corners, 8);
-  EXPECT_TRUE(fences_clear(*fences_, {0.8, 1.2, 0.7}, {0.8, 1.2, 0.7}, 0.2));
-  EXPECT_FALSE(fences_clear(*fences_, {0.81, 1.2, 0.7}, {0.81, 1.2, 0.7}, 0.2));
+  ASSERT_EQ(solids_->solid_count, 1);
+  EXPECT_EQ(solids_->parts[0].corners, 8);
+  EXPECT_TRUE(is_clear({0.8, 1.2, 0.7}, {0.8, 1.2, 0.7}, 0.2));
+  EXPECT_FALSE(is_clear({0.81, 1.2, 0.7}, {0.81, 1.2, 0.7}, 0.2));
 }
 
 TEST_F(FencesTest, ANeedleKeepsItsTip) {
@@ -224,8 +234,8 @@ TEST_F(FencesTest, ANeedleKeepsItsTip) {
   ASSERT_EQ(load_one(FenceKind::kKeepOut,
                      {{{1.0, 0.0, 1e-6}, 2.0 + 1e-6}, {{-1.0, 1.0, 1e-6}, 1e-6}, {{-1.0, -1.0, 1e-6}, -4.0 + 1e-6}}),
             Status::kOk);
-  ASSERT_EQ(fences_->keep_out_count, 1);
-  const double top = -hull_support({0.0, 0.0, -1.0}, hull_of(*fences_, fences_->keep_out[0]));
+  ASSERT_EQ(solids_->solid_count, 1);
+  const double top = -hull_support({0.0, 0.0, -1.0}, solid().hull);
   EXPECT_GE(top, 1.0);
   EXPECT_LE(top, 1.0 + 1e-5);  // moved out by 1e-12 m, three planes a millionth of a radian apart
 }
@@ -234,11 +244,11 @@ TEST_F(FencesTest, TouchingIsAllowedWithoutARadiusToo) {
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   ASSERT_EQ(load({{planes, 6, FenceKind::kKeepOut}}), Status::kOk);
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.2, 0.7}, {1.0, 1.2, 0.7}, 0.0)) << "on a face";
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 1.0, 0.5}, {1.0, 1.0, 0.5}, 0.0)) << "on a corner";
-  EXPECT_TRUE(fences_clear(*fences_, {1.0, 0.5, 0.7}, {1.0, 3.0, 0.7}, 0.0)) << "along a face";
-  EXPECT_FALSE(fences_clear(*fences_, {1.00001, 1.2, 0.7}, {1.00001, 1.2, 0.7}, 0.0));
-  EXPECT_FALSE(fences_clear(*fences_, {0.5, 1.2, 0.7}, {2.5, 1.2, 0.7}, 0.0));
+  EXPECT_TRUE(is_clear({1.0, 1.2, 0.7}, {1.0, 1.2, 0.7}, 0.0)) << "on a face";
+  EXPECT_TRUE(is_clear({1.0, 1.0, 0.5}, {1.0, 1.0, 0.5}, 0.0)) << "on a corner";
+  EXPECT_TRUE(is_clear({1.0, 0.5, 0.7}, {1.0, 3.0, 0.7}, 0.0)) << "along a face";
+  EXPECT_FALSE(is_clear({1.00001, 1.2, 0.7}, {1.00001, 1.2, 0.7}, 0.0));
+  EXPECT_FALSE(is_clear({0.5, 1.2, 0.7}, {2.5, 1.2, 0.7}, 0.0));
 }
 
 TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
@@ -255,8 +265,8 @@ TEST_F(FencesTest, MoreCornersThanFitAreFoundMoreCoarsely) {
       }
     }
     ASSERT_EQ(load_one(FenceKind::kKeepOut, planes), Status::kOk);
-    ASSERT_EQ(fences_->keep_out_count, 1);
-    const tern::Hull hull = hull_of(*fences_, fences_->keep_out[0]);
+    ASSERT_EQ(solids_->solid_count, 1);
+    const tern::Hull hull = solid().hull;
     for (const Halfspace& h : planes) {  // each plane touches a ball of 0.5 m
       const double out = -hull_support({-h.normal.x, -h.normal.y, -h.normal.z}, hull);
       ASSERT_GE(out, dot3(h.normal, {2.0, 2.0, 1.0}) + 0.5 - 1e-6);
@@ -283,7 +293,7 @@ TEST_F(FencesTest, CornersThatFitInNoWayAreRefused) {
 
 TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {
   Random random(3);
-  const auto layer = std::make_unique<tern::FenceLayer>();
+  const auto layer = std::make_unique<tern::SolidLayer>();
   int freed = 0;
   for (int i = 0; i < scaled(120); ++i) {
     const Vec3 center{random.real(0.5, 3.5), random.real(0.5, 3.5), random.real(0.5, 1.5)};
@@ -300,16 +310,16 @@ TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {
     world_.grid.inflate();
     tern::Grid view;
     ASSERT_EQ(copy_blocked(world_.grid, *layer, view), Status::kOk);
-    for (int z = 0; z < 20; ++z) block_outside(*fences_, *layer, view, z);
-    for (int k = 0; k < fences_->keep_out_count; ++k) block(k, *layer, view);
+    for (int z = 0; z < 20; ++z) block_outside(*solids_, *layer, view, z);
+    for (int k = 0; k < solids_->solid_count; ++k) block(k, *layer, view);
     for (int k = 0; k < 300; ++k) {
       const tern::Voxel v{random.integer(0, 39), random.integer(0, 39), random.integer(0, 19)};
       const Box cube{{v.x * 0.1, v.y * 0.1, v.z * 0.1}, {v.x * 0.1 + 0.1, v.y * 0.1 + 0.1, v.z * 0.1 + 0.1}};
       bool clear = true;
       bool far = true;
       for (const Vec3& p : corners_of_box(cube)) {
-        clear = clear && fences_clear(*fences_, p, p, 0.2);
-        far = far && fences_clear(*fences_, p, p, 0.2 * 2.0);
+        clear = clear && is_clear(p, p, 0.2);
+        far = far && is_clear(p, p, 0.4);
       }
       if (view.free(v)) {
         ASSERT_TRUE(clear) << "case " << i;
@@ -329,7 +339,7 @@ TEST_F(FencesTest, ABoxBlocksWhatItReachesAndNoMore) {
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   ASSERT_EQ(load({{planes, 6, FenceKind::kKeepOut}}), Status::kOk);
-  const auto layer = std::make_unique<tern::FenceLayer>();
+  const auto layer = std::make_unique<tern::SolidLayer>();
   world_.grid.inflate();
   tern::Grid view;
   ASSERT_EQ(copy_blocked(world_.grid, *layer, view), Status::kOk);
@@ -346,8 +356,8 @@ TEST_F(FencesTest, AnEdgeIsRounderThanItsFaces) {
   Halfspace planes[tern::kBoxPlanes];
   box_planes({{1.0, 1.0, 0.5}, {2.0, 1.5, 1.0}}, planes);
   const Fence box{planes, 6, FenceKind::kKeepOut};
-  ASSERT_EQ(load_fences(world.grid, &box, 1, *fences_).status, Status::kOk);
-  const auto layer = std::make_unique<tern::FenceLayer>();
+  ASSERT_EQ(load_fences(world.grid, &box, 1, *solids_).status, Status::kOk);
+  const auto layer = std::make_unique<tern::SolidLayer>();
   world.grid.inflate();
   tern::Grid view;
   ASSERT_EQ(copy_blocked(world.grid, *layer, view), Status::kOk);

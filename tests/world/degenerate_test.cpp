@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "check/check_stage.hpp"
-#include "fence/fences.hpp"
 #include "support/degenerate_fence.hpp"
 #include "support/world.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {
@@ -96,7 +96,7 @@ tern::Polyhedron beyond(const Vec3& normal, double offset) {
 TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
   if (!long_double_is_longer()) GTEST_SKIP() << "the reference needs a long double that is longer than a double";
   Random random(41);
-  const auto fences = std::make_unique<tern::Fences>();
+  const auto solids = std::make_unique<tern::Solids>();
   const auto asked = std::make_unique<tern::AskedFences>();
   const auto scratch = std::make_unique<tern::FenceScratch>();
   tern::CheckReport found;
@@ -105,14 +105,14 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
     Case c(random);
     const tern::Grid& grid = c.world.grid;
     const double radius = c.world.spec.radius;
-    const Status status = load_fences(grid, &c.fence, 1, *fences).status;
+    const Status status = load_fences(grid, &c.fence, 1, *solids).status;
     if (status == Status::kFenceEmpty) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;
       continue;
     }
     ASSERT_EQ(status, Status::kOk);
     ASSERT_TRUE(copy_fences(&c.fence, 1, *asked));
-    if (fences->keep_out_count == 0) {
+    if (solids->solid_count == 0) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;
       ASSERT_TRUE(keep_outs_clear(grid, beyond({1.0, 0.0, 0.0}, 1e3), *asked, *scratch, found)) << "case " << i;
       continue;
@@ -121,7 +121,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
     for (int k = 0; k < 12; ++k) {
       const Vec3 normal = random_direction(random, c.exact);
       const Real shift = dot_of(point_of(normal), point_of(c.world.spec.origin));
-      const double support = hull_support(normal, hull_of(*fences, fences->keep_out[0]));
+      const double support = solid_support(normal, solid_of(*solids, solids->parts[0]));
       if (!c.corners.empty()) {
         ASSERT_LE(support, least_along(normal, c.corners) - shift) << "case " << i << ", " << k;
       }

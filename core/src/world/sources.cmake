@@ -1,4 +1,4 @@
 # Copyright (c) 2026, the Tern authors
 # SPDX-License-Identifier: BSD-3-Clause
 set(TERN_STAGE_SOURCES
-  fence_layer.cpp fences.cpp narrow_boundary.cpp)
+  corners.cpp fences.cpp narrow_boundary.cpp solid_layer.cpp solids.cpp world.cpp world_memory.cpp)

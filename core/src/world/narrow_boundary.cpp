@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fence/narrow_boundary.hpp"
+#include "world/narrow_boundary.hpp"
 
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
@@ -19,27 +19,27 @@ bool stands_across(const Vec3& normal, int a) {
   return true;
 }
 
-/// Drops the half-spaces of keep-ins that stand across axis `a`. False if there are none.
-bool drop_keep_ins(Fences& fences, int a) {
+/// Drops the walls that stand across axis `a`. False if there are none.
+bool drop_walls(Solids& solids, int a) {
   std::int32_t kept = 0;
-  for (int p = 0; p < fences.keep_in_count; ++p) {
-    if (stands_across(fences.keep_in[p].normal, a)) continue;
-    fences.keep_in_index[kept] = fences.keep_in_index[p];
-    fences.keep_in[kept++] = fences.keep_in[p];
+  for (int p = 0; p < solids.wall_count; ++p) {
+    if (stands_across(solids.walls[p].normal, a)) continue;
+    solids.wall_index[kept] = solids.wall_index[p];
+    solids.walls[kept++] = solids.walls[p];
   }
-  const bool any = kept < fences.keep_in_count;
-  fences.keep_in_count = kept;
+  const bool any = kept < solids.wall_count;
+  solids.wall_count = kept;
   return any;
 }
 
 }  // namespace
 
-Box within_keep_ins(const Fences& fences, const Box& boundary, int a) noexcept {
+Box within_walls(const Solids& solids, const Box& boundary, int a) noexcept {
   Box left = boundary;
   double& lower = axis(left.lower, a);
   double& upper = axis(left.upper, a);
-  for (int p = 0; p < fences.keep_in_count; ++p) {
-    const Halfspace& plane = fences.keep_in[p];
+  for (int p = 0; p < solids.wall_count; ++p) {
+    const Halfspace& plane = solids.walls[p];
     if (!stands_across(plane.normal, a)) continue;
     if (axis(plane.normal, a) > 0.0) upper = larger(smaller(upper, plane.offset), axis(boundary.lower, a));
     if (axis(plane.normal, a) < 0.0) lower = smaller(larger(lower, -plane.offset), axis(boundary.upper, a));
@@ -48,12 +48,12 @@ Box within_keep_ins(const Fences& fences, const Box& boundary, int a) noexcept {
   return left;
 }
 
-bool narrow_boundary(Fences& fences, Grid& view) noexcept {
+bool narrow_boundary(Solids& solids, Grid& view) noexcept {
   bool narrowed = false;
   for (int a = 0; a < 3; ++a) {
     const Box whole = view.local_boundary();
-    GridView::set_boundary(view, within_keep_ins(fences, whole, a));
-    if (is_thin(view, a) && drop_keep_ins(fences, a)) {
+    GridView::set_boundary(view, within_walls(solids, whole, a));
+    if (is_thin(view, a) && drop_walls(solids, a)) {
       narrowed = true;
     } else {
       GridView::set_boundary(view, whole);

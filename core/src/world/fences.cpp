@@ -1,0 +1,71 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "world/fences.hpp"
+
+#include "base/double_double.hpp"
+#include "base/math.hpp"
+#include "grid/distance.hpp"
+#include "world/corners.hpp"
+
+namespace tern {
+namespace {
+
+/// An offset this large lies beyond every map: coordinates of maps are below 1e19.
+constexpr double kBeyondAnyMap = 1e100;
+
+/// The half-space in the local frame, with a unit normal. The offset is shifted without rounding: far from the world's
+/// origin, both the offset and the shift are large, and between two nearly parallel planes a small error grows.
+Halfspace to_local_plane(const Grid& grid, const Halfspace& world) {
+  const double norm = length(world.normal);
+  const bool far = absolute(world.offset) > kBeyondAnyMap;  // products would overflow, and the shift is negligible
+  const double shifted = far ? world.offset : depth_of(world.offset, world.normal, grid.spec().origin).high;
+  return {(1.0 / norm) * world.normal, shifted / norm};
+}
+
+void load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Solids& solids) {
+  for (std::int32_t p = 0; p < from.count; ++p) {
+    solids.wall_index[solids.wall_count] = index;
+    solids.walls[solids.wall_count++] = to_local_plane(grid, from.planes[p]);
+  }
+}
+
+Status load_keep_out(const Grid& grid, const Vicinity& around, const Fence& from, std::int32_t index, Solids& solids) {
+  SolidParts parts{solids.face_count, 0, solids.corner_count, 0, index};
+  for (; parts.faces < from.count; ++parts.faces) {
+    solids.faces[parts.first_face + parts.faces] = to_local_plane(grid, from.planes[parts.faces]);
+  }
+  const Status status = find_corners(around, solids, parts);
+  if (status != Status::kOk || parts.corners == 0) return status;
+  solids.face_count += parts.faces;
+  solids.parts[solids.solid_count++] = parts;
+  return Status::kOk;
+}
+
+/// Loads fences that find_fence_fault() has accepted. Not inlined: the stack of the two would add up.
+__attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence* list, std::int32_t count,
+                                                   Solids& solids) {
+  solids.wall_count = 0;
+  solids.solid_count = 0;
+  solids.face_count = 0;
+  solids.corner_count = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn) load_keep_in(grid, list[i], i, solids);
+  }
+  const Vicinity around = vicinity_of(grid, solids);
+  solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (list[i].kind == FenceKind::kKeepIn) continue;
+    const Status status = load_keep_out(grid, around, list[i], i, solids);
+    if (status != Status::kOk) return {status, i};
+  }
+  return {Status::kOk, kNoFence};
+}
+
+}  // namespace
+
+FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept {
+  const FenceFault fault = find_fence_fault(list, count, grid.spec());
+  return fault.status == Status::kOk ? load_accepted(grid, list, count, solids) : fault;
+}
+
+}  // namespace tern

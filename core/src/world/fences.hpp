@@ -1,0 +1,24 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A request's geofences as walls and solids.
+#ifndef TERN_WORLD_FENCES_HPP
+#define TERN_WORLD_FENCES_HPP
+
+#include <cstdint>
+
+#include "base/fence_fault.hpp"
+#include "tern/fence.hpp"
+#include "tern/grid.hpp"
+#include "world/solids.hpp"
+
+namespace tern {
+
+/// Reads `count` fences (world frame) for planning on `grid`. Keep-ins become walls and keep-outs become solids. A
+/// keep-out without a part that matters is left out. kOk; what find_fence_fault() says; kFencePlanesFull if the corners
+/// of a keep-out do not fit. `solids` is undefined unless kOk.
+FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept;
+
+}  // namespace tern
+
+#endif

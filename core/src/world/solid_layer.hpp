@@ -1,0 +1,48 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Walls and solids as blocked voxels, for the search. Each query has a blocked layer of its own, so the caller's grid
+// does not change.
+#ifndef TERN_WORLD_SOLID_LAYER_HPP
+#define TERN_WORLD_SOLID_LAYER_HPP
+
+#include <cstdint>
+
+#include "grid/lattice.hpp"
+#include "tern/grid.hpp"
+#include "tern/status.hpp"
+#include "world/solids.hpp"
+
+namespace tern {
+
+/// Normals tried for one solid: the axes, the normals of its faces, and the directions half way between two of these.
+constexpr int kMaxSolidNormals = 6 + kMaxFencePlanes + kMaxFencePlanes * (kMaxFencePlanes - 1) / 2;
+
+/// Room for a blocked layer, and scratch. Plain data.
+struct SolidLayer {
+  std::uint64_t words[kMaxFenceWords];
+  bool narrowed;  ///< by narrow_boundary(): the view's boundary is not the grid's
+  std::int32_t clear_count;
+  Halfspace clear[kMaxSolidNormals];  ///< points with normal . p >= offset are clear of the current solid
+  IndexRange planes;                  ///< planes that the current solid reaches
+  IndexRange rows;                    ///< rows that the current solid reaches
+};
+
+/// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kFenceLayerFull.
+Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept;
+
+/// Blocks each voxel in plane z of the view whose closed cube is not inside all walls. In a view that was narrowed,
+/// first makes the plane anew within its boundary. Returns the instructions that it took (see Work).
+std::uint32_t block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z) noexcept;
+
+/// Blocks the voxels that the solid, grown by the radius, may reach: prepare_solid() once, then plane by plane. A voxel
+/// stays free if one plane cuts it off with the radius to spare. The normals of these planes are the coordinate axes,
+/// the normals of the faces, and the directions half way between two of these. The latter are needed because the grown
+/// solid is round at its edges. At a corner, a voxel too many may be blocked, but never one too few. Both functions
+/// return the instructions that they took.
+std::uint32_t prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view) noexcept;
+std::uint32_t block_solid(SolidLayer& layer, const Grid& view, std::int32_t z) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,63 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is in the way of a plan: the voxels of a grid, and convex solids. Every stage asks this one type. It knows
+// geometry alone, and nothing of what a user calls a solid. Local frame, metres.
+#ifndef TERN_WORLD_WORLD_HPP
+#define TERN_WORLD_WORLD_HPP
+
+#include <cstdint>
+
+#include "tern/fence.hpp"
+#include "tern/grid.hpp"
+#include "world/solids.hpp"
+
+namespace tern {
+
+/// A view: whoever made it owns the grid and the solids, which must not change while it is used. Cheap to copy.
+///
+/// Walls: half-spaces that the centre stays in. Solids: what the centre keeps its clearance from, like obstacles. Both
+/// count to within touching(). Indices are those of the request's list.
+class World {
+ public:
+  /// A world of voxels alone.
+  explicit World(const Grid& voxels) noexcept : voxels_(&voxels), solids_(nullptr) {}
+  /// The blocked layer of `voxels` already includes what walls and solids block, once it is to be searched.
+  World(const Grid& voxels, const Solids& solids) noexcept : voxels_(&voxels), solids_(&solids) {}
+
+  /// The obstacle layer holds marked voxels alone. The blocked layer holds everything that is in the way.
+  const Grid& voxels() const noexcept { return *voxels_; }
+  const GridSpec& spec() const noexcept { return voxels_->spec(); }
+
+  /// Metres by which a point may come closer than the clearance to anything.
+  double touching() const noexcept;
+
+  /// False: a world of voxels alone.
+  bool has_solids() const noexcept { return solids_ != nullptr; }
+  int wall_count() const noexcept { return solids_ != nullptr ? solids_->wall_count : 0; }
+  const Halfspace& wall(int k) const noexcept { return solids_->walls[k]; }
+  int solid_count() const noexcept { return solids_ != nullptr ? solids_->solid_count : 0; }
+  ConvexSolid solid(int k) const noexcept { return solid_of(*solids_, solids_->parts[k]); }
+
+  /// The index of the first wall or solid that the segment breaks (equal ends make a point). Walls are tested first.
+  /// kNoFence if it breaks none.
+  std::int32_t first_broken(const Vec3& from, const Vec3& to) const noexcept;
+  /// The index of the first wall or solid that the closed cube of a voxel breaks: a wall that does not contain the
+  /// whole cube, or a solid for which the cube is not beyond any face, or side along an axis, by the clearance.
+  /// kNoFence if it breaks none: then the blocked layer leaves a voxel with this cube free (world/solid_layer.hpp).
+  std::int32_t first_over(const Box& cube) const noexcept;
+
+  /// True if the segment, or the cube, breaks no wall and no solid.
+  bool solids_clear(const Vec3& from, const Vec3& to) const noexcept { return first_broken(from, to) == kNoFence; }
+  bool solids_clear(const Box& cube) const noexcept { return first_over(cube) == kNoFence; }
+  /// True if the segment also keeps the clearance from all obstacles and stays in the boundary, as segment_clear.
+  bool line_clear(const Vec3& from, const Vec3& to) const noexcept;
+
+ private:
+  const Grid* voxels_;
+  const Solids* solids_;  // null: none
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,50 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "world/world_memory.hpp"
+
+#include "world/narrow_boundary.hpp"
+
+namespace tern {
+namespace {
+
+/// Blocks the voxels of plane z that the current step forbids. Returns the instructions that it took.
+std::uint32_t block_plane(WorldMemory& memory, std::int32_t z) {
+  if (memory.steps == 0) return block_outside(memory.solids, memory.layer, memory.view, z);
+  const ConvexSolid solid = solid_of(memory.solids, memory.solids.parts[memory.steps - 1]);
+  const std::uint32_t effort = z == 0 ? prepare_solid(solid, memory.layer, memory.view) : 0;
+  return effort + block_solid(memory.layer, memory.view, z);
+}
+
+}  // namespace
+
+void world_begin(WorldMemory& memory, const Grid& grid) noexcept {
+  memory.grid = &grid;
+  memory.has_solids = false;
+}
+
+FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept {
+  memory.view = *memory.grid;
+  memory.has_solids = true;
+  memory.steps = memory.plane = 0;
+  return load_fences(*memory.grid, list, count, memory.solids);
+}
+
+Status world_prepare(WorldMemory& memory) noexcept {
+  const Status status = copy_blocked(*memory.grid, memory.layer, memory.view);
+  if (status == Status::kOk) memory.layer.narrowed = narrow_boundary(memory.solids, memory.view);
+  return status;
+}
+
+Progress world_advance(WorldMemory& memory, Work& work) noexcept {
+  const std::int32_t planes = memory.view.spec().dims.z;
+  for (; memory.steps <= memory.solids.solid_count; ++memory.steps) {
+    for (; memory.plane < planes; ++memory.plane) {
+      if (!work.take()) return Progress::kMore;
+      work.effort += block_plane(memory, memory.plane);
+    }
+    memory.plane = 0;
+  }
+  return Progress::kDone;
+}
+
+}  // namespace tern

@@ -1,0 +1,51 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The memory behind the world of one request, which is made in slices.
+#ifndef TERN_WORLD_WORLD_MEMORY_HPP
+#define TERN_WORLD_WORLD_MEMORY_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "world/fences.hpp"
+#include "world/solid_layer.hpp"
+#include "world/world.hpp"
+
+namespace tern {
+
+/// Most steps of world_advance.
+constexpr std::uint32_t kWorldBound = kMaxFences + 1;
+
+/// Needs no initialisation before world_begin, and uses its larger part only for a request with solids.
+struct WorldMemory {
+  const Grid* grid;  ///< the caller's
+  bool has_solids;
+  std::int32_t steps;  ///< steps of blocking done: one for all walls, then one a solid
+  std::int32_t plane;  ///< the next plane of voxels of the current step
+  Solids solids;
+  Grid view;  ///< the caller's grid with `layer` as its blocked layer
+  SolidLayer layer;
+};
+
+inline World world_of(const WorldMemory& memory) noexcept {
+  return memory.has_solids ? World(memory.view, memory.solids) : World(*memory.grid);
+}
+
+/// Makes the world of a grid alone, which must outlive it.
+void world_begin(WorldMemory& memory, const Grid& grid) noexcept;
+
+/// Adds fences, which are read only now. The answers are those of load_fences; the world is undefined unless kOk.
+FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept;
+
+/// After world_add: gives the world a blocked layer of its own, and thin boundaries in place of walls that leave no
+/// whole voxel. The grid must be inflated. kOk, or kFenceLayerFull.
+Status world_prepare(WorldMemory& memory) noexcept;
+
+/// After world_prepare: blocks what walls and solids take. A unit of work is one plane of voxels of a step.
+Progress world_advance(WorldMemory& memory, Work& work) noexcept;
+
+}  // namespace tern
+
+#endif
