@@ -8,9 +8,9 @@
 
 #include <memory>
 
-#include "base/facet.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
+#include "world/facet.hpp"
 
 namespace tern_test {
 namespace {

@@ -7,11 +7,11 @@
 #include <cstring>
 #include <memory>
 
-#include "base/cells_after.hpp"
 #include "guide/block_map.hpp"
 #include "guide/block_parts.hpp"
 #include "guide/block_search.hpp"
 #include "guide/bucket_queue.hpp"
+#include "guide/cells_after.hpp"
 #include "support/path_world.hpp"
 
 namespace {

@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include "base/progress.hpp"
-#include "base/via_marks.hpp"
 #include "base/work.hpp"
 #include "corridor/grow.hpp"
 #include "tern/corridor.hpp"
@@ -36,6 +35,13 @@ constexpr std::uint32_t kCorridorTries = 2u * static_cast<std::uint32_t>(kMaxSeg
 
 /// Bound on CorridorStage::planes.
 constexpr std::uint32_t kCorridorBound = kCorridorTries * kGrowBound;
+
+/// Where a plan passes its vias, in order.
+struct ViaMarks {
+  std::int32_t count;
+  std::int32_t waypoint[kMaxVias];    ///< index of the via's waypoint in the path; increasing
+  std::int32_t polyhedron[kMaxVias];  ///< index of the corridor's polyhedron that begins at the via; increasing
+};
 
 /// Plain data; needs no initialisation before corridor_begin.
 struct CorridorStage {

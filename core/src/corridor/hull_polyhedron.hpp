@@ -11,10 +11,10 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "corridor/grow_scratch.hpp"
-#include "grid/hull_gap.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
+#include "world/hull_gap.hpp"
 #include "world/world.hpp"
 
 namespace tern {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corridor/redundancy.hpp"
 
-#include "base/facet.hpp"
 #include "base/math.hpp"
+#include "world/facet.hpp"
 
 namespace tern {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <new>
 
-#include "base/grid_tag.hpp"
 #include "flight/flight_handle.hpp"
+#include "grid/grid_handle.hpp"
 
 namespace {
 

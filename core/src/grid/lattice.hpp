@@ -103,6 +103,17 @@ inline Box cube_of(const Grid& grid, const Voxel& voxel) {
           {(voxel.x + 1) * cell, (voxel.y + 1) * cell, (voxel.z + 1) * cell}};
 }
 
+/// The point of a free voxel that paths lead through: its centre or, if the centre is outside a thin boundary, the
+/// nearest point inside.
+inline Vec3 free_point(const Grid& grid, const Voxel& voxel) {
+  const Box boundary = grid.local_boundary();
+  Vec3 point = grid.center(voxel);
+  for (int a = 0; a < 3; ++a) {
+    axis(point, a) = clamp(axis(point, a), axis(boundary.lower, a), axis(boundary.upper, a));
+  }
+  return point;
+}
+
 /// Voxels whose cube lies inside the boundary on one axis; empty (begin >= end) if there are none.
 inline IndexRange whole_inside(const Grid& grid, int a) {
   const GridSpec& spec = grid.spec();

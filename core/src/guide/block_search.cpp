@@ -3,7 +3,7 @@
 #include "guide/block_search.hpp"
 
 #include "base/capacity.hpp"
-#include "base/cells_after.hpp"
+#include "guide/cells_after.hpp"
 #include "guide/split_blocks.hpp"
 
 namespace tern {

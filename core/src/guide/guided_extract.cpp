@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Follows the moves of the guided search back from the goal, and writes the turning points.
-#include "base/turn_writer.hpp"
 #include "guide/guided_search.hpp"
+#include "search/turn_writer.hpp"
 
 namespace tern {
 namespace {

@@ -3,7 +3,7 @@
 #include "guide/guided_search.hpp"
 
 #include "base/capacity.hpp"
-#include "base/cells_after.hpp"
+#include "guide/cells_after.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
 

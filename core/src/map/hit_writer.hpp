@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/four.hpp"
+#include "view/four.hpp"
 #include "view/view.hpp"
 
 namespace tern {

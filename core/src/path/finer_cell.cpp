@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/finer_cell.hpp"
 
-#include "base/free_point.hpp"
 #include "base/math.hpp"
 #include "grid/lattice.hpp"
 

@@ -3,7 +3,6 @@
 #include "path/join.hpp"
 
 #include "base/direction.hpp"
-#include "base/free_point.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"

@@ -4,9 +4,9 @@
 
 #include "base/capacity.hpp"
 #include "base/direction.hpp"
-#include "base/free_point.hpp"
 #include "base/math.hpp"
 #include "grid/distance.hpp"
+#include "grid/lattice.hpp"
 
 namespace tern {
 namespace {

@@ -3,7 +3,6 @@
 #ifndef TERN_PLANNER_LAYOUT_HPP
 #define TERN_PLANNER_LAYOUT_HPP
 
-#include "base/via_marks.hpp"
 #include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
 #include "path/reach_stage.hpp"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // If no plan leads to the goal: finds the nearest point that a plan can lead to, for the report or as the new goal.
-#include "base/free_point.hpp"
 #include "base/progress.hpp"
 #include "base/too_narrow.hpp"
 #include "base/work.hpp"
 #include "curve/rest.hpp"
+#include "grid/lattice.hpp"
 #include "planner/layout.hpp"
 #include "planner/plan.hpp"
 #include "planner/validate.hpp"

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <new>
 
-#include "base/grid_handle.hpp"
-#include "base/grid_tag.hpp"
+#include "grid/grid_handle.hpp"
 #include "tern/tern_corridor.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/grid_handle.hpp"
+#include "grid/grid_handle.hpp"
 #include "tern/record.hpp"
 #include "tern/tern_record.h"
 

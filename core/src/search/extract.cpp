@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Follows the path of the search from the goal's node back, and writes its turning points.
-#include "base/turn_writer.hpp"
 #include "search/search.hpp"
+#include "search/turn_writer.hpp"
 
 namespace tern {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "base/four.hpp"
+#include "view/four.hpp"
 #include "view/view.hpp"
 
 namespace tern {

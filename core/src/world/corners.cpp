@@ -3,8 +3,8 @@
 #include "world/corners.hpp"
 
 #include "base/capacity.hpp"
-#include "base/facet.hpp"
 #include "base/math.hpp"
+#include "world/facet.hpp"
 #include "world/narrow_boundary.hpp"
 
 namespace tern {

@@ -7,10 +7,10 @@
 
 #include <cstdint>
 
-#include "grid/hull_gap.hpp"
 #include "tern/config.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
+#include "world/hull_gap.hpp"
 
 namespace tern {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Four numbers in single precision at a time, which fit a register of SSE2 or NEON.
-#ifndef TERN_BASE_FOUR_HPP
-#define TERN_BASE_FOUR_HPP
+#ifndef TERN_VIEW_FOUR_HPP
+#define TERN_VIEW_FOUR_HPP
 
 #include <cstdint>
 

@@ -3,8 +3,8 @@
 //
 // The gap between two hulls of a few points each: how wide it is, and along which normal. Uses the algorithm of
 // Gilbert, Johnson and Keerthi on the differences of the points.
-#ifndef TERN_GRID_HULL_GAP_HPP
-#define TERN_GRID_HULL_GAP_HPP
+#ifndef TERN_WORLD_HULL_GAP_HPP
+#define TERN_WORLD_HULL_GAP_HPP
 
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"

@@ -1,11 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TERN_BASE_TURN_WRITER_HPP
-#define TERN_BASE_TURN_WRITER_HPP
+#ifndef TERN_SEARCH_TURN_WRITER_HPP
+#define TERN_SEARCH_TURN_WRITER_HPP
 
 #include "base/capacity.hpp"
 #include "base/direction.hpp"
-#include "base/free_point.hpp"
+#include "grid/lattice.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/status.hpp"

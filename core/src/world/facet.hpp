@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A facet of a polyhedron: the polygon that remains of one plane after the other planes have cut it.
-#ifndef TERN_BASE_FACET_HPP
-#define TERN_BASE_FACET_HPP
+#ifndef TERN_WORLD_FACET_HPP
+#define TERN_WORLD_FACET_HPP
 
 #include "base/linear.hpp"
 #include "tern/config.hpp"

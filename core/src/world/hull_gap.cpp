@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "grid/hull_gap.hpp"
+#include "world/hull_gap.hpp"
 
 #include "base/math.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TERN_BASE_CELLS_AFTER_HPP
-#define TERN_BASE_CELLS_AFTER_HPP
+#ifndef TERN_GUIDE_CELLS_AFTER_HPP
+#define TERN_GUIDE_CELLS_AFTER_HPP
 
 #include "base/direction.hpp"
 

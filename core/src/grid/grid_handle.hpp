@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The grid behind a handle of the C interface.
-#ifndef TERN_BASE_GRID_HANDLE_HPP
-#define TERN_BASE_GRID_HANDLE_HPP
+#ifndef TERN_GRID_GRID_HANDLE_HPP
+#define TERN_GRID_GRID_HANDLE_HPP
 
 #include <cstdint>
 #include <new>
 
-#include "base/grid_tag.hpp"
 #include "tern/tern.h"
 
 namespace tern {
+
+/// A tern_grid's first word once a grid was bound there; the grid follows it.
+constexpr std::uint64_t kGridTag = 0x7465726E2D677269u;
+/// A tern_map's first word once a map was bound there; the map follows it.
+constexpr std::uint64_t kMapTag = 0x7465726E2D6D6170u;
 
 /// Stands in for a grid that was never bound.
 constexpr Grid kNoGrid{};

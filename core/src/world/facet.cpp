@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/facet.hpp"
+#include "world/facet.hpp"
 
 namespace tern {
 namespace {
