@@ -78,12 +78,11 @@ void print_ask(const World& world, const Ask& ask) {
 }
 
 /// What the check refused, of the plan's last attempt.
-void print_check(const tern::CheckReport& check) {
+void print_check(const tern::ProofReport& check) {
   if (check.finding == tern::Finding::kNone) return;
-  std::printf(
-      "  check: %s, segment %d, polyhedron %d, plane %d, derivative %d, axis %d, voxel %d %d %d, excess %.17g\n",
-      tern::finding_name(check.finding), check.segment, check.polyhedron, check.plane, check.derivative, check.axis,
-      check.voxel.x, check.voxel.y, check.voxel.z, check.excess);
+  std::printf("  check: %s at %.17g s, segment %d, fence %d, derivative %d, axis %d, voxel %d %d %d, excess %.17g\n",
+              tern::finding_name(check.finding), check.until, check.segment, check.fence, check.derivative, check.axis,
+              check.voxel.x, check.voxel.y, check.voxel.z, check.excess);
 }
 
 Status ask_once(Context& context, tern::Planner& planner, const World& world, const Map& map, const Ask& ask,

@@ -48,11 +48,11 @@
   FIELD(tern_flat_state, thrust) FIELD(tern_flat_state, attitude) FIELD(tern_flat_state, quaternion)                 \
   FIELD(tern_flat_state, body_rates) FIELD(tern_flat_state, singularity)                                             \
   FIELD(tern_stage_report, work) FIELD(tern_stage_report, bound) FIELD(tern_stage_report, ticks)                     \
-  FIELD(tern_check_report, finding) FIELD(tern_check_report, segment) FIELD(tern_check_report, polyhedron)           \
+  FIELD(tern_proof_report, until) FIELD(tern_proof_report, finding) FIELD(tern_proof_report, segment)                \
   FIELD(tern_via_passage, time) FIELD(tern_via_passage, distance) FIELD(tern_report, via) FIELD(tern_report, vias)    \
-  FIELD(tern_check_report, via)                                                                                      \
-  FIELD(tern_check_report, plane) FIELD(tern_check_report, fence) FIELD(tern_check_report, derivative)               \
-  FIELD(tern_check_report, axis) FIELD(tern_check_report, voxel) FIELD(tern_check_report, excess)                    \
+  FIELD(tern_proof_report, via) FIELD(tern_proof_report, fence) FIELD(tern_proof_report, derivative)                 \
+  FIELD(tern_proof_report, axis) FIELD(tern_proof_report, voxel) FIELD(tern_proof_report, excess)                    \
+  FIELD(tern_proof_report, work)                                                                                     \
   FIELD(tern_high_water, nodes) FIELD(tern_high_water, open) FIELD(tern_high_water, jump_points)                     \
   FIELD(tern_high_water, segments) FIELD(tern_high_water, planes) FIELD(tern_high_water, local_boxes)                \
   FIELD(tern_high_water, active) FIELD(tern_high_water, qp_iterations) FIELD(tern_high_water, qp_solves)             \
@@ -66,8 +66,6 @@
   FIELD(tern_diagnostics, search_used)
 
 #define TERN_LAYOUT_FLIGHT(FIELD)                                                                                    \
-  FIELD(tern_proof_report, until) FIELD(tern_proof_report, end) FIELD(tern_proof_report, voxel)                      \
-  FIELD(tern_proof_report, work) FIELD(tern_proof_report, fence)                                                     \
   FIELD(tern_flight_refusal, field) FIELD(tern_flight_refusal, fence)                                                  \
   FIELD(tern_flight_refusal, blocked_by) FIELD(tern_flight_refusal, blocked_at)                                        \
   FIELD(tern_flight_refusal, distance) FIELD(tern_flight_refusal, needed)                                              \

@@ -104,7 +104,7 @@ TEST(FlightAim, LooksAtAnObstacleFromAMetreAtLeast) {
                                       Beyond::kSolid),
               Status::kRunning);
     EXPECT_EQ(state.draft.proof.step(1000), Status::kOk);
-    EXPECT_EQ(state.draft.proof.report().end, ProofEnd::kObstacle);
+    EXPECT_EQ(state.draft.proof.report().finding, Finding::kObstacle);
     state.search.look_at = old;
     state.search.look_at_voxel(state.facts, state.draft.proof.report().voxel);
     return state.search.look_at;

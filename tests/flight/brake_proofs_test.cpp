@@ -28,7 +28,7 @@ struct Braking : Flying {
     EXPECT_TRUE(s.draft.brake(s.facts, s.itinerary, s.evasion.number, s.watch.threat, s.charge));
   }
   /// What ends the proof, and that the brake's limits are proven next.
-  void expect_contact(ProofEnd end) {
+  void expect_contact(Finding end) {
     FlightState& s = state();
     ASSERT_TRUE(s.evasion.begin_brake_proof(BrakeProof::kClear, s.facts, s.watch, s.draft));
     Work proof{4000};
@@ -44,7 +44,7 @@ struct Braking : Flying {
     EXPECT_FALSE(s.evasion.best.known);
   }
   /// The same proof by itself.
-  ProofEnd clear_end() {
+  Finding clear_end() {
     Proof proof;
     FlightState& s = state();
     EXPECT_EQ(proof.begin(map().safe(), s.draft.plan.trajectory, 0.0, &s.facts.spec.limits, Beyond::kSolid,
@@ -52,7 +52,7 @@ struct Braking : Flying {
               Status::kRunning);
     while (proof.step(4000) == Status::kRunning) {
     }
-    return proof.report().end;
+    return proof.report().finding;
   }
 };
 
@@ -60,7 +60,7 @@ TEST(FlightBrakeProofs, ObstacleIsAContact) {
   Braking room;
   const Vec3 p = room.position();
   room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
-  room.expect_contact(ProofEnd::kObstacle);
+  room.expect_contact(Finding::kObstacle);
 }
 
 TEST(FlightBrakeProofs, FenceIsAContact) {
@@ -69,7 +69,7 @@ TEST(FlightBrakeProofs, FenceIsAContact) {
   const Fence fence{&plane, 1, FenceKind::kKeepIn};
   room.state().facts.spec.fences = &fence;
   room.state().facts.spec.fence_count = 1;
-  room.expect_contact(ProofEnd::kFence);
+  room.expect_contact(Finding::kFence);
 }
 
 /// The brake comes to rest half of the radius before the window's face.
@@ -79,7 +79,7 @@ TEST(FlightBrakeProofs, EndOfTheWindowIsAContact) {
   Trajectory& brake = room.state().draft.plan.trajectory;
   const double way = brake.segments[brake.count - 1].points[kDegree].x;
   brake.origin.x = window.origin.x + window.cell * window.dims.x - 0.5 * FlightRoom::kRadius - way;
-  room.expect_contact(ProofEnd::kOutside);
+  room.expect_contact(Finding::kOutside);
 }
 
 /// Nothing became solid, but all is to be proven.

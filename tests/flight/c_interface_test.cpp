@@ -162,7 +162,7 @@ TEST(FlightC, ProofEqualsTheProofInCpp) {
   const double until = tern_clear_until(&safe, &plan, 0.0, nullptr, TERN_BEYOND_SOLID, &report);
   EXPECT_GT(until, 0.3);
   EXPECT_LT(until, 1.2);
-  EXPECT_EQ(static_cast<int>(report.end), TERN_PROOF_OBSTACLE);
+  EXPECT_EQ(static_cast<int>(report.finding), TERN_FINDING_OBSTACLE);
   EXPECT_TRUE(std::isnan(tern_clear_until(nullptr, &plan, 0.0, nullptr, 0, nullptr)));
   EXPECT_TRUE(std::isnan(tern_clear_until(&safe, nullptr, 0.0, nullptr, 0, nullptr)));
   const tern_grid none{};

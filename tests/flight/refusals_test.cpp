@@ -198,7 +198,7 @@ Answer of_proof(const Malformed& given) {
   Proof proof;
   const Status begun = proof.begin(room.owned.map.safe(), still, 0.0, nullptr, Beyond::kEmpty, grounds);
   if (begun == Status::kRunning) return {proof.step(kProofPieces), Field::kNone, proof.report().fence};
-  EXPECT_EQ(proof.report().end, ProofEnd::kMalformed);
+  EXPECT_EQ(proof.report().finding, Finding::kMalformed);
   EXPECT_EQ(proof.report().until, 0.0);
   return {begun, Field::kFences, proof.report().fence};
 }

@@ -215,22 +215,22 @@ TEST(PlanFile, SaysWhatTheCheckFound) {
   PlanResult result = awkward_result(5);
   result.report.quality = tern::Quality::kStopAndGo;
   result.report.optimiser = Status::kCheckFailed;
-  tern::CheckReport& check = result.report.check;
+  tern::ProofReport& check = result.report.check;
   check.finding = tern::Finding::kObstacle;
-  check.polyhedron = 2;
-  check.plane = 5;
+  check.until = 2.5;
+  check.segment = 2;
   check.voxel = {20, 9, 0};
   check.excess = 0.125;
   const json plan = json::parse(tern_host::plan_json(result));
   const std::string detail = plan["detail"];
-  const char* const words = "polyhedron 2 is too near to the obstacle in voxel (20, 9, 0) at half-space 5 by 0.125 m";
+  const char* const words = "segment 2 is too near to the obstacle in voxel (20, 9, 0) from 2.5 s on, by 0.125 m";
   EXPECT_NE(detail.find(words), std::string::npos) << detail;
   EXPECT_EQ(plan["check"]["finding"], "obstacle");
-  EXPECT_EQ(plan["check"]["polyhedron"], 2);
-  EXPECT_EQ(plan["check"]["halfspace"], 5);
+  EXPECT_EQ(plan["check"]["segment"], 2);
+  EXPECT_EQ(plan["check"]["time"], 2.5);
   EXPECT_EQ(plan["check"]["voxel"], json({20, 9, 0}));
   EXPECT_EQ(plan["check"]["excess"], 0.125);
-  EXPECT_TRUE(plan["check"]["segment"].is_null());
+  EXPECT_TRUE(plan["check"]["fence"].is_null());
 }
 
 TEST(PlanFile, SaysThatAnArrivalIsNoStopAndGo) {
@@ -245,7 +245,7 @@ TEST(PlanFile, SaysThatAnArrivalIsNoStopAndGo) {
 
 /// The clause for a finding about a derivative of segment 3.
 std::string clause(tern::Finding finding, int derivative, int axis) {
-  tern::CheckReport check;
+  tern::ProofReport check;
   check.finding = finding;
   check.segment = 3;
   check.derivative = derivative;
@@ -261,7 +261,8 @@ TEST(PlanFile, FindingsInWords) {
             "jerk of segment 3 on the z axis jumps from the segment before by 0.5 m/s^3");
   EXPECT_EQ(clause(tern::Finding::kBoundary, 0, 0),
             "position of segment 3 on the x axis misses the state that was asked for by 0.5 m");
-  EXPECT_EQ(clause(tern::Finding::kOutside, -1, 1), "segment 3 is outside the boundary on the y axis by 0.5 m");
+  EXPECT_EQ(clause(tern::Finding::kOutside, -1, 1),
+            "segment 3 is outside the boundary on the y axis from 0 s on, by 0.5 m");
   EXPECT_EQ(clause(tern::Finding::kMalformed, -1, -1), "segment 3 is malformed");
   EXPECT_EQ(tern_host::describe_finding({}), "");
 }

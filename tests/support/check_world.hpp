@@ -10,7 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "check/check_stage.hpp"
+#include "prove/check_stage.hpp"
+#include "prove/grants.hpp"
 
 namespace tern_test {
 
@@ -65,19 +66,21 @@ class CheckWorld : public testing::Test {
 
   tern::Status run() {
     tern::check_begin(stage_);
-    tern::Work work{1000};
+    tern::Work work{tern::kCheckBound};
     tern::check_advance(stage_, grid_, *corridor_, *trajectory_, query_, work);
     return stage_.status;
   }
 
-  /// `where`: the segment, or the polyhedron where no segment was looked at.
-  const tern::CheckReport& expect(tern::Finding finding, int where) {
+  const tern::ProofReport& expect(tern::Finding finding, int segment) {
     EXPECT_EQ(run(), tern::Status::kCheckFailed);
-    EXPECT_EQ(stage_.finding, finding);
-    EXPECT_EQ(stage_.segment >= 0 ? stage_.segment : stage_.polyhedron, where);
-    EXPECT_GE(stage_.excess, 0.0);
-    return stage_;
+    EXPECT_EQ(stage_.found.finding, finding);
+    EXPECT_EQ(stage_.found.segment, segment);
+    EXPECT_GE(stage_.found.excess, 0.0);
+    return stage_.found;
   }
+
+  /// What is granted the plan.
+  tern::Grant grant() const { return grant_to_plan(grid_, *trajectory_); }
 
   std::vector<std::uint64_t> words_;
   tern::Grid grid_;

@@ -156,10 +156,8 @@ inline std::vector<tern::Vec3> vertices_of(const tern::Polyhedron& polyhedron) {
   return corners_of({polyhedron.planes, polyhedron.planes + polyhedron.count}, 1e-9);
 }
 
-/// Contract C4, both ways: each cube is cut off by one half-space, redundant or not, with the radius to spare, and
-/// points all over the polyhedron (vertices and random means of them) keep the radius from every cube.
-inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<tern::Box>& cubes, double radius,
-                         Random& random) {
+/// Each cube is cut off by one half-space, redundant or not, with the radius to spare.
+inline void expect_cut_off(const tern::Polyhedron& polyhedron, const std::vector<tern::Box>& cubes, double radius) {
   for (const tern::Box& cube : cubes) {
     double best = -1e300;
     for (int p = 0; p < all_planes(polyhedron); ++p) {
@@ -168,6 +166,13 @@ inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<t
     }
     ASSERT_GE(best, -1e-9) << "no half-space cuts off a cube";
   }
+}
+
+/// Both ways: each cube is cut off, and points all over the polyhedron (vertices and random means of them) keep the
+/// radius from every cube.
+inline void expect_clear(const tern::Polyhedron& polyhedron, const std::vector<tern::Box>& cubes, double radius,
+                         Random& random) {
+  ASSERT_NO_FATAL_FAILURE(expect_cut_off(polyhedron, cubes, radius));
   const std::vector<tern::Vec3> vertices = vertices_of(polyhedron);
   ASSERT_GE(vertices.size(), 4u) << "a bounded polyhedron with an interior has four vertices at least";
   for (std::size_t i = 0; i < vertices.size() + 20; ++i) {

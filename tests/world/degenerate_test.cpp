@@ -8,7 +8,9 @@
 #include <limits>
 #include <memory>
 
-#include "check/check_stage.hpp"
+#include "base/math.hpp"
+#include "prove/asked_fences.hpp"
+#include "prove/keep_out.hpp"
 #include "support/degenerate_fence.hpp"
 #include "support/world.hpp"
 #include "world/fences.hpp"
@@ -59,6 +61,9 @@ std::vector<Point> points_inside(const Planes& planes, const std::vector<Point>&
   return points;
 }
 
+/// Metres by which a keep-out may be too near, times the scale.
+constexpr double kGranted = 1e-9;
+
 bool long_double_is_longer() {
   return std::numeric_limits<Real>::digits >= 64;
 }
@@ -86,11 +91,19 @@ struct Case {
   std::vector<Point> corners;  ///< world frame
 };
 
-tern::Polyhedron beyond(const Vec3& normal, double offset) {
-  tern::Polyhedron polyhedron{};
-  polyhedron.count = 1;
-  polyhedron.planes[0] = {normal, offset};
-  return polyhedron;
+/// True if the keep-out is proven to lie beyond the plane normal . x = offset, by `distance`: the hull is a square in
+/// that plane, so wide that no other plane cuts it off.
+bool proven_beyond(const tern::Grid& grid, const tern::AskedFences& asked, const Vec3& normal, double offset,
+                   double distance, tern::FenceScratch& scratch) {
+  constexpr double kWide = 1e3;
+  const Vec3 side = tern::perpendicular(normal);
+  const Vec3 across = tern::cross(normal, side);
+  Vec3 square[4];
+  for (int k = 0; k < 4; ++k) {
+    square[k] = offset * normal + (k % 2 == 0 ? kWide : -kWide) * side + (k < 2 ? kWide : -kWide) * across;
+  }
+  const tern::Halfspace hint{normal, 0.0};
+  return keep_out_cut_off(grid, asked.fence, asked.count, 0, {&hint, 1}, {square, 4, distance}, scratch);
 }
 
 TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
@@ -99,7 +112,6 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
   const auto solids = std::make_unique<tern::Solids>();
   const auto asked = std::make_unique<tern::AskedFences>();
   const auto scratch = std::make_unique<tern::FenceScratch>();
-  tern::CheckReport found;
   int refused = 0;
   for (int i = 0; i < scaled(1500); ++i) {
     Case c(random);
@@ -114,7 +126,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
     ASSERT_TRUE(copy_fences(&c.fence, 1, *asked));
     if (solids->solid_count == 0) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;
-      ASSERT_TRUE(keep_outs_clear(grid, beyond({1.0, 0.0, 0.0}, 1e3), *asked, *scratch, found)) << "case " << i;
+      ASSERT_TRUE(proven_beyond(grid, *asked, {1.0, 0.0, 0.0}, 1e3, radius, *scratch)) << "case " << i;
       continue;
     }
     const std::vector<Point> inside = points_inside(c.exact, c.corners);
@@ -126,12 +138,12 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
         ASSERT_LE(support, least_along(normal, c.corners) - shift) << "case " << i << ", " << k;
       }
       // A hundredth of the tolerance is left: the hull is larger than the keep-out by more than a proof loses.
-      const double wanted = support - radius + 0.99 * tern::kCheckDistance;
-      ASSERT_TRUE(keep_outs_clear(grid, beyond(normal, wanted), *asked, *scratch, found)) << "case " << i << ", " << k;
+      const double distance = radius - kGranted * c.scale;
+      const double wanted = support - radius + 0.99 * kGranted * c.scale;
+      ASSERT_TRUE(proven_beyond(grid, *asked, normal, wanted, distance, *scratch)) << "case " << i << ", " << k;
       if (inside.empty()) continue;
       const auto too_near = static_cast<double>(least_along(normal, inside) - shift) - radius;
-      ASSERT_FALSE(
-          keep_outs_clear(grid, beyond(normal, too_near + 1.01 * tern::fence_tolerance(grid)), *asked, *scratch, found))
+      ASSERT_FALSE(proven_beyond(grid, *asked, normal, too_near + 1.02 * kGranted * c.scale, distance, *scratch))
           << "case " << i << ", " << k;
       ++refused;
     }

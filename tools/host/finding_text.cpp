@@ -7,8 +7,8 @@
 namespace tern_host {
 namespace {
 
-using tern::CheckReport;
 using tern::Finding;
+using tern::ProofReport;
 
 std::string number_of(const char* what, int index) {
   return std::string(what) + " " + std::to_string(index);
@@ -24,54 +24,44 @@ std::string axis_text(int axis) {
   return axis >= 0 && axis < 4 ? kNames[axis] : "";
 }
 
-std::string excess_text(const CheckReport& check) {
+std::string excess_text(const ProofReport& check) {
   static const char* const kUnits[] = {"m", "m/s", "m/s^2", "m/s^3"};
   const int derivative = check.derivative > 0 && check.derivative < 4 ? check.derivative : 0;
   return " by " + brief(check.excess) + " " + kUnits[derivative];
 }
 
-std::string malformed_text(const CheckReport& check) {
-  if (check.segment >= 0) return number_of("segment", check.segment) + " is malformed";
-  if (check.polyhedron >= 0) return number_of("polyhedron", check.polyhedron) + " is malformed";
-  return "the plan has no segments or polyhedra, or too many";
+std::string segment_text(const ProofReport& check) {
+  return number_of("segment", check.segment);
 }
 
-std::string obstacle_text(const CheckReport& check) {
+std::string time_text(const ProofReport& check) {
+  return " from " + brief(check.until) + " s on,";
+}
+
+std::string obstacle_text(const ProofReport& check) {
   const tern::Voxel& voxel = check.voxel;
-  return number_of("polyhedron", check.polyhedron) + " is too near to the obstacle in voxel (" +
-         std::to_string(voxel.x) + ", " + std::to_string(voxel.y) + ", " + std::to_string(voxel.z) + ") at " +
-         number_of("half-space", check.plane) + excess_text(check);
+  return segment_text(check) + " is too near to the obstacle in voxel (" + std::to_string(voxel.x) + ", " +
+         std::to_string(voxel.y) + ", " + std::to_string(voxel.z) + ")" + time_text(check) + excess_text(check);
 }
 
-std::string outside_text(const CheckReport& check) {
-  const std::string segment = number_of("segment", check.segment) + " is outside ";
-  if (check.plane < 0) return segment + "the boundary" + axis_text(check.axis) + excess_text(check);
-  return segment + number_of("half-space", check.plane) + " of " + number_of("polyhedron", check.polyhedron) +
-         excess_text(check);
-}
-
-std::string fence_text(const CheckReport& check) {
-  const std::string fence = number_of("fence", check.fence);
-  if (check.segment >= 0)
-    return number_of("segment", check.segment) + " is outside keep-in " + fence + excess_text(check);
-  return number_of("polyhedron", check.polyhedron) + " is too near to keep-out " + fence + excess_text(check);
-}
-
-std::string motion_text(const CheckReport& check, const char* fault) {
+std::string motion_text(const ProofReport& check, const char* fault) {
   return derivative_name(check.derivative) + " of " + number_of("segment", check.segment) + axis_text(check.axis) +
          " " + fault + excess_text(check);
 }
 
 }  // namespace
 
-std::string describe_finding(const CheckReport& check) {
+std::string describe_finding(const ProofReport& check) {
   switch (check.finding) {
     case Finding::kMalformed:
-      return malformed_text(check);
+      return check.segment < 0 ? "the plan has no segments, or too many" : segment_text(check) + " is malformed";
     case Finding::kObstacle:
       return obstacle_text(check);
     case Finding::kOutside:
-      return outside_text(check);
+      return segment_text(check) + " is outside the boundary" + axis_text(check.axis) + time_text(check) +
+             excess_text(check);
+    case Finding::kPieces:
+      return segment_text(check) + " needs too many pieces" + time_text(check) + " to be proven";
     case Finding::kVelocity:
     case Finding::kAcceleration:
     case Finding::kJerk:
@@ -79,7 +69,7 @@ std::string describe_finding(const CheckReport& check) {
     case Finding::kJoint:
       return motion_text(check, "jumps from the segment before");
     case Finding::kFence:
-      return fence_text(check);
+      return segment_text(check) + " breaks " + number_of("fence", check.fence) + time_text(check) + excess_text(check);
     case Finding::kBoundary:
       return motion_text(check, "misses the state that was asked for");
     case Finding::kVia:

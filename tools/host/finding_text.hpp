@@ -13,7 +13,7 @@ namespace tern_host {
 
 /// One clause, for example "velocity of segment 2 on the x axis is beyond its limit by 0.01 m/s". Numbers count from 0,
 /// as in the plan file. Empty where the check found nothing.
-std::string describe_finding(const tern::CheckReport& check);
+std::string describe_finding(const tern::ProofReport& check);
 
 }  // namespace tern_host
 

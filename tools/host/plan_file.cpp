@@ -150,12 +150,11 @@ Json index_json(int index) {
   return index < 0 ? Json(nullptr) : Json(index);
 }
 
-Json check_json(const tern::CheckReport& check) {
+Json check_json(const tern::ProofReport& check) {
   const tern::Voxel& voxel = check.voxel;
   return {{"finding", tern::finding_name(check.finding)},
           {"segment", index_json(check.segment)},
-          {"polyhedron", index_json(check.polyhedron)},
-          {"halfspace", index_json(check.plane)},
+          {"time", check.until},
           {"fence", index_json(check.fence)},
           {"via", index_json(check.via)},
           {"voxel", voxel.x < 0 ? Json(nullptr) : Json({voxel.x, voxel.y, voxel.z})},
@@ -164,7 +163,7 @@ Json check_json(const tern::CheckReport& check) {
           {"excess", check.excess}};
 }
 
-std::string finding_text(const tern::CheckReport& check) {
+std::string finding_text(const tern::ProofReport& check) {
   return check.finding == tern::Finding::kNone ? "" : "; the check found: " + describe_finding(check);
 }
 

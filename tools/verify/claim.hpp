@@ -20,7 +20,7 @@ struct Claim {
   std::string unit;
   Rational least;      ///< the margin is proven to be at least this
   Rational most;       ///< and some point of the plan has no more than this
-  Rational tolerance;  ///< >= 0: what docs/check.md allows the plan to go beyond
+  Rational tolerance;  ///< >= 0: what docs/proof.md allows the plan to go beyond
   std::string place;   ///< where the margin is least
 
   /// kOpen only where `most` would keep the tolerance and `least` would not.

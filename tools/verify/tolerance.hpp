@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What docs/check.md forgives, section by section. Nothing else is forgiven.
+// What docs/proof.md forgives, section by section. Nothing else is forgiven.
 #ifndef TERN_VERIFY_TOLERANCE_HPP
 #define TERN_VERIFY_TOLERANCE_HPP
 

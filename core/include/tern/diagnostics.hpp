@@ -21,7 +21,7 @@ struct StageReport {
   /// - kCorridor: a half-space made, even if it was discarded later
   /// - kTimes: a segment that got its first duration
   /// - kTrajectory: an iteration of a quadratic programme
-  /// - kCheck: a polyhedron or a segment checked
+  /// - kCheck: a piece of a segment, or of one of its derivatives, proven or halved; a joint
   /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
   /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
   /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor

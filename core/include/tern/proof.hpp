@@ -10,6 +10,7 @@
 
 #include "tern/fence.hpp"
 #include "tern/grid.hpp"
+#include "tern/proof_report.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
@@ -17,37 +18,17 @@
 
 namespace tern {
 
+struct Allowed;
+struct Corridor;
+struct Excess;
+struct FenceScratch;
+struct Grant;
+struct Hints;
+
 /// What a proof assumes of the space beyond the grid's boundary.
 enum class Beyond : uint8_t {
   kEmpty,  ///< The centre must stay within the boundary. This is the planner's rule.
   kSolid,  ///< The centre must keep the radius from the boundary too, because nobody has seen what is beyond it.
-};
-
-/// Why a proof ended.
-enum class ProofEnd : uint8_t {
-  kProven = 0,    ///< the whole trajectory is proven
-  kObstacle,      ///< too near to an obstacle, or too nearly so to tell
-  kOutside,       ///< beyond the boundary, or too near to it with Beyond::kSolid
-  kVelocity,      ///< beyond a limit of velocity
-  kAcceleration,  ///< beyond a limit of acceleration
-  kJerk,          ///< beyond a limit of jerk
-  kMalformed,     ///< the trajectory has numbers that are not finite, no duration, or a gap between two segments
-  kPieces,        ///< a segment needs more pieces than kProofPieces
-  kFence,         ///< outside a keep-in, or too near to a keep-out, or too nearly so to tell
-};
-
-/// How far a proof came.
-struct ProofReport {
-  /// Seconds since the beginning of the trajectory. What lies between `from` and here is proven.
-  double until;
-  /// What ended the proof there.
-  ProofEnd end;
-  /// For kObstacle: the voxel that is too near. Otherwise -1.
-  Voxel voxel;
-  /// Pieces that were looked at.
-  uint32_t work;
-  /// For kFence, and if begin() refuses a fence: its index in ProofGrounds::fences. Otherwise kNoFence.
-  int32_t fence;
 };
 
 /// Voxels that became solid although they had been seen free. In a world that stands still, such voxels are errors of
@@ -72,7 +53,7 @@ struct ProofGrounds {
   /// Obstacles of this alarm do not count.
   const Alarm* alarm = nullptr;
   /// Fences that the trajectory must respect, `fence_count` of them, valid as for a Request. They must stay until the
-  /// proof is done. Where three faces of a keep-out meet, the proof may ask for more than the radius.
+  /// proof is done.
   const Fence* fences = nullptr;
   int32_t fence_count = 0;
 };
@@ -117,6 +98,7 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
+  friend struct PlanProof;  // proves plans, with what the planner knows of them
   friend class FlightWork;  // charges the work of pieces, and begins with fences that were checked before
   // clear_until() has no fences to check, and needs no stack for that.
   friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
@@ -132,17 +114,26 @@ class Proof {
   void refuse(double from) noexcept;
   Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                         Beyond beyond, const ProofGrounds& grounds) noexcept;
+  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const Fence* fences,
+                  int32_t fence_count, const Corridor& hints, FenceScratch& scratch) noexcept;
+  void take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept;
   void pardon(const Alarm& alarm) noexcept;
+  void enter(const Trajectory& trajectory) noexcept;
   bool sound(const Segment& segment) const noexcept;
+  double gap_before(const Segment& segment) const noexcept;
   int part_after(int part) const noexcept;
   void enter_segment() noexcept;
   void enter_part(int part) noexcept;
-  bool holds(const Piece& piece, int count, ProofEnd& end) noexcept;
-  bool keeps_clear(const Piece& piece, ProofEnd& end) noexcept;
-  bool keeps_fences(const Piece& piece, double tolerance) noexcept;
-  bool keeps_limit(const Piece& piece, int count) const noexcept;
+  Hints hints() const noexcept;
+  bool holds(const Piece& piece, int count, Finding& end) noexcept;
+  bool keeps_clear(const Piece& piece, Finding& end) noexcept;
+  bool keeps_fences(const Piece& piece) noexcept;
+  bool is_cut_off(int fence, const Piece& piece) noexcept;
+  Allowed allowed() const noexcept;
+  Excess excess_at(const Vec3& point, Finding end) const noexcept;
+  void note_excess(const Piece& piece, int degree, Finding end) noexcept;
   void look_at_piece() noexcept;
-  void lose(double u, ProofEnd end) noexcept;
+  void lose(double u, Finding end) noexcept;
   void end_part() noexcept;
 
   const Grid* grid_ = nullptr;
@@ -150,7 +141,14 @@ class Proof {
   bool running_ = false;
   bool has_limits_ = false;
   Limits limits_{};
-  Beyond beyond_ = Beyond::kEmpty;
+  Box boundary_{};         // where the curve may be, local frame
+  double distance_ = 0.0;  // that it must keep from obstacles and keep-outs
+  double near_ = 0.0;      // what is granted: the radius less distance_
+  double outside_ = 0.0;   // by which it may be outside a keep-in
+  double excess_ = 0.0;    // over a limit, relative
+  bool is_cut_ = true;     // its control points are rounded
+  const Corridor* hints_ = nullptr;
+  FenceScratch* scratch_ = nullptr;
   bool has_added_ = false;
   Box added_{};  // local frame
   bool has_left_ = false;
@@ -167,6 +165,8 @@ class Proof {
   int part_ = kPosition;
   int height_ = 0;
   int pieces_ = 0;
+  double worst_ = 0.0;  // excess that was seen in this part
+  int worst_axis_ = -1;
   Piece stack_[kProofDepth + 1] = {};
   uint32_t effort_ = 0;  // instructions of all pieces so far, estimated; modulo 2^32
   ProofReport report_{};

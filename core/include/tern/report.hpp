@@ -10,38 +10,12 @@
 #include "tern/config.hpp"
 #include "tern/diagnostics.hpp"
 #include "tern/fence.hpp"
+#include "tern/proof_report.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
 #include "tern/via.hpp"
 
 namespace tern {
-
-/// What the check found wrong with a plan: the first thing, in its order. An index is -1, and a voxel has coordinates
-/// -1, if the finding is not about one.
-struct CheckReport {
-  /// Which test failed. kNone: none, and nothing below has a value.
-  Finding finding = Finding::kNone;
-  /// Segment of the trajectory. For kJoint, the later of the two.
-  int32_t segment = -1;
-  /// Polyhedron of the corridor.
-  int32_t polyhedron = -1;
-  /// A half-space of the polyhedron: the one that a control point is beyond, or the one that comes nearest to cutting
-  /// off the obstacle or the keep-out fence. If `fence` is a keep-in fence, it is a half-space of that fence. For
-  /// kOutside, -1 if a control point is outside the boundary; `axis` then says on which axis.
-  int32_t plane = -1;
-  /// Index in Request::fences.
-  int32_t fence = -1;
-  /// Index in Request::vias.
-  int32_t via = -1;
-  /// 0 position, 1 velocity, 2 acceleration, 3 jerk.
-  int32_t derivative = -1;
-  /// 0 x, 1 y, 2 z; 3 the horizontal norm.
-  int32_t axis = -1;
-  /// The obstacle's voxel.
-  Voxel voxel{-1, -1, -1};
-  /// By how much more than the check allows: metres, or m/s, m/s^2 or m/s^3 for a derivative. >= 0. 0 for kMalformed.
-  double excess = 0.0;
-};
 
 /// What kind of plan the trajectory is. Every kind but kNone is a checked plan.
 enum class Quality : uint8_t {
@@ -116,8 +90,8 @@ struct Report {
   ViaPassage vias[kMaxVias];
 
   /// Only if `status` or `optimiser` is kCheckFailed: what was wrong with the plan that the check refused last. Its
-  /// segments and polyhedra are those of that plan, which is not given out.
-  CheckReport check;
+  /// segments are those of that plan, which is not given out.
+  ProofReport check;
 
   /// Only for kStartTooNarrow, kGoalTooNarrow and kViaTooNarrow, metres: the largest of half the voxel's edge, a
   /// quarter and so on, down to 1/64, at which this point is not too narrow. The grid keeps its origin and boundary,

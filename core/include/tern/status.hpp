@@ -162,19 +162,21 @@ enum class Stage : uint8_t {
 };
 constexpr int kStageCount = 12;
 
-/// What the check refuses a plan for. The numbers are part of the ABI; docs/check.md has the rules and tolerances.
+/// What ends a proof, and what a plan is refused for. The numbers are part of the ABI; docs/proof.md has the rules and
+/// tolerances.
 enum class Finding : uint8_t {
-  kNone = 0,      ///< nothing
-  kMalformed,     ///< counts, indices, durations, coordinates or normals that are not a plan at all
-  kObstacle,      ///< a polyhedron comes closer than the radius to an obstacle voxel
-  kOutside,       ///< a control point lies outside its polyhedron or the boundary
+  kNone = 0,      ///< nothing: all is proven
+  kMalformed,     ///< counts, durations or coordinates that are no trajectory
+  kObstacle,      ///< closer than the radius to an obstacle voxel, or too nearly so to tell
+  kOutside,       ///< beyond the boundary, or too near to it with Beyond::kSolid
   kVelocity,      ///< some v(t) is beyond a limit
   kAcceleration,  ///< some a(t) is beyond a limit
-  kJoint,         ///< position, velocity, acceleration or jerk jumps at a joint
-  kFence,     ///< a control point lies outside a keep-in, or a polyhedron comes closer than the radius to a keep-out
-  kBoundary,  ///< the start's or the goal's state is not met
-  kJerk,      ///< some jerk(t) is beyond a limit
-  kVia,       ///< a via is missed, out of order, or not passed as it was asked for
+  kJoint,         ///< position jumps at a joint; of a plan, also velocity, acceleration or jerk
+  kFence,         ///< outside a keep-in, or closer than the radius to a keep-out, or too nearly so to tell
+  kBoundary,      ///< the start's or the goal's state is not met; plans only
+  kJerk,          ///< some jerk(t) is beyond a limit
+  kVia,           ///< a via is missed, out of order, or not passed as it was asked for; plans only
+  kPieces,        ///< a segment needs more pieces than kProofPieces
 };
 
 /// The field of a request, a grid, a flight or a call that a status is about. The numbers are part of the ABI; 17 and

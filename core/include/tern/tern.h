@@ -46,7 +46,7 @@ typedef tern::Sample tern_sample;
 typedef tern::Yaw tern_yaw;
 typedef tern::FlatState tern_flat_state;
 typedef tern::StageReport tern_stage_report;
-typedef tern::CheckReport tern_check_report;
+typedef tern::ProofReport tern_proof_report;
 typedef tern::HighWater tern_high_water;
 typedef tern::ViaPassage tern_via_passage;
 typedef tern::Diagnostics tern_diagnostics;
@@ -122,14 +122,16 @@ typedef struct {
   tern_vec3 body_rates; /* rad/s, body frame */
   uint8_t singularity;  /* tern::Singularity: 0 none, 1 free fall, 2 heading, 3 not finite */
 } tern_flat_state;
-/* What the check found wrong with a plan: tern/report.hpp. -1 if an index or a voxel has no value. */
+/* How far a proof came, and what ended it: tern/proof_report.hpp. -1 if an index or a voxel has no value. */
 typedef struct {
-  uint8_t finding; /* tern_finding_name() */
-  int32_t segment, polyhedron, plane, fence, via;
+  double until;    /* seconds since the beginning of the trajectory */
+  uint8_t finding; /* TERN_FINDING_..., tern_finding_name() */
+  int32_t segment, fence, via;
   int32_t derivative, axis; /* 0 position .. 3 jerk; 0 x, 1 y, 2 z, 3 the horizontal norm */
   tern_voxel voxel;
-  double excess; /* by how much more than the check allows: m, m/s, m/s^2 or m/s^3 */
-} tern_check_report;
+  double excess; /* by how much more than the proof grants: m, m/s, m/s^2 or m/s^3 */
+  uint32_t work;
+} tern_proof_report;
 /* When a plan passes a via, in seconds, and how far from it, in metres: tern/report.hpp. */
 typedef struct { double time, distance; } tern_via_passage;
 /* What one stage did, the highest use of each capacity, and both with how the path was found: tern/diagnostics.hpp. */
@@ -161,7 +163,7 @@ typedef struct {
   int32_t fence; /* index of the fence that is wrong, or that start, goal or via breaks; -1: none */
   int32_t via;   /* index of the via that is wrong or that the plan could not be led to; -1: none */
   tern_via_passage vias[TERN_MAX_VIAS];
-  tern_check_report check; /* only if status or optimiser is check_failed */
+  tern_proof_report check; /* only if status or optimiser is check_failed */
   double finer_cell; /* m, only for TERN_*_TOO_NARROW: a voxel's edge that would do; 0 if none is known */
   tern_diagnostics diagnostics;
 } tern_report;

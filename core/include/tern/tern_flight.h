@@ -16,7 +16,6 @@
 #ifdef __cplusplus
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
-typedef tern::ProofReport tern_proof_report;
 typedef tern::FlightSpec tern_flight_spec;
 typedef tern::FlightRefusal tern_flight_refusal;
 typedef tern::FlightReport tern_flight_report;
@@ -25,8 +24,6 @@ typedef tern::Command tern_command;
 extern "C" {
 #else
 /* clang-format off */
-/* How far a proof came: tern::ProofReport. */
-typedef struct { double until; uint8_t end; tern_voxel voxel; uint32_t work; int32_t fence; } tern_proof_report;
 /* How to fly: tern::FlightSpec. SI units; tick in nanoseconds. */
 typedef struct {
   tern_limits limits; double time_weight; int64_t tick; uint32_t work_per_tick, plan_work;
@@ -64,17 +61,18 @@ typedef struct { tern_sample sample; tern_vec3 look_at; } tern_command;
 
 /* What a proof assumes beyond the boundary: nothing, or that all is solid. */
 enum { TERN_BEYOND_EMPTY = 0, TERN_BEYOND_SOLID = 1 };
-/* What ends a proof. */
+/* What ends a proof: tern::Finding. A plan is refused for these and two more. */
 enum {
-  TERN_PROVEN = 0,             /* nothing: all of it is proven */
-  TERN_PROOF_OBSTACLE = 1,     /* an obstacle that is too near */
-  TERN_PROOF_OUTSIDE = 2,      /* the boundary */
-  TERN_PROOF_VELOCITY = 3,     /* a limit of velocity */
-  TERN_PROOF_ACCELERATION = 4, /* a limit of acceleration */
-  TERN_PROOF_JERK = 5,         /* a limit of jerk */
-  TERN_PROOF_MALFORMED = 6,    /* no trajectory at all */
-  TERN_PROOF_PIECES = 7,       /* a segment that needs too many pieces */
-  TERN_PROOF_FENCE = 8         /* a fence */
+  TERN_FINDING_NONE = 0,         /* nothing: all of it is proven */
+  TERN_FINDING_MALFORMED = 1,    /* no trajectory at all */
+  TERN_FINDING_OBSTACLE = 2,     /* an obstacle that is too near */
+  TERN_FINDING_OUTSIDE = 3,      /* the boundary */
+  TERN_FINDING_VELOCITY = 4,     /* a limit of velocity */
+  TERN_FINDING_ACCELERATION = 5, /* a limit of acceleration */
+  TERN_FINDING_JOINT = 6,        /* a gap between two segments */
+  TERN_FINDING_FENCE = 7,        /* a fence */
+  TERN_FINDING_JERK = 9,         /* a limit of jerk */
+  TERN_FINDING_PIECES = 11       /* a segment that needs too many pieces */
 };
 /* What the vehicle is doing. */
 enum {

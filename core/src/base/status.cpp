@@ -153,6 +153,7 @@ const char* finding_name(Finding finding) noexcept {
     case Finding::kFence: return "fence";
     case Finding::kVia: return "via";
     case Finding::kBoundary: return "boundary state";
+    case Finding::kPieces: return "pieces";
   }
   return "unknown";
 }

@@ -5,7 +5,7 @@
 #include "base/math.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
-#include "proof/fence_clear.hpp"
+#include "prove/fence_clear.hpp"
 
 namespace tern {
 namespace {
@@ -98,9 +98,9 @@ void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept
   const ProofReport& found = draft.proof.report();
   const Vec3 place = evaluate(draft.plan.planned, found.until).position;
   clear();
-  if (found.end == ProofEnd::kObstacle) *this = block_at(map, found.voxel);
-  if (found.end == ProofEnd::kOutside) *this = {BlockedBy::kWindow, place, kNoFence};
-  if (found.end == ProofEnd::kFence) *this = {BlockedBy::kFence, place, found.fence};
+  if (found.finding == Finding::kObstacle) *this = block_at(map, found.voxel);
+  if (found.finding == Finding::kOutside) *this = {BlockedBy::kWindow, place, kNoFence};
+  if (found.finding == Finding::kFence) *this = {BlockedBy::kFence, place, found.fence};
 }
 
 /// A fence counts before any voxel: it does not go away, whatever is seen there.

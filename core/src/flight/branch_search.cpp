@@ -41,7 +41,7 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
     }
     if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
     is_proving = false;
-    if (draft.proof.report().end == ProofEnd::kProven) return Progress::kDone;
+    if (draft.proof.report().finding == Finding::kNone) return Progress::kDone;
   }
   return Progress::kFailed;
 }

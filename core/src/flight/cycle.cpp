@@ -83,7 +83,7 @@ Progress Cycle::prove_remainder(const FlightFacts& flight, const Itinerary& itin
                                 Work& work) noexcept {
   if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
   remainder_is_free =
-      draft.proof.report().end == ProofEnd::kProven && flight.plans.in_flight.mission == itinerary.number;
+      draft.proof.report().finding == Finding::kNone && flight.plans.in_flight.mission == itinerary.number;
   job = Job::kAim;
   return Progress::kDone;
 }

@@ -5,7 +5,7 @@
 #include "base/math.hpp"
 #include "flight/brakes.hpp"
 #include "flight/branch.hpp"
-#include "proof/proven_joints.hpp"
+#include "prove/joints.hpp"
 
 namespace tern {
 namespace {

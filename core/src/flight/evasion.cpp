@@ -15,8 +15,8 @@ bool is_better(const JudgedBrake& a, const JudgedBrake& b) {
 }
 
 /// Something in the way ended the proof, not the brake itself.
-bool is_contact(ProofEnd end) {
-  return end == ProofEnd::kObstacle || end == ProofEnd::kOutside || end == ProofEnd::kFence;
+bool is_contact(Finding end) {
+  return end == Finding::kObstacle || end == Finding::kOutside || end == Finding::kFence;
 }
 
 /// No trajectory comes near to this.
@@ -92,7 +92,7 @@ bool Evasion::begin_brake_proof(BrakeProof what, const FlightFacts& flight, cons
 
 EvasionResult Evasion::judge(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
                              FlightWork& charge) noexcept {
-  if (proves == BrakeProof::kClear && draft.proof.report().end == ProofEnd::kProven) {
+  if (proves == BrakeProof::kClear && draft.proof.report().finding == Finding::kNone) {
     missed = 0;
     return EvasionResult::kProven;
   }
@@ -103,9 +103,9 @@ EvasionResult Evasion::judge(const FlightFacts& flight, const Itinerary& itinera
 /// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True if
 /// there is more to prove of the brake.
 bool Evasion::go_on_proving(const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept {
-  bool proven = draft.proof.report().end == ProofEnd::kProven;
+  bool proven = draft.proof.report().finding == Finding::kNone;
   if (proves == BrakeProof::kClear) {
-    if (!is_contact(draft.proof.report().end)) return false;
+    if (!is_contact(draft.proof.report().finding)) return false;
     const double until = draft.proof.report().until;
     tried = {number, until, length(evaluate(draft.plan.trajectory, until).velocity), true};
     return is_better(tried, best) && begin_brake_proof(BrakeProof::kLimits, flight, watch, draft);

@@ -214,7 +214,7 @@ void Nose::advance(const FlightFacts& flight, std::uint32_t kept, FlightWork& ch
 void Nose::note_view(const RollingMap& map, const ProofReport& found) noexcept {
   const Grid& safe = map.safe();
   const Grid& seen = map.route();
-  has_unseen = found.end == ProofEnd::kObstacle && seen.bound() && !seen.obstacle(found.voxel);
+  has_unseen = found.finding == Finding::kObstacle && seen.bound() && !seen.obstacle(found.voxel);
   if (has_unseen) unseen = safe.spec().origin + safe.center(found.voxel);
 }
 

@@ -198,7 +198,7 @@ void RestSearch::look_at_end(const FlightFacts& flight, const Draft& draft, doub
   }
   const Grid& safe = flight.map.safe();
   const ProofReport& found = draft.proof.report();
-  const bool at_voxel = found.end == ProofEnd::kObstacle;
+  const bool at_voxel = found.finding == Finding::kObstacle;
   look_at = lookouts > 0 && at_voxel ? safe.spec().origin + safe.center(found.voxel)
                                      : evaluate(draft.plan.planned, until).position;
   if (at_voxel && flight.rests_at(draft.takeover)) look_at_voxel(flight, found.voxel);

@@ -118,7 +118,7 @@ Progress FlightState::run_reach(Work& work) noexcept {
   search.look_at_end(facts, draft, found.until);
   nose.note_view(facts.map, found);
   if (!draft.plan.looks_out && !itinerary.parked && !watch.is_beside(facts)) block.note_unproven(facts.map, draft);
-  if (found.end != ProofEnd::kProven) {
+  if (found.finding != Finding::kNone) {
     cycle.begin_branch(found.until);
     return Progress::kDone;
   }
@@ -133,7 +133,7 @@ Progress FlightState::run_reach(Work& work) noexcept {
 
 Progress FlightState::run_confirm(Work& work) noexcept {
   if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
-  if (draft.proof.report().end == ProofEnd::kProven) {
+  if (draft.proof.report().finding == Finding::kNone) {
     commit();
   } else {
     cycle.reject_branch();

@@ -119,10 +119,10 @@ Status prove_start(const FlightFacts& flight, Proof& proof, FlightRefusal& refus
   FlightWork::begin(proof, flight.map.safe(), stays.trajectory, 0.0, nullptr, Beyond::kSolid,
                     grounds_of(flight.spec, stays));
   const ProofReport& found = proof.report();
-  if (proof.step(2 * kProofPieces) == Status::kOk && found.end == ProofEnd::kProven) return Status::kOk;
+  if (proof.step(2 * kProofPieces) == Status::kOk && found.finding == Finding::kNone) return Status::kOk;
   refusal.field = Field::kStartPosition;
   refusal.fence = found.fence;
-  if (found.end == ProofEnd::kFence) return Status::kStartFenced;
+  if (found.finding == Finding::kFence) return Status::kStartFenced;
   find_too_near(flight.map, stays.aim, refusal);
   return Status::kStartOccupied;
 }

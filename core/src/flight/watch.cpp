@@ -55,7 +55,7 @@ Contact Watch::contact_on(const Commitment& plan) const noexcept {
 WatchResult Watch::end_part(const FlightFacts& flight) noexcept {
   is_running = false;
   const CommittedPlans& plans = flight.plans;
-  const bool proven = proof.report().end == ProofEnd::kProven;
+  const bool proven = proof.report().finding == Finding::kNone;
   const bool meets = !proven && (!plans.has_waiting || contact_on(watched(plans)).time < plans.waiting.begin);
   if (part == Watched::kAlarm) {
     known = proven;

@@ -3,7 +3,6 @@
 #ifndef TERN_PLANNER_LAYOUT_HPP
 #define TERN_PLANNER_LAYOUT_HPP
 
-#include "check/check_stage.hpp"
 #include "corridor/corridor_stage.hpp"
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
@@ -11,6 +10,7 @@
 #include "planner/escape.hpp"
 #include "planner/plan.hpp"
 #include "planner/previous.hpp"
+#include "prove/check_stage.hpp"
 #include "tern/via.hpp"
 #include "tern/workspace.hpp"
 #include "times/chain.hpp"

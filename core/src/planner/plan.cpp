@@ -49,7 +49,7 @@ Status Plan::end(Stage stage, Status status) noexcept {
   if (!occupied && !narrow) report_.raw_occupied = report_.has_nearest_free = false;
   if (!narrow) report_.finer_cell = 0.0;
   if (narrow) report_.fence = narrow_fence_;
-  if (status != Status::kCheckFailed && report_.optimiser != Status::kCheckFailed) report_.check = CheckReport{};
+  if (status != Status::kCheckFailed && report_.optimiser != Status::kCheckFailed) report_.check = ProofReport{};
   if (status != Status::kOk) report_.quality = Quality::kNone;
   if (status == Status::kOk) report_.via = kNoVia;
   return status;
@@ -238,7 +238,7 @@ Status Plan::close(bool route_only, Report& report) noexcept {
     if (life_ == Life::kIdle) report_ = Report{};
     status_ = Status::kInvalidArgument;
     report_.field = Field::kCallOrder;
-    report_.check = CheckReport{};
+    report_.check = ProofReport{};
   }
   life_ = Life::kIdle;
   report_.status = status_;

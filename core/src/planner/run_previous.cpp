@@ -7,11 +7,11 @@
 #include "base/progress.hpp"
 #include "base/too_narrow.hpp"
 #include "base/work.hpp"
-#include "check/tolerance.hpp"
 #include "curve/rest.hpp"
 #include "planner/layout.hpp"
 #include "planner/plan.hpp"
 #include "planner/validate.hpp"
+#include "prove/grants.hpp"
 
 namespace tern {
 namespace {

@@ -257,7 +257,7 @@ Progress Plan::run_check(Work& work) noexcept {
     prefers_rest() ? return_to_rest() : static_cast<void>(end(Stage::kCheck, Status::kOk));
     return progress;
   }
-  report_.check = stage;
+  report_.check = stage.found;
   if (report_.quality == Quality::kOptimised && report_.diagnostics.detours < kEscaped) {
     fall_back(stage.status);
   } else {

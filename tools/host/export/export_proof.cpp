@@ -29,7 +29,7 @@ tern::ProofReport proof_of(Scenario scenario, const tern::Trajectory& curve, con
   grounds.fence_count = static_cast<std::int32_t>(fences.size());
   tern::Proof proof;
   tern::ProofReport report{};
-  report.end = tern::ProofEnd::kMalformed;
+  report.finding = tern::Finding::kMalformed;
   tern::Status status = proof.begin(map.grid, curve, 0.0, limits, tern::Beyond::kEmpty, grounds);
   while (status == tern::Status::kRunning) status = proof.step(100000);
   if (status == tern::Status::kOk) report = proof.report();
@@ -83,12 +83,12 @@ double length(const tern::Vec3& a, const tern::Vec3& b) {
 std::string prove_curve(const Scenario& scenario, const ExportCase& what, double allowed) {
   const tern::Limits limits = scaled(scenario.limits, 1.0 + kExportExcess);
   const tern::ProofReport report = proof_of(scenario, *what.curve, &limits);
-  switch (report.end) {
-    case tern::ProofEnd::kProven:
+  switch (report.finding) {
+    case tern::Finding::kNone:
       return "proven clear and within the limits";
-    case tern::ProofEnd::kVelocity:
-    case tern::ProofEnd::kAcceleration:
-    case tern::ProofEnd::kJerk:
+    case tern::Finding::kVelocity:
+    case tern::Finding::kAcceleration:
+    case tern::Finding::kJerk:
       refuse_limits(scenario, what, report.until);
     default:
       refuse_error(what, allowed, ", and the curve is proven clear only until " + fixed(report.until, 3) + " s");

@@ -1,0 +1,67 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Contract C4: every plan that leaves the planner as kOk was proven here, by code that shares nothing with the stages
+// that made it. It reads the raw obstacle layer, the request and the control points. The corridor only tells along
+// which normals obstacles may be cut off: a wrong one cannot make a false proof.
+#ifndef TERN_PROVE_CHECK_STAGE_HPP
+#define TERN_PROVE_CHECK_STAGE_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "prove/asked_fences.hpp"
+#include "prove/keep_out.hpp"
+#include "tern/corridor.hpp"
+#include "tern/grid.hpp"
+#include "tern/proof.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+#include "tern/via.hpp"
+
+namespace tern {
+
+/// Units of one check: pieces of each segment's position and of its three derivatives, the end of the proof, and the
+/// joints.
+constexpr std::uint32_t kCheckBound = kMaxSegments * (4u * (kProofPieces + 1) + 1u) + 1u;
+
+/// What the request asked of the plan, as the caller gave it. World frame.
+struct CheckQuery {
+  State start;  ///< with the jerk that the plan was made to begin with
+  State goal;
+  Limits limits;
+  const AskedFences* fences = nullptr;  ///< null: none
+  const Via* vias = nullptr;
+  const std::int32_t* joints = nullptr;  ///< for each via, the segment that begins where the plan passes it, or the
+                                         ///< number of segments
+  std::int32_t via_count = 0;
+};
+
+enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints };
+
+/// Plain data, no initialisation needed before check_begin.
+struct CheckStage {
+  Status status;  ///< kCheckFailed if the stage failed; else kOk
+  CheckPhase phase;
+  std::int32_t next;    ///< the next segment whose joint is looked at
+  std::uint32_t units;  ///< units done, for the report
+  Proof proof;
+  ProofReport found;  ///< why the stage failed
+  FenceScratch scratch;
+};
+
+void check_begin(CheckStage& stage) noexcept;
+
+/// kDone, or kFailed with the reason in `stage`. Reads its arguments only. The corridor may be empty, or wrong.
+Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                       const CheckQuery& query, Work& work) noexcept;
+
+/// True if the plan passes the vias at query.joints, in order, within each tolerance, and at rest or with the velocity
+/// that the via asks for. If not, `found` receives the reason.
+bool vias_met(const Grid& grid, const Trajectory& trajectory, const CheckQuery& query, ProofReport& found) noexcept;
+
+}  // namespace tern
+
+#endif

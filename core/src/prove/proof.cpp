@@ -1,0 +1,404 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tern/proof.hpp"
+
+#include "base/capacity.hpp"
+#include "base/fence_fault.hpp"
+#include "base/math.hpp"
+#include "grid/bit_rows.hpp"
+#include "prove/allowed.hpp"
+#include "prove/bernstein.hpp"
+#include "prove/cut_off.hpp"
+#include "prove/fence_clear.hpp"
+#include "prove/grants.hpp"
+#include "prove/hull_clear.hpp"
+#include "prove/keep_out.hpp"
+#include "tern/corridor.hpp"
+
+namespace tern {
+namespace {
+
+/// Instructions of a piece, besides its surroundings.
+constexpr std::uint32_t kPieceEffort = 1200;
+
+/// True if a piece in this box is so wide that it is halved before its surroundings are read.
+bool is_wide(const Box& box, double cell) {
+  for (int a = 0; a < 3; ++a) {
+    if (axis(box.upper, a) - axis(box.lower, a) > kProofSpan * cell) return true;
+  }
+  return false;
+}
+
+/// True if the boxes are at least this far apart along some axis.
+bool are_apart(const Box& a, const Box& b, double distance) {
+  for (int k = 0; k < 3; ++k) {
+    if (axis(b.lower, k) - axis(a.upper, k) >= distance || axis(a.lower, k) - axis(b.upper, k) >= distance) return true;
+  }
+  return false;
+}
+
+bool is_inside(const Box& inner, const Box& outer) {
+  for (int a = 0; a < 3; ++a) {
+    if (!(axis(inner.lower, a) >= axis(outer.lower, a) && axis(inner.upper, a) <= axis(outer.upper, a))) return false;
+  }
+  return true;
+}
+
+constexpr Voxel kNoVoxel{-1, -1, -1};
+
+/// The first voxel of an axis whose centre is at `local` or behind it, within 0 .. count.
+std::int32_t first_centre(double local, double cell, std::int32_t count) {
+  const double from = local / cell - 0.5;
+  if (!(from > 0.0)) return 0;
+  if (from >= static_cast<double>(count)) return count;
+  const auto whole = static_cast<std::int32_t>(from);
+  return static_cast<double>(whole) < from ? whole + 1 : whole;
+}
+
+/// The voxel behind the last one whose centre is at `local` or before it, within 0 .. count.
+std::int32_t behind_centre(double local, double cell, std::int32_t count) {
+  const double to = local / cell - 0.5;
+  if (!(to >= 0.0)) return 0;
+  return to >= static_cast<double>(count) ? count : static_cast<std::int32_t>(to) + 1;
+}
+
+Box grown(const Box& box, double by) {
+  const Vec3 all{by, by, by};
+  return {box.lower - all, box.upper + all};
+}
+
+/// By how much the point is outside the box, on the axis where that is most.
+Excess outside_by(const Box& box, const Vec3& point) {
+  Excess most{-1, 0.0};
+  for (int a = 0; a < 3; ++a) {
+    const double beyond = larger(axis(box.lower, a) - axis(point, a), axis(point, a) - axis(box.upper, a));
+    if (beyond > most.amount) most = {a, beyond};
+  }
+  return most;
+}
+
+}  // namespace
+
+Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+                    const ProofGrounds& grounds) noexcept {
+  const Status begun = begin_accepted(grid, trajectory, from, limits, beyond, grounds);
+  if (begun != Status::kRunning) return begun;
+  const FenceFault fault = find_fence_fault(grounds.fences, grounds.fence_count, grid.spec());
+  if (fault.status == Status::kOk) return begun;
+  refuse(from);
+  report_.fence = fault.fence;
+  return fault.status;
+}
+
+/// Resets the report: nothing is proven, and there is nothing to do.
+void Proof::refuse(double from) noexcept {
+  running_ = false;
+  report_ = ProofReport{};
+  report_.until = from > 0.0 ? from : 0.0;
+  report_.finding = Finding::kMalformed;
+}
+
+/// Begins a proof with fences that find_fence_fault() has accepted.
+Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                             Beyond beyond, const ProofGrounds& grounds) noexcept {
+  refuse(from);
+  if (!grid.bound() || !(grid.spec().clearance() > 0.0)) return Status::kInvalidArgument;
+  if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
+  hints_ = nullptr;
+  scratch_ = nullptr;
+  take_grant(grid, grant_to_curve(grid, trajectory), beyond);
+  has_limits_ = limits != nullptr;
+  if (has_limits_) limits_ = *limits;
+  has_added_ = grounds.added != nullptr;
+  if (has_added_) added_ = {grid.to_local(grounds.added->lower), grid.to_local(grounds.added->upper)};
+  has_left_ = grounds.left != nullptr;
+  if (has_left_) left_ = grid.to_local(*grounds.left);
+  fences_ = grounds.fences;
+  fence_count_ = grounds.fence_count;
+  pardoned_ = nullptr;
+  if (grounds.alarm != nullptr) pardon(*grounds.alarm);
+  enter(trajectory);
+  return Status::kRunning;
+}
+
+/// Begins the proof of a whole plan, of which `hints` may know what cuts obstacles and fences off.
+void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const Fence* fences,
+                       std::int32_t fence_count, const Corridor& hints, FenceScratch& scratch) noexcept {
+  refuse(0.0);
+  trajectory_ = &trajectory;
+  hints_ = &hints;
+  scratch_ = &scratch;
+  take_grant(grid, grant_to_plan(grid, trajectory), Beyond::kEmpty);
+  has_limits_ = true;
+  limits_ = limits;
+  fences_ = fences;
+  fence_count_ = fence_count;
+  if (trajectory.count >= 1 && trajectory.count <= kMaxSegments) enter(trajectory);
+}
+
+void Proof::take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept {
+  grid_ = &grid;
+  distance_ = grid.spec().clearance() - grant.near;
+  near_ = grant.near;
+  outside_ = grant.outside;
+  excess_ = grant.excess;
+  is_cut_ = grant.is_cut;
+  boundary_ = beyond == Beyond::kSolid ? grown(grant.boundary, -grid.spec().clearance()) : grant.boundary;
+}
+
+/// Enters the segment at report_.until.
+void Proof::enter(const Trajectory& trajectory) noexcept {
+  trajectory_ = &trajectory;
+  segment_ = 0;
+  begin_ = 0.0;
+  while (segment_ + 1 < trajectory.count && report_.until >= begin_ + trajectory.segments[segment_].duration) {
+    begin_ += trajectory.segments[segment_].duration;
+    ++segment_;
+  }
+  running_ = true;
+  report_.finding = Finding::kNone;
+  const double into = (report_.until - begin_) / trajectory.segments[segment_].duration;
+  first_ = into >= 0.0 ? smaller(into, 1.0) : 0.0;
+  enter_segment();
+}
+
+/// Pardons seen voxels whose centres are in the alarm's box.
+void Proof::pardon(const Alarm& alarm) noexcept {
+  const GridSpec& spec = grid_->spec();
+  pardoned_ = alarm.seen;
+  const Vec3 lower = grid_->to_local(alarm.box.lower);
+  const Vec3 upper = grid_->to_local(alarm.box.upper);
+  const double cell = spec.cell;
+  pardon_begin_ = {first_centre(lower.x, cell, spec.dims.x), first_centre(lower.y, cell, spec.dims.y),
+                   first_centre(lower.z, cell, spec.dims.z)};
+  pardon_end_ = {behind_centre(upper.x, cell, spec.dims.x), behind_centre(upper.y, cell, spec.dims.y),
+                 behind_centre(upper.z, cell, spec.dims.z)};
+}
+
+/// True if the segment is finite and has a duration.
+bool Proof::sound(const Segment& segment) const noexcept {
+  if (!finite(segment.duration) || !(segment.duration > 0.0)) return false;
+  for (const Vec3& point : segment.points) {
+    if (!finite(point)) return false;
+  }
+  return segment_ > 0 || finite(trajectory_->origin);
+}
+
+/// By how many metres too much the segment begins beside the end of the one before; 0 if it does not.
+double Proof::gap_before(const Segment& segment) const noexcept {
+  if (segment_ == 0) return 0.0;
+  const double gap = distance(segment.points[0], trajectory_->segments[segment_ - 1].points[kDegree]);
+  const double excess = gap - curve_distance(*grid_, *trajectory_);
+  if (excess <= 0.0) return 0.0;
+  return finite(excess) ? excess : __builtin_inf();
+}
+
+void Proof::enter_segment() noexcept {
+  lost_ = 1.0;
+  part_ = kPosition;
+  worst_ = 0.0;
+  worst_axis_ = -1;
+  const Segment& segment = trajectory_->segments[segment_];
+  if (!sound(segment)) return lose(first_, Finding::kMalformed);
+  worst_ = gap_before(segment);
+  if (!(worst_ > 0.0)) return enter_part(kPosition);
+  lose(first_, Finding::kJoint);
+  report_.derivative = kPosition;
+}
+
+/// Begins a part, position or a derivative: loads its curve from the parameter at which the proof begins.
+void Proof::enter_part(int part) noexcept {
+  part_ = part;
+  pieces_ = 0;
+  worst_ = 0.0;
+  worst_axis_ = -1;
+  const Segment& segment = trajectory_->segments[segment_];
+  Piece& piece = stack_[0];
+  piece.begin = first_;
+  piece.depth = 0;
+  const Vec3 place = part == kPosition ? trajectory_->origin - grid_->spec().origin : kZero;
+  for (int i = 0; i <= kDegree; ++i) piece.c[i] = segment.points[i];
+  for (int k = 0; k < part; ++k) derive(piece.c, kDegree - k, segment.duration);
+  Vec3 rest[kControlPoints];
+  if (first_ > 0.0) {
+    cut(piece.c, kDegree - part, first_, rest);
+    for (int i = 0; i <= kDegree - part; ++i) piece.c[i] = rest[i];
+  }
+  for (int i = 0; i <= kDegree; ++i) piece.c[i] = piece.c[i] + place;
+  height_ = 1;
+}
+
+/// The hints for the segment at hand.
+Hints Proof::hints() const noexcept {
+  const int index = trajectory_->segments[segment_].polyhedron;
+  if (hints_ == nullptr || index < 0 || index >= hints_->count || index >= kMaxSegments) return {nullptr, 0};
+  return hints_of(hints_->polyhedra[index]);
+}
+
+bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
+  const GridSpec& spec = grid_->spec();
+  const Box box = box_around(piece.c, kControlPoints);
+  end = Finding::kOutside;
+  if (!is_inside(box, boundary_)) return false;
+  if (has_added_ && are_apart(box, added_, spec.clearance())) return true;
+  end = Finding::kFence;
+  if (!keeps_fences(piece)) {
+    report_.voxel = kNoVoxel;
+    return false;
+  }
+  end = Finding::kObstacle;
+  if (hints_ != nullptr && cut_off(*grid_, piece.c, kControlPoints, hints(), distance_, effort_)) return true;
+  if (is_wide(box, spec.cell)) return false;
+  const Pardon pardon{
+      pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
+  const Clearance clearance{distance_, has_left_ ? &left_ : nullptr, near_, pardon};
+  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, effort_);
+}
+
+bool Proof::keeps_fences(const Piece& piece) noexcept {
+  const FenceRule rule{grid_->spec().origin, distance_, outside_};
+  for (int32_t k = 0; k < fence_count_; ++k) {
+    effort_ += fence_effort(fences_[k]);
+    if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
+    if (piece.depth == 0 && is_cut_off(k, piece)) continue;
+    report_.fence = k;
+    return false;
+  }
+  return true;
+}
+
+/// True if the fence is a keep-out that is cut off along a hint.
+bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
+  if (scratch_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
+  effort_ += kKeepOutEffort;
+  return keep_out_cut_off(*grid_, fences_, fence_count_, fence, hints(), {piece.c, kControlPoints, distance_},
+                          *scratch_);
+}
+
+/// What the limits allow the part at hand.
+Allowed Proof::allowed() const noexcept {
+  const Segment& segment = trajectory_->segments[segment_];
+  const double rounding = is_cut_ ? derivative_rounding(segment, part_) : hodograph_rounding(segment, part_);
+  return allowed_by(limits_, part_, excess_, rounding);
+}
+
+bool Proof::holds(const Piece& piece, int count, Finding& end) noexcept {
+  if (part_ == kPosition) return keeps_clear(piece, end);
+  constexpr Finding kEnds[] = {Finding::kObstacle, Finding::kVelocity, Finding::kAcceleration, Finding::kJerk};
+  end = kEnds[part_];
+  return hull_allowed(allowed(), piece.c, count);
+}
+
+/// By how much a point of the curve, or of its derivative, is beyond what is granted.
+Excess Proof::excess_at(const Vec3& point, Finding end) const noexcept {
+  if (end == Finding::kOutside) return outside_by(boundary_, point);
+  if (end == Finding::kFence)
+    return {-1, fence_excess(fences_[report_.fence], {grid_->spec().origin, distance_, outside_}, point)};
+  if (part_ != kPosition) return excess_of(allowed(), point);
+  if (end != Finding::kObstacle || report_.voxel.x < 0) return {-1, 0.0};
+  return {-1, distance_ - distance_to_cube(*grid_, report_.voxel, point)};
+}
+
+/// Notes the worst excess at the ends of a piece that is not proven; both are points of the curve.
+void Proof::note_excess(const Piece& piece, int degree, Finding end) noexcept {
+  for (int i = 0; i <= degree; i += degree) {
+    const Excess excess = excess_at(piece.c[i], end);
+    if (!(excess.amount > worst_)) continue;
+    worst_ = excess.amount;
+    worst_axis_ = excess.axis;
+  }
+}
+
+/// Notes a loss. Of the losses in a segment's parts, the earliest counts.
+void Proof::lose(double u, Finding end) noexcept {
+  height_ = 0;
+  if (report_.finding != Finding::kNone && u >= lost_) return;
+  lost_ = u;
+  report_.finding = end;
+  report_.segment = segment_;
+  report_.axis = worst_axis_;
+  report_.excess = end == Finding::kPieces || end == Finding::kMalformed ? 0.0 : worst_;
+  report_.derivative = part_ != kPosition ? part_ : -1;
+  if (part_ != kPosition) report_.voxel = kNoVoxel;
+  if (end != Finding::kFence) report_.fence = kNoFence;
+}
+
+/// The piece on top of the stack is proven, halved, or lost.
+void Proof::look_at_piece() noexcept {
+  Piece& piece = stack_[height_ - 1];
+  const int degree = kDegree - part_;
+  Finding end = Finding::kPieces;
+  ++report_.work;
+  effort_ += kPieceEffort;
+  if (is_full(pieces_++ == kProofPieces)) return lose(piece.begin, end);
+  if (holds(piece, degree + 1, end)) {
+    --height_;
+    return;
+  }
+  note_excess(piece, degree, end);
+  if (is_full(piece.depth == kProofDepth)) return lose(piece.begin, end);
+  Piece first = piece;
+  ++first.depth;
+  piece.depth = first.depth;
+  cut(first.c, degree, 0.5, piece.c);
+  double length = 1.0 - first_;
+  for (int k = 0; k < first.depth; ++k) length *= 0.5;
+  piece.begin = first.begin + length;
+  stack_[height_++] = first;
+}
+
+/// The part that follows; kPosition after the last one.
+int Proof::part_after(int part) const noexcept {
+  if (part == kPosition && has_limits_) return kVelocity;
+  if (part == kVelocity) return kAcceleration;
+  return part == kAcceleration && limits_jerk(limits_) ? kJerk : kPosition;
+}
+
+/// Goes on with the next part, then with the next segment, unless the segment was lost somewhere.
+void Proof::end_part() noexcept {
+  const Segment& segment = trajectory_->segments[segment_];
+  const int next = part_after(part_);
+  const bool is_unsound = report_.finding == Finding::kMalformed || report_.finding == Finding::kJoint;
+  if (next != kPosition && !is_unsound) return enter_part(next);
+  const double end = begin_ + segment.duration;
+  if (report_.finding == Finding::kNone) {
+    report_.voxel = kNoVoxel;
+    report_.fence = kNoFence;
+  }
+  if (report_.finding != Finding::kNone || segment_ + 1 == trajectory_->count) {
+    running_ = false;
+    const double until = lost_ < 1.0 ? begin_ + lost_ * segment.duration : end;
+    report_.until = larger(report_.until, smaller(until, end));
+    return;
+  }
+  report_.until = begin_ = end;
+  first_ = 0.0;
+  ++segment_;
+  enter_segment();
+}
+
+Status Proof::step(uint32_t work) noexcept {
+  if (!running_ && trajectory_ == nullptr) return Status::kInvalidArgument;
+  for (uint32_t left = work; running_;) {
+    if (height_ == 0) {
+      end_part();
+      continue;
+    }
+    if (left-- == 0) return Status::kRunning;
+    look_at_piece();
+  }
+  return Status::kOk;
+}
+
+double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
+                   ProofReport* report) noexcept {
+  Proof proof;
+  const bool begun = proof.begin_accepted(grid, trajectory, from, limits, beyond, {}) == Status::kRunning;
+  // A segment takes 4 * (kProofPieces + 1) pieces at most.
+  for (int i = 0; begun && i <= kMaxSegments && proof.step(5u * kProofPieces) == Status::kRunning; ++i) {
+  }
+  if (report != nullptr) *report = proof.report();
+  return proof.report().until;
+}
+
+}  // namespace tern
