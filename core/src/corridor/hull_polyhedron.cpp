@@ -119,7 +119,7 @@ Status cut_off_some(HullGrowth& growth, const World& world, const Hull& hull, do
       corners[c] = {(c & 1) != 0 ? box.upper[0] : box.lower[0], (c & 2) != 0 ? box.upper[1] : box.lower[1],
                     (c & 4) != 0 ? box.upper[2] : box.lower[2]};
     }
-    const ConvexSolid solid{{corners, kCorners}, nullptr, 0};
+    const ConvexSolid solid = solid_of(corners, kCorners);
     if (is_cut_off(solid, world.spec().clearance(), out)) continue;
     work.effort += kGapEffort;
     return append_between(world, hull, solid, slack, scratch, out);

@@ -66,4 +66,13 @@ Sample evaluate(const Trajectory& trajectory, double t) noexcept {
   return result;
 }
 
+double snap_cost(const Trajectory& trajectory) noexcept {
+  double cost = 0.0;
+  for (int i = 0; i < segments_of(trajectory); ++i) {
+    const Curve snap = snap_of(trajectory.segments[i]);
+    cost += integral_of_product(snap, snap, trajectory.segments[i].duration);
+  }
+  return cost;
+}
+
 }  // namespace tern

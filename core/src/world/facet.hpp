@@ -9,12 +9,13 @@
 #include "tern/config.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
+#include "world/solids.hpp"
 
 namespace tern {
 
-/// The most cuts of one facet: by all planes of a corridor's polyhedron, or by those of a fence and of the box around
+/// The most cuts of one facet: by all planes of a corridor's polyhedron, or by those of a solid and of the box around
 /// it.
-constexpr int kMaxCuts = kMaxPlanes > kMaxFencePlanes + 6 ? kMaxPlanes : kMaxFencePlanes + 6;
+constexpr int kMaxCuts = kMaxPlanes > kMaxSolidFaces + kBoxPlanes ? kMaxPlanes : kMaxSolidFaces + kBoxPlanes;
 
 /// A convex polygon in a plane, corners in order around it. Each cut adds one corner at most.
 struct Facet {

@@ -115,7 +115,7 @@ std::uint32_t make_plane(SolidLayer& layer, const Grid& view, std::int32_t z) {
 
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
   const std::size_t words = GridView::layer_words(grid);
-  if (is_full(words > static_cast<std::size_t>(kMaxFenceWords))) return Status::kFenceLayerFull;
+  if (is_full(words > static_cast<std::size_t>(kMaxLayerWords))) return Status::kFenceLayerFull;
   const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
   view = GridView::with_blocked(grid, layer.words);

@@ -16,11 +16,11 @@
 namespace tern {
 
 /// Normals tried for one solid: the axes, the normals of its faces, and the directions half way between two of these.
-constexpr int kMaxSolidNormals = 6 + kMaxFencePlanes + kMaxFencePlanes * (kMaxFencePlanes - 1) / 2;
+constexpr int kMaxSolidNormals = 6 + kMaxSolidFaces + kMaxSolidFaces * (kMaxSolidFaces - 1) / 2;
 
 /// Room for a blocked layer, and scratch. Plain data.
 struct SolidLayer {
-  std::uint64_t words[kMaxFenceWords];
+  std::uint64_t words[kMaxLayerWords];
   bool narrowed;  ///< by narrow_boundary(): the view's boundary is not the grid's
   std::int32_t clear_count;
   Halfspace clear[kMaxSolidNormals];  ///< points with normal . p >= offset are clear of the current solid

@@ -14,8 +14,14 @@
 
 namespace tern {
 
+/// What fits into a world. Fences are all that brings walls and solids so far, so their capacities are its own.
+constexpr int kMaxWalls = kMaxFencePlanes;
+constexpr int kMaxSolids = kMaxFences;
+constexpr int kMaxSolidFaces = kMaxFencePlanes;
 /// A polyhedron with n faces has at most 2 n - 4 corners. Each solid has six more faces from the box that cuts it.
-constexpr int kMaxSolidCorners = 2 * kMaxFencePlanes + 8 * kMaxFences;
+constexpr int kMaxSolidCorners = 2 * kMaxSolidFaces + 8 * kMaxSolids;
+/// Words of a layer of voxels that a plan has for itself.
+constexpr std::int64_t kMaxLayerWords = kMaxFenceWords;
 
 /// A convex solid that the centre keeps its clearance from. The functions below are all that the stages ask of its
 /// shape.
@@ -24,6 +30,11 @@ struct ConvexSolid {
   const Halfspace* faces;  ///< of the whole solid; unit normals
   int face_count;
 };
+
+/// The hull of some points, without faces.
+inline ConvexSolid solid_of(const Vec3* points, int count) noexcept {
+  return {{points, count}, nullptr, 0};
+}
 
 /// How far the solid reaches along a normal: the least and the largest value of normal . p.
 double solid_support(const Vec3& normal, const ConvexSolid& solid) noexcept;
@@ -51,10 +62,10 @@ struct Solids {
   std::int32_t face_count;
   std::int32_t corner_count;
   double touching;  ///< metres that a point may be too close: contact_tolerance plus the corners' tolerance
-  Halfspace walls[kMaxFencePlanes];
-  std::int32_t wall_index[kMaxFencePlanes];  ///< of whatever brought each wall, in the request's list
-  SolidParts parts[kMaxFences];
-  Halfspace faces[kMaxFencePlanes];
+  Halfspace walls[kMaxWalls];
+  std::int32_t wall_index[kMaxWalls];  ///< of whatever brought each wall, in the request's list
+  SolidParts parts[kMaxSolids];
+  Halfspace faces[kMaxSolidFaces];
   Vec3 corners[kMaxSolidCorners];
 };
 

@@ -16,7 +16,7 @@
 namespace tern {
 
 /// Most steps of world_advance.
-constexpr std::uint32_t kWorldBound = kMaxFences + 1;
+constexpr std::uint32_t kWorldBound = kMaxSolids + 1;
 
 /// Needs no initialisation before world_begin, and uses its larger part only for a request with solids.
 struct WorldMemory {
