@@ -17,10 +17,10 @@ void print(const char* what, std::size_t bytes) {
 
 int main() {
   using tern::Layout;
-  print("`path`, `mission`, `corridor`, `trajectory`",
-        sizeof Layout::path + sizeof Layout::mission + sizeof Layout::corridor + sizeof Layout::trajectory);
-  print("`plan`, `ends`, `escapes`, `previous`",
-        sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::escapes + sizeof Layout::previous);
+  print("`path`, `vias`, `corridor`, `trajectory`",
+        sizeof Layout::path + sizeof Layout::vias + sizeof Layout::corridor + sizeof Layout::trajectory);
+  print("`plan`, `ends`, `stops`, `previous`",
+        sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::stops + sizeof Layout::previous);
   print("`asked_fences`, `world`", sizeof Layout::asked_fences + sizeof Layout::world);
   print("`scans`", sizeof Layout::scans);
   print("`stage.search`", sizeof Layout::stage.search);

@@ -84,7 +84,7 @@ TEST_F(CutPlan, LastSegmentEndsAsAskedAtTheGoalAlone) {
   for (const double beside : {0.0, 0.5}) {
     cut(straight_on({1.0, 1.0}), 1.5, tern::kLongRestTries, beside);
     EXPECT_EQ(rest_->meets_goal, beside == 0.0);
-    EXPECT_FALSE(rest_->in_place);
+    EXPECT_FALSE(rest_->in_own_frame);
     ASSERT_EQ(rest_->count, 1);
     EXPECT_EQ(rest_->segments[0].duration, 0.5);
     EXPECT_NEAR(rest_->segments[0].points[7].x, 0.5, 1e-12);
@@ -107,7 +107,7 @@ TEST_F(CutPlan, SegmentsAfterwardsEndAsAskedAtTheGoalAlone) {
 TEST_F(CutPlan, LastTryJoinsInThePlansFrame) {
   constexpr double kLeft = 0x1p-11;
   cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft, tern::kPreviousTries);
-  EXPECT_TRUE(rest_->in_place);
+  EXPECT_TRUE(rest_->in_own_frame);
   EXPECT_EQ(rest_->origin.x, kOrigin.x);
   ASSERT_EQ(rest_->count, 3);
   EXPECT_EQ(rest_->segments[0].duration, kLeft + 2e-3);

@@ -7,6 +7,7 @@
 
 #include <cstring>
 
+#include "planner/attempts.hpp"
 #include "planner/layout.hpp"
 #include "support/world.hpp"
 
@@ -125,13 +126,13 @@ TEST_F(EscapedFallback, ComesToRestElsewhere) {
   begin();
   ASSERT_EQ(run(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kOptimised);
-  ASSERT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+  ASSERT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
   const std::uint32_t escaped = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work;
   begin();
   spoil();
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
-  EXPECT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+  EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
   EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, escaped);
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/math.hpp"
-#include "planner/escape.hpp"
+#include "planner/attempts.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {
@@ -70,7 +70,7 @@ TEST_F(OccupiedEnds, AStartThatLeavesTheTunnelStopsOutside) {
   world_.from({2.85, 1.0, 1.0});
   start().velocity = along_;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
   EXPECT_NEAR(tern::evaluate(world_.trajectory, 0.0).velocity.x, 1.0, 1e-9);
   const Vec3 end = tern::evaluate(world_.trajectory, tern::duration(world_.trajectory)).position;
   EXPECT_LE(tern::distance(end, goal().position), 1e-9);
@@ -85,7 +85,7 @@ TEST_F(OccupiedEnds, AStartThatStopsOutsideStillPassesItsVias) {
   world_.request.vias = &via;
   world_.request.via_count = 1;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
   EXPECT_LE(tern::distance(tern::evaluate(world_.trajectory, report().vias[0].time).position, via.position), 1e-9);
 }
 
@@ -93,7 +93,7 @@ TEST_F(OccupiedEnds, AGoalThatEntersTheTunnelIsLeftForFromOutside) {
   world_.from({0.5, 3.0, 1.0}).to({1.1, 1.0, 1.0});
   goal().velocity = along_;
   ASSERT_EQ(world_.plan(), Status::kOk);
-  EXPECT_EQ(report().diagnostics.detours, tern::kEscaped);
+  EXPECT_EQ(report().diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
   const tern::Segment& last = world_.trajectory.segments[world_.trajectory.count - 1];
   EXPECT_NEAR((last.points[7].x - last.points[6].x) * 7.0 / last.duration, 1.0, 1e-9);
 }

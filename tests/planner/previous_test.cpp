@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "base/math.hpp"
+#include "planner/attempts.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {
@@ -67,7 +68,7 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
     ask_from(time);
     ASSERT_EQ(world_.replan(), Status::kOk) << part;
     EXPECT_EQ(world_.report.quality, Quality::kPrevious);
-    EXPECT_EQ(world_.report.diagnostics.detours, tern::kFollowed);
+    EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kFollow));
     EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
     for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     expect_same_flight(time);

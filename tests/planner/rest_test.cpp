@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/math.hpp"
+#include "planner/attempts.hpp"
 #include "planner/previous.hpp"
 #include "planner/tube.hpp"
 #include "support/world.hpp"
@@ -105,7 +106,7 @@ TEST(RestInATunnel, LeadsOutBeforeTheGoalsOwnEscape) {
   world.to({7.0, 3.0, 1.0});
   world.request.goal.velocity = {0.0, 0.5, 0.0};
   ASSERT_EQ(world.replan(), Status::kOk);
-  EXPECT_EQ(world.report.diagnostics.detours, tern::kFollowed);
+  EXPECT_EQ(world.report.diagnostics.detours, tern::detours_of(tern::Attempt::kFollow));
   EXPECT_GT(stage(world, Stage::kPrevious).work, 0u);
   EXPECT_GT(stage(world, Stage::kEscape).work, 0u);
   const double end = tern::duration(first) - 0.01;

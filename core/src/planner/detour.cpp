@@ -8,9 +8,14 @@
 #include "grid/distance.hpp"
 #include "path/polyline.hpp"
 #include "path/sight.hpp"
+#include "planner/validate.hpp"
 
 namespace tern {
 namespace {
+
+/// Instructions of a detour, and of each line that it looks along.
+constexpr std::uint32_t kDetourEffort = 20000;
+constexpr std::uint32_t kDetourLineEffort = 15000;
 
 /// What lines are checked against, and how many have been checked.
 struct Lines {
@@ -97,6 +102,24 @@ bool take_detour(const World& world, const Request& request, const MotionLimits&
   if (!start_led && !goal_led) return false;
   path.length = polyline_length(path.points, path.count);
   return true;
+}
+
+bool detour_may_help(const Problem& problem, const Detour& detour) noexcept {
+  return !detour.tried && problem.via_count == 0;
+}
+
+void detour_begin(Status why, Detour& detour) noexcept {
+  detour = {true, why, 0};
+}
+
+Progress detour_advance(const Problem& problem, std::uint32_t sight_lines, Detour& detour, Path& path,
+                        Work& work) noexcept {
+  if (!work.take()) return Progress::kMore;
+  const Request local = to_local(voxels_of(problem), problem.asked);
+  const bool found =
+      sight_lines >= kDetourLines && take_detour(world_of(problem), local, problem.limits, path, detour.lines);
+  work.effort += kDetourEffort + detour.lines * kDetourLineEffort;
+  return found ? Progress::kDone : Progress::kFailed;
 }
 
 }  // namespace tern

@@ -1,24 +1,25 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A detour for flights that begin or end too fast for the first or last polyhedron: first along the motion to a point
-// where it can stop, then from there to the path.
+// The attempt that follows if a plan begins or ends too fast for the first or last polyhedron: a detour, first along
+// the motion to a point where it can stop, then from there to the path.
 #ifndef TERN_PLANNER_DETOUR_HPP
 #define TERN_PLANNER_DETOUR_HPP
 
 #include <cstdint>
 
 #include "base/bounds.hpp"
+#include "base/progress.hpp"
+#include "base/work.hpp"
 #include "curve/brake.hpp"
+#include "planner/problem.hpp"
 #include "tern/grid.hpp"
 #include "tern/path.hpp"
 #include "tern/request.hpp"
+#include "tern/status.hpp"
 #include "world/world.hpp"
 
 namespace tern {
-
-/// Diagnostics::detours of a plan with a detour.
-constexpr std::int32_t kDetoured = 1;
 
 /// From its stopping point, a detour goes on to one of this many waypoints, counted from its end of the path.
 constexpr int kOnwardWaypoints = 4;
@@ -33,6 +34,23 @@ constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeSha
 /// `limits` are its limits. `lines` receives the number of lines checked, <= kDetourLines.
 bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
                  std::uint32_t& lines) noexcept;
+
+struct Detour {
+  bool tried;           ///< for the current goal
+  Status without;       ///< why there is no trajectory without it
+  std::uint32_t lines;  ///< checked
+};
+
+/// True if a detour may help after the trajectory stage failed: none was tried for the current goal, and there are no
+/// vias.
+bool detour_may_help(const Problem& problem, const Detour& detour) noexcept;
+
+/// Begins the attempt. `why`: the status of the plan without a detour.
+void detour_begin(Status why, Detour& detour) noexcept;
+/// One unit of work makes the detours of both ends, if `sight_lines` suffice for them. kDone: the path has changed.
+/// kFailed: it has not.
+Progress detour_advance(const Problem& problem, std::uint32_t sight_lines, Detour& detour, Path& path,
+                        Work& work) noexcept;
 
 }  // namespace tern
 

@@ -7,56 +7,27 @@
 #include "path/reach_stage.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
-#include "planner/escape.hpp"
+#include "planner/curves.hpp"
+#include "planner/end_stop.hpp"
 #include "planner/plan.hpp"
 #include "planner/previous.hpp"
+#include "planner/vias.hpp"
 #include "prove/check_stage.hpp"
-#include "tern/via.hpp"
 #include "tern/workspace.hpp"
-#include "times/chain.hpp"
-#include "times/times_stage.hpp"
-#include "trajectory/trajectory_stage.hpp"
 #include "world/world_memory.hpp"
 
 namespace tern {
-
-/// Both ends of the current flight. The states are relative to the requested start, which is, bit for bit, the origin
-/// of the plan's frame. The other positions are in the grid's local frame, within its boundary.
-struct FlightEnds {
-  State start;
-  State goal;
-  Vec3 start_in_grid;
-  Vec3 goal_in_grid;
-  Vec3 origin_in_grid;  ///< of the plan's frame
-};
-
-/// The vias of the current plan.
-struct Mission {
-  Via vias[kMaxVias];            ///< as asked for, world frame
-  ViaMarks marks;                ///< their waypoints on the path, and their polyhedra in the corridor without escapes
-  Hold holds[kMaxVias];          ///< of the chain
-  std::int32_t joint[kMaxVias];  ///< index of the trajectory's segment that begins at the via, or their count
-  Path leg;                      ///< the path of the current leg
-};
-
-/// The times stage and the trajectory stage, with their input.
-struct TrajectoryMemory {
-  Corridor corridor;  ///< relative to the plan's origin
-  TimesStage times;
-  Chain chain;  ///< as the times stage made it
-  TrajectoryStage stage;
-};
 
 /// The content of the workspace. The results of the stages outlive them, and so do the jump stops in `scans`. The
 /// stages' own states are never needed at the same time, so they share memory.
 struct Layout {
   Plan plan;
   Path path;
-  Mission mission;
+  ViaMemory vias;
   Corridor corridor;
   Trajectory trajectory;
-  FlightEnds ends;
-  Escape escapes[2];  ///< the start's and the goal's
+  Ends ends;
+  EndStop stops[2];  ///< the start's and the goal's
   Previous previous;
   AskedFences asked_fences;  ///< the fences as the caller gave them, for the check
   WorldMemory world;
@@ -66,7 +37,7 @@ struct Layout {
     ReachStage reach;
     ShortcutStage shortcut;
     CorridorStage corridor;
-    TrajectoryMemory trajectory;
+    CurveMemory trajectory;
     CheckStage check;
   } stage;
 };

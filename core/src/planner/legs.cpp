@@ -1,168 +1,128 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The way through the vias. Each leg, from a via to the next, is searched for and shortened by itself. The whole way
-// then gets one corridor, one chain and one trajectory.
-#include "base/capacity.hpp"
+#include "planner/legs.hpp"
+
 #include "base/math.hpp"
 #include "base/too_narrow.hpp"
+#include "curve/rest.hpp"
 #include "grid/lattice.hpp"
 #include "path/way.hpp"
-#include "planner/layout.hpp"
-#include "planner/plan.hpp"
 #include "planner/validate.hpp"
 
 namespace tern {
 namespace {
 
-/// Half the edge of the cube that fits into the ball of a via's tolerance, less a reserve: the solver may leave the
-/// cube by a nanometre.
-double reach_of(const Via& via) {
-  constexpr double kRootThree = 1.7320508075688774;
-  constexpr double kSolverReserve = 2e-9;
-  return via.tolerance < kLeastTolerance ? 0.0 : via.tolerance / kRootThree - kSolverReserve;
+Path& path_of_leg(const Problem& problem, WayMemory& way) {
+  return problem.via_count > 0 ? way.leg : way.path;
 }
 
-Hold hold_of(const Via& via, const Vec3& origin, std::int32_t polyhedron, double reach) {
-  return Hold{polyhedron, 0, via.position - origin, reach, via.stop, via.has_velocity, via.velocity};
+Vec3 leg_begin(const Problem& problem, const Ends& ends, const Legs& legs) {
+  return legs.leg == 0 ? ends.start_in_grid : to_local(voxels_of(problem), problem.vias[legs.leg - 1].position);
 }
 
-/// Inserts a segment that rests at the joint for `duration`: all its control points are the same.
-void insert_rest(Trajectory& trajectory, int joint, double duration) {
-  for (int s = trajectory.count; s > joint; --s) trajectory.segments[s] = trajectory.segments[s - 1];
-  const bool at_end = joint == trajectory.count;
-  const Segment& beside = at_end ? trajectory.segments[joint - 1] : trajectory.segments[joint];
-  const Vec3 place = beside.points[at_end ? kDegree : 0];
-  Segment& rest = trajectory.segments[joint];
-  rest.polyhedron = beside.polyhedron;
-  rest.duration = duration;
-  for (Vec3& point : rest.points) point = place;
-  ++trajectory.count;
+/// The via of this index; kNoVia, which is -1, for the start and for the goal.
+std::int32_t via_at(const Problem& problem, std::int32_t index) {
+  return index < problem.via_count ? index : kNoVia;
 }
 
-}  // namespace
-
-std::int32_t Plan::via_count() const noexcept {
-  return memory_->mission.marks.count;
+bool lacks_start_voxel(Status status) {
+  return status == Status::kStartOccupied || status == Status::kStartTooNarrow;
 }
 
-/// Begins the search for the first leg.
-void Plan::begin_way() noexcept {
-  leg_ = 0;
-  has_path_ = false;
-  if (via_count() > 0) clear_way(memory_->path);
-  enter(Stage::kSearch);
-}
-
-/// Both ends of the current leg, local frame.
-Vec3 Plan::leg_from() const noexcept {
-  return leg_ == 0 ? memory_->ends.start_in_grid : to_local(voxels(), memory_->mission.vias[leg_ - 1].position);
-}
-
-Vec3 Plan::leg_to() const noexcept {
-  return leg_ == via_count() ? memory_->ends.goal_in_grid : to_local(voxels(), memory_->mission.vias[leg_].position);
-}
-
-/// Without vias, the path's only leg is the path.
-Path& Plan::leg_path() noexcept {
-  return via_count() > 0 ? memory_->mission.leg : memory_->path;
-}
-
-/// Appends the leg that is finished to the path.
-Status Plan::join_leg() noexcept {
-  if (via_count() == 0) return Status::kOk;
-  Layout& memory = *memory_;
-  const Status status = append_to_way(memory.mission.leg, memory.path);
-  if (status == Status::kJumpPointsFull) raise(report_.diagnostics.high_water.jump_points, kMaxJumpPoints);
-  if (status == Status::kSegmentsFull) raise(report_.diagnostics.high_water.segments, kMaxSegments);
-  if (status != Status::kOk) return status;
-  raise(report_.diagnostics.high_water.jump_points, memory.path.raw_count);
-  raise(report_.diagnostics.high_water.segments, memory.path.count - 1);
-  if (leg_ < via_count()) memory.mission.marks.waypoint[leg_] = memory.path.count - 1;
-  return Status::kOk;
-}
-
-/// The status of the current leg as that of the plan: an end of the leg that is a via is neither start nor goal.
-Status Plan::status_of_leg(Status status) const noexcept {
-  const bool at_start = status == Status::kStartOccupied || status == Status::kStartTooNarrow;
-  const bool at_via = (at_start && leg_ > 0) || (lacks_goal_voxel(status) && leg_ < via_count());
+/// The search's status as that of the plan: an end of the leg that is a via is neither start nor goal.
+Status status_of_leg(const Problem& problem, const Legs& legs, Status status) {
+  const bool at_via =
+      (lacks_start_voxel(status) && legs.leg > 0) || (lacks_goal_voxel(status) && !is_last_leg(problem, legs));
   if (!at_via) return status;
   return is_too_narrow(status) ? Status::kViaTooNarrow : Status::kViaOccupied;
 }
 
-/// If the first search failed because an end has room but no free voxel, notes the resolution at which it would have
-/// one. Also notes the fence that takes the end's own voxel if obstacles and boundary leave it free.
-void Plan::note_narrowness() noexcept {
-  const SearchStage& search = memory_->stage.search;
-  if (!is_too_narrow(search.status) || escapes_ > 0) return;  // > 0 after the previous plan too: an escape follows it
-  const Voxel home = voxels().voxel_of(search.finer.point);
-  report_.finer_cell = search.finer.cell;
-  narrow_fence_ = grid_->free(home) ? world().first_over(cube_of(*grid_, home)) : kNoFence;
+/// If an end has room but no free voxel, that is the resolution at which it would have one, and the fence that takes
+/// its own voxel if obstacles and boundary leave it free.
+EndFault fault_of(const Problem& problem, const SearchStage& stage) {
+  EndFault fault{stage.raw_occupied, stage.has_nearest_free, kZero, 0.0, kNoFence};
+  if (stage.has_nearest_free) fault.nearest_free = stage.nearest_free + voxels_of(problem).spec().origin;
+  if (!is_too_narrow(stage.status)) return fault;
+  fault.finer_cell = stage.finer.cell;
+  const Voxel home = voxels_of(problem).voxel_of(stage.finer.point);
+  if (problem.grid->free(home)) fault.fence = world_of(problem).first_over(cube_of(*problem.grid, home));
+  return fault;
 }
 
-/// The via that the failed part of the way leads to, or the via that it begins at if that one cannot be left. kNoVia if
-/// that end is the start or the goal.
-std::int32_t Plan::via_at_fault(Stage stage) const noexcept {
-  const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
-  const Status why = memory_->stage.search.status;
-  const bool no_start = why == Status::kStartOccupied || why == Status::kStartTooNarrow;
-  const bool at_start = stage == Stage::kSearch && no_start;
-  const std::int32_t leg = at_start ? leg_ - 1 : leg_;
-  const std::int32_t via = on_leg ? leg : (stage == Stage::kCorridor ? memory_->stage.corridor.passed : via_count());
-  return via >= 0 && via < via_count() ? via : kNoVia;
+/// Appends the leg that is finished to the path.
+Status join_leg(const Problem& problem, Legs& legs, WayMemory& way) {
+  if (problem.via_count == 0) return Status::kOk;
+  const Status status = append_to_way(way.leg, way.path);
+  if (status == Status::kJumpPointsFull) raise(legs.jump_points_high, kMaxJumpPoints);
+  if (status == Status::kSegmentsFull) raise(legs.segments_high, kMaxSegments);
+  if (status != Status::kOk) return status;
+  raise(legs.jump_points_high, way.path.raw_count);
+  raise(legs.segments_high, way.path.count - 1);
+  if (!is_last_leg(problem, legs)) way.marks.waypoint[legs.leg] = way.path.count - 1;
+  return Status::kOk;
 }
 
-/// The plan passes exactly through a via whose voxel is not free. The legs that join such a via to the grid are short,
-/// and a programme in which such a leg has free ends is too ill-conditioned.
-void Plan::make_holds() noexcept {
-  Mission& mission = memory_->mission;
-  for (std::int32_t v = 0; v < mission.marks.count; ++v) {
-    const Via& via = mission.vias[v];
-    const bool free = voxels().free(voxels().voxel_of(to_local(voxels(), via.position)));
-    mission.holds[v] = hold_of(via, asked_.start.position, mission.marks.polyhedron[v], free ? reach_of(via) : 0.0);
-  }
+}  // namespace
+
+void legs_begin(const Problem& problem, Legs& legs, Path& path) noexcept {
+  legs.leg = 0;
+  if (problem.via_count > 0) clear_way(path);
 }
 
-/// Finds the joints where the finished trajectory passes the vias. A stop before the way comes with polyhedra of its
-/// own.
-void Plan::locate_vias() noexcept {
-  Layout& memory = *memory_;
-  const Trajectory& trajectory = memory.trajectory;
-  int joint = 0;
-  for (std::int32_t v = 0; v < via_count(); ++v) {
-    const int polyhedron = memory.mission.marks.polyhedron[v] + memory.escapes[0].count;
-    while (joint < trajectory.count && trajectory.segments[joint].polyhedron < polyhedron) ++joint;
-    memory.mission.joint[v] = joint;
-  }
+bool is_last_leg(const Problem& problem, const Legs& legs) noexcept {
+  return legs.leg == problem.via_count;
 }
 
-/// Finds the vias, and lets the plan rest at those with a dwell. False if one more segment does not fit.
-bool Plan::add_dwells() noexcept {
-  Layout& memory = *memory_;
-  Trajectory& trajectory = memory.trajectory;
-  locate_vias();
-  std::int32_t added = 0;
-  for (std::int32_t v = 0; v < via_count(); ++v) {
-    memory.mission.joint[v] += added;
-    if (!(memory.mission.vias[v].dwell > 0.0)) continue;
-    if (is_full(trajectory.count == kMaxSegments)) return false;
-    insert_rest(trajectory, memory.mission.joint[v], memory.mission.vias[v].dwell);
-    ++added;
-  }
+Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept {
+  const Vec3& target = is_last_leg(problem, legs) ? problem.asked.goal.position : problem.vias[legs.leg].position;
+  return to_local(voxels_of(problem), target);
+}
+
+std::uint32_t leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, std::uint32_t expansions,
+                               ScanMap& scans, SearchStage& stage) noexcept {
+  const SearchQuery query{leg_begin(problem, ends, legs),
+                          is_last_leg(problem, legs) ? ends.goal_in_grid : leg_target(problem, legs),
+                          expansions,
+                          legs.leg == 0 && !at_rest(ends.start),
+                          is_last_leg(problem, legs) && !at_rest(ends.goal),
+                          legs.searched_again ? SearchMode::kOptimal : problem.asked.search};
+  search_begin(stage, scans, world_of(problem), query);
+  return join_effort(stage.start) + join_effort(stage.goal);
+}
+
+Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way,
+                            Work& work) noexcept {
+  const Progress progress = search_advance(stage, world_of(problem), work, path_of_leg(problem, way));
+  raise(legs.nodes_high, stage.nodes_high);
+  raise(legs.open_high, stage.open_high);
+  raise(legs.jump_points_high, stage.raw_high);
+  if (legs.leg == 0 || stage.search_used == SearchUsed::kGuided) legs.search_used = stage.search_used;
+  legs.search_bound = legs.leg == 0 ? stage.search_bound : larger(legs.search_bound, stage.search_bound);
+  if (progress != Progress::kFailed) return progress;
+  legs.status = status_of_leg(problem, legs, stage.status);
+  legs.via = via_at(problem, lacks_start_voxel(stage.status) ? legs.leg - 1 : legs.leg);
+  legs.fault = fault_of(problem, stage);
+  return progress;
+}
+
+void leg_shortcut_begin(const Problem& problem, std::uint32_t sight_lines, WayMemory way,
+                        ShortcutStage& stage) noexcept {
+  shortcut_begin(stage, voxels_of(problem), sight_lines, path_of_leg(problem, way));
+}
+
+Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
+                              Work& work) noexcept {
+  const Progress progress = shortcut_advance(stage, voxels_of(problem), work, path_of_leg(problem, way));
+  raise(legs.segments_high, stage.segments_high);
+  if (progress == Progress::kMore) return progress;
+  legs.via = via_at(problem, legs.leg);
+  return conclude(progress == Progress::kFailed ? stage.status : join_leg(problem, legs, way), legs.status);
+}
+
+bool search_again(Status why, Legs& legs) noexcept {
+  if (why != Status::kSegmentsFull || legs.search_used != SearchUsed::kGuided) return false;
+  legs.searched_again = true;
   return true;
-}
-
-void Plan::report_vias() noexcept {
-  const Mission& mission = memory_->mission;
-  const Trajectory& trajectory = memory_->trajectory;
-  double time = 0.0;
-  int joint = 0;
-  for (std::int32_t v = 0; v < via_count(); ++v) {
-    for (; joint < mission.joint[v]; ++joint) time += trajectory.segments[joint].duration;
-    const Vec3& point = joint < trajectory.count ? trajectory.segments[joint].points[0]
-                                                 : trajectory.segments[joint - 1].points[kDegree];
-    report_.vias[v] = {time, distance(point, mission.vias[v].position - trajectory.origin)};
-  }
 }
 
 }  // namespace tern

@@ -190,7 +190,7 @@ bool previous_fits(const Request& request) noexcept {
 void cut_previous(const Grid& grid, const Request& request, Previous& rest) noexcept {
   begin_rest(request.start.position, rest);
   rest.tries = rest.last_try = 0;
-  rest.flown = rest.meets_goal = rest.in_place = false;
+  rest.meets_goal = rest.in_own_frame = false;
   if (request.previous == nullptr) return;
   rest.plan = *request.previous;
   const Trajectory& plan = rest.plan;
@@ -218,9 +218,9 @@ void cut_again(const Request& request, Previous& rest) noexcept {
   const Cut cut = cut_at(plan, request.previous_time);
   const bool is_short = cut.left < kLeastRest;
   const double joined = is_short ? joined_at(plan, cut, rest.tries - 1) : 0.0;
-  rest.in_place = rest.tries == (is_short ? kPreviousTries : kLongRestTries - 1);
-  begin_rest(rest.in_place ? plan.origin : request.start.position, rest);
-  if (!rest.in_place) return append_moves(cut, joined, request.goal, rest);
+  rest.in_own_frame = rest.tries == (is_short ? kPreviousTries : kLongRestTries - 1);
+  begin_rest(rest.in_own_frame ? plan.origin : request.start.position, rest);
+  if (!rest.in_own_frame) return append_moves(cut, joined, request.goal, rest);
   int next = cut.segment + 1;
   if (joined > 0.0) {
     const Segment& after = plan.segments[next++];

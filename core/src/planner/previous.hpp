@@ -15,9 +15,6 @@
 
 namespace tern {
 
-/// Diagnostics::detours of a plan that follows the previous one.
-constexpr std::int32_t kFollowed = 3;
-
 /// Ways in which the rest is tried at most: cut_previous(), then cut_again().
 constexpr int kPreviousTries = 6;
 
@@ -35,18 +32,17 @@ constexpr std::uint32_t kPreviousPlanes =
 
 /// The rest of a plan. Plain data.
 struct Previous {
-  int count;            ///< segments; 0 if nothing is left to fly
-  int next;             ///< the first segment that has no polyhedron yet
-  int enclosed;         ///< parts of segments that have a polyhedron
-  bool appends;         ///< the next segment is being enclosed
-  Appending appending;  ///< of the next segment
-  int tries;            ///< 0 .. last_try
-  int last_try;         ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
-  bool flown;           ///< the current plan begins with the rest
-  bool meets_goal;      ///< the rest ends at the goal of the current plan
-  bool in_place;        ///< `origin` is that of the previous plan; else the requested start
-  Vec3 jerk;            ///< at its beginning, m/s^3
-  Vec3 origin;          ///< of the segments, in the world frame
+  int count;          ///< segments; 0 if nothing is left to fly
+  int next;           ///< the first segment that has no polyhedron yet
+  int enclosed;       ///< parts of segments that have a polyhedron
+  bool is_enclosing;  ///< the next segment is being enclosed
+  SegmentEnclosure enclosure;
+  int tries;          ///< 0 .. last_try
+  int last_try;       ///< kPreviousTries if less than kLeastRest is left of the first segment; else kLongRestTries
+  bool meets_goal;    ///< the rest ends at the goal of the current plan
+  bool in_own_frame;  ///< `origin` is that of the previous plan; else the requested start
+  Vec3 jerk;          ///< at its beginning, m/s^3
+  Vec3 origin;        ///< of the segments, in the world frame
   Segment segments[kMaxSegments];
   Trajectory plan;  ///< the whole previous plan, for cut_again() and the pace
 };

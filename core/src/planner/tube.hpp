@@ -30,7 +30,7 @@ struct Tube {
 };
 
 /// A segment being appended. Plain data; needs no initialisation before append_begin.
-struct Appending {
+struct SegmentEnclosure {
   Status status;  ///< why it failed; else kOk
   int pending;    ///< parts that wait for a polyhedron, the next one last
   Segment segment[kTubeHalvings + 1];
@@ -42,9 +42,9 @@ struct Appending {
 /// its hull keeps clear of everything; otherwise its halves, and so on. A unit of work is one of enclose_advance.
 /// kFailed: kCorridorBlocked if even the smallest parts do not keep clear; kSegmentsFull if the tube has too little
 /// room for the parts. It then contains the parts that fitted.
-void append_begin(Appending& appending, const Segment& whole) noexcept;
-Progress append_advance(Appending& appending, const World& world, const Vec3& origin, GrowScratch& scratch, Tube& tube,
-                        Work& work) noexcept;
+void append_begin(SegmentEnclosure& enclosure, const Segment& whole) noexcept;
+Progress append_advance(SegmentEnclosure& enclosure, const World& world, const Vec3& origin, GrowScratch& scratch,
+                        Tube& tube, Work& work) noexcept;
 
 /// Appends a segment in one call. Returns kOk, or why it failed.
 Status enclose(const World& world, const Vec3& origin, const Segment& whole, GrowScratch& scratch, Tube& tube) noexcept;

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planner/escape.hpp"
+#include "planner/end_stop.hpp"
 
 #include "base/bounds.hpp"
 #include "base/capacity.hpp"
@@ -25,24 +25,24 @@ void shift(int by, Corridor& corridor, Trajectory& trajectory) {
   trajectory.count += by;
 }
 
-/// Puts the escape's segments at index `segment_at` and its polyhedra at index `polyhedron_at`.
-void put(const Escape& escape, int segment_at, int polyhedron_at, Corridor& corridor, Trajectory& trajectory) {
-  for (int i = 0; i < escape.count; ++i) {
-    corridor.polyhedra[polyhedron_at + i] = escape.polyhedra[i];
-    trajectory.segments[segment_at + i] = escape.segments[i];
+/// Puts the stop's segments at index `segment_at` and its polyhedra at index `polyhedron_at`.
+void put(const EndStop& stop, int segment_at, int polyhedron_at, Corridor& corridor, Trajectory& trajectory) {
+  for (int i = 0; i < stop.count; ++i) {
+    corridor.polyhedra[polyhedron_at + i] = stop.polyhedra[i];
+    trajectory.segments[segment_at + i] = stop.segments[i];
     trajectory.segments[segment_at + i].polyhedron += polyhedron_at;
   }
 }
 
-/// Makes the stop of the next choice. False if it breaks the limits.
-bool make_stop(const EscapeRoom& room, const State& state, const MotionLimits& limits, Escape& escape) {
-  const int choice = escape.next++;
-  Stopping& stopping = escape.stopping;
-  const bool kept = room.to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
-                                 : make_stopping(state, limits, choice, stopping);
+/// Makes the stop of the next_choice choice. False if it breaks the limits.
+bool make_stop(const StopContext& context, const State& state, const MotionLimits& limits, EndStop& stop) {
+  const int choice = stop.next_choice++;
+  Stopping& stopping = stop.stopping;
+  const bool kept = context.to_goal ? make_stopping(backwards(state), backwards(limits), choice, stopping)
+                                    : make_stopping(state, limits, choice, stopping);
   if (!kept) return false;
-  escape.rest = rest_of(stopping);
-  if (room.to_goal) reverse(stopping);
+  stop.place = rest_of(stopping);
+  if (context.to_goal) reverse(stopping);
   return true;
 }
 
@@ -62,56 +62,56 @@ bool make_arrival(const State& start, const State& goal, const MotionLimits& lim
   return within_limits(segment, limits, kStopTolerance);
 }
 
-void begin_trial(Escape& escape) {
-  escape.trying = true;
-  escape.enclosed = escape.appended = 0;
-  append_begin(escape.appending, escape.stopping.segments[0]);
+void begin_trial(EndStop& stop) {
+  stop.is_tried = true;
+  stop.enclosed = stop.appended = 0;
+  append_begin(stop.enclosure, stop.stopping.segments[0]);
 }
 
 /// Appends the segments of the current stop or arrival to the tube.
-Progress advance_trial(const EscapeRoom& room, GrowScratch& scratch, Escape& escape, Work& work) {
-  Tube tube = tube_of(escape, kEscapeSegments);
-  tube.count = escape.enclosed;
+Progress advance_trial(const StopContext& context, GrowScratch& scratch, EndStop& stop, Work& work) {
+  Tube tube = tube_of(stop, kStopSegments);
+  tube.count = stop.enclosed;
   Progress progress = Progress::kDone;
-  while (progress == Progress::kDone && escape.appended < escape.stopping.count) {
-    progress = append_advance(escape.appending, room.world, room.origin, scratch, tube, work);
-    escape.enclosed = tube.count;
+  while (progress == Progress::kDone && stop.appended < stop.stopping.count) {
+    progress = append_advance(stop.enclosure, context.world, context.origin, scratch, tube, work);
+    stop.enclosed = tube.count;
     if (progress == Progress::kMore) return progress;
-    if (++escape.appended < escape.stopping.count) {
-      append_begin(escape.appending, escape.stopping.segments[escape.appended]);
+    if (++stop.appended < stop.stopping.count) {
+      append_begin(stop.enclosure, stop.stopping.segments[stop.appended]);
     }
   }
-  escape.trying = false;
-  escape.count = progress == Progress::kDone ? escape.enclosed : 0;
+  stop.is_tried = false;
+  stop.count = progress == Progress::kDone ? stop.enclosed : 0;
   return progress;
 }
 
 }  // namespace
 
-Progress escape_advance(const EscapeRoom& room, const State& state, const MotionLimits& limits, GrowScratch& scratch,
-                        Escape& escape, Work& work) noexcept {
-  if (!escape.trying) {
+Progress stop_advance(const StopContext& context, const State& state, const MotionLimits& limits, GrowScratch& scratch,
+                      EndStop& stop, Work& work) noexcept {
+  if (!stop.is_tried) {
     if (!work.take()) return Progress::kMore;
     work.effort += kStopEffort;
-    if (!make_stop(room, state, limits, escape)) return Progress::kFailed;
-    begin_trial(escape);
+    if (!make_stop(context, state, limits, stop)) return Progress::kFailed;
+    begin_trial(stop);
   }
-  return advance_trial(room, scratch, escape, work);
+  return advance_trial(context, scratch, stop, work);
 }
 
-Progress arrive_advance(const EscapeRoom& room, const State& start, const State& goal, const MotionLimits& limits,
-                        int choice, GrowScratch& scratch, Escape& escape, Work& work) noexcept {
-  if (!escape.trying) {
+Progress arrive_advance(const StopContext& context, const State& start, const State& goal, const MotionLimits& limits,
+                        int choice, GrowScratch& scratch, EndStop& stop, Work& work) noexcept {
+  if (!stop.is_tried) {
     if (!work.take()) return Progress::kMore;
     work.effort += kArrivalEffort;
-    escape.count = 0;
-    if (!make_arrival(start, goal, limits, choice, escape.stopping)) return Progress::kFailed;
-    begin_trial(escape);
+    stop.count = 0;
+    if (!make_arrival(start, goal, limits, choice, stop.stopping)) return Progress::kFailed;
+    begin_trial(stop);
   }
-  return advance_trial(room, scratch, escape, work);
+  return advance_trial(context, scratch, stop, work);
 }
 
-bool add_escapes(const Escape& start, const Escape& goal, Corridor& corridor, Trajectory& trajectory) noexcept {
+bool add_stops(const EndStop& start, const EndStop& goal, Corridor& corridor, Trajectory& trajectory) noexcept {
   const int more = start.count + goal.count;
   if (is_full(corridor.count + more > kMaxSegments || trajectory.count + more > kMaxSegments)) return false;
   shift(start.count, corridor, trajectory);

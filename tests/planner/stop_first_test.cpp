@@ -1,7 +1,5 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planner/escape.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,12 +11,14 @@
 #include "base/math.hpp"
 #include "path/search_stage.hpp"
 #include "path/shortcut_stage.hpp"
+#include "planner/attempts.hpp"
+#include "planner/end_stop.hpp"
 #include "support/world.hpp"
 
 namespace tern_test {
 namespace {
 
-using tern::Escape;
+using tern::EndStop;
 using tern::Status;
 using tern::Vec3;
 
@@ -29,16 +29,16 @@ double distance_from(const tern::Box& box, const Vec3& p) {
 }
 
 /// A wall at y >= 2.6 along the whole map, radius 0.25: y <= 2.35 is free.
-class EscapePlan : public testing::Test {
+class StopFirstPlan : public testing::Test {
  protected:
-  EscapePlan() : world_({80, 40, 20}, 0.1, 0.25) {
+  StopFirstPlan() : world_({80, 40, 20}, 0.1, 0.25) {
     world_.block(wall_.lower, wall_.upper);
     // Stop-and-go only: it needs the straight braking that there is no room for.
     world_.request.budget.iterations = 0;
   }
-  void expect_escaped() {
+  void expect_stopped_first() {
     ASSERT_EQ(world_.plan(), Status::kOk);
-    EXPECT_EQ(world_.report.diagnostics.detours, tern::kEscaped);
+    EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
     EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
     for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     const double end = tern::duration(world_.trajectory);
@@ -66,15 +66,15 @@ class EscapePlan : public testing::Test {
   World world_;
 };
 
-TEST_F(EscapePlan, StartThatCannotBrakeStraightAhead) {
+TEST_F(StopFirstPlan, StartThatCannotBrakeStraightAhead) {
   // Straight ahead takes 1.05 s, in which it comes 0.525 m nearer; each axis on its own 0.275 m; there are 0.35 m.
   world_.from({2.0, 2.0, 1.0}).to({6.0, 1.0, 1.0});
   world_.request.start.velocity = {2.0, 1.0, 0.0};
-  expect_escaped();
+  expect_stopped_first();
 }
 
 /// Each unit counts for the stage that was said before it.
-TEST_F(EscapePlan, ThePlannerSaysItsStage) {
+TEST_F(StopFirstPlan, ThePlannerSaysItsStage) {
   world_.from({2.0, 2.0, 1.0}).to({6.0, 1.0, 1.0});
   world_.request.start.velocity = {2.0, 1.0, 0.0};
   EXPECT_EQ(tern::Planner(nullptr, 0).stage(), tern::Stage::kRequest);
@@ -88,44 +88,44 @@ TEST_F(EscapePlan, ThePlannerSaysItsStage) {
   }
   EXPECT_EQ(status, Status::kOk);
   world_.planner.finish(world_.trajectory, world_.report);
-  const int escape = static_cast<int>(tern::Stage::kEscape);
-  EXPECT_GT(units[escape], 0u);
-  EXPECT_GT(world_.report.diagnostics.stages[escape].work, 0u);
+  const int stop = static_cast<int>(tern::Stage::kEscape);
+  EXPECT_GT(units[stop], 0u);
+  EXPECT_GT(world_.report.diagnostics.stages[stop].work, 0u);
   EXPECT_EQ(world_.planner.stage(), tern::Stage::kCheck);
 }
 
-TEST_F(EscapePlan, GoalThatCannotBeLedUpToStraight) {
+TEST_F(StopFirstPlan, GoalThatCannotBeLedUpToStraight) {
   world_.from({1.0, 1.0, 1.0}).to({6.0, 2.0, 1.0});
   world_.request.goal.velocity = {2.0, -1.0, 0.0};
-  expect_escaped();
+  expect_stopped_first();
 }
 
-TEST_F(EscapePlan, BothAtOnce) {
+TEST_F(StopFirstPlan, BothAtOnce) {
   world_.from({2.0, 2.0, 1.0}).to({6.0, 2.0, 1.0});
   world_.request.start.velocity = {2.0, 1.0, 0.0};
   world_.request.goal.velocity = {2.0, -1.0, 0.0};
-  expect_escaped();
+  expect_stopped_first();
 }
 
-TEST_F(EscapePlan, NoneWhereTheMotionCannotStopAtAll) {
+TEST_F(StopFirstPlan, NoneWhereTheMotionCannotStopAtAll) {
   world_.from({2.0, 2.2, 1.0}).to({6.0, 1.0, 1.0});  // 0.15 m; 0.25 m at full deceleration
   world_.request.start.velocity = {2.0, 1.0, 0.0};
   EXPECT_EQ(world_.plan(), Status::kNoTrajectory);
   EXPECT_TRUE(world_.trajectory_untouched());
 }
 
-TEST_F(EscapePlan, ArrivesAtAGoalInMotionThatThereIsNoRoomToStopBefore) {
+TEST_F(StopFirstPlan, ArrivesAtAGoalInMotionThatThereIsNoRoomToStopBefore) {
   // 2 m/s towards the wall, which is 0.25 m away: the goal is 0.06 s ahead, and all that is asked for.
   world_.request.limits = {{2, 2, 2}, {2, 2, 2}};
   world_.from({2.0, 2.1, 1.0}).to({2.0, 2.22, 1.0});
   world_.request.start.velocity = world_.request.goal.velocity = {0.0, 2.0, 0.0};
-  expect_escaped();
+  expect_stopped_first();
   EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
   EXPECT_EQ(world_.report.optimiser, Status::kOk) << "it was not asked for this curve";
   EXPECT_NEAR(tern::duration(world_.trajectory), 0.06, 1e-12);
 }
 
-TEST_F(EscapePlan, ArrivesInSlicesOfOneToo) {
+TEST_F(StopFirstPlan, ArrivesInSlicesOfOneToo) {
   world_.from({2.0, 2.1, 1.0}).to({2.0, 2.22, 1.0});
   world_.request.start.velocity = world_.request.goal.velocity = {0.0, 2.0, 0.0};
   ASSERT_EQ(world_.plan(), Status::kOk);
@@ -138,7 +138,7 @@ TEST_F(EscapePlan, ArrivesInSlicesOfOneToo) {
 }
 
 /// A plan may search four times for each of its legs. In the profile companion that is more than 32 bits hold.
-TEST_F(EscapePlan, BoundsThatAreTooLargeAreTheLargestNumber) {
+TEST_F(StopFirstPlan, BoundsThatAreTooLargeAreTheLargestNumber) {
   world_.from({1.0, 1.0, 1.0}).to({6.0, 1.0, 1.0});
   world_.request.start.velocity = {0.5, 0.0, 0.0};
   std::vector<tern::Via> vias(tern::kMaxVias);
@@ -155,32 +155,32 @@ TEST_F(EscapePlan, BoundsThatAreTooLargeAreTheLargestNumber) {
 }
 
 /// Empty space, 4 m wide, the plan's origin in its middle.
-class EscapeTry : public testing::Test {
+class EndStopTry : public testing::Test {
  protected:
-  EscapeTry() : world_({40, 40, 40}, 0.1, 0.2), room_{tern::World(world_.grid), {2.0, 2.0, 2.0}, false} {
+  EndStopTry() : world_({40, 40, 40}, 0.1, 0.2), context_{tern::World(world_.grid), {2.0, 2.0, 2.0}, false} {
     world_.grid.inflate();
     tern::reset_counters(*scratch_);
-    escape_->next = 0;
-    escape_->count = -1;
+    stop_->next_choice = 0;
+    stop_->count = -1;
   }
   bool arrive(const tern::State& start, const tern::State& goal, int choice = 0) {
     tern::Work all{0xFFFFFFFFu};
-    return tern::arrive_advance(room_, start, goal, world_.request.limits, choice, *scratch_, *escape_, all) ==
+    return tern::arrive_advance(context_, start, goal, world_.request.limits, choice, *scratch_, *stop_, all) ==
            tern::Progress::kDone;
   }
   World world_;
-  tern::EscapeRoom room_;
+  tern::StopContext context_;
   std::unique_ptr<tern::GrowScratch> scratch_ = std::make_unique<tern::GrowScratch>();
-  std::unique_ptr<Escape> escape_ = std::make_unique<Escape>();
+  std::unique_ptr<EndStop> stop_ = std::make_unique<EndStop>();
 };
 
-TEST_F(EscapeTry, ArrivesWhereTheMotionIsTheGoals) {
+TEST_F(EndStopTry, ArrivesWhereTheMotionIsTheGoals) {
   // 0.06 s on at 1 m/s and 1 m/s^2.
   const tern::State start{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
   const tern::State goal{{0.0618, 0, 0}, {1.06, 0, 0}, {1, 0, 0}};
   ASSERT_TRUE(arrive(start, goal));
-  ASSERT_EQ(escape_->count, 1);
-  const tern::Segment& segment = escape_->segments[0];
+  ASSERT_EQ(stop_->count, 1);
+  const tern::Segment& segment = stop_->segments[0];
   EXPECT_NEAR(segment.duration, 0.06, 1e-12);
   EXPECT_EQ(segment.polyhedron, 0);
   EXPECT_EQ(segment.points[0].x, 0.0);
@@ -188,17 +188,17 @@ TEST_F(EscapeTry, ArrivesWhereTheMotionIsTheGoals) {
   // Control points of t + t^2 / 2: p_k = k/7 T + k (k - 1) / 42 T^2 / 2.
   for (int k = 0; k <= tern::kDegree; ++k) {
     EXPECT_NEAR(segment.points[k].x, k / 7.0 * 0.06 + k * (k - 1) / 42.0 * 0.0018, 1e-14) << k;
-    for (int p = 0; p < escape_->polyhedra[0].count; ++p) {
-      const tern::Halfspace& plane = escape_->polyhedra[0].planes[p];
-      EXPECT_LE(tern::dot(plane.normal, segment.points[k] + room_.origin), plane.offset + 1e-15);
+    for (int p = 0; p < stop_->polyhedra[0].count; ++p) {
+      const tern::Halfspace& plane = stop_->polyhedra[0].planes[p];
+      EXPECT_LE(tern::dot(plane.normal, segment.points[k] + context_.origin), plane.offset + 1e-15);
     }
   }
 }
 
-TEST_F(EscapeTry, ArrivalKeepsLimitsAndClearance) {
+TEST_F(EndStopTry, ArrivalKeepsLimitsAndClearance) {
   const tern::State start{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}};
   EXPECT_FALSE(arrive(start, {{0.06, 0.02, 0}, {1, 0, 0}, {0, 0, 0}})) << "to the side in no time";
-  EXPECT_EQ(escape_->count, 0);
+  EXPECT_EQ(stop_->count, 0);
   EXPECT_FALSE(arrive(start, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}})) << "no way to go";
   EXPECT_FALSE(arrive(start, {{0.06, 0, 0}, {-1, 0, 0}, {0, 0, 0}})) << "no speed on the mean";
   const tern::State goal{{0.5, 0, 0}, {1, 0, 0}, {0, 0, 0}};
@@ -206,39 +206,39 @@ TEST_F(EscapeTry, ArrivalKeepsLimitsAndClearance) {
   world_.block({2.2, 2.1, 1.9}, {2.3, 2.2, 2.0});
   world_.grid.inflate();
   EXPECT_FALSE(arrive(start, goal)) << "0.1 m beside an obstacle";
-  EXPECT_EQ(escape_->count, 0);
+  EXPECT_EQ(stop_->count, 0);
 }
 
-TEST_F(EscapeTry, GoalsAreFlownBackwards) {
+TEST_F(EndStopTry, GoalsAreFlownBackwards) {
   const tern::State goal{{0.5, 0, 0}, {1, 0.5, 0}, {0, 0, 0}};
-  tern::EscapeRoom room{tern::World(world_.grid), {2.0, 2.0, 2.0}, true};
+  tern::StopContext context{tern::World(world_.grid), {2.0, 2.0, 2.0}, true};
   tern::Work all{0xFFFFFFFFu};
-  ASSERT_EQ(tern::escape_advance(room, goal, world_.request.limits, *scratch_, *escape_, all), tern::Progress::kDone);
-  EXPECT_EQ(escape_->next, 1);
-  ASSERT_GT(escape_->count, 0);
-  const tern::Segment& last = escape_->segments[escape_->count - 1];
+  ASSERT_EQ(tern::stop_advance(context, goal, world_.request.limits, *scratch_, *stop_, all), tern::Progress::kDone);
+  EXPECT_EQ(stop_->next_choice, 1);
+  ASSERT_GT(stop_->count, 0);
+  const tern::Segment& last = stop_->segments[stop_->count - 1];
   EXPECT_EQ(last.points[tern::kDegree].x, 0.5);
   EXPECT_NEAR(7.0 * (last.points[7].y - last.points[6].y) / last.duration, 0.5, 1e-12);
-  EXPECT_EQ(escape_->segments[0].points[0].x, escape_->rest.x);
-  EXPECT_LT(escape_->rest.x, 0.5) << "it begins behind the goal";
-  EXPECT_EQ(escape_->segments[0].points[3].x, escape_->rest.x) << "at rest";
+  EXPECT_EQ(stop_->segments[0].points[0].x, stop_->place.x);
+  EXPECT_LT(stop_->place.x, 0.5) << "it begins behind the goal";
+  EXPECT_EQ(stop_->segments[0].points[3].x, stop_->place.x) << "at rest";
 }
 
-class AddEscapes : public testing::Test {
+class AddStops : public testing::Test {
  protected:
-  AddEscapes() {
+  AddStops() {
     std::memset(static_cast<void*>(corridor_.get()), 0, sizeof *corridor_);
     std::memset(static_cast<void*>(trajectory_.get()), 0, sizeof *trajectory_);
     fill(*start_, 2, 100.0);
     fill(*goal_, 1, 200.0);
   }
   /// Durations and planes tell them apart; segment i lies in polyhedron i.
-  static void fill(Escape& escape, int count, double mark) {
-    escape.count = count;
+  static void fill(EndStop& stop, int count, double mark) {
+    stop.count = count;
     for (int i = 0; i < count; ++i) {
-      escape.segments[i].duration = mark + i;
-      escape.segments[i].polyhedron = i;
-      escape.polyhedra[i].from = {mark + i, 0, 0};
+      stop.segments[i].duration = mark + i;
+      stop.segments[i].polyhedron = i;
+      stop.polyhedra[i].from = {mark + i, 0, 0};
     }
   }
   void plan(int segments, int polyhedra) {
@@ -250,7 +250,7 @@ class AddEscapes : public testing::Test {
     }
     for (int i = 0; i < polyhedra; ++i) corridor_->polyhedra[i].from = {static_cast<double>(i), 0, 0};
   }
-  bool add() { return tern::add_escapes(*start_, *goal_, *corridor_, *trajectory_); }
+  bool add() { return tern::add_stops(*start_, *goal_, *corridor_, *trajectory_); }
   void expect_refused_unchanged() {
     const auto corridor = std::make_unique<tern::Corridor>(*corridor_);
     const auto trajectory = std::make_unique<tern::Trajectory>(*trajectory_);
@@ -261,11 +261,11 @@ class AddEscapes : public testing::Test {
 
   std::unique_ptr<tern::Corridor> corridor_ = std::make_unique<tern::Corridor>();
   std::unique_ptr<tern::Trajectory> trajectory_ = std::make_unique<tern::Trajectory>();
-  std::unique_ptr<Escape> start_ = std::make_unique<Escape>();
-  std::unique_ptr<Escape> goal_ = std::make_unique<Escape>();
+  std::unique_ptr<EndStop> start_ = std::make_unique<EndStop>();
+  std::unique_ptr<EndStop> goal_ = std::make_unique<EndStop>();
 };
 
-TEST_F(AddEscapes, OneBeforeAndOneBehind) {
+TEST_F(AddStops, OneBeforeAndOneBehind) {
   plan(3, 2);
   ASSERT_TRUE(add());
   ASSERT_EQ(trajectory_->count, 6);
@@ -278,7 +278,7 @@ TEST_F(AddEscapes, OneBeforeAndOneBehind) {
   }
 }
 
-TEST_F(AddEscapes, FillsTheCapacityAndNoMore) {
+TEST_F(AddStops, FillsTheCapacityAndNoMore) {
   plan(tern::kMaxSegments - 3, tern::kMaxSegments - 3);
   EXPECT_TRUE(add());
   EXPECT_EQ(trajectory_->count, tern::kMaxSegments);

@@ -1,0 +1,49 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The attempts at one goal, and why they fail. Each attempt's state is changed only by the functions of its own file.
+#ifndef TERN_PLANNER_ATTEMPTS_HPP
+#define TERN_PLANNER_ATTEMPTS_HPP
+
+#include <cstdint>
+
+#include "planner/detour.hpp"
+#include "planner/follow.hpp"
+#include "planner/legs.hpp"
+#include "planner/reach.hpp"
+#include "planner/stop_first.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// What the current plan does about an end in motion. The numbers are those of Diagnostics::detours.
+enum class Attempt : std::int32_t {
+  kDirect = 0,     ///< nothing
+  kDetour = 1,     ///< leads the path along the motion first
+  kStopFirst = 2,  ///< stops first, or arrives by one curve
+  kFollow = 3,     ///< begins with the remainder of the previous plan
+};
+
+constexpr std::int32_t detours_of(Attempt attempt) noexcept {
+  return static_cast<std::int32_t>(attempt);
+}
+
+struct Attempts {
+  Attempt current;
+  Detour detour;
+  Follow follow;
+  StopFirst stop_first;
+  Reach reach;
+};
+
+/// Why there is no plan.
+struct Failure {
+  Stage stage;
+  Status status;
+  std::int32_t via;  ///< the via at fault, or kNoVia
+  EndFault end;      ///< if the status is about an end that joins no voxel
+};
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,51 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/curves.hpp"
+
+#include "trajectory/relative_corridor.hpp"
+
+namespace tern {
+
+void chain_begin(const Problem& problem, const Ends& ends, const Holds& holds, const Pace& pace,
+                 const Corridor& corridor, CurveMemory& memory) noexcept {
+  relative_corridor(corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, holds, memory.corridor);
+  times_begin(memory.times, memory.corridor, {ends.start, ends.goal, problem.limits, holds, pace}, memory.chain);
+}
+
+void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, std::uint32_t iterations,
+                  CurveMemory& memory) noexcept {
+  const TrajectoryQuery query{
+      ends.start,        ends.goal, problem.limits, problem.asked.time_weight, curves.stop_and_go ? 0 : iterations,
+      memory.times.paced};
+  trajectory_begin(memory.stage, memory.corridor, query, memory.chain);
+}
+
+Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& curves, Trajectory& trajectory,
+                        Work& work) noexcept {
+  const TrajectoryStage& stage = memory.stage;
+  const Progress progress = trajectory_advance(memory.stage, memory.corridor, work, trajectory);
+  raise(curves.active_high, stage.active_high);
+  raise(curves.iterations_high, stage.longest_solve);
+  raise(curves.solves_high, stage.solves);
+  if (progress == Progress::kMore) return progress;
+  curves.status = stage.status;
+  curves.quality = stage.quality;
+  curves.optimiser = curves.stop_and_go ? curves.refused : stage.optimiser;
+  if (progress == Progress::kDone) trajectory.origin = problem.asked.start.position;
+  return progress;
+}
+
+bool complete_trajectory(const Problem& problem, const EndStop* stops, Curves& curves, ViaMemory& vias,
+                         Corridor& corridor, Trajectory& trajectory) noexcept {
+  if (!add_stops(stops[0], stops[1], corridor, trajectory)) return false;
+  if (!add_dwells(problem, stops[0].count, vias, trajectory)) return false;
+  raise(curves.segments_high, trajectory.count);
+  return true;
+}
+
+void refuse_optimised(Status why, Curves& curves) noexcept {
+  curves.stop_and_go = true;
+  curves.refused = why;
+}
+
+}  // namespace tern

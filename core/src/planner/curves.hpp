@@ -1,0 +1,69 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the corridor to a trajectory: first durations, then the optimiser, or stop-and-go if the optimiser's plan was
+// refused.
+#ifndef TERN_PLANNER_CURVES_HPP
+#define TERN_PLANNER_CURVES_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "planner/end_stop.hpp"
+#include "planner/problem.hpp"
+#include "planner/vias.hpp"
+#include "tern/corridor.hpp"
+#include "tern/report.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+#include "times/chain.hpp"
+#include "times/pace.hpp"
+#include "times/times_stage.hpp"
+#include "trajectory/trajectory_stage.hpp"
+
+namespace tern {
+
+/// The times stage and the trajectory stage, with their input.
+struct CurveMemory {
+  Corridor corridor;  ///< relative to the plan's origin
+  TimesStage times;
+  Chain chain;  ///< as the times stage made it
+  TrajectoryStage stage;
+};
+
+struct Curves {
+  bool stop_and_go;  ///< the optimiser's plan was refused
+  Status refused;    ///< why it was refused
+  Status status;     ///< why there is no trajectory; else kOk
+  Quality quality;   ///< of the trajectory
+  // Figures for the report.
+  Status optimiser;
+  std::int32_t active_high;
+  std::int32_t iterations_high;
+  std::int32_t solves_high;
+  std::int32_t segments_high;
+};
+
+/// Moves the corridor into the plan's frame and cuts it into a chain, for times_advance() to give it durations.
+void chain_begin(const Problem& problem, const Ends& ends, const Holds& holds, const Pace& pace,
+                 const Corridor& corridor, CurveMemory& memory) noexcept;
+
+/// Makes the trajectory of the chain, within `iterations`; the origin is that of the plan's frame.
+void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, std::uint32_t iterations,
+                  CurveMemory& memory) noexcept;
+Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& curves, Trajectory& trajectory,
+                        Work& work) noexcept;
+
+/// Adds the stops at both ends and the dwells at the vias to the trajectory. False if there is no capacity for all
+/// segments or polyhedra.
+bool complete_trajectory(const Problem& problem, const EndStop* stops, Curves& curves, ViaMemory& vias,
+                         Corridor& corridor, Trajectory& trajectory) noexcept;
+
+/// The next trajectory is stop-and-go along the same corridor. `why`: kCheckFailed, or kSegmentsFull if stops and
+/// dwells leave too little room for the optimiser's segments.
+void refuse_optimised(Status why, Curves& curves) noexcept;
+
+}  // namespace tern
+
+#endif

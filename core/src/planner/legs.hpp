@@ -1,0 +1,81 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The way through the vias. Each leg, from a via to the next, is searched for and shortened by itself; the legs make
+// one path.
+#ifndef TERN_PLANNER_LEGS_HPP
+#define TERN_PLANNER_LEGS_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "corridor/corridor_stage.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
+#include "planner/problem.hpp"
+#include "tern/path.hpp"
+#include "tern/report.hpp"
+#include "tern/status.hpp"
+
+namespace tern {
+
+/// Why an end of a leg joins no free voxel, for the report.
+struct EndFault {
+  bool raw_occupied;
+  bool has_nearest_free;
+  Vec3 nearest_free;   ///< world frame
+  double finer_cell;   ///< a resolution at which an end that is too narrow would have a voxel; 0: none
+  std::int32_t fence;  ///< that takes such an end's voxel, although obstacles and boundary leave it; else kNoFence
+};
+
+struct Legs {
+  std::int32_t leg;     ///< the current one, which leads to the via of this index, or to the goal
+  bool searched_again;  ///< the optimal search followed a fast path that needed too many segments
+  Status status;        ///< why the search or the shortcut failed, as a status of the plan; else kOk
+  std::int32_t via;     ///< the via that it could not leave, or that the leg leads to; kNoVia: start or goal
+  EndFault fault;
+  // Figures for the report.
+  std::int32_t nodes_high;
+  std::int32_t open_high;
+  std::int32_t jump_points_high;
+  std::int32_t segments_high;
+  SearchUsed search_used;
+  double search_bound;
+};
+
+/// The path's memory.
+struct WayMemory {
+  Path& path;  ///< of the whole way
+  Path& leg;   ///< of the current leg, if there are vias; without vias, the path's only leg is the path
+  ViaMarks& marks;
+};
+
+/// Begins the way anew, at its first leg.
+void legs_begin(const Problem& problem, Legs& legs, Path& path) noexcept;
+/// True if the current leg leads to the goal.
+bool is_last_leg(const Problem& problem, const Legs& legs) noexcept;
+/// The via or the requested goal that the current leg leads to, local frame. It may end before the goal, if the plan
+/// is to come to rest before a goal in motion.
+Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept;
+
+/// Searches for the current leg, within `expansions`. leg_search_begin() returns the instructions that it took. If the
+/// search fails, legs.status, via and fault say why.
+std::uint32_t leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, std::uint32_t expansions,
+                               ScanMap& scans, SearchStage& stage) noexcept;
+Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way, Work& work) noexcept;
+
+/// Shortens the current leg, within `sight_lines`, and appends it to the path. If that fails, legs.status and via say
+/// why.
+void leg_shortcut_begin(const Problem& problem, std::uint32_t sight_lines, WayMemory way,
+                        ShortcutStage& stage) noexcept;
+Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
+                              Work& work) noexcept;
+
+/// True if the optimal search should make the way anew, which happens once: a fast path may need more segments than
+/// fit, and a cheapest path often needs fewer.
+bool search_again(Status why, Legs& legs) noexcept;
+
+}  // namespace tern
+
+#endif

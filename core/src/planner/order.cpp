@@ -1,0 +1,245 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What follows a stage. A plan goes straight through the stages; after a failure, the list of attempts in fail() says
+// where it enters them again.
+#include "planner/layout.hpp"
+#include "planner/pipeline.hpp"
+
+namespace tern {
+namespace {
+
+/// A capacity or the request's budget ran out.
+bool lacks_room(Status status) {
+  const bool capacity = status >= Status::kNodesFull && status < Status::kInfeasible;
+  return capacity || status >= Status::kBudgetSearch;
+}
+
+/// The via that the failed part of the way leads to, or the via that it begins at if that one cannot be left. kNoVia if
+/// that end is the start or the goal.
+std::int32_t via_at_fault(Stage stage, const Legs& legs, const Rooms& rooms) {
+  const bool on_leg = stage == Stage::kSearch || stage == Stage::kShortcut;
+  if (!on_leg) return stage == Stage::kCorridor ? rooms.via : kNoVia;
+  return legs.via;
+}
+
+}  // namespace
+
+/// Resets what belongs to one goal. The plan's frame has its origin in the start, in world coordinates as they were
+/// given.
+void Pipeline::begin_goal() noexcept {
+  Layout& memory = *memory_;
+  results_ = {};
+  curves_.stop_and_go = false;
+  failure_ = {Stage::kRequest, Status::kOk, kNoVia, {}};
+  attempts_.current = Attempt::kDirect;
+  attempts_.detour = {};
+  attempts_.stop_first = {};
+  attempts_.follow.is_trial = attempts_.follow.leads_plan = false;
+  take_ends(problem_, memory.ends);
+  for (EndStop& stop : memory.stops) reset(stop);
+  cut_previous(*problem_.grid, problem_.asked, memory.previous);
+}
+
+/// Enters the first stage for a goal: the trial of the remainder if it leads there, else the search.
+void Pipeline::begin_attempts() noexcept {
+  attempts_.follow.held_try = 0;
+  attempts_.follow.is_trial = follow_trial_is_due(memory_->previous);
+  attempts_.follow.is_trial ? enter(Stage::kPrevious) : begin_way();
+}
+
+/// Begins the search for the first leg.
+void Pipeline::begin_way() noexcept {
+  results_.path = false;
+  legs_begin(problem_, legs_, memory_->path);
+  enter(Stage::kSearch);
+}
+
+/// Enters what follows the current stage, which is done or has failed.
+void Pipeline::go_on(bool done) noexcept {
+  switch (stage_) {
+    case Stage::kFences:
+      if (!problem_.goal_fenced) return begin_attempts();
+      // Only the nearest point that can be reached is left to look for.
+      failure_.status = Status::kGoalFenced;
+      legs_.leg = problem_.via_count;
+      return give_up();
+    case Stage::kSearch:
+      return done ? enter(Stage::kShortcut) : fail(Stage::kSearch, legs_.status);
+    case Stage::kShortcut:
+      return go_on_from_shortcut(done);
+    case Stage::kCorridor:
+      return go_on_from_corridor(done);
+    case Stage::kTimes:
+      return enter(Stage::kTrajectory);
+    case Stage::kTrajectory:
+      return go_on_from_trajectory(done);
+    case Stage::kCheck:
+      return go_on_from_check(done);
+    case Stage::kDetour:
+      if (!done) return fail(Stage::kTrajectory, attempts_.detour.without);
+      attempts_.current = Attempt::kDetour;
+      results_.corridor = false;
+      return enter(Stage::kCorridor);
+    case Stage::kPrevious:
+      return go_on_from_previous(done);
+    case Stage::kEscape:
+      return go_on_from_escape(done);
+    case Stage::kReach:
+      return go_on_from_reach(done);
+    case Stage::kRequest:
+      break;
+  }
+}
+
+void Pipeline::go_on_from_shortcut(bool done) noexcept {
+  if (!done) return search_again(legs_.status, legs_) ? begin_way() : fail(Stage::kShortcut, legs_.status);
+  results_.path = is_last_leg(problem_, legs_);
+  if (!results_.path) {
+    ++legs_.leg;
+    enter(Stage::kSearch);
+  } else if (route_only_) {
+    end(Stage::kShortcut, Status::kOk);
+  } else {
+    enter(Stage::kCorridor);
+  }
+}
+
+void Pipeline::go_on_from_corridor(bool done) noexcept {
+  results_.corridor = done;
+  if (done) return enter(Stage::kTimes);
+  // If the detour has no corridor, the plan still fails because the path's own corridor has no trajectory.
+  if (attempts_.current == Attempt::kDetour) return fail(Stage::kTrajectory, attempts_.detour.without);
+  const bool again = attempts_.current == Attempt::kDirect && search_again(rooms_.status, legs_);
+  again ? begin_way() : fail(Stage::kCorridor, rooms_.status);
+}
+
+/// A chain that has to pass a via in motion has no stop-and-go to fall back to.
+void Pipeline::go_on_from_trajectory(bool done) noexcept {
+  Layout& memory = *memory_;
+  quality_ = curves_.quality;
+  optimiser_ = curves_.optimiser;
+  if (!done) return fail(Stage::kTrajectory, curves_.status);
+  if (complete_trajectory(problem_, memory.stops, curves_, memory.vias, memory.corridor, memory.trajectory)) {
+    enter(Stage::kCheck);
+  } else if (curves_.stop_and_go || hurries(memory.stage.trajectory.stage.chain)) {
+    fail(Stage::kTrajectory, Status::kSegmentsFull);
+  } else {
+    stop_at_waypoints(Status::kSegmentsFull);
+  }
+}
+
+void Pipeline::go_on_from_check(bool done) noexcept {
+  Layout& memory = *memory_;
+  if (attempts_.follow.is_trial) return end_trial(done);
+  if (!done) {
+    refused_ = memory.stage.check.found;
+    const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
+    return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
+  }
+  const std::uint32_t planes = ledger_.planes_left(problem_.asked.budget);
+  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory, planes)) {
+    end(Stage::kCheck, Status::kOk);
+    return;
+  }
+  cut_previous(*problem_.grid, problem_.asked, memory.previous);
+  memory.previous.tries = attempts_.follow.held_try - 1;
+  optimiser_ = Status::kOk;
+  enter(Stage::kPrevious);
+}
+
+/// A remainder that ends elsewhere than at the goal takes the place of the start's stop. If the remainder has no room,
+/// the reason for the plan's failure stays the same, unless the remainder lacked only segments.
+void Pipeline::go_on_from_previous(bool done) noexcept {
+  const Previous& previous = memory_->previous;
+  if (!done) {
+    if (attempts_.follow.is_trial) return end_trial(false);
+    const Failure first = failure_;
+    if (previous.enclosure.status == Status::kSegmentsFull) {
+      failure_.stage = Stage::kPrevious;
+      failure_.status = Status::kSegmentsFull;
+    }
+    return fail(first.stage, first.status);
+  }
+  if (!previous.meets_goal) return enter(Stage::kEscape);
+  results_.path = false;
+  check_as_is(Quality::kPrevious, Attempt::kFollow);
+}
+
+/// Once each end in motion has a stop, the plan begins again between the places of rest.
+void Pipeline::go_on_from_escape(bool done) noexcept {
+  if (!done) return give_up();
+  if (attempts_.stop_first.arrived) {
+    optimiser_ = Status::kOk;  // the optimiser's status belongs to another corridor
+    return check_as_is(Quality::kStopAndGo, Attempt::kStopFirst);
+  }
+  results_.corridor = false;
+  attempts_.current = attempts_.follow.leads_plan ? Attempt::kFollow : Attempt::kStopFirst;
+  begin_way();
+}
+
+void Pipeline::go_on_from_reach(bool done) noexcept {
+  const Reach& reach = attempts_.reach;
+  if (!done) {
+    const bool lacks_more = problem_.asked.goal_mode == GoalMode::kNearest && reach.status != Status::kStartOccupied;
+    end(lacks_more ? Stage::kReach : failure_.stage, lacks_more ? reach.status : failure_.status);
+  } else if (leads_to_reachable(problem_, memory_->stage.reach, failure_.status)) {
+    make_reachable_the_goal(failure_.status, attempts_.reach, problem_);
+    begin_goal();
+    begin_attempts();
+  } else {
+    end(failure_.stage, failure_.status);
+  }
+}
+
+/// Ends a trial of the remainder. If it does not hold, the next way to cut it is tried. After the last, or if it holds,
+/// the plan begins as if nothing had been tried.
+void Pipeline::end_trial(bool holds) noexcept {
+  const Layout& memory = *memory_;
+  if (!holds && memory.previous.tries < memory.previous.last_try) return enter(Stage::kPrevious);
+  follow_note_trial(holds, memory.previous, memory.trajectory, ledger_.work(Stage::kPrevious), attempts_.follow);
+  begin_goal();
+  begin_way();
+}
+
+/// Passes the corridor and the trajectory in memory to the check.
+void Pipeline::check_as_is(Quality quality, Attempt attempt) noexcept {
+  quality_ = quality;
+  attempts_.current = attempt;
+  results_.corridor = true;
+  enter(Stage::kCheck);
+}
+
+/// Replaces the optimiser's plan by stop-and-go along the same corridor.
+void Pipeline::stop_at_waypoints(Status why) noexcept {
+  refuse_optimised(why, curves_);
+  enter(Stage::kTimes);
+}
+
+/// The list of attempts: enters the first one that may help after a failure.
+///
+/// The plan's status is that of the first failure, which describes the request as it was given. But if a later attempt
+/// lacked only capacity or budget, that is the status: with more of it there may be a plan.
+void Pipeline::fail(Stage stage, Status status) noexcept {
+  segments_full_ = segments_full_ || status == Status::kSegmentsFull;
+  const bool is_first = attempts_.stop_first.tries == 0 && memory_->previous.tries == 0;
+  if (is_first || lacks_room(status)) failure_ = {stage, status, via_at_fault(stage, legs_, rooms_), legs_.fault};
+  const bool is_direct = attempts_.current == Attempt::kDirect;
+  if (is_direct && stage == Stage::kTrajectory && detour_may_help(problem_, attempts_.detour)) {
+    enter(Stage::kDetour);
+  } else if (follow_may_help(problem_, memory_->previous, status)) {
+    enter(Stage::kPrevious);
+  } else if (stop_first_may_help(problem_, attempts_.stop_first, stage, status)) {
+    enter(Stage::kEscape);
+  } else {
+    give_up();
+  }
+}
+
+/// Nothing else is left to try for the goal.
+void Pipeline::give_up() noexcept {
+  if (reach_may_help(attempts_.reach, failure_.status)) return enter(Stage::kReach);
+  end(failure_.stage, failure_.status);
+}
+
+}  // namespace tern

@@ -1,0 +1,221 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/pipeline.hpp"
+
+#include "planner/layout.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// Instructions of a turn of step(), besides what the stage counts.
+constexpr std::uint32_t kTurnEffort = 250;
+/// Instructions of begin() and finish() together, and of each fence that is read.
+constexpr std::uint32_t kBeginEffort = 12000;
+constexpr std::uint32_t kFenceEffort = 40000;
+
+WayMemory way_of(Layout& memory) {
+  return {memory.path, memory.vias.leg, memory.vias.marks};
+}
+
+/// Prepares the memory for polyhedra around curves, within `planes` half-spaces.
+void begin_hulls(std::uint32_t planes, GrowScratch& scratch) {
+  reset_counters(scratch);
+  scratch.planes_allowed = planes;
+}
+
+bool pace_fits(const Request& request, const Trajectory& plan, double time) {
+  return request.previous == nullptr && is_trajectory(plan) && finite(time) && time >= 0.0;
+}
+
+/// The plan that sets the pace, if the chain begins on it.
+Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory) {
+  if (!problem.has_pace || curves.stop_and_go || memory.stops[0].count > 0) return {};
+  const Trajectory& plan = memory.previous.plan;
+  return {&plan, problem.pace_from, plan.origin - problem.asked.start.position};
+}
+
+CheckQuery check_query(const Problem& problem, const Follow& follow, const Layout& memory) {
+  const Request& asked = problem.asked;
+  CheckQuery query{asked.start, asked.goal, asked.limits, memory.world.has_solids ? &memory.asked_fences : nullptr};
+  query.start.jerk = start_jerk(problem, follow, memory.previous);
+  query.vias = problem.vias;
+  query.joints = memory.vias.joint;
+  query.via_count = problem.via_count;
+  return query;
+}
+
+}  // namespace
+
+Status Pipeline::refuse(const RequestFault& fault) noexcept {
+  fault_ = fault;
+  failure_.via = fault.via;
+  return end(Stage::kRequest, fault.status);
+}
+
+Status Pipeline::end(Stage stage, Status status) noexcept {
+  ended_in_ = stage;
+  status_ = status;
+  return status;
+}
+
+Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode& mode) noexcept {
+  Layout* const memory = memory_;
+  *this = Pipeline(*memory);
+  route_only_ = mode.route_only;
+  ledger_.clear(mode.timed);
+  failure_.via = kNoVia;
+  problem_.grid = &grid;
+  problem_.world = &memory->world;
+  world_begin(memory->world, grid);
+  effort_ = kBeginEffort + static_cast<std::uint32_t>(request.fence_count > 0 ? request.fence_count : 0) * kFenceEffort;
+  if (!grid.inflated()) return refuse({Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage});
+  const Status status = read(request, mode);
+  if (status != Status::kRunning) return status;
+  status_ = Status::kRunning;
+  memory->world.has_solids ? enter(Stage::kFences) : begin_attempts();
+  return status_;
+}
+
+/// Reads the request into the problem. kRunning, or why it is refused.
+Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
+  Layout& memory = *memory_;
+  const Verdict verdict = validate(*problem_.grid, request, problem_.limits);
+  if (verdict.status != Status::kOk) return refuse({verdict.status, verdict.field});
+  if (mode.pace != nullptr && !pace_fits(request, *mode.pace, mode.pace_time)) {
+    return refuse({Status::kInvalidArgument, Field::kPrevious});
+  }
+  RequestFault fault{};
+  const Verdict vias = validate_vias(*problem_.grid, request, problem_.limits, fault.via);
+  if (vias.status != Status::kOk) return refuse({vias.status, vias.field, kNoFence, fault.via});
+  for (std::int32_t v = 0; v < request.via_count; ++v) memory.vias.vias[v] = request.vias[v];
+  memory.vias.marks.count = request.via_count;
+  problem_.vias = memory.vias.vias;
+  problem_.via_count = request.via_count;
+  problem_.asked = request;
+  problem_.has_pace = request.previous != nullptr || mode.pace != nullptr;
+  problem_.pace_from = mode.pace != nullptr ? mode.pace_time : request.previous_time;
+  problem_.given_at_rest = rests(problem_);
+  begin_goal();
+  if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
+  if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
+  if (request.fence_count == 0) return Status::kRunning;
+  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked_fences, effort_);
+  if (fault_.status != Status::kOk) return refuse(fault_);
+  take_ends(problem_, memory.ends);
+  return Status::kRunning;
+}
+
+Progress Pipeline::advance(Work& work) noexcept {
+  work.effort = kTurnEffort;
+  const Progress progress = run(work);
+  effort_ += work.effort;
+  ledger_.count(stage_, units(), problem_, legs_.searched_again);
+  if (progress != Progress::kMore) go_on(progress == Progress::kDone);
+  return progress;
+}
+
+/// Begins a stage.
+void Pipeline::enter(Stage stage) noexcept {
+  Layout& m = *memory_;
+  const Budget& budget = problem_.asked.budget;
+  stage_ = stage;
+  ledger_.begin_run(stage);
+  switch (stage) {
+    case Stage::kSearch:
+      effort_ += leg_search_begin(problem_, m.ends, legs_, ledger_.expansions_left(budget), m.scans, m.stage.search);
+      return;
+    case Stage::kShortcut:
+      return leg_shortcut_begin(problem_, ledger_.sight_lines_left(budget), way_of(m), m.stage.shortcut);
+    case Stage::kCorridor:
+      return corridor_begin(m.stage.corridor, m.path, ledger_.planes_left(budget), &m.vias.marks);
+    case Stage::kTimes:
+      return chain_begin(problem_, m.ends, make_holds(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
+                         m.stage.trajectory);
+    case Stage::kTrajectory:
+      return curves_begin(problem_, m.ends, curves_, ledger_.iterations_left(budget), m.stage.trajectory);
+    case Stage::kCheck:
+      return check_begin(m.stage.check);
+    case Stage::kDetour:
+      return detour_begin(failure_.status, attempts_.detour);
+    case Stage::kPrevious:
+      begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
+      return follow_begin(problem_, attempts_.follow, m.previous);
+    case Stage::kEscape:
+      begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
+      return stop_first_begin(problem_, attempts_.stop_first, m.stops);
+    case Stage::kReach:
+      return reach_attempt_begin(problem_, leg_target(problem_, legs_), ledger_.expansions_left(budget), m.stage.reach);
+    case Stage::kRequest:
+    case Stage::kFences:
+      break;
+  }
+}
+
+/// Runs a slice of the current stage.
+Progress Pipeline::run(Work& work) noexcept {
+  Layout& m = *memory_;
+  switch (stage_) {
+    case Stage::kFences:
+      return world_advance(m.world, work);
+    case Stage::kSearch:
+      return leg_search_advance(problem_, m.stage.search, legs_, way_of(m), work);
+    case Stage::kShortcut:
+      return leg_shortcut_advance(problem_, m.stage.shortcut, legs_, way_of(m), work);
+    case Stage::kCorridor:
+      return rooms_advance(problem_, m.path, m.stage.corridor, rooms_, m.corridor, work);
+    case Stage::kTimes:
+      return times_advance(m.stage.trajectory.times, m.stage.trajectory.corridor, work, m.stage.trajectory.chain);
+    case Stage::kTrajectory:
+      return curves_advance(problem_, m.stage.trajectory, curves_, m.trajectory, work);
+    case Stage::kCheck:
+      return check_advance(m.stage.check, *problem_.grid, m.corridor, m.trajectory,
+                           check_query(problem_, attempts_.follow, m), work);
+    case Stage::kDetour:
+      return detour_advance(problem_, ledger_.sight_lines_left(problem_.asked.budget), attempts_.detour, m.path, work);
+    case Stage::kPrevious:
+      return follow_advance(problem_, m.ends, attempts_.follow, m.previous, m.stage.corridor.grow, m.stops[0],
+                            m.corridor, m.trajectory, work);
+    case Stage::kEscape:
+      return stop_first_advance(problem_, attempts_.stop_first, m.stops, m.stage.corridor.grow, m.ends, m.corridor,
+                                m.trajectory, work);
+    case Stage::kReach:
+      return reach_attempt_advance(problem_, m.stage.reach, attempts_.reach, work);
+    case Stage::kRequest:
+      break;
+  }
+  return Progress::kDone;
+}
+
+/// What the current run of the current stage took, in the stage's own units.
+std::uint32_t Pipeline::units() const noexcept {
+  const Layout& m = *memory_;
+  switch (stage_) {
+    case Stage::kFences:
+      return static_cast<std::uint32_t>(m.world.steps);
+    case Stage::kSearch:
+      return m.stage.search.expansions;
+    case Stage::kShortcut:
+      return m.stage.shortcut.sight_lines;
+    case Stage::kCorridor:
+      return m.stage.corridor.planes;
+    case Stage::kTimes:
+      return static_cast<std::uint32_t>(m.stage.trajectory.times.timed);
+    case Stage::kTrajectory:
+      return m.stage.trajectory.stage.iterations;
+    case Stage::kCheck:
+      return m.stage.check.units;
+    case Stage::kDetour:
+      return attempts_.detour.lines;
+    case Stage::kPrevious:
+    case Stage::kEscape:
+      return m.stage.corridor.grow.planes;
+    case Stage::kReach:
+      return m.stage.reach.units;
+    case Stage::kRequest:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace tern

@@ -1,0 +1,120 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How a plan is made: straight through the stages, and what follows if one fails. Each stage and each attempt is a
+// structure with a begin and an advance, which get what they may touch as arguments; only enter() and run() hand it
+// out, one line a stage. Only go_on() and what it calls decide what comes next.
+#ifndef TERN_PLANNER_PIPELINE_HPP
+#define TERN_PLANNER_PIPELINE_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "planner/attempts.hpp"
+#include "planner/curves.hpp"
+#include "planner/ledger.hpp"
+#include "planner/legs.hpp"
+#include "planner/problem.hpp"
+#include "planner/rooms.hpp"
+#include "prove/check_stage.hpp"
+#include "tern/report.hpp"
+#include "tern/status.hpp"
+#include "tern/trajectory.hpp"
+
+namespace tern {
+
+struct Layout;
+
+/// Which results are in memory.
+struct Results {
+  bool path;
+  bool corridor;
+};
+
+/// How a request is to be planned.
+struct PlanMode {
+  bool route_only;         ///< the path is the result
+  bool timed;              ///< there is a clock
+  const Trajectory* pace;  ///< a plan that sets the pace, for a request without a previous plan; null: none
+  double pace_time;        ///< when that plan passes the start, s since its beginning
+};
+
+class Pipeline {
+ public:
+  /// `memory` must outlive the pipeline.
+  explicit Pipeline(Layout& memory) noexcept : memory_(&memory) {}
+
+  /// Reads the request. kRunning, or why it is refused.
+  Status begin(const Grid& grid, const Request& request, const PlanMode& mode) noexcept;
+  /// Runs a slice of the current stage, and at its end enters what follows. Only while status() is kRunning.
+  Progress advance(Work& work) noexcept;
+  /// Ends the plan.
+  Status end(Stage stage, Status status) noexcept;
+  /// Ends the plan because the request or a call is wrong.
+  Status refuse(const RequestFault& fault) noexcept;
+
+  /// kRunning, or how the plan has ended.
+  Status status() const noexcept { return status_; }
+  Stage stage() const noexcept { return stage_; }
+  const Results& results() const noexcept { return results_; }
+  /// What the plan took so far, in instructions (see Work); modulo 2^32.
+  std::uint32_t effort() const noexcept { return effort_; }
+  /// A slice of the stage began and ended at these ticks of the clock.
+  void count_ticks(Stage stage, std::uint64_t from, std::uint64_t to) noexcept { ledger_.count_ticks(stage, from, to); }
+  /// When the plan begins, as the request says.
+  std::int64_t begin_time() const noexcept { return problem_.asked.begin; }
+  /// The whole report, from what each part noted.
+  void write(Report& report) const noexcept;
+
+ private:
+  // pipeline.cpp: the stages.
+  Status read(const Request& request, const PlanMode& mode) noexcept;
+  void enter(Stage stage) noexcept;
+  Progress run(Work& work) noexcept;
+  std::uint32_t units() const noexcept;
+
+  void write_diagnostics(Diagnostics& diagnostics) const noexcept;  // report.cpp
+
+  // order.cpp: what follows a stage.
+  void begin_goal() noexcept;
+  void begin_attempts() noexcept;
+  void begin_way() noexcept;
+  void go_on(bool done) noexcept;
+  void go_on_from_shortcut(bool done) noexcept;
+  void go_on_from_corridor(bool done) noexcept;
+  void go_on_from_trajectory(bool done) noexcept;
+  void go_on_from_check(bool done) noexcept;
+  void go_on_from_previous(bool done) noexcept;
+  void go_on_from_escape(bool done) noexcept;
+  void go_on_from_reach(bool done) noexcept;
+  void end_trial(bool holds) noexcept;
+  void check_as_is(Quality quality, Attempt attempt) noexcept;
+  void stop_at_waypoints(Status why) noexcept;
+  void fail(Stage stage, Status status) noexcept;
+  void give_up() noexcept;
+
+  Layout* memory_;
+  bool route_only_ = false;
+  Problem problem_{};
+  RequestFault fault_{};
+  Stage stage_ = Stage::kRequest;             // the current one
+  Status status_ = Status::kInvalidArgument;  // kRunning until the plan ends
+  Stage ended_in_ = Stage::kRequest;
+  Failure failure_{};
+  Attempts attempts_{};
+  Legs legs_{};
+  Rooms rooms_{};
+  Curves curves_{};
+  ProofReport refused_{};             // why the check refused the last plan that it refused
+  Quality quality_ = Quality::kNone;  // of the trajectory in memory
+  Status optimiser_ = Status::kOk;    // how optimising that trajectory ended
+  Results results_{};
+  bool segments_full_ = false;  // an attempt had too many segments
+  std::uint32_t effort_ = 0;
+  Ledger ledger_{};
+};
+
+}  // namespace tern
+
+#endif

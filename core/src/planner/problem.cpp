@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/problem.hpp"
+
+#include "base/math.hpp"
+#include "curve/rest.hpp"
+#include "grid/bit_rows.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// Compares start and vias with the fences.
+RequestFault find_fenced_point(const Problem& problem, const Ends& ends) {
+  const World world = world_of(problem);
+  const std::int32_t at_start = world.first_broken(ends.start_in_grid, ends.start_in_grid);
+  if (at_start != kNoFence) return {Status::kStartFenced, Field::kStartPosition, at_start};
+  for (std::int32_t v = 0; v < problem.via_count; ++v) {
+    const Vec3 via = to_local(*problem.grid, problem.vias[v].position);
+    const std::int32_t at_via = world.first_broken(via, via);
+    if (at_via != kNoFence) return {Status::kViaFenced, Field::kVias, at_via, v};
+  }
+  return {Status::kOk, Field::kNone};
+}
+
+}  // namespace
+
+State asked_end(const Problem& problem, int end) noexcept {
+  const Request& asked = problem.asked;
+  State state = end == 0 ? asked.start : asked.goal;
+  state.position = end == 0 ? kZero : asked.goal.position - asked.start.position;
+  return state;
+}
+
+void take_ends(const Problem& problem, Ends& ends) noexcept {
+  const Request& asked = problem.asked;
+  ends.start = asked_end(problem, 0);
+  ends.goal = asked_end(problem, 1);
+  ends.start_in_grid = to_local(voxels_of(problem), asked.start.position);
+  ends.goal_in_grid = to_local(voxels_of(problem), asked.goal.position);
+  ends.origin_in_grid = ends.start_in_grid;
+}
+
+RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
+                         AskedFences& asked, std::uint32_t& effort) noexcept {
+  const FenceFault added = world_add(world, request.fences, request.fence_count);
+  if (added.status != Status::kOk) return {added.status, Field::kFences, added.fence};
+  if (!copy_fences(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
+  RequestFault fault = find_fenced_point(problem, ends);
+  if (fault.status != Status::kOk) return fault;
+  fault.fence = world_of(problem).first_broken(ends.goal_in_grid, ends.goal_in_grid);
+  problem.goal_fenced = fault.fence != kNoFence;
+  const bool lacks_goal = problem.goal_fenced && request.goal_mode == GoalMode::kExact;
+  if (lacks_goal) fault.field = Field::kGoalPosition;
+  effort += static_cast<std::uint32_t>(2 * GridView::layer_words(*problem.grid));
+  const Status prepared = world_prepare(world);
+  if (prepared == Status::kOk) return fault;
+  if (lacks_goal) return {Status::kGoalFenced, Field::kGoalPosition, fault.fence};
+  return {prepared, Field::kFences, fault.fence};
+}
+
+bool rests(const Problem& problem) noexcept {
+  return at_rest(problem.asked.start) && at_rest(problem.asked.goal);
+}
+
+}  // namespace tern

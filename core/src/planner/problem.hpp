@@ -1,0 +1,81 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a plan is asked for, in the form in which all stages and attempts read it.
+#ifndef TERN_PLANNER_PROBLEM_HPP
+#define TERN_PLANNER_PROBLEM_HPP
+
+#include <cstdint>
+
+#include "base/bounds.hpp"
+#include "prove/asked_fences.hpp"
+#include "tern/grid.hpp"
+#include "tern/request.hpp"
+#include "tern/status.hpp"
+#include "tern/vec3.hpp"
+#include "tern/via.hpp"
+#include "world/world_memory.hpp"
+
+namespace tern {
+
+/// Pipeline::read() fills it in. After that, only the goal changes: with GoalMode::kNearest it becomes the reachable
+/// point. The stages and attempts only read it.
+struct Problem {
+  const Grid* grid;          ///< the caller's
+  const WorldMemory* world;  ///< what is in the way: world_of()
+  const Via* vias;           ///< world frame
+  std::int32_t via_count;
+  MotionLimits limits;
+  Request asked;       ///< the request; its fences and vias are not read again
+  bool goal_fenced;    ///< the goal breaks a fence: only the reachable point is left to look for
+  bool given_at_rest;  ///< both ends were given at rest
+  bool has_pace;       ///< Previous::plan passes the start, `pace_from` seconds after its beginning
+  double pace_from;
+};
+
+/// What is wrong with a request.
+struct RequestFault {
+  Status status;
+  Field field;
+  std::int32_t fence = kNoFence;  ///< index in Request::fences
+  std::int32_t via = kNoVia;      ///< index in Request::vias
+};
+
+/// The ends of what the search joins: the request's, or the places at which the plan stops first. The states are
+/// relative to the requested start, which is, bit for bit, the origin of the plan's frame. The other positions are in
+/// the grid's local frame, within its boundary.
+struct Ends {
+  State start;
+  State goal;
+  Vec3 start_in_grid;
+  Vec3 goal_in_grid;
+  Vec3 origin_in_grid;  ///< of the plan's frame
+};
+
+inline World world_of(const Problem& problem) noexcept {
+  return world_of(*problem.world);
+}
+
+/// The world's voxels, which the stages search: the caller's grid, or a copy in which the fences are blocked.
+inline const Grid& voxels_of(const Problem& problem) noexcept {
+  return world_of(problem).voxels();
+}
+
+/// The requested start (0) or goal (1), relative to the plan's origin.
+State asked_end(const Problem& problem, int end) noexcept;
+
+/// The request's ends.
+void take_ends(const Problem& problem, Ends& ends) noexcept;
+
+/// Reads the request's fences, of which there is at least one, into the world and for the check, and compares start,
+/// vias and goal with them. Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
+/// with a goal that breaks a fence. `effort` grows by the instructions that it took.
+RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
+                         AskedFences& asked, std::uint32_t& effort) noexcept;
+
+/// Both requested ends are at rest.
+bool rests(const Problem& problem) noexcept;
+
+}  // namespace tern
+
+#endif

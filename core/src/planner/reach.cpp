@@ -1,0 +1,66 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/reach.hpp"
+
+#include "base/direction.hpp"
+#include "base/math.hpp"
+#include "base/too_narrow.hpp"
+#include "curve/rest.hpp"
+#include "grid/lattice.hpp"
+#include "planner/validate.hpp"
+
+namespace tern {
+namespace {
+
+/// The search ran out of memory before it could tell whether there is a path.
+bool lacks_nodes(Status status) {
+  return status == Status::kNodesFull || status == Status::kOpenFull;
+}
+
+/// The goal cannot be planned to, whatever the limits and the budget.
+bool misses_goal(Status status) {
+  return lacks_goal_voxel(status) || status == Status::kGoalFenced || status == Status::kNoPath ||
+         lacks_via_voxel(status) || lacks_nodes(status);
+}
+
+/// The voxel's centre in the world, or the start if it rests in that voxel already.
+Vec3 reachable_point(const Problem& problem, const Voxel& voxel) {
+  const Grid& grid = voxels_of(problem);
+  const State& start = problem.asked.start;
+  const bool stays = at_rest(start) && same(grid.voxel_of(to_local(grid, start.position)), voxel);
+  return stays ? start.position : free_point(grid, voxel) + grid.spec().origin;
+}
+
+}  // namespace
+
+bool reach_may_help(const Reach& reach, Status failure) noexcept {
+  return !reach.has_point && misses_goal(failure);
+}
+
+void reach_attempt_begin(const Problem& problem, const Vec3& target, std::uint32_t expansions,
+                         ReachStage& stage) noexcept {
+  const State& start = problem.asked.start;
+  reach_begin(stage, world_of(problem),
+              {to_local(voxels_of(problem), start.position), target, expansions, !at_rest(start)});
+}
+
+Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept {
+  const Progress progress = reach_advance(stage, world_of(problem), work);
+  reach.status = stage.status;
+  if (progress != Progress::kDone) return progress;
+  reach.has_point = true;
+  reach.point = reachable_point(problem, stage.nearest);
+  return progress;
+}
+
+bool leads_to_reachable(const Problem& problem, const ReachStage& stage, Status failure) noexcept {
+  if (problem.asked.goal_mode != GoalMode::kNearest) return false;
+  return !same(voxels_of(problem).voxel_of(stage.query.goal), stage.nearest) || !lacks_nodes(failure);
+}
+
+void make_reachable_the_goal(Status failure, Reach& reach, Problem& problem) noexcept {
+  reach.goal_missed = failure;
+  problem.asked.goal = {reach.point, kZero, kZero};
+}
+
+}  // namespace tern

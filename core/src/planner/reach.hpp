@@ -1,0 +1,45 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The attempt that remains if no plan leads to the goal: finds the nearest point that a plan can lead to, for the
+// report or as the new goal.
+#ifndef TERN_PLANNER_REACH_HPP
+#define TERN_PLANNER_REACH_HPP
+
+#include <cstdint>
+
+#include "base/progress.hpp"
+#include "base/work.hpp"
+#include "path/reach_stage.hpp"
+#include "planner/problem.hpp"
+#include "tern/status.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+struct Reach {
+  bool has_point;
+  Vec3 point;          ///< the reachable point, world frame
+  Status goal_missed;  ///< why the plan leads there; kOk if it does not
+  Status status;       ///< why the stage failed; else kOk
+};
+
+/// True if the plan misses the goal whatever its limits and budget, and nothing is known yet of how near it can come.
+bool reach_may_help(const Reach& reach, Status failure) noexcept;
+
+/// Looks for the point nearest to `target` (local frame), within `expansions`.
+void reach_attempt_begin(const Problem& problem, const Vec3& target, std::uint32_t expansions,
+                         ReachStage& stage) noexcept;
+/// The units of work are those of reach_advance. kDone: reach.point is known.
+Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept;
+
+/// True if the plan should lead to the point that was found. It should not if that is the goal's own voxel, which the
+/// search could not tell for lack of memory.
+bool leads_to_reachable(const Problem& problem, const ReachStage& stage, Status failure) noexcept;
+
+/// Makes the reachable point the goal. `failure` says why.
+void make_reachable_the_goal(Status failure, Reach& reach, Problem& problem) noexcept;
+
+}  // namespace tern
+
+#endif

@@ -1,0 +1,63 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The report: the only place that writes it, from what the parts noted.
+#include "base/too_narrow.hpp"
+#include "planner/layout.hpp"
+#include "planner/pipeline.hpp"
+
+namespace tern {
+namespace {
+
+std::int32_t most(std::int32_t a, std::int32_t b) {
+  return a < b ? b : a;
+}
+
+bool is_occupied(Status status) {
+  return status == Status::kStartOccupied || status == Status::kGoalOccupied || status == Status::kViaOccupied;
+}
+
+void write_failure(const Failure& failure, Status status, Report& report) {
+  const bool narrow = is_too_narrow(status);
+  report.via = failure.via;
+  if (!narrow && !is_occupied(status)) return;
+  report.raw_occupied = failure.end.raw_occupied;
+  report.has_nearest_free = failure.end.has_nearest_free;
+  report.nearest_free = failure.end.nearest_free;
+  if (!narrow) return;
+  report.finer_cell = failure.end.finer_cell;
+  report.fence = failure.end.fence;
+}
+
+}  // namespace
+
+void Pipeline::write(Report& report) const noexcept {
+  report = Report{};
+  const bool planned = status_ == Status::kOk && !route_only_;
+  report.status = status_;
+  report.stage = ended_in_;
+  report.field = fault_.field;
+  report.fence = fault_.fence;
+  if (status_ != Status::kOk) write_failure(failure_, status_, report);
+  if (planned) report.quality = quality_;
+  if (planned) write_passages(problem_, memory_->vias, memory_->trajectory, report.vias);
+  report.optimiser = optimiser_;
+  if (status_ == Status::kCheckFailed || optimiser_ == Status::kCheckFailed) report.check = refused_;
+  report.has_reachable = attempts_.reach.has_point;
+  report.reachable = attempts_.reach.point;
+  report.goal_missed = attempts_.reach.goal_missed;
+  write_diagnostics(report.diagnostics);
+}
+
+void Pipeline::write_diagnostics(Diagnostics& diagnostics) const noexcept {
+  diagnostics.detours = detours_of(attempts_.current);
+  diagnostics.search_bound = legs_.search_bound;
+  diagnostics.search_used = legs_.search_used;
+  const std::int32_t segments = segments_full_ ? kMaxSegments : most(legs_.segments_high, curves_.segments_high);
+  diagnostics.high_water = {
+      legs_.nodes_high,        legs_.open_high,     legs_.jump_points_high,  segments,           rooms_.planes_high,
+      rooms_.local_boxes_high, curves_.active_high, curves_.iterations_high, curves_.solves_high};
+  ledger_.write(diagnostics);
+}
+
+}  // namespace tern
