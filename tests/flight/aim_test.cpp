@@ -16,8 +16,7 @@ using tern_test::FlightRoom;
 
 /// What follows the failure of a plan.
 NextPlan ask_again(FlightState& state, const Report& found) {
-  return state.cycle.ask_after_no_plan(state.facts, state.itinerary, found, *state.planner, state.draft.takeover,
-                                       state.charge);
+  return state.cycle.next_after_plan(state.facts, state.itinerary, found, state.draft.takeover);
 }
 
 /// The voxel whose centre is so many voxels along x away from the start.
@@ -140,7 +139,7 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
   FlightRoom far;
   EXPECT_TRUE(moves(Status::kNoPath, true, 3.0, true, far));
   expect_same(far.state().cycle.aim.place, {far.start.x + 3.0, far.start.y, far.start.z});
-  EXPECT_EQ(far.state().cycle.job, Job::kPlan);
+  EXPECT_EQ(far.state().cycle.job, Job::kAskPlan);
   EXPECT_FALSE(far.state().cycle.aim.at_target);
   EXPECT_FALSE(far.state().cycle.cut_off);
   Report again{};
@@ -189,7 +188,7 @@ TEST(FlightAim, OccupiedAimMovesToTheNearestFreePoint) {
     found.has_nearest_free = true;
     found.nearest_free = {nearest, 0.125, 1.125};
     EXPECT_EQ(ask_again(state, found), NextPlan::kAsked);
-    EXPECT_EQ(state.cycle.job, Job::kPlan);
+    EXPECT_EQ(state.cycle.job, Job::kAskPlan);
     EXPECT_EQ(state.cycle.aim.beside_target, aims_at_goal || same_target);
     EXPECT_FALSE(state.cycle.aim.at_target);
     return state.cycle.aim.place.x;
@@ -217,7 +216,7 @@ TEST(FlightAim, OccupiedGoalAfterAPointIsFlownTo) {
     found.has_nearest_free = true;
     found.nearest_free = room.start;
     EXPECT_EQ(ask_again(state, found) == NextPlan::kAsked, points > 0);
-    EXPECT_EQ(state.cycle.job, points > 0 ? Job::kPlan : Job::kIdle);
+    EXPECT_EQ(state.cycle.job, points > 0 ? Job::kAskPlan : Job::kIdle);
   }
 }
 

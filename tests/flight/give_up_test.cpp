@@ -108,8 +108,7 @@ TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
     EXPECT_EQ(state.itinerary.is_right_before(state.facts), is_near);
     for (int k = 0; k < kIdleCycles; ++k) state.after_failed_cycle();
     EXPECT_TRUE(state.search.is_looking);
-    EXPECT_EQ(state.search.sector_at(state.facts.time, state.nose.seconds_per_direction(state.facts.spec)),
-              is_near ? kDirections + 1 : 0);
+    EXPECT_EQ(state.search.sector_at(state.facts, state.nose, state.facts.time), is_near ? kDirections + 1 : 0);
     state.facts.time += 3200000000;  // five directions of 0.614 s
     state.after_failed_cycle();
     EXPECT_EQ(state.itinerary.parked, is_near);
@@ -182,8 +181,7 @@ TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
     found.status = Status::kGoalOccupied;
     found.has_nearest_free = true;
     found.nearest_free = aim;
-    return state.cycle.ask_after_no_plan(state.facts, state.itinerary, found, *state.planner, state.draft.takeover,
-                                         state.charge);
+    return state.cycle.next_after_plan(state.facts, state.itinerary, found, state.draft.takeover);
   };
   const Vec3 occupied{1.2, 0.125, 1.125};
   const Vec3 free{-3.0, 0.125, 1.125};

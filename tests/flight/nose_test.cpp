@@ -256,8 +256,7 @@ TEST(FlightNose, PlannedOnesHoldEachDirectionForLonger) {
   FlightRoom room;
   FlightState& state = room.state();
   const auto sector_after = [&](double seconds) {
-    return state.search.sector_at(state.search.look_since + nanoseconds(seconds),
-                                  state.nose.seconds_per_direction(state.facts.spec));
+    return state.search.sector_at(state.facts, state.nose, state.search.look_since + nanoseconds(seconds));
   };
   EXPECT_EQ(sector_after(0.614), 0);
   EXPECT_EQ(sector_after(0.615), 1);

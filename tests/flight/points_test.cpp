@@ -34,8 +34,7 @@ struct Way : FlightRoom {
 
 /// What follows the failure of a plan.
 NextPlan ask_again(FlightState& state, const Report& report) {
-  return state.cycle.ask_after_no_plan(state.facts, state.itinerary, report, *state.planner, state.draft.takeover,
-                                       state.charge);
+  return state.cycle.next_after_plan(state.facts, state.itinerary, report, state.draft.takeover);
 }
 
 Report found(Status status, std::int32_t via = kNoVia) {
@@ -143,7 +142,7 @@ TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
     EXPECT_EQ(way.state().cycle.aim.asked_count, way.state().cycle.aim.target);
     EXPECT_TRUE(way.state().cycle.aim.at_target);
     EXPECT_EQ(way.state().cycle.aim.place.x, way.state().itinerary.points[way.state().cycle.aim.target].position.x);
-    EXPECT_EQ(way.state().cycle.job, Job::kPlan);
+    EXPECT_EQ(way.state().cycle.job, Job::kAskPlan);
     return way.state().cycle.aim.target;
   };
   for (const Status status :

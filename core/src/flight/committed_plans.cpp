@@ -3,6 +3,8 @@
 #include "flight/committed_plans.hpp"
 
 #include "base/math.hpp"
+#include "curve/hermite.hpp"
+#include "flight/branch.hpp"
 
 namespace tern {
 
@@ -28,6 +30,14 @@ Sample CommittedPlans::sample_at(std::int64_t t) const noexcept {
 
 std::int64_t CommittedPlans::rest_begins() const noexcept {
   return in_flight.begin + nanoseconds(duration(in_flight.trajectory)) + 1;
+}
+
+void CommittedPlans::hover_at(const Vec3& position) noexcept {
+  in_flight.trajectory.origin = in_flight.aim = position;
+  const JointState rest{};
+  append_between(rest, rest, kMinDuration, in_flight.trajectory);
+  in_flight.planned = in_flight.trajectory;
+  in_flight.branch = kMinDuration;
 }
 
 bool CommittedPlans::take_over(std::int64_t time) noexcept {

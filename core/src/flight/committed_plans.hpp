@@ -83,6 +83,8 @@ struct CommittedPlans {
   Sample sample_at(std::int64_t t) const noexcept;
   /// When the plan in flight has come to rest.
   std::int64_t rest_begins() const noexcept;
+  /// The plan in flight becomes one segment that stays at a place.
+  void hover_at(const Vec3& position) noexcept;
   /// True if the waiting plan takes over at `time`.
   bool take_over(std::int64_t time) noexcept;
   void drop_waiting() noexcept { has_waiting = false; }

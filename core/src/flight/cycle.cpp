@@ -63,13 +63,17 @@ void Cycle::begin_copy(const FlightFacts& flight, const Itinerary& itinerary, co
   job = Job::kCopy;
 }
 
-/// The remainder is a candidate if the takeover comes before the branch.
-Progress Cycle::copy(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, FlightWork& charge,
-                     Work& work) noexcept {
+Progress Cycle::copy(const RollingMap& map, FlightWork& charge, Work& work) noexcept {
   while (!route.done()) {
     if (work.left == 0) return Progress::kMore;
-    charge.pay(route.advance(flight.map), work);
+    charge.pay(route.advance(map), work);
   }
+  job = Job::kFollow;
+  return Progress::kDone;
+}
+
+/// The remainder is a candidate if the takeover comes before the branch.
+Progress Cycle::begin_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = seconds_between(in_flight.begin, draft.takeover);
   const bool is_candidate =
@@ -100,6 +104,7 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Itinerary& itinerary, st
   if (!follows) return false;
   aim.follow_place(in_flight);
   looks_out = in_flight.looks_out;
+  job = Job::kAskPlan;
   return true;
 }
 
@@ -112,6 +117,7 @@ void Cycle::choose_aim(const FlightFacts& flight, const Itinerary& itinerary, co
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
   if (looks_out) aim.lead_to(search.lookout_place(flight.map, block, aim.start.d[0], charge));
   if (leads_out) aim.choose_way_out(flight);
+  ask(flight);
 }
 
 void Cycle::shorten_lead(const FlightFacts& flight, std::int64_t takeover) noexcept {

@@ -6,6 +6,7 @@
 #ifndef TERN_FLIGHT_CYCLE_HPP
 #define TERN_FLIGHT_CYCLE_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/progress.hpp"
@@ -28,10 +29,13 @@ enum class Job : std::uint8_t {
   kIdle,
   kLookout,    ///< seeks a place from where the sensor may see what blocks the way
   kCopy,       ///< copies the route grid
-  kRemainder,  ///< proves the remainder of the planner's plan in flight free on the copy
+  kFollow,     ///< looks whether the remainder of the planner's plan in flight is a candidate
+  kRemainder,  ///< proves that remainder free on the copy
   kAim,        ///< chooses where the plan leads
-  kRoute,      ///< finds the way to the goal; the plan follows its first part
-  kPlan,       ///< runs the planner
+  kAskRoute,   ///< asks the planner for a route to the aim
+  kRoute,      ///< finds it; the plan follows its first part
+  kAskPlan,    ///< asks the planner for a plan to the aim
+  kPlan,       ///< finds it
   kWait,       ///< waits until the window has slid
   kReach,      ///< finds until when the draft is proven
   kBranch,     ///< finds a proven brake that leaves the draft there or earlier
@@ -40,18 +44,18 @@ enum class Job : std::uint8_t {
 
 /// What follows a plan that the planner did not find.
 enum class NextPlan : std::uint8_t {
-  kAsked,    ///< the planner was asked for another one
+  kAsked,    ///< another one, which the planner is asked for next
   kNone,     ///< there is nothing else to ask for
   kNearest,  ///< nor is there: something was seen at the target, and the vehicle is as near to it as it gets
   kCutOff,   ///< nor is there: no way leads to the target, and the vehicle rests as near to it as one leads
 };
 
 struct Cycle {
-  Job job;
   RouteCopy route;
   Aim aim;
-  Trajectory plan;         ///< the planner's trajectory
-  int late;                ///< plans that were dropped, one after the other
+  Trajectory plan;  ///< the planner's trajectory
+  int late;         ///< plans that were dropped, one after the other
+  Job job;
   bool all_free;           ///< no unseen voxel is solid in the route copy
   bool hemmed_in;          ///< something is within the radius of where the vehicle rests
   bool remainder_is_free;  ///< the remainder of the planner's plan in flight is free on the route copy
@@ -59,6 +63,10 @@ struct Cycle {
   bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
   BranchSearch branches;
 
+  /// The copy of the route grid takes these words.
+  Status bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept {
+    return route.bind(map, words, count);
+  }
   void leave() noexcept { job = Job::kIdle; }
   void forget_cut_off() noexcept { cut_off = false; }
   void count_late() noexcept { ++late; }
@@ -69,29 +77,28 @@ struct Cycle {
              std::int64_t takeover) noexcept;
   void begin_copy(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
                   std::int64_t takeover) noexcept;
-  /// Copies the route grid, then begins to prove the remainder of the planner's plan in flight on it.
-  Progress copy(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, FlightWork& charge,
-                Work& work) noexcept;
+  Progress copy(const RollingMap& map, FlightWork& charge, Work& work) noexcept;
+  /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
+  Progress begin_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft) noexcept;
   Progress prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, FlightWork& charge,
                            Work& work) noexcept;
-  /// Begins the aim. True if it is that of the plan in flight.
+  /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
   bool follow_aim(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
   /// Chooses another aim.
   void choose_aim(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
                   const Blockage& block, std::int64_t takeover, FlightWork& charge) noexcept;
-  /// Asks the planner for a plan to the aim; if the aim is further away than the horizon, for a path to it.
-  void ask(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
-  void ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
-  /// The planner has a path: asks for a plan to the point one horizon along it.
-  void follow_route(const FlightFacts& flight, const Itinerary& itinerary, Planner& planner, std::int64_t takeover,
-                    FlightWork& charge) noexcept;
+  Progress ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept;
+  Progress ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
+  /// The route is found: the plan leads to the point one horizon along it.
+  void follow_route(const FlightFacts& flight, const Itinerary& itinerary, const Path& way) noexcept;
   Status finish(Planner& planner, Report& found) noexcept { return planner.finish(plan, found); }
   /// If the plan would have been in time with half of its lead, the next one gets half.
   void shorten_lead(const FlightFacts& flight, std::int64_t takeover) noexcept;
-  NextPlan ask_after_no_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                              Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
-  NextPlan ask_after_no_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                             Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
+  /// No route, or no plan, was found: changes the aim, and asks for another one, if there is anything else to ask for.
+  NextPlan next_after_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                            std::int64_t takeover) noexcept;
+  NextPlan next_after_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                           std::int64_t takeover) noexcept;
   /// Lists when the planner's trajectory passes the points of the mission, unless there is a new one.
   void list_passages(const Itinerary& itinerary, const Report& found, Draft& draft) noexcept;
   /// Makes the draft: the planner's trajectory, or the remainder of the planner's plan in flight, which wins unless the
@@ -116,12 +123,10 @@ struct Cycle {
   bool reads_map() const noexcept;
 
  private:
-  void ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept;
-  void ask_for_less(const FlightFacts& flight, const Itinerary& itinerary, const Report& found, Planner& planner,
-                    std::int64_t takeover, FlightWork& charge) noexcept;
+  void ask(const FlightFacts& flight) noexcept;
+  NextPlan ask_for_less(const Itinerary& itinerary, const Report& found) noexcept;
   bool may_move_to_reachable(const Report& found) const noexcept;
-  bool moves_to_reachable(const FlightFacts& flight, const Report& found, Planner& planner, std::int64_t takeover,
-                          FlightWork& charge) noexcept;
+  bool moves_to_reachable(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
 };
 
 }  // namespace tern

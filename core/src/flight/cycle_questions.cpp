@@ -30,12 +30,12 @@ bool is_target_occupied(const FlightFacts& flight, const Aim& aim) {
 
 }  // namespace
 
-void Cycle::ask(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
-  aim.way_length(aim.place) > flight.spec.horizon ? ask_route(flight, planner, charge)
-                                                  : ask_plan(flight, planner, takeover, charge);
+/// Asks for a plan to the aim; if the aim is further away than the horizon, for a route to it.
+void Cycle::ask(const FlightFacts& flight) noexcept {
+  job = aim.way_length(aim.place) > flight.spec.horizon ? Job::kAskRoute : Job::kAskPlan;
 }
 
-void Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept {
+Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept {
   Request request{};
   request.start.position = aim.start.d[0];
   request.goal.position = aim.place;
@@ -47,9 +47,11 @@ void Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWork& c
   planner.begin_route(route.grid(), request);
   charge.charge_planner();
   job = Job::kRoute;
+  return Progress::kDone;
 }
 
-void Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover,
+                         FlightWork& charge) noexcept {
   Request request{};
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.goal.position = aim.place;
@@ -69,12 +71,12 @@ void Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t t
   }
   charge.charge_planner();
   job = Job::kPlan;
+  return Progress::kDone;
 }
 
-void Cycle::follow_route(const FlightFacts& flight, const Itinerary& itinerary, Planner& planner, std::int64_t takeover,
-                         FlightWork& charge) noexcept {
-  aim.shorten(*planner.path(), route.grid().spec(), flight.spec.horizon, itinerary);
-  ask_plan(flight, planner, takeover, charge);
+void Cycle::follow_route(const FlightFacts& flight, const Itinerary& itinerary, const Path& way) noexcept {
+  aim.shorten(way, route.grid().spec(), flight.spec.horizon, itinerary);
+  job = Job::kAskPlan;
 }
 
 bool Cycle::may_move_to_reachable(const Report& found) const noexcept {
@@ -84,47 +86,43 @@ bool Cycle::may_move_to_reachable(const Report& found) const noexcept {
 
 /// No way through the window leads to the aim, even with all unseen voxels free: asks for a plan to the reachable point
 /// nearest to it, once. False if the vehicle rests there already; then the target may be cut off.
-bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, Planner& planner, std::int64_t takeover,
-                               FlightWork& charge) noexcept {
+bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept {
   const double nearer = distance(aim.start.d[0], aim.target_place) - distance(found.reachable, aim.target_place);
   const bool is_there = flight.rests_at(takeover) && nearer <= flight.map.route().spec().cell;
   cut_off = is_there && (aim.at_target || aim.beside_target);
   if (is_there) return false;
   aim.move_to_reachable(found.reachable);
-  ask(flight, planner, takeover, charge);
+  ask(flight);
   return true;
 }
 
-void Cycle::ask_for_less(const FlightFacts& flight, const Itinerary& itinerary, const Report& found, Planner& planner,
-                         std::int64_t takeover, FlightWork& charge) noexcept {
+/// A plan past points is asked for less only if the plan in flight does not go on anyway.
+NextPlan Cycle::ask_for_less(const Itinerary& itinerary, const Report& found) noexcept {
+  if (remainder_is_free) return NextPlan::kNone;
   aim.ask_for_less(found, itinerary);
-  ask_plan(flight, planner, takeover, charge);
-}
-
-/// If there is no path at all, the plan leads along the straight line.
-NextPlan Cycle::ask_after_no_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                                   Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
-  if (aim.move_to_free(found)) {
-    aim.end_beside(nullptr, 0.0);
-    ask_route(flight, planner, charge);
-    return NextPlan::kAsked;
-  }
-  if (aim.asked_count > 0) {
-    if (remainder_is_free) return NextPlan::kNone;
-    ask_for_less(flight, itinerary, found, planner, takeover, charge);
-    return NextPlan::kAsked;
-  }
-  const bool may_move = may_move_to_reachable(found);
-  if (may_move && moves_to_reachable(flight, found, planner, takeover, charge)) return NextPlan::kAsked;
-  if (cut_off) return may_move ? NextPlan::kCutOff : NextPlan::kNone;
-  aim.return_to_line(flight);
-  ask_plan(flight, planner, takeover, charge);
+  job = Job::kAskPlan;
   return NextPlan::kAsked;
 }
 
-/// A plan past points is asked for less only if the plan in flight does not go on anyway.
-NextPlan Cycle::ask_after_no_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                                  Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept {
+/// If there is no route at all, the plan leads along the straight line.
+NextPlan Cycle::next_after_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                                 std::int64_t takeover) noexcept {
+  if (aim.move_to_free(found)) {
+    aim.end_beside(nullptr, 0.0);
+    job = Job::kAskRoute;
+    return NextPlan::kAsked;
+  }
+  if (aim.asked_count > 0) return ask_for_less(itinerary, found);
+  const bool may_move = may_move_to_reachable(found);
+  if (may_move && moves_to_reachable(flight, found, takeover)) return NextPlan::kAsked;
+  if (cut_off) return may_move ? NextPlan::kCutOff : NextPlan::kNone;
+  aim.return_to_line(flight);
+  job = Job::kAskPlan;
+  return NextPlan::kAsked;
+}
+
+NextPlan Cycle::next_after_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
+                                std::int64_t takeover) noexcept {
   if (aim.move_to_free(found)) {
     if (aim.asked_count == 0 && gets_no_nearer(flight, aim, takeover)) {
       if (is_target_occupied(flight, aim)) return NextPlan::kNearest;
@@ -133,16 +131,14 @@ NextPlan Cycle::ask_after_no_plan(const FlightFacts& flight, const Itinerary& it
     }
     const double slack = kAimVoxels * flight.map.route().spec().cell;
     aim.end_beside(remainder_is_free ? &flight.plans.in_flight : nullptr, slack);
-    ask_plan(flight, planner, takeover, charge);
+    job = Job::kAskPlan;
     return NextPlan::kAsked;
   }
   if (may_move_to_reachable(found)) {
-    if (moves_to_reachable(flight, found, planner, takeover, charge)) return NextPlan::kAsked;
+    if (moves_to_reachable(flight, found, takeover)) return NextPlan::kAsked;
     return cut_off ? NextPlan::kCutOff : NextPlan::kNone;
   }
-  if (aim.asked_count == 0 || remainder_is_free) return NextPlan::kNone;
-  ask_for_less(flight, itinerary, found, planner, takeover, charge);
-  return NextPlan::kAsked;
+  return aim.asked_count > 0 ? ask_for_less(itinerary, found) : NextPlan::kNone;
 }
 
 }  // namespace tern

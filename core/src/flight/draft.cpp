@@ -97,6 +97,13 @@ bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed,
   return append_slow_down(committed.trajectory, from, time, plan.trajectory);
 }
 
+bool Draft::prove_hover(const FlightFacts& flight) noexcept {
+  const Commitment& hover = flight.plans.in_flight;
+  FlightWork::begin(proof, flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
+                    grounds_of(flight.spec, hover));
+  return proof.step(2 * kProofPieces) == Status::kOk && proof.report().finding == Finding::kNone;
+}
+
 Status Draft::begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept {
   proven_on = flight.map.safe().revision();
   return FlightWork::begin(proof, flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,

@@ -47,6 +47,8 @@ struct Draft {
   bool brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades,
              FlightWork& charge) noexcept;
 
+  /// Proves that the vehicle may stay where it hovers at the flight's start.
+  bool prove_hover(const FlightFacts& flight) noexcept;
   /// Begins to prove a trajectory on the safe grid, from this time on, clear and within the limits.
   Status begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept;
   /// The same with other grounds than grounds_of().

@@ -52,6 +52,14 @@ bool Evasion::begin(const FlightFacts& flight, const Watch& watch, Draft& draft)
   return true;
 }
 
+bool Evasion::is_called_for(const FlightFacts& flight, const Watch& watch, bool has_pending,
+                            std::int64_t takeover) const noexcept {
+  const bool is_braking_soon = flight.plans.has_waiting && flight.plans.waiting.evades;
+  const bool threatened =
+      watch.threat && !was_tried && !is_braking_soon && !(has_pending && leaves_time(flight, watch, takeover));
+  return !is_running && !watch.is_running_but_for_alarm() && flight.map.safe().bound() && (stop_asked || threatened);
+}
+
 EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch,
                                   Draft& draft, FlightWork& charge) noexcept {
   best.number = number = -1;

@@ -81,6 +81,10 @@ struct Evasion {
   void miss(bool has_goal) noexcept;
   void leave() noexcept { is_running = false; }
 
+  /// True if an evasion is to begin, beside a pending plan with this takeover if there is one. The pending plan may go
+  /// on if it leaves time to brake. No evasion begins while the committed plan is being proven, or the map slides.
+  bool is_called_for(const FlightFacts& flight, const Watch& watch, bool has_pending,
+                     std::int64_t takeover) const noexcept;
   /// Ticks until the brake of an evasion begins.
   std::int64_t ticks(const FlightSpec& spec) const noexcept;
   /// True if a plan with this takeover may go on under a threat because there is time left to brake if it fails.

@@ -54,7 +54,7 @@ Status Flight::tick(int64_t t) noexcept {
 Command Flight::command(int64_t t) const noexcept {
   if (state_ == nullptr) return Command{};
   const std::int64_t time = state_->facts.time_to_answer(t);
-  return {state_->facts.plans.sample_at(time), state_->looking_at(time)};
+  return {state_->facts.plans.sample_at(time), state_->search.looking_at(state_->facts, state_->nose, time)};
 }
 
 /// The map, too, takes any time for its next frame: frames carry times of the same clock.

@@ -29,6 +29,16 @@ double reach_along(const Trajectory& plan, double t, const Vec3& center, int a) 
 
 }  // namespace
 
+void FlightFacts::begin(const FlightSpec& how, const RollingMap& over, const Vec3& position, std::int64_t t) noexcept {
+  spec = how;
+  limits = MotionLimits(how.limits);
+  map = over;
+  clock.set(t, 0);
+  shown = t;
+  frames = map.frames();
+  plans.hover_at(position);
+}
+
 void FlightFacts::begin_tick(std::int64_t t) noexcept {
   const std::int64_t next = clock.time_of(t);
   gap = next - time;
@@ -70,6 +80,10 @@ void FlightFacts::follow_vehicle() noexcept {
     if (reach_along(commitment.trajectory, seconds_between(commitment.begin, time), center, a) > room) return;
   }
   map.follow(center);
+}
+
+Vec3 FlightFacts::position() const noexcept {
+  return plans.sample_at(time).position;
 }
 
 bool FlightFacts::in_window(const Vec3& place) const noexcept {

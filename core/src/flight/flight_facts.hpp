@@ -36,6 +36,8 @@ struct FlightFacts {
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
   std::int64_t frame_time;  ///< when that number last grew
 
+  /// The vehicle hovers at `position`, and the clock shows `t`.
+  void begin(const FlightSpec& how, const RollingMap& over, const Vec3& position, std::int64_t t) noexcept;
   /// The clock shows `t` at this tick.
   void begin_tick(std::int64_t t) noexcept;
   /// The clock was set and shows `t` one tick after the last one.
@@ -47,7 +49,8 @@ struct FlightFacts {
 
   /// The flight's time to answer for: never before the last tick, because the past is never commanded again.
   std::int64_t time_to_answer(std::int64_t t) const noexcept;
-  Vec3 position() const noexcept { return plans.sample_at(time).position; }
+  /// Where the vehicle is at this tick, world frame.
+  Vec3 position() const noexcept;
   bool rests() const noexcept { return !plans.has_waiting && time >= plans.rest_begins(); }
   /// The vehicle hovers: the plan in flight is over, even if another one waits, or it is the hover that start() begins
   /// with.

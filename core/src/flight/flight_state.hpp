@@ -46,14 +46,16 @@ class FlightState {
   void run_watch(Work& work) noexcept;
   void end_watched_part() noexcept;
   void advance(Work& work) noexcept;
-  bool calls_for_evasion() const noexcept;
   void begin_evasion() noexcept;
   void prove_anew() noexcept;
   Progress run_evasion(Work& work) noexcept;
   void end_evasion() noexcept;
   bool is_busy() const noexcept { return cycle.job != Job::kIdle || evasion.is_running; }
-  /// Where the sensor should look at time `t`.
-  Vec3 looking_at(std::int64_t t) const noexcept;
+
+  // report.cpp: what a tick says of the vehicle's surroundings, and reports
+  double note_block_near_vehicle() noexcept;
+  void note_beside() noexcept;
+  void turn_nose(Work& work) noexcept;
   void finish_report(std::uint32_t spent) noexcept;
 
   // results.cpp: what the results of a cycle mean to the other parts
@@ -61,8 +63,8 @@ class FlightState {
   Progress run_job(Work& work) noexcept;
   Progress run_lookout(Work& work) noexcept;
   Progress choose_aim() noexcept;
-  Progress run_route(Work& work) noexcept;
-  Progress run_plan(Work& work) noexcept;
+  Progress end_route() noexcept;
+  Progress end_plan() noexcept;
   void end_without_plan(const Report& found) noexcept;
   bool note_fault(const Report& found) noexcept;
   void choose_draft(bool planned) noexcept;

@@ -94,10 +94,10 @@ void RestSearch::note_place(const FlightFacts& flight) noexcept {
 /// the obstacle is only a wrong pixel.
 FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Itinerary& itinerary,
                                             const Blockage& block, bool hemmed_in, bool is_cut_off,
-                                            double turn) noexcept {
+                                            const Nose& nose) noexcept {
   note_place(flight);
   if (is_looking) {
-    if (sector_at(flight.time, turn) <= kDirections + kStares) return FlightReason::kNone;
+    if (sector_at(flight, nose, flight.time) <= kDirections + kStares) return FlightReason::kNone;
     is_looking = false;
     turned = true;
     sought = 0;
@@ -109,7 +109,7 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Iti
   if (turned) return is_nearest ? FlightReason::kNearest : FlightReason::kNoProgress;
   is_looking = true;
   look_since = flight.time;
-  if (is_before_goal) look_since -= nanoseconds((kDirections + 1) * turn) + 1;
+  if (is_before_goal) look_since -= nanoseconds((kDirections + 1) * nose.seconds_per_direction(flight.spec)) + 1;
   return FlightReason::kNone;
 }
 
@@ -213,15 +213,15 @@ void RestSearch::look_at_voxel(const FlightFacts& flight, const Voxel& voxel) no
   if (flat > 0.0) look_at = at + (larger(1.0, flat) / flat) * way;
 }
 
-Vec3 RestSearch::looking_at(const FlightFacts& flight, std::int64_t t, double turn) const noexcept {
+Vec3 RestSearch::looking_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept {
   if (!is_looking) return look_at;
-  const int sector = sector_at(t, turn);
+  const int sector = sector_at(flight, nose, t);
   if (sector < 1 || sector > kDirections) return look_at;
   return flight.plans.sample_at(t).position + flight.spec.horizon * offset_of(sector - 1);
 }
 
-int RestSearch::sector_at(std::int64_t t, double turn) const noexcept {
-  const double sector = seconds_between(look_since, t) / turn;
+int RestSearch::sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept {
+  const double sector = seconds_between(look_since, t) / nose.seconds_per_direction(flight.spec);
   constexpr int kLast = kDirections + kStares + 1;
   return sector < kLast ? static_cast<int>(sector) : kLast;
 }

@@ -15,6 +15,7 @@
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 #include "flight/itinerary.hpp"
+#include "flight/nose.hpp"
 
 namespace tern {
 
@@ -49,6 +50,8 @@ struct RestSearch {
   std::int32_t searched;  ///< places that the search for a lookout has looked at
   Lookout lookout;        ///< the best lookout so far
 
+  /// The sensor should see this place.
+  void look_towards(const Vec3& place) noexcept { look_at = place; }
   /// Whatever made the vehicle give up is forgotten.
   void try_anew() noexcept;
   void forget_lookouts() noexcept;
@@ -58,10 +61,9 @@ struct RestSearch {
   /// A cycle at rest ended without a commit. True if there were kIdleCycles of them.
   bool count_idle() noexcept { return ++idle_cycles >= kIdleCycles; }
   /// After so many: the vehicle looks around, then flies to lookouts to see what blocks its way. If nothing helps, it
-  /// gives up: the answer says why, otherwise kNone. `is_cut_off`: no way leads to the target. `turn`: how long each
-  /// direction of a look around is held, seconds.
+  /// gives up: the answer says why, otherwise kNone. `is_cut_off`: no way leads to the target.
   FlightReason after_failed_cycle(const FlightFacts& flight, const Itinerary& itinerary, const Blockage& block,
-                                  bool hemmed_in, bool is_cut_off, double turn) noexcept;
+                                  bool hemmed_in, bool is_cut_off, const Nose& nose) noexcept;
   /// True if the next plan leads to a lookout. A look around comes first: it shows more, sooner.
   bool seek_lookout(const FlightFacts& flight, const Blockage& block, bool hemmed_in) noexcept;
   void begin_lookout() noexcept;
@@ -81,9 +83,9 @@ struct RestSearch {
   Vec3 lookout_place(const RollingMap& map, const Blockage& block, const Vec3& start,
                      FlightWork& charge) const noexcept;
   /// What the sensor should see next: `look_at` or, during a look around, one direction after the other.
-  Vec3 looking_at(const FlightFacts& flight, std::int64_t t, double turn) const noexcept;
+  Vec3 looking_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
   /// The direction of a look around at time `t`, from 0.
-  int sector_at(std::int64_t t, double turn) const noexcept;
+  int sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
 
  private:
   void look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at, FlightWork& charge) noexcept;

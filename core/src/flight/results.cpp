@@ -26,11 +26,14 @@ Progress FlightState::run_job(Work& work) noexcept {
   switch (cycle.job) {
     case Job::kIdle: return Progress::kMore;
     case Job::kLookout: return run_lookout(work);
-    case Job::kCopy: return cycle.copy(facts, itinerary, draft, charge, work);
+    case Job::kCopy: return cycle.copy(facts.map, charge, work);
+    case Job::kFollow: return cycle.begin_remainder(facts, itinerary, draft);
     case Job::kRemainder: return cycle.prove_remainder(facts, itinerary, draft, charge, work);
     case Job::kAim: return choose_aim();
-    case Job::kRoute: return run_route(work);
-    case Job::kPlan: return run_plan(work);
+    case Job::kAskRoute: return cycle.ask_route(facts, *planner, charge);
+    case Job::kAskPlan: return cycle.ask_plan(facts, *planner, draft.takeover, charge);
+    case Job::kRoute: return charge.run(*planner, work) == Progress::kMore ? Progress::kMore : end_route();
+    case Job::kPlan: return charge.run(*planner, work) == Progress::kMore ? Progress::kMore : end_plan();
     case Job::kWait: return or_fail(cycle.begin_reach(facts, draft));
     case Job::kReach: return run_reach(work);
     case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, charge, work));
@@ -47,38 +50,32 @@ Progress FlightState::run_lookout(Work& work) noexcept {
 }
 
 Progress FlightState::choose_aim() noexcept {
-  if (cycle.follow_aim(facts, itinerary, draft.takeover)) {
-    cycle.ask_plan(facts, *planner, draft.takeover, charge);
-    return Progress::kDone;
-  }
+  if (cycle.follow_aim(facts, itinerary, draft.takeover)) return Progress::kDone;
   itinerary.clear_suspicion(facts);
   cycle.choose_aim(facts, itinerary, search, block, draft.takeover, charge);
-  cycle.ask(facts, *planner, draft.takeover, charge);
   return Progress::kDone;
 }
 
-Progress FlightState::run_route(Work& work) noexcept {
-  if (charge.run(*planner, work) == Progress::kMore) return Progress::kMore;
+Progress FlightState::end_route() noexcept {
   Report found;
   if (planner->finish_route(found) == Status::kOk) {
-    cycle.follow_route(facts, itinerary, *planner, draft.takeover, charge);
+    cycle.follow_route(facts, itinerary, *planner->path());
   } else {
     end_without_plan(found);
   }
   return Progress::kDone;
 }
 
-Progress FlightState::run_plan(Work& work) noexcept {
-  if (charge.run(*planner, work) == Progress::kMore) return Progress::kMore;
+Progress FlightState::end_plan() noexcept {
   Report found;
   report.plan = cycle.finish(*planner, found);
   cycle.shorten_lead(facts, draft.takeover);
-  if (report.plan != Status::kOk) {
+  if (report.plan == Status::kOk) {
+    cycle.list_passages(itinerary, found, draft);
+    choose_draft(true);
+  } else {
     end_without_plan(found);
-    return Progress::kDone;
   }
-  cycle.list_passages(itinerary, found, draft);
-  choose_draft(true);
   return Progress::kDone;
 }
 
@@ -87,9 +84,8 @@ void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(itinerary)) return choose_draft(false);
   block.note_no_plan(facts, cycle.aim, found, charge);
   if (note_fault(found)) return give_up();
-  const NextPlan next = cycle.job == Job::kRoute
-                            ? cycle.ask_after_no_route(facts, itinerary, found, *planner, draft.takeover, charge)
-                            : cycle.ask_after_no_plan(facts, itinerary, found, *planner, draft.takeover, charge);
+  const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, itinerary, found, draft.takeover)
+                                                 : cycle.next_after_plan(facts, itinerary, found, draft.takeover);
   if (next == NextPlan::kAsked) return;
   if (next == NextPlan::kNearest) park(FlightReason::kNearest);
   if (next == NextPlan::kCutOff) block.note_beyond(facts, cycle.aim, found.reachable, charge);
@@ -191,8 +187,7 @@ void FlightState::after_failed_cycle() noexcept {
   if (report.plan == Status::kGoalFenced && cycle.aim.at_target && !cycle.hemmed_in) {
     return park(FlightReason::kNoProgress);
   }
-  const FlightReason why = search.after_failed_cycle(facts, itinerary, block, cycle.hemmed_in, cycle.cut_off,
-                                                     nose.seconds_per_direction(facts.spec));
+  const FlightReason why = search.after_failed_cycle(facts, itinerary, block, cycle.hemmed_in, cycle.cut_off, nose);
   if (why != FlightReason::kNone) park(why);
 }
 

@@ -8,7 +8,6 @@
 #include "base/math.hpp"
 #include "base/verdict.hpp"
 #include "flight/blocked.hpp"
-#include "flight/branch.hpp"
 #include "flight/flight_state.hpp"
 #include "planner/validate.hpp"
 #include "tern/flight.hpp"
@@ -77,15 +76,6 @@ FlightRefusal refusal_of(const Verdict& verdict) {
   return refusal;
 }
 
-/// One segment that stays at a point.
-void hover(const Vec3& position, Commitment& commitment) {
-  commitment.trajectory.origin = commitment.aim = position;
-  const JointState rest{};
-  append_between(rest, rest, kMinDuration, commitment.trajectory);
-  commitment.planned = commitment.trajectory;
-  commitment.branch = kMinDuration;
-}
-
 /// Writes into the refusal what is too near to the place where the vehicle would rest.
 void find_too_near(const RollingMap& map, const Vec3& place, FlightRefusal& refusal) {
   const Grid& safe = map.safe();
@@ -113,17 +103,14 @@ void find_too_near(const RollingMap& map, const Vec3& place, FlightRefusal& refu
   }
 }
 
-/// kOk if the vehicle may stay where it is, otherwise why not. Works in `proof`.
-Status prove_start(const FlightFacts& flight, Proof& proof, FlightRefusal& refusal) {
-  const Commitment& stays = flight.plans.in_flight;
-  FlightWork::begin(proof, flight.map.safe(), stays.trajectory, 0.0, nullptr, Beyond::kSolid,
-                    grounds_of(flight.spec, stays));
-  const ProofReport& found = proof.report();
-  if (proof.step(2 * kProofPieces) == Status::kOk && found.finding == Finding::kNone) return Status::kOk;
+/// kOk if the vehicle may stay where it is, otherwise why not.
+Status prove_start(const FlightFacts& flight, Draft& draft, FlightRefusal& refusal) {
+  if (draft.prove_hover(flight)) return Status::kOk;
+  const ProofReport& found = draft.proof.report();
   refusal.field = Field::kStartPosition;
   refusal.fence = found.fence;
   if (found.finding == Finding::kFence) return Status::kStartFenced;
-  find_too_near(flight.map, stays.aim, refusal);
+  find_too_near(flight.map, flight.plans.in_flight.aim, refusal);
   return Status::kStartOccupied;
 }
 
@@ -170,20 +157,13 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   const Status accepted = accept(spec, map, words, word_count, position, why);
   if (accepted != Status::kOk) return accepted;
   FlightState* const state = new (words) FlightState{};
-  FlightFacts& facts = state->facts;
-  facts.spec = spec;
-  facts.limits = MotionLimits(spec.limits);
-  facts.map = map;
-  facts.clock.set(t, 0);
-  facts.shown = t;
-  facts.frames = map.frames();
-  hover(position, facts.plans.in_flight);
   state->planner = &planner;
-  state->itinerary.reason = FlightReason::kNoGoal;
-  state->search.look_at = position;
-  const Status rests = prove_start(facts, state->draft.proof, why);
+  state->facts.begin(spec, map, position, t);
+  state->itinerary.forget_goal();
+  state->search.look_towards(position);
+  const Status rests = prove_start(state->facts, state->draft, why);
   if (rests != Status::kOk) return rests;
-  const Status bound = state->cycle.route.bind(map, words + state_words(), word_count - state_words());
+  const Status bound = state->cycle.bind(map, words + state_words(), word_count - state_words());
   if (bound == Status::kOk) state_ = state;
   return bound;
 }

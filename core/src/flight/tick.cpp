@@ -5,17 +5,6 @@
 #include "flight/flight_state.hpp"
 
 namespace tern {
-namespace {
-
-FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearch& search) {
-  if (watch.shows_threat(facts)) return FlightMode::kThreat;
-  if (facts.hovers()) return search.is_looking ? FlightMode::kLook : FlightMode::kRest;
-  const Commitment& in_flight = facts.plans.in_flight;
-  return seconds_between(in_flight.begin, facts.time) < in_flight.branch ? FlightMode::kFly : FlightMode::kStop;
-}
-
-}  // namespace
-
 void FlightState::tick(std::int64_t t) noexcept {
   facts.begin_tick(t);
   watch.begin_tick();
@@ -26,10 +15,8 @@ void FlightState::tick(std::int64_t t) noexcept {
   Work work = charge.begin_tick(facts.spec.work_per_tick, evasion.is_running);
   step_map(work);
   run_watch(work);
-  if (watch.lacks_beside(facts)) {
-    watch.note_beside(block.note_near(facts.map, facts.position(), facts.map.safe(), charge));
-  }
-  nose.turn(facts, itinerary, looking_at(facts.time), report.committed, charge, work);
+  note_beside();
+  turn_nose(work);
   advance(work);
   finish_report(facts.spec.work_per_tick - work.left);
 }
@@ -46,11 +33,7 @@ void FlightState::step_map(Work& work) noexcept {
 }
 
 void FlightState::run_watch(Work& work) noexcept {
-  if (!watch.is_running && !facts.map.busy()) {
-    Box added;
-    const bool is_added = facts.map.take_added(added);
-    watch.begin(facts, is_added ? &added : nullptr);
-  }
+  if (!watch.is_running && !facts.map.busy()) watch.begin(facts, facts.map);
   for (int k = 0; k < kWatchedParts && watch.is_running; ++k) {
     if (charge.step(watch.proof, work) == Progress::kMore) return;
     end_watched_part();
@@ -62,9 +45,7 @@ void FlightState::end_watched_part() noexcept {
   if (result == WatchResult::kOpen) return;
   evasion.note_news();
   if (result == WatchResult::kNoThreat) return;
-  double nearest = kAnywhere;
-  if (facts.rests()) nearest = block.note_near(facts.map, facts.position(), facts.map.safe(), charge);
-  watch.note_threat(facts, nearest);
+  watch.note_threat(facts, facts.rests() ? note_block_near_vehicle() : kAnywhere);
   const bool drops = facts.plans.has_waiting && !facts.plans.waiting.evades;
   if (drops) facts.plans.drop_waiting();
   watch.go_on(facts, drops);
@@ -82,7 +63,7 @@ void FlightState::advance(Work& work) noexcept {
     evasion.is_running ? evasion.miss(itinerary.has_goal) : cycle.count_late();
     give_up();
   }
-  if (calls_for_evasion()) begin_evasion();
+  if (evasion.is_called_for(facts, watch, is_busy(), draft.takeover)) begin_evasion();
   if (!is_busy()) begin_cycle();
   prove_anew();
   // A cycle has at most as many steps as jobs and candidates.
@@ -92,16 +73,6 @@ void FlightState::advance(Work& work) noexcept {
     progress = evasion.is_running ? run_evasion(work) : run_job(work);
   }
   if (evasion.is_running && facts.time >= draft.deadline) end_evasion();  // with the best brake so far
-}
-
-/// The pending plan may go on if it leaves time to brake. No evasion begins while the committed plan is being proven,
-/// or the map slides.
-bool FlightState::calls_for_evasion() const noexcept {
-  const bool is_braking_soon = facts.plans.has_waiting && facts.plans.waiting.evades;
-  const bool threatened = watch.threat && !evasion.was_tried && !is_braking_soon &&
-                          !(is_busy() && evasion.leaves_time(facts, watch, draft.takeover));
-  return !evasion.is_running && !watch.is_running_but_for_alarm() && facts.map.safe().bound() &&
-         (evasion.stop_asked || threatened);
 }
 
 /// If the vehicle hovers, a stop drops the waiting plan.
@@ -139,31 +110,6 @@ void FlightState::end_evasion() noexcept {
   const JudgedBrake& brake = evasion.best;
   if (!commit()) return;
   watch.note_unproven_brake({draft.takeover + nanoseconds(brake.until), brake.speed}, brake.known, had_alarm);
-}
-
-Vec3 FlightState::looking_at(std::int64_t t) const noexcept {
-  return search.looking_at(facts, t, nose.seconds_per_direction(facts.spec));
-}
-
-void FlightState::finish_report(std::uint32_t spent) noexcept {
-  report.mode = mode_of(facts, watch, search);
-  report.reason = itinerary.reason;
-  report.work = spent;
-  report.waits_for_view = nose.waits_for_view(facts, itinerary);
-  report.map_stale = facts.is_stale();
-  report.frame_age = facts.time - facts.frame_time;
-  report.leg = itinerary.leg;
-  report.passed = itinerary.count_points(PointState::kPassed);
-  report.skipped = itinerary.count_points(PointState::kSkipped);
-  const bool has_block = watch.is_beside(facts) ||
-                         (itinerary.reason != FlightReason::kNoGoal && itinerary.reason != FlightReason::kArrived);
-  const Blockage& what = has_block ? block : kNoBlockage;
-  report.blocked_by = what.by;
-  report.blocked_at = what.at;
-  report.blocked_fence = what.fence;
-  const bool is_threat = report.mode == FlightMode::kThreat;
-  report.contact_time = is_threat ? facts.clock.shown_at(watch.first_contact().time) : 0;
-  report.contact_speed = is_threat ? watch.first_contact().speed : 0.0;
 }
 
 }  // namespace tern

@@ -19,17 +19,17 @@ Box around(const Box& a, const Box& b) {
 
 }  // namespace
 
-/// Proves only what is near the box. Under a threat, it proves all of the plan, because what was solid may have become
-/// free. The alarm grows until the committed plan is proven.
-void Watch::begin(const FlightFacts& flight, const Box* box) noexcept {
-  if (box != nullptr) {
-    added = *box;
+/// Proves only what is near what was added. Under a threat, it proves all of the plan, because what was solid may have
+/// become free. The alarm grows until the committed plan is proven.
+void Watch::begin(const FlightFacts& flight, RollingMap& map) noexcept {
+  const bool is_added = map.take_added(added);
+  if (is_added) {
     alarm.box = has_alarm ? around(alarm.box, added) : added;
     alarm.seen = flight.map.seen_rows();
     has_alarm = true;
   }
   const bool all = covers_all || (threat && revision != flight.map.safe().revision());
-  if (!all && box == nullptr) return;
+  if (!all && !is_added) return;
   has_added = !all;
   covers_all = false;
   revision = flight.map.safe().revision();

@@ -38,8 +38,8 @@ struct Watch {
   bool is_running;
   Watched part;
   bool has_added;           ///< the proof covers only what is near `added`
-  Box added;                ///< around what became solid since the last proof
   bool covers_all;          ///< the next proof covers all of the plan, not only what is near `added`
+  Box added;                ///< around what became solid since the last proof
   std::uint64_t revision;   ///< the safe grid's when the last proof began
   bool threat;              ///< the committed plan is not proven
   bool alarmed;             ///< a threat was found in this tick
@@ -53,8 +53,8 @@ struct Watch {
   bool known;   ///< the committed plan is clear of everything but the alarm
 
   void begin_tick() noexcept { alarmed = false; }
-  /// Begins a proof, if there is anything to prove. `box`: around what became solid since the last call, or null.
-  void begin(const FlightFacts& flight, const Box* box) noexcept;
+  /// Begins a proof, if there is anything to prove. Takes what was added to the map since the last call.
+  void begin(const FlightFacts& flight, RollingMap& map) noexcept;
   void prove(const FlightFacts& flight, Watched which) noexcept;
   /// Ends the proof of a part, and begins that of the next one.
   WatchResult end_part(const FlightFacts& flight) noexcept;

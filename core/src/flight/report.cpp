@@ -1,0 +1,53 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a tick says of the vehicle's surroundings, and reports.
+#include "flight/flight_state.hpp"
+
+namespace tern {
+namespace {
+
+FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearch& search) {
+  if (watch.shows_threat(facts)) return FlightMode::kThreat;
+  if (facts.hovers()) return search.is_looking ? FlightMode::kLook : FlightMode::kRest;
+  const Commitment& in_flight = facts.plans.in_flight;
+  return seconds_between(in_flight.begin, facts.time) < in_flight.branch ? FlightMode::kFly : FlightMode::kStop;
+}
+
+}  // namespace
+
+/// How near the nearest thing is to where the vehicle rests.
+double FlightState::note_block_near_vehicle() noexcept {
+  return block.note_near(facts.map, facts.position(), facts.map.safe(), charge);
+}
+
+void FlightState::note_beside() noexcept {
+  if (watch.lacks_beside(facts)) watch.note_beside(note_block_near_vehicle());
+}
+
+void FlightState::turn_nose(Work& work) noexcept {
+  nose.turn(facts, itinerary, search.looking_at(facts, nose, facts.time), report.committed, charge, work);
+}
+
+void FlightState::finish_report(std::uint32_t spent) noexcept {
+  report.mode = mode_of(facts, watch, search);
+  report.reason = itinerary.reason;
+  report.work = spent;
+  report.waits_for_view = nose.waits_for_view(facts, itinerary);
+  report.map_stale = facts.is_stale();
+  report.frame_age = facts.time - facts.frame_time;
+  report.leg = itinerary.leg;
+  report.passed = itinerary.count_points(PointState::kPassed);
+  report.skipped = itinerary.count_points(PointState::kSkipped);
+  const bool has_block = watch.is_beside(facts) ||
+                         (itinerary.reason != FlightReason::kNoGoal && itinerary.reason != FlightReason::kArrived);
+  const Blockage& what = has_block ? block : kNoBlockage;
+  report.blocked_by = what.by;
+  report.blocked_at = what.at;
+  report.blocked_fence = what.fence;
+  const bool is_threat = report.mode == FlightMode::kThreat;
+  report.contact_time = is_threat ? facts.clock.shown_at(watch.first_contact().time) : 0;
+  report.contact_speed = is_threat ? watch.first_contact().speed : 0.0;
+}
+
+}  // namespace tern
