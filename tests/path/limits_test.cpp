@@ -8,9 +8,9 @@
 #include <cmath>
 #include <memory>
 
+#include "path/polyline.hpp"
 #include "path/reach_stage.hpp"
 #include "path/sight.hpp"
-#include "path/way.hpp"
 #include "support/path_world.hpp"
 
 namespace {

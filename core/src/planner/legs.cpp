@@ -6,7 +6,7 @@
 #include "base/too_narrow.hpp"
 #include "curve/rest.hpp"
 #include "grid/lattice.hpp"
-#include "path/way.hpp"
+#include "path/polyline.hpp"
 #include "planner/validate.hpp"
 
 namespace tern {

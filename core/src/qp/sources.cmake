@@ -4,7 +4,7 @@ set(TERN_STAGE_SOURCES
   active_set.cpp
   factor.cpp
   hessian.cpp
-  kkt.cpp lower_bound.cpp
+  kkt.cpp
   pricing.cpp
   qp.cpp
   rows.cpp

@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "path/way.hpp"
+#include "path/polyline.hpp"
 
 #include "base/capacity.hpp"
 
