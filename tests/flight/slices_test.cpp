@@ -190,14 +190,14 @@ TEST(FlightSlices, BrakesBeginWhileTheAlarmIsProven) {
     ASSERT_EQ(state.watch.part, Watched::kAlarm);
     room.advance(kNothing);
     ASSERT_TRUE(state.evasion.is_running);
-    EXPECT_TRUE(state.evasion.helps({0, 0.1, 0.5, true}, state.facts, state.watch, state.draft.takeover));
-    EXPECT_FALSE(state.evasion.helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover));
+    EXPECT_TRUE(helps({0, 0.1, 0.5, true}, state.facts, state.watch, state.draft.takeover));
+    EXPECT_FALSE(helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover));
     if (!is_known) state.watch.alarm.box = {{-9.0, -9.0, 0.0}, {-8.0, -8.0, 1.0}};
     if (!is_known) state.watch.prove(state.facts, Watched::kAlarm);
     room.watch(4000);
     ASSERT_FALSE(state.watch.is_running);
     EXPECT_EQ(state.watch.known, is_known);
-    EXPECT_EQ(state.evasion.helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover), !is_known);
+    EXPECT_EQ(helps({0, 0.1, 0.5, false}, state.facts, state.watch, state.draft.takeover), !is_known);
   }
 }
 

@@ -31,7 +31,7 @@ struct Draft {
 
   /// The next commit takes over so many ticks ahead.
   void begin(const FlightFacts& flight, std::int64_t ticks) noexcept;
-  /// Is no extension until it is one again.
+  /// Counts as no extension from now on.
   void clear() noexcept { extends = false; }
   /// Becomes the remainder of the planner's plan in flight.
   void extend(const Commitment& in_flight) noexcept;

@@ -131,8 +131,7 @@ bool Evasion::go_on_proving(const FlightFacts& flight, const Watch& watch, Draft
 /// If the committed plan touches at most the alarm, the brake must touch no more either; until this is proven, the plan
 /// counts as if it did. The brake's contact must be slower than the plan's, unless only the brake touches at most the
 /// alarm. It need not be slower either if the plan has its contact before the brake begins and is no brake itself.
-bool Evasion::helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch,
-                    std::int64_t takeover) const noexcept {
+bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch, std::int64_t takeover) noexcept {
   const bool is_kept = watch.known || (watch.is_running && watch.part == Watched::kAlarm);
   if (brake.number < 0 || (is_kept && !brake.known)) return false;
   const bool is_too_late = watch.contact.time < takeover && !flight.plans.latest().evades;

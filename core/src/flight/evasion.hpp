@@ -38,6 +38,9 @@ struct JudgedBrake {
   bool known;    ///< clear of everything but the alarm
 };
 
+/// True if the brake, from this takeover on, is better than the committed plan, although it is not proven.
+bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch, std::int64_t takeover) noexcept;
+
 /// What an evasion is about to do.
 enum class EvasionResult : std::uint8_t {
   kProving,  ///< prove a brake, or another property of it
@@ -89,9 +92,6 @@ struct Evasion {
   std::int64_t ticks(const FlightSpec& spec) const noexcept;
   /// True if a plan with this takeover may go on under a threat because there is time left to brake if it fails.
   bool leaves_time(const FlightFacts& flight, const Watch& watch, std::int64_t takeover) const noexcept;
-  /// True if the brake is better than the committed plan, although it is not proven.
-  bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& watch,
-             std::int64_t takeover) const noexcept;
 
   bool begin_brake_proof(BrakeProof what, const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept;
   int number_of_next() noexcept;

@@ -62,9 +62,9 @@ struct Watch {
   void note_threat(const FlightFacts& flight, double nearest) noexcept;
   /// Goes on after a threat. `dropped`: the waiting plan was dropped. Without it, the flight may still be proven.
   void go_on(const FlightFacts& flight, bool dropped) noexcept;
-  /// How near the nearest thing is to the resting vehicle, which may have come to rest after the threat was found.
+  /// `nearest`: how near anything is to the resting vehicle, which may have come to rest after the threat was found.
   void note_beside(double nearest) noexcept { beside = nearest; }
-  /// Until when the plan in flight is proven means nothing any more: no plan waits.
+  /// The waiting plan was dropped, and with it the contact before its takeover.
   void forget_before() noexcept { meets_before = false; }
   void note_takeover() noexcept;
   /// A draft is committed whose takeover is then. A contact before its takeover remains.
