@@ -11,6 +11,7 @@
 
 #include "golden/recorded_flight.hpp"
 #include "host/flight/flight_replay.hpp"
+#include "tern/record.hpp"
 
 namespace {
 
@@ -94,7 +95,7 @@ TEST(FlightRecord, WhatIsTruncatedOrAlteredIsRefused) {
     altered[at] = static_cast<char>(altered[at] ^ 4);
     expect_refused(altered, at == 8 ? "record_version" : "record_damaged");
   }
-  expect_refused(forged(bytes, 8, 2), "record_version");
+  expect_refused(forged(bytes, 8, tern::kRecordVersion - 1), "record_version");
 }
 
 TEST(FlightRecord, WhatIsForgedIsRefusedWithTheEvent) {
@@ -117,7 +118,7 @@ TEST(FlightRecord, WhatIsForgedIsRefusedWithTheEvent) {
   const std::string once = bytes.substr(bind, event(bytes, kAssume) - bind);
   std::string twice = bytes;
   twice.insert(bind, once);
-  expect_refused(forged(twice, 8, 1), "(bind) is a second one");
+  expect_refused(forged(twice, 8, tern::kRecordVersion), "(bind) is a second one");
 }
 
 }  // namespace
