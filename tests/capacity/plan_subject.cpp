@@ -42,7 +42,8 @@ class PlanSubject : public Subject {
 
   /// Where an end moves, what a detour or a stop had no room for is that motion's fault.
   bool allows(Status status) const override {
-    return Subject::allows(status) || (status == Status::kNoTrajectory && moves());
+    // A proof that runs out of pieces refuses the plan.
+    return Subject::allows(status) || status == Status::kCheckFailed || (status == Status::kNoTrajectory && moves());
   }
 
  private:
