@@ -37,8 +37,8 @@ Trajectory straight_on(const std::vector<double>& durations) {
 class CutPlan : public testing::Test {
  protected:
   CutPlan() : world_({80, 40, 20}, 0.1, 0.2) {}
-  /// Cuts at `time`, with the goal so far from the plan's end, and its motion there, and then for try `tries`.
-  void cut(const Trajectory& plan, double time, int tries, double beside = 0.0) {
+  /// Cuts at `time`, with the goal so far from the plan's end, and its motion there.
+  void cut(const Trajectory& plan, double time, double beside = 0.0) {
     plan_ = plan;
     tern::Request& request = world_.request;
     const tern::Sample now = evaluate(plan_, time);
@@ -48,10 +48,6 @@ class CutPlan : public testing::Test {
     request.goal = {{kOrigin.x + duration(plan_), kOrigin.y + beside, kOrigin.z}, {1.0, 0.5, 0.0}, {}};
     ASSERT_TRUE(previous_fits(request));
     tern::cut_previous(world_.grid, request, *rest_);
-    if (tries < 2) return;
-    ASSERT_LE(tries, rest_->last_try);
-    rest_->tries = tries;
-    tern::cut_again(request, *rest_);
   }
   /// Along y, where the last segment ends.
   double end_speed() const {
@@ -72,7 +68,7 @@ TEST_F(CutPlan, SegmentIsOverWhereTheTimeLeftRoundsToNone) {
   const double time = 1.5 + kUlp;
   ASSERT_LT(time, first + 1.25);
   ASSERT_EQ(time - first, 1.25);
-  cut(straight_on({first, 1.25, 0.5}), time, 1);
+  cut(straight_on({first, 1.25, 0.5}), time);
   ASSERT_EQ(rest_->count, 1);
   EXPECT_EQ(rest_->segments[0].duration, 0.5);
   EXPECT_TRUE(rest_->meets_goal);
@@ -82,9 +78,8 @@ TEST_F(CutPlan, SegmentIsOverWhereTheTimeLeftRoundsToNone) {
 /// that does not ends with its own.
 TEST_F(CutPlan, LastSegmentEndsAsAskedAtTheGoalAlone) {
   for (const double beside : {0.0, 0.5}) {
-    cut(straight_on({1.0, 1.0}), 1.5, tern::kLongRestTries, beside);
+    cut(straight_on({1.0, 1.0}), 1.5, beside);
     EXPECT_EQ(rest_->meets_goal, beside == 0.0);
-    EXPECT_FALSE(rest_->in_own_frame);
     ASSERT_EQ(rest_->count, 1);
     EXPECT_EQ(rest_->segments[0].duration, 0.5);
     EXPECT_NEAR(rest_->segments[0].points[7].x, 0.5, 1e-12);
@@ -95,28 +90,27 @@ TEST_F(CutPlan, LastSegmentEndsAsAskedAtTheGoalAlone) {
 /// The same where another segment follows.
 TEST_F(CutPlan, SegmentsAfterwardsEndAsAskedAtTheGoalAlone) {
   for (const double beside : {0.0, 0.5}) {
-    cut(straight_on({1.0, 1.0}), 0.5, tern::kLongRestTries, beside);
+    cut(straight_on({1.0, 1.0}), 0.5, beside);
     ASSERT_EQ(rest_->count, 2);
     EXPECT_NEAR(rest_->segments[1].points[7].x, 1.5, 1e-12);
     EXPECT_NEAR(end_speed(), beside == 0.0 ? 0.5 : 0.0, 1e-12);
   }
 }
 
-/// Too little is left of the first segment. The last try keeps the previous plan's frame, and joins 2 ms of the next
-/// segment.
-TEST_F(CutPlan, LastTryJoinsInThePlansFrame) {
+/// However little is left of a segment, it is made anew from the states at its ends; but a plan of which so little is
+/// left is as good as over.
+TEST_F(CutPlan, ShortRemaindersStayOfTheFirstSegmentAlone) {
   constexpr double kLeft = 0x1p-11;
-  cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft, tern::kPreviousTries);
-  EXPECT_TRUE(rest_->in_own_frame);
-  EXPECT_EQ(rest_->origin.x, kOrigin.x);
+  cut(straight_on({1.0, 1.0, 0.5}), 1.0 - kLeft);
   ASSERT_EQ(rest_->count, 3);
-  EXPECT_EQ(rest_->segments[0].duration, kLeft + 2e-3);
-  EXPECT_EQ(rest_->segments[1].duration, 1.0 - 2e-3);
+  EXPECT_EQ(rest_->segments[0].duration, kLeft);
+  EXPECT_EQ(rest_->segments[1].duration, 1.0);
   EXPECT_EQ(rest_->segments[2].duration, 0.5);
-  EXPECT_NEAR(rest_->segments[0].points[0].x, 1.0 - kLeft, 1e-12);
-  EXPECT_NEAR(rest_->segments[0].points[7].x, 1.0 + 2e-3, 1e-12);
-  EXPECT_NEAR(rest_->segments[1].points[0].x, 1.0 + 2e-3, 1e-12);
-  EXPECT_NEAR(rest_->segments[1].points[7].x, 2.0, 1e-12);
+  EXPECT_EQ(rest_->segments[0].points[0].x, 0.0);
+  EXPECT_NEAR(rest_->segments[0].points[7].x, kLeft, 1e-12);
+  EXPECT_NEAR(rest_->segments[1].points[7].x, kLeft + 1.0, 1e-12);
+  cut(straight_on({1.0}), 1.0 - kLeft);
+  EXPECT_EQ(rest_->count, 0);
 }
 
 }  // namespace

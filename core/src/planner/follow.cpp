@@ -36,13 +36,12 @@ bool follow_trial_is_due(const Previous& previous) noexcept {
 }
 
 bool follow_may_help(const Problem& problem, const Previous& previous, Status failure) noexcept {
-  if (previous.tries == previous.last_try || previous.count == 0) return false;
-  if (previous.meets_goal) return true;
-  return previous.tries == 0 && !lacks_goal_voxel(failure) && !at_rest(problem.asked.start);
+  if (previous.tried || previous.count == 0) return false;
+  return previous.meets_goal || (!lacks_goal_voxel(failure) && !at_rest(problem.asked.start));
 }
 
-void follow_begin(const Problem& problem, Follow& follow, Previous& previous) noexcept {
-  if (++previous.tries > 1) cut_again(problem.asked, previous);
+void follow_begin(Follow& follow, Previous& previous) noexcept {
+  previous.tried = true;
   previous.is_enclosing = false;
   follow.leads_plan = false;
 }
@@ -56,13 +55,12 @@ Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow
     tube.segments = trajectory.segments;
     tube.polyhedra = corridor.polyhedra;
   }
-  const Vec3 origin = previous.in_own_frame ? problem.grid->to_local(previous.origin) : ends.origin_in_grid;
-  const Progress progress = enclose_remainder(problem, origin, previous, scratch, tube, work);
+  const Progress progress = enclose_remainder(problem, ends.origin_in_grid, previous, scratch, tube, work);
   if (progress != Progress::kDone) return progress;
   follow.leads_plan = true;
   if (previous.meets_goal) {
     corridor.count = trajectory.count = previous.enclosed;
-    trajectory.origin = previous.origin;
+    trajectory.origin = problem.asked.start.position;
   } else {
     lead.count = previous.enclosed;
     lead.place = end_of(previous);
@@ -70,16 +68,15 @@ Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow
   return progress;
 }
 
-void follow_note_trial(bool holds, const Previous& previous, const Trajectory& trajectory, std::uint32_t planes,
-                       Follow& follow) noexcept {
-  follow.held_try = holds ? previous.tries : 0;
+void follow_note_trial(bool holds, const Trajectory& trajectory, std::uint32_t planes, Follow& follow) noexcept {
+  follow.held = holds;
   follow.held_duration = duration(trajectory);
   follow.held_planes = planes;
 }
 
 bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory,
                        std::uint32_t planes) noexcept {
-  if (follow.held_try == 0 || (follow.leads_plan && previous.meets_goal) || planes < follow.held_planes) return false;
+  if (!follow.held || (follow.leads_plan && previous.meets_goal) || planes < follow.held_planes) return false;
   return !(duration(trajectory) < follow.held_duration - kEarlierBy);
 }
 

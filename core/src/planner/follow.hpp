@@ -24,7 +24,7 @@ namespace tern {
 struct Follow {
   bool is_trial;              ///< the remainder is tried before a new plan is looked for
   bool leads_plan;            ///< the current plan begins with the remainder
-  std::int32_t held_try;      ///< number of the try whose remainder holds, 1 .. kPreviousTries; 0: none
+  bool held;                  ///< the remainder was tried, and holds
   double held_duration;       ///< of that remainder, s
   std::uint32_t held_planes;  ///< half-spaces that it takes to enclose that remainder
 };
@@ -36,8 +36,8 @@ bool follow_trial_is_due(const Previous& previous) noexcept;
 /// cannot help if no voxel near the goal is free.
 bool follow_may_help(const Problem& problem, const Previous& previous, Status failure) noexcept;
 
-/// Begins the next try of the remainder.
-void follow_begin(const Problem& problem, Follow& follow, Previous& previous) noexcept;
+/// Begins the try of the remainder.
+void follow_begin(Follow& follow, Previous& previous) noexcept;
 
 /// Encloses the remainder in polyhedra. The units of work are those of append_advance. kDone: if the remainder meets
 /// the goal, it is the whole plan, in `corridor` and `trajectory`; otherwise it is the start's stop, `lead`. kFailed:
@@ -47,9 +47,8 @@ Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow
                         Work& work) noexcept;
 
 /// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`, and the
-/// half-spaces that all tries took.
-void follow_note_trial(bool holds, const Previous& previous, const Trajectory& trajectory, std::uint32_t planes,
-                       Follow& follow) noexcept;
+/// half-spaces that it took.
+void follow_note_trial(bool holds, const Trajectory& trajectory, std::uint32_t planes, Follow& follow) noexcept;
 
 /// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier. `planes`: the
 /// half-spaces that are left to enclose it.

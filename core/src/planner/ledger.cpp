@@ -30,7 +30,7 @@ Times times_of(const Problem& problem) {
   times.goals = problem.asked.goal_mode == GoalMode::kNearest ? 2 : 1;
   times.searches = times.goals * (problem.given_at_rest ? 1 : 1 + kStopFirstTries);
   times.corridors = times.goals * (problem.given_at_rest ? 1 : 2 + kStopFirstTries);
-  times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 1 + 2 * kPreviousTries : 1);
+  times.checks = times.corridors + times.goals * (problem.asked.previous != nullptr ? 3 : 1);
   return times;
 }
 

@@ -43,7 +43,7 @@ void Pipeline::begin_goal() noexcept {
 
 /// Enters the first stage for a goal: the trial of the remainder if it leads there, else the search.
 void Pipeline::begin_attempts() noexcept {
-  attempts_.follow.held_try = 0;
+  attempts_.follow.held = false;
   attempts_.follow.is_trial = follow_trial_is_due(memory_->previous);
   attempts_.follow.is_trial ? enter(Stage::kPrevious) : begin_way();
 }
@@ -143,7 +143,6 @@ void Pipeline::go_on_from_check(bool done) noexcept {
     return;
   }
   cut_previous(*problem_.grid, problem_.asked, memory.previous);
-  memory.previous.tries = attempts_.follow.held_try - 1;
   optimiser_ = Status::kOk;
   enter(Stage::kPrevious);
 }
@@ -192,12 +191,10 @@ void Pipeline::go_on_from_reach(bool done) noexcept {
   }
 }
 
-/// Ends a trial of the remainder. If it does not hold, the next way to cut it is tried. After the last, or if it holds,
-/// the plan begins as if nothing had been tried.
+/// Ends the trial of the remainder. The plan begins as if nothing had been tried.
 void Pipeline::end_trial(bool holds) noexcept {
   const Layout& memory = *memory_;
-  if (!holds && memory.previous.tries < memory.previous.last_try) return enter(Stage::kPrevious);
-  follow_note_trial(holds, memory.previous, memory.trajectory, ledger_.work(Stage::kPrevious), attempts_.follow);
+  follow_note_trial(holds, memory.trajectory, ledger_.work(Stage::kPrevious), attempts_.follow);
   begin_goal();
   begin_way();
 }
@@ -222,7 +219,7 @@ void Pipeline::stop_at_waypoints(Status why) noexcept {
 /// lacked only capacity or budget, that is the status: with more of it there may be a plan.
 void Pipeline::fail(Stage stage, Status status) noexcept {
   segments_full_ = segments_full_ || status == Status::kSegmentsFull;
-  const bool is_first = attempts_.stop_first.tries == 0 && memory_->previous.tries == 0;
+  const bool is_first = attempts_.stop_first.tries == 0 && !memory_->previous.tried;
   if (is_first || lacks_room(status)) failure_ = {stage, status, via_at_fault(stage, legs_, rooms_), legs_.fault};
   const bool is_direct = attempts_.current == Attempt::kDirect;
   if (is_direct && stage == Stage::kTrajectory && detour_may_help(problem_, attempts_.detour)) {

@@ -140,7 +140,7 @@ void Pipeline::enter(Stage stage) noexcept {
       return detour_begin(failure_.status, attempts_.detour);
     case Stage::kPrevious:
       begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
-      return follow_begin(problem_, attempts_.follow, m.previous);
+      return follow_begin(attempts_.follow, m.previous);
     case Stage::kEscape:
       begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
