@@ -25,10 +25,10 @@ class RelativeCorridor : public testing::Test {
     in_->polyhedra[in_->count++] = box_around(from, to, margin);
   }
   void move(const Vec3& origin, const Vec3& start, const Vec3& goal) {
-    relative_corridor(*in_, origin, start, goal, holds_, *out_);
+    relative_corridor(*in_, origin, start, goal, via_joints_, *out_);
   }
 
-  Holds holds_;
+  ViaJoints via_joints_;
   std::unique_ptr<Corridor> in_ = std::make_unique<Corridor>();
   std::unique_ptr<Corridor> out_ = std::make_unique<Corridor>();
 };

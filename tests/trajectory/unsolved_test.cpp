@@ -29,8 +29,8 @@ class Unsolved : public ::testing::Test {
     const double ends[] = {0.0, 3.0, second, 8.0};
     corridor_->count = 3;
     for (int i = 0; i < 3; ++i) corridor_->polyhedra[i] = box_around({ends[i], 0, 1}, {ends[i + 1], 0, 1}, 0.4);
-    holds_[0] = Hold{1, 0, {3.0, 0, 1}, first_reach, false, false, {}};
-    holds_[1] = Hold{2, 0, {second, 0, 1}, second_reach, false, false, {}};
+    via_joints_[0] = ViaJoint{1, 0, {3.0, 0, 1}, first_reach, false, false, {}};
+    via_joints_[1] = ViaJoint{2, 0, {second, 0, 1}, second_reach, false, false, {}};
   }
   void start() {
     const State from = resting({0, 0, 1});
@@ -38,7 +38,7 @@ class Unsolved : public ::testing::Test {
     TimesStage times;
     Chain chain;
     Work work{0xFFFFFFFFu};
-    times_begin(times, *corridor_, {from, to, kTwo, {holds_, 2}}, chain);
+    times_begin(times, *corridor_, {from, to, kTwo, {via_joints_, 2}}, chain);
     times_advance(times, *corridor_, work, chain);
     std::memset(static_cast<void*>(&plan_), 0, sizeof plan_);
     trajectory_begin(*stage_, *corridor_, {from, to, kTwo, kDefaultTimeWeight, 0xFFFFFFFFu}, chain);
@@ -74,7 +74,7 @@ class Unsolved : public ::testing::Test {
 
   std::unique_ptr<Corridor> corridor_ = std::make_unique<Corridor>();
   std::unique_ptr<TrajectoryStage> stage_ = std::make_unique<TrajectoryStage>();
-  Hold holds_[2] = {};
+  ViaJoint via_joints_[2] = {};
   Trajectory plan_;
   int judged_ = 0;
 };
@@ -84,7 +84,7 @@ TEST_F(Unsolved, AnIllConditionedProgrammeGivesUpTheTolerances) {
   start();
   ASSERT_EQ(run([](int n) { return n == 0 ? Status::kNumerical : Status::kOk; }), Status::kOk);
   EXPECT_EQ(stage_->quality, Quality::kOptimised);
-  for (int i = 0; i < 2; ++i) EXPECT_EQ(stage_->chain.holds[i].reach, 0.0) << i;
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(stage_->chain.via_joints[i].reach, 0.0) << i;
   EXPECT_GT(judged_, 1);
 }
 
@@ -120,8 +120,8 @@ TEST_F(Unsolved, NorWhereTheWayStaysInAPlace) {
 
 TEST_F(Unsolved, AViaWithAVelocityIsNotFlownFromStopToStop) {
   begin(5.0, 0.0, 0.0);
-  holds_[1].has_velocity = true;
-  holds_[1].velocity = {1.0, 0.0, 0.0};
+  via_joints_[1].has_velocity = true;
+  via_joints_[1].velocity = {1.0, 0.0, 0.0};
   start();
   EXPECT_EQ(run(nothing), Status::kNoTrajectory);
   EXPECT_FALSE(stage_->has_fallback);
@@ -170,12 +170,12 @@ TEST_F(FittedEnds, AnEndBeyondALimitNeverFits) {
 }
 
 TEST_F(FittedEnds, NorDoesAViaThatIsPassedTooFast) {
-  chain_.hold_count = 1;
-  chain_.holds[0] = Hold{1, 1, {1.0, 0.0, 0.0}, 0.0, false, true, {0.0, 600.0, 0.0}};
+  chain_.via_joint_count = 1;
+  chain_.via_joints[0] = ViaJoint{1, 1, {1.0, 0.0, 0.0}, 0.0, false, true, {0.0, 600.0, 0.0}};
   EXPECT_EQ(fitted(1e4), least_of(1e4));
   EXPECT_EQ(chain_.duration[1], least_of(1e4));
   EXPECT_EQ(fitted(1.0), kMinDuration);
-  chain_.holds[0].velocity = {0.0, 5.6, 0.0};  // a seventh of a duration leads 0.5 m away after 0.625 s
+  chain_.via_joints[0].velocity = {0.0, 5.6, 0.0};  // a seventh of a duration leads 0.5 m away after 0.625 s
   const double fits = fitted(1.0);
   EXPECT_LE(fits, 0.625);
   EXPECT_GT(fits, 0.8 * 0.625);

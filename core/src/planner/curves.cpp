@@ -6,10 +6,11 @@
 
 namespace tern {
 
-void chain_begin(const Problem& problem, const Ends& ends, const Holds& holds, const Pace& pace,
+void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_joints, const Pace& pace,
                  const Corridor& corridor, CurveMemory& memory) noexcept {
-  relative_corridor(corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, holds, memory.corridor);
-  times_begin(memory.times, memory.corridor, {ends.start, ends.goal, problem.limits, holds, pace}, memory.chain);
+  relative_corridor(corridor, ends.origin_in_grid, ends.start.position, ends.goal.position, via_joints,
+                    memory.corridor);
+  times_begin(memory.times, memory.corridor, {ends.start, ends.goal, problem.limits, via_joints, pace}, memory.chain);
 }
 
 void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, std::uint32_t iterations,

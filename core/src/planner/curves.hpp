@@ -46,7 +46,7 @@ struct Curves {
 };
 
 /// Moves the corridor into the plan's frame and cuts it into a chain, for times_advance() to give it durations.
-void chain_begin(const Problem& problem, const Ends& ends, const Holds& holds, const Pace& pace,
+void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_joints, const Pace& pace,
                  const Corridor& corridor, CurveMemory& memory) noexcept;
 
 /// Makes the trajectory of the chain, within `iterations`; the origin is that of the plan's frame.

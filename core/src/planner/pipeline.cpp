@@ -130,7 +130,7 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kCorridor:
       return corridor_begin(m.stage.corridor, m.path, ledger_.planes_left(budget), &m.vias.marks);
     case Stage::kTimes:
-      return chain_begin(problem_, m.ends, make_holds(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
+      return chain_begin(problem_, m.ends, make_via_joints(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
                          m.stage.trajectory);
     case Stage::kTrajectory:
       return curves_begin(problem_, m.ends, curves_, ledger_.iterations_left(budget), m.stage.trajectory);

@@ -41,20 +41,20 @@ void locate_vias(const Problem& problem, int stop_polyhedra, const Trajectory& t
 
 }  // namespace
 
-Holds make_holds(const Problem& problem, ViaMemory& memory) noexcept {
+ViaJoints make_via_joints(const Problem& problem, ViaMemory& memory) noexcept {
   const Grid& world = voxels_of(problem);
   for (std::int32_t v = 0; v < problem.via_count; ++v) {
     const Via& via = problem.vias[v];
     const bool free = world.free(world.voxel_of(to_local(world, via.position)));
-    memory.holds[v] = {memory.marks.polyhedron[v],
-                       0,
-                       via.position - problem.asked.start.position,
-                       free ? reach_of(via) : 0.0,
-                       via.stop,
-                       via.has_velocity,
-                       via.velocity};
+    memory.via_joints[v] = {memory.marks.polyhedron[v],
+                            0,
+                            via.position - problem.asked.start.position,
+                            free ? reach_of(via) : 0.0,
+                            via.stop,
+                            via.has_velocity,
+                            via.velocity};
   }
-  return {memory.holds, problem.via_count};
+  return {memory.via_joints, problem.via_count};
 }
 
 bool add_dwells(const Problem& problem, int stop_polyhedra, ViaMemory& memory, Trajectory& trajectory) noexcept {

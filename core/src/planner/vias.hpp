@@ -19,16 +19,16 @@
 namespace tern {
 
 struct ViaMemory {
-  Via vias[kMaxVias];            ///< as asked for, world frame
-  ViaMarks marks;                ///< their waypoints on the path, and their polyhedra in the corridor of the path
-  Hold holds[kMaxVias];          ///< their joints in the chain
-  std::int32_t joint[kMaxVias];  ///< index of the trajectory's segment that begins at the via, or their count
-  Path leg;                      ///< the path of the current leg
+  Via vias[kMaxVias];             ///< as asked for, world frame
+  ViaMarks marks;                 ///< their waypoints on the path, and their polyhedra in the corridor of the path
+  ViaJoint via_joints[kMaxVias];  ///< their joints in the chain
+  std::int32_t joint[kMaxVias];   ///< index of the trajectory's segment that begins at the via, or their count
+  Path leg;                       ///< the path of the current leg
 };
 
 /// What the chain must do at the vias. The plan passes exactly through a via whose voxel is not free. The legs that
 /// join such a via to the grid are short, and a programme in which such a leg has free ends is too ill-conditioned.
-Holds make_holds(const Problem& problem, ViaMemory& memory) noexcept;
+ViaJoints make_via_joints(const Problem& problem, ViaMemory& memory) noexcept;
 
 /// Finds the joints where the finished trajectory passes the vias, and lets it rest at those with a dwell. The first
 /// `stop_polyhedra` polyhedra are those of a stop before the way. False if one more segment does not fit.

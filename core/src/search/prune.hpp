@@ -52,9 +52,9 @@ inline CellMask forced_moves(int arrival, CellMask free, CellMask legal) noexcep
   const prune::PruneRule& rule = prune::kPrune.rule[arrival];
   CellMask moves = 0;
   for (int k = 0; k < rule.count; ++k) {
-    const prune::Detour& detour = rule.detours[k];
-    const bool pruned = prune::covers(free, detour.first) || prune::covers(free, detour.second);
-    moves |= pruned ? 0 : cell_bit(detour.move);
+    const prune::WaysAround& around = rule.ways[k];
+    const bool pruned = prune::covers(free, around.first) || prune::covers(free, around.second);
+    moves |= pruned ? 0 : cell_bit(around.move);
   }
   return moves & legal;
 }

@@ -24,7 +24,7 @@ constexpr CellMask box_cells(int move) {
 
 /// A move and the cells of two ways around the voxel that it starts from. The move is pruned if all cells of either way
 /// are free. A mask with bits beyond kAllCells stands for no way.
-struct Detour {
+struct WaysAround {
   CellMask first;
   CellMask second;
   int move;
@@ -33,13 +33,13 @@ constexpr CellMask kNoWay = ~CellMask{0};
 
 /// The most moves that an arrival may force. A straight arrival has 8 moves sideways, and 8 both sideways and forwards.
 /// A plane diagonal has 4 on each side of its plane.
-constexpr int kMaxDetours = 16;
+constexpr int kMaxWaysAround = 16;
 
 struct PruneRule {
   CellMask natural;
   CellMask watch;  ///< if all of these are free, nothing is forced
   int count;
-  Detour detours[kMaxDetours];
+  WaysAround ways[kMaxWaysAround];
 };
 
 struct PruneTable {
@@ -52,13 +52,13 @@ constexpr CellMask cell_at(const Voxel& o) {
 }
 
 constexpr void add(PruneRule& rule, const Voxel& move, CellMask first, CellMask second) {
-  rule.detours[rule.count] = {first, second, direction(move.x, move.y, move.z)};
+  rule.ways[rule.count] = {first, second, direction(move.x, move.y, move.z)};
   ++rule.count;
 }
 
 /// Adds moves s and s + u for a straight arrival u from p = -u, with s at right angles to u. They are forced at n if an
 /// obstacle keeps p from making the step s itself.
-constexpr void add_straight_detours(PruneRule& rule, const Voxel& u, const Voxel& s) {
+constexpr void add_straight_ways(PruneRule& rule, const Voxel& u, const Voxel& s) {
   const Voxel p{-u.x, -u.y, -u.z};
   rule.watch |= cell_at(p + s);
   if (axes_of(direction(s.x, s.y, s.z)) == 1) {
@@ -75,7 +75,7 @@ constexpr void add_straight_detours(PruneRule& rule, const Voxel& u, const Voxel
 
 /// Adds the moves out of the plane of a plane diagonal u + v from p = -u - v, on the side of w. They are forced if an
 /// obstacle keeps p from moving along the space diagonal u + v + w.
-constexpr void add_plane_detours(PruneRule& rule, const Voxel& u, const Voxel& v, const Voxel& w) {
+constexpr void add_plane_ways(PruneRule& rule, const Voxel& u, const Voxel& v, const Voxel& w) {
   const Voxel p{-u.x - v.x, -u.y - v.y, -u.z - v.z};
   const CellMask above = cell_at(p + w) | cell_at(p + u + w) | cell_at(p + v + w);
   rule.watch |= above;
@@ -90,7 +90,7 @@ constexpr PruneRule straight_rule(int arrival) {
   const Voxel u = offset(arrival);
   for (int d = 0; d < kDirections; ++d) {
     const Voxel s = offset(d);
-    if (d != kHere && s.x * u.x + s.y * u.y + s.z * u.z == 0) add_straight_detours(rule, u, s);
+    if (d != kHere && s.x * u.x + s.y * u.y + s.z * u.z == 0) add_straight_ways(rule, u, s);
   }
   return rule;
 }
@@ -101,8 +101,8 @@ constexpr PruneRule plane_rule(int arrival) {
   const Voxel u = o.x != 0 ? Voxel{o.x, 0, 0} : Voxel{0, o.y, 0};
   const Voxel v = o.z != 0 ? Voxel{0, 0, o.z} : Voxel{0, o.y, 0};
   const Voxel w{o.x == 0 ? 1 : 0, o.y == 0 ? 1 : 0, o.z == 0 ? 1 : 0};
-  add_plane_detours(rule, u, v, w);
-  add_plane_detours(rule, u, v, {-w.x, -w.y, -w.z});
+  add_plane_ways(rule, u, v, w);
+  add_plane_ways(rule, u, v, {-w.x, -w.y, -w.z});
   return rule;
 }
 

@@ -11,7 +11,7 @@
 namespace tern {
 
 /// What is given at the joint at which a chain passes a via. Local frame.
-struct Hold {
+struct ViaJoint {
   int polyhedron;     ///< index of the polyhedron that begins there
   int segment;        ///< index of the chain's segment that begins there
   Vec3 position;      ///< position of the via
@@ -22,9 +22,9 @@ struct Hold {
   Vec3 velocity;
 };
 
-/// The holds of a way, in its order, increasing in polyhedra. A view.
-struct Holds {
-  const Hold* list = nullptr;
+/// The vias' joints of a way, in its order, increasing in polyhedra. A view.
+struct ViaJoints {
+  const ViaJoint* list = nullptr;
   int count = 0;
 };
 
@@ -37,8 +37,8 @@ struct Chain {
   double length[kMaxSegments];    ///< metres of the way that each segment covers
   JointState start;               ///< jerk zero
   JointState goal;
-  int hold_count;
-  Hold holds[kMaxVias];
+  int via_joint_count;
+  ViaJoint via_joints[kMaxVias];
   Vec3 center;  ///< origin of the programme's positions
 };
 
@@ -51,28 +51,28 @@ inline void append_pieces(double length, int polyhedron, int pieces, Chain& chai
   }
 }
 
-/// True if derivative `k` (0: position) is given at the hold's joint.
-inline bool gives(const Hold& hold, int k) noexcept {
-  if (k == 0) return !(hold.reach > 0.0);
-  return hold.stop || (k == 1 && hold.has_velocity);
+/// True if derivative `k` (0: position) is given at the joint.
+inline bool gives(const ViaJoint& via_joint, int k) noexcept {
+  if (k == 0) return !(via_joint.reach > 0.0);
+  return via_joint.stop || (k == 1 && via_joint.has_velocity);
 }
 
-/// The hold at the joint where the segment begins; null if there is none.
-inline const Hold* hold_at(const Chain& chain, int segment) noexcept {
-  for (int i = 0; i < chain.hold_count; ++i) {
-    if (chain.holds[i].segment == segment) return &chain.holds[i];
+/// The via's joint where the segment begins; null if there is none.
+inline const ViaJoint* via_joint_at(const Chain& chain, int segment) noexcept {
+  for (int i = 0; i < chain.via_joint_count; ++i) {
+    if (chain.via_joints[i].segment == segment) return &chain.via_joints[i];
   }
   return nullptr;
 }
 
-/// Finds the segment where each hold's polyhedron begins. False if one has no segment.
-inline bool place_holds(Chain& chain) noexcept {
+/// Finds the segment where each joint's polyhedron begins. False if one has no segment.
+inline bool place_via_joints(Chain& chain) noexcept {
   int segment = 0;
-  for (int i = 0; i < chain.hold_count; ++i) {
-    Hold& hold = chain.holds[i];
-    while (segment < chain.count && chain.polyhedron[segment] < hold.polyhedron) ++segment;
-    if (segment == chain.count || chain.polyhedron[segment] != hold.polyhedron) return false;
-    hold.segment = segment;
+  for (int i = 0; i < chain.via_joint_count; ++i) {
+    ViaJoint& via_joint = chain.via_joints[i];
+    while (segment < chain.count && chain.polyhedron[segment] < via_joint.polyhedron) ++segment;
+    if (segment == chain.count || chain.polyhedron[segment] != via_joint.polyhedron) return false;
+    via_joint.segment = segment;
   }
   return true;
 }
@@ -87,8 +87,8 @@ inline double chain_duration(const Chain& chain) noexcept {
 /// True if the chain passes a via with a given velocity. Such a chain has no stop-and-go, and cannot be stretched in
 /// time.
 inline bool hurries(const Chain& chain) noexcept {
-  for (int i = 0; i < chain.hold_count; ++i) {
-    if (chain.holds[i].has_velocity) return true;
+  for (int i = 0; i < chain.via_joint_count; ++i) {
+    if (chain.via_joints[i].has_velocity) return true;
   }
   return false;
 }

@@ -131,8 +131,8 @@ void measure_runs(const TimesStage& stage, const Chain& chain, const Corridor& c
     if (end < corridor.count && !stage.after_stop[end]) continue;
     Run run{0.0, kFlightSplit};
     for (int i = begin; i < end; ++i) run.length += way(corridor.polyhedra[i]);
-    for (int v = 0; v < chain.hold_count; ++v) {
-      if (begin < chain.holds[v].polyhedron && chain.holds[v].polyhedron < end) run.segments += kViaSplit;
+    for (int v = 0; v < chain.via_joint_count; ++v) {
+      if (begin < chain.via_joints[v].polyhedron && chain.via_joints[v].polyhedron < end) run.segments += kViaSplit;
     }
     for (int i = begin; i < end; ++i) runs[i] = run;
     begin = end;
@@ -159,17 +159,17 @@ double ramp_time(const JointState& end, const LineLimits& line) {
   return missing * missing / (2.0 * line.speed * line.acceleration);
 }
 
-void take_holds(TimesStage& stage, const Holds& holds, const Corridor& corridor, Chain& chain) {
-  chain.hold_count = holds.count;
+void take_via_joints(TimesStage& stage, const ViaJoints& via_joints, const Corridor& corridor, Chain& chain) {
+  chain.via_joint_count = via_joints.count;
   for (int i = 0; i < corridor.count; ++i) {
     stage.after_stop[i] = false;
     stage.slowing[i] = 0.0;
   }
-  for (int i = 0; i < holds.count; ++i) {
-    const Hold& hold = holds.list[i];
-    chain.holds[i] = hold;
-    stage.after_stop[hold.polyhedron] = hold.stop;
-    stage.slowing[hold.polyhedron] = hold.stop ? 1.0 : turn_at(corridor, hold.polyhedron);
+  for (int i = 0; i < via_joints.count; ++i) {
+    const ViaJoint& via_joint = via_joints.list[i];
+    chain.via_joints[i] = via_joint;
+    stage.after_stop[via_joint.polyhedron] = via_joint.stop;
+    stage.slowing[via_joint.polyhedron] = via_joint.stop ? 1.0 : turn_at(corridor, via_joint.polyhedron);
   }
 }
 
@@ -235,7 +235,7 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
   chain.center = 0.5 * (query.start.position + query.goal.position);
   stage.limits = query.limits;
   stage.speed = reachable(chain, corridor, query.limits).speed;
-  take_holds(stage, query.holds, corridor, chain);
+  take_via_joints(stage, query.via_joints, corridor, chain);
   Run runs[kMaxSegments];
   measure_runs(stage, chain, corridor, runs);
   const int most = fitting_split(stage, chain, corridor, runs);
@@ -244,7 +244,7 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
     const int pieces = wanted < most ? wanted : most;
     append_pieces(way(corridor.polyhedra[i]) / pieces, i, pieces, chain);
   }
-  place_holds(chain);
+  place_via_joints(chain);
   stage.timed = 0;
   begin_pace(stage, query.pace);
 }

@@ -27,8 +27,8 @@ struct TimesQuery {
   State start;
   State goal;
   MotionLimits limits;
-  Holds holds{};  ///< at the vias
-  Pace pace{};    ///< of an earlier plan, which is at `start` at pace.from
+  ViaJoints via_joints{};  ///< at the vias
+  Pace pace{};             ///< of an earlier plan, which is at `start` at pace.from
 };
 
 /// Plain data; needs no initialisation before times_begin.

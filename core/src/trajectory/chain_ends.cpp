@@ -81,12 +81,14 @@ JointState backwards(const JointState& state) {
   return JointState{{state.d[0], kZero - state.d[1], state.d[2], kZero - state.d[3]}};
 }
 
-void fit_hold(const Corridor& corridor, const Hold& hold, Chain& chain, int& tries) {
-  if (!hold.has_velocity) return;
-  const Vec3 before = kZero - hold.velocity;
-  double* const duration = chain.duration + hold.segment;
-  duration[0] = fitting_lead(hold.position, hold.velocity, corridor.polyhedra[hold.polyhedron], duration[0], tries);
-  duration[-1] = fitting_lead(hold.position, before, corridor.polyhedra[hold.polyhedron - 1], duration[-1], tries);
+void fit_via_joint(const Corridor& corridor, const ViaJoint& via_joint, Chain& chain, int& tries) {
+  if (!via_joint.has_velocity) return;
+  const Vec3 before = kZero - via_joint.velocity;
+  double* const duration = chain.duration + via_joint.segment;
+  duration[0] = fitting_lead(via_joint.position, via_joint.velocity, corridor.polyhedra[via_joint.polyhedron],
+                             duration[0], tries);
+  duration[-1] =
+      fitting_lead(via_joint.position, before, corridor.polyhedra[via_joint.polyhedron - 1], duration[-1], tries);
 }
 
 }  // namespace
@@ -97,7 +99,7 @@ int fit_ends(const Corridor& corridor, const MotionLimits& limits, Chain& chain)
   chain.duration[0] = fitting_duration(chain.start, corridor.polyhedra[0], limits, chain.duration[0], tries);
   chain.duration[last] = fitting_duration(backwards(chain.goal), corridor.polyhedra[corridor.count - 1],
                                           backwards(limits), chain.duration[last], tries);
-  for (int i = 0; i < chain.hold_count; ++i) fit_hold(corridor, chain.holds[i], chain, tries);
+  for (int i = 0; i < chain.via_joint_count; ++i) fit_via_joint(corridor, chain.via_joints[i], chain, tries);
   return tries;
 }
 

@@ -24,40 +24,40 @@ void free_end(const double* joint, double t, double* factor) {
   }
 }
 
-/// Fixes the derivatives that a hold gives at an end, so that they are no longer unknowns.
-void hold_end(const Hold& hold, const Vec3& center, double duration, int at, Piece& piece) {
+/// Fixes the derivatives that are given at an end, so that they are no longer unknowns.
+void fix_end(const ViaJoint& via_joint, const Vec3& center, double duration, int at, Piece& piece) {
   double power = 1.0;
   for (int k = 0; k < kJointOrder; ++k) {
-    if (gives(hold, k)) {
+    if (gives(via_joint, k)) {
       piece.given[at + k] = true;
       piece.factor[at + k] = 0.0;
-      piece.fixed[at + k] = power * held_value(hold, center, k);
+      piece.fixed[at + k] = power * given_value(via_joint, center, k);
     }
     power *= duration;
   }
 }
 
-void hold_ends(const Chain& chain, Piece& piece) {
+void fix_ends(const Chain& chain, Piece& piece) {
   piece.held = false;
-  if (chain.hold_count == 0) return;
-  const Hold* const holds[2] = {hold_at(chain, piece.index), hold_at(chain, piece.index + 1)};
-  piece.held = holds[0] != nullptr || holds[1] != nullptr;
+  if (chain.via_joint_count == 0) return;
+  const ViaJoint* const via_joints[2] = {via_joint_at(chain, piece.index), via_joint_at(chain, piece.index + 1)};
+  piece.held = via_joints[0] != nullptr || via_joints[1] != nullptr;
   if (!piece.held) return;
   for (int e = 0; e < kEnds; ++e) {
     piece.given[e] = false;
     if (piece.free[e / kJointOrder]) piece.fixed[e] = kZero;
   }
   for (int end = 0; end < 2; ++end) {
-    if (holds[end] == nullptr) continue;
-    hold_end(*holds[end], chain.center, chain.duration[piece.index], end * kJointOrder, piece);
+    if (via_joints[end] == nullptr) continue;
+    fix_end(*via_joints[end], chain.center, chain.duration[piece.index], end * kJointOrder, piece);
   }
 }
 
 }  // namespace
 
-Vec3 held_value(const Hold& hold, const Vec3& center, int k) noexcept {
-  if (k == 0) return hold.position - center;
-  return k == 1 && hold.has_velocity ? hold.velocity : kZero;
+Vec3 given_value(const ViaJoint& via_joint, const Vec3& center, int k) noexcept {
+  if (k == 0) return via_joint.position - center;
+  return k == 1 && via_joint.has_velocity ? via_joint.velocity : kZero;
 }
 
 Piece piece_of(const Chain& chain, const ProgrammeScale& scale, int index) noexcept {
@@ -75,7 +75,7 @@ Piece piece_of(const Chain& chain, const ProgrammeScale& scale, int index) noexc
       fix_end(end == 0 ? chain.start : chain.goal, chain.center, chain.duration[index], piece.fixed + at);
     }
   }
-  hold_ends(chain, piece);
+  fix_ends(chain, piece);
   return piece;
 }
 

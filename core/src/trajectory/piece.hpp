@@ -35,8 +35,8 @@ inline int unknown_of(const Piece& piece, int e) noexcept {
   return kJointOrder * (piece.index - 1) + e;
 }
 
-/// Derivative k that a hold gives, in metres and seconds; the position is relative to the centre.
-Vec3 held_value(const Hold& hold, const Vec3& center, int k) noexcept;
+/// Derivative k that is given at the joint, in metres and seconds; the position is relative to the centre.
+Vec3 given_value(const ViaJoint& via_joint, const Vec3& center, int k) noexcept;
 
 }  // namespace tern
 

@@ -62,22 +62,22 @@ void add_cost(const Piece& piece, QpProblem& problem) {
 
 /// A weak spring from the joint to its via: without it the Hessian of a long chain is too nearly singular to be
 /// factored.
-void add_spring(const Hold& hold, const Vec3& center, const ProgrammeScale& scale, QpProblem& problem) {
-  const int unknown = kJointOrder * (hold.segment - 1);
-  const Vec3 at = (kSpring / scale.joint[hold.segment - 1][0]) * (hold.position - center);
+void add_spring(const ViaJoint& via_joint, const Vec3& center, const ProgrammeScale& scale, QpProblem& problem) {
+  const int unknown = kJointOrder * (via_joint.segment - 1);
+  const Vec3 at = (kSpring / scale.joint[via_joint.segment - 1][0]) * (via_joint.position - center);
   problem.hessian[unknown][0] += kSpring;
   for (int a = 0; a < kQpAxes; ++a) problem.linear[a][unknown] -= axis(at, a);
 }
 
 /// At the joints of vias: gives a unit diagonal to unknowns whose derivatives are given, so that they stay 0, and adds
 /// springs.
-void add_holds(const Chain& chain, const ProgrammeScale& scale, QpProblem& problem) {
-  for (int i = 0; i < chain.hold_count; ++i) {
-    const Hold& hold = chain.holds[i];
+void add_via_joints(const Chain& chain, const ProgrammeScale& scale, QpProblem& problem) {
+  for (int i = 0; i < chain.via_joint_count; ++i) {
+    const ViaJoint& via_joint = chain.via_joints[i];
     for (int k = 0; k < kJointOrder; ++k) {
-      if (gives(hold, k)) problem.hessian[kJointOrder * (hold.segment - 1) + k][0] = 1.0;
+      if (gives(via_joint, k)) problem.hessian[kJointOrder * (via_joint.segment - 1) + k][0] = 1.0;
     }
-    if (!gives(hold, 0)) add_spring(hold, chain.center, scale, problem);
+    if (!gives(via_joint, 0)) add_spring(via_joint, chain.center, scale, problem);
   }
 }
 
@@ -183,18 +183,18 @@ void add_limit_rows(const Chain& chain, ProgrammeScale& scale, const LimitPlanes
 
 /// Adds the rows that keep the joints at vias with a tolerance in their cubes.
 void add_via_rows(const Chain& chain, ProgrammeScale& scale, QpProblem& problem) {
-  for (int i = 0; i < chain.hold_count; ++i) {
-    const Hold& hold = chain.holds[i];
-    if (gives(hold, 0)) continue;
+  for (int i = 0; i < chain.via_joint_count; ++i) {
+    const ViaJoint& via_joint = chain.via_joints[i];
+    if (gives(via_joint, 0)) continue;
     const int point_begin = problem.point_count;
     const int plane_begin = problem.plane_count;
-    const Vec3 edge{hold.reach, hold.reach, hold.reach};
-    const Vec3 at = hold.position - chain.center;
+    const Vec3 edge{via_joint.reach, via_joint.reach, via_joint.reach};
+    const Vec3 at = via_joint.position - chain.center;
     Halfspace faces[kBoxPlanes];
     box_planes({at - edge, at + edge}, faces);
     for (const Halfspace& face : faces) problem.planes[problem.plane_count++] = face;
-    add_point(piece_of(chain, scale, hold.segment), end_weights_of(0).rows[0], 1.0, origin_of(hold.segment, 0, 0),
-              scale, problem);
+    add_point(piece_of(chain, scale, via_joint.segment), end_weights_of(0).rows[0], 1.0,
+              origin_of(via_joint.segment, 0, 0), scale, problem);
     add_group(point_begin, plane_begin, problem.plane_count, problem);
   }
 }
@@ -227,10 +227,10 @@ JointState read_joint(const Chain& chain, const ProgrammeScale& scale, const QpS
     power *= scale.tau;
   }
   state.d[0] = state.d[0] + chain.center;
-  const Hold* const hold = hold_at(chain, joint + 1);
-  if (hold == nullptr) return state;
+  const ViaJoint* const via_joint = via_joint_at(chain, joint + 1);
+  if (via_joint == nullptr) return state;
   for (int k = 0; k < kJointOrder; ++k) {
-    if (gives(*hold, k)) state.d[k] = k == 0 ? hold->position : held_value(*hold, chain.center, k);
+    if (gives(*via_joint, k)) state.d[k] = k == 0 ? via_joint->position : given_value(*via_joint, chain.center, k);
   }
   return state;
 }
@@ -245,7 +245,7 @@ void assemble(const Chain& chain, const Corridor& corridor, const MotionLimits& 
   scale.snap_per_cost = 2.0 / (kCostScale * seventh_power(scale.tau));
   scale_joints(chain, scale);
   for (int i = 0; i < chain.count; ++i) add_cost(piece_of(chain, scale, i), problem);
-  add_holds(chain, scale, problem);
+  add_via_joints(chain, scale, problem);
   add_corridor(chain, corridor, scale, problem);
   const LimitPlanes velocity = limit_planes(limits.velocity, kept_direction(chain, 1));
   const LimitPlanes acceleration = limit_planes(limits.acceleration, kept_direction(chain, 2));

@@ -13,12 +13,12 @@ Halfspace relative_plane(const Halfspace& plane, const Vec3& origin, const Vec3&
   return {plane.normal, larger(far, offset - kCorridorReserve)};
 }
 
-/// Puts the ends of polyhedra that meet at a hold at the hold's position.
-void set_joints(const Holds& holds, Corridor& out) {
-  for (int i = 0; i < holds.count; ++i) {
-    const int after = holds.list[i].polyhedron;
-    out.polyhedra[after - 1].to = holds.list[i].position;
-    out.polyhedra[after].from = holds.list[i].position;
+/// Puts the ends of polyhedra that meet at a via at its position.
+void set_joints(const ViaJoints& via_joints, Corridor& out) {
+  for (int i = 0; i < via_joints.count; ++i) {
+    const int after = via_joints.list[i].polyhedron;
+    out.polyhedra[after - 1].to = via_joints.list[i].position;
+    out.polyhedra[after].from = via_joints.list[i].position;
   }
 }
 
@@ -31,7 +31,7 @@ void set_planes(const Polyhedron& in, const Vec3& origin, Polyhedron& relative) 
 }  // namespace
 
 void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3& start, const Vec3& goal,
-                       const Holds& holds, Corridor& out) noexcept {
+                       const ViaJoints& via_joints, Corridor& out) noexcept {
   out.count = corridor.count;
   for (int i = 0; i < corridor.count; ++i) {
     const Polyhedron& in = corridor.polyhedra[i];
@@ -41,7 +41,7 @@ void relative_corridor(const Corridor& corridor, const Vec3& origin, const Vec3&
     relative.from = i == 0 ? start : in.from - origin;
     relative.to = i + 1 == corridor.count ? goal : in.to - origin;
   }
-  set_joints(holds, out);
+  set_joints(via_joints, out);
   for (int i = 0; i < corridor.count; ++i) set_planes(corridor.polyhedra[i], origin, out.polyhedra[i]);
 }
 

@@ -69,7 +69,7 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
     return;
   }
   work.effort += effort_of(kEndEffort, fit_ends(corridor, stage.query.limits, stage.chain));
-  if (stage.chain.hold_count > 0) even_out(stage.chain);
+  if (stage.chain.via_joint_count > 0) even_out(stage.chain);
   assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
   work.effort += assembly_effort(stage.chain, stage.problem);
@@ -149,9 +149,9 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   Round& round = stage.round;
   round.offer = Offer{snap_of(candidate), chain_duration(stage.chain), least, 1.0, 0.0};
   const bool better = improves(stage.refinement, round.offer);
-  const bool holds = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
-  if (!holds) stage.solve_status = Status::kNumerical;
-  round.better = better && holds;
+  const bool via_joints = keeps_everything(candidate, round.offer.stretch, corridor, stage.query.limits);
+  if (!via_joints) stage.solve_status = Status::kNumerical;
+  round.better = better && via_joints;
   if (!round.better) return;
   work.effort += prices_effort(stage.chain, stage.solution);
   keep_best(stage);
@@ -173,7 +173,7 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& wor
   stage.has_fallback = true;
   stage.warm_count = 0;
   follow(stage.fallback, stage.chain);
-  if (!place_holds(stage.chain)) return;  // false if the way from one via to the next has no length
+  if (!place_via_joints(stage.chain)) return;  // false if the way from one via to the next has no length
   refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
 }
 
@@ -181,9 +181,9 @@ void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& wor
 /// the conditioning. False if it already does.
 bool give_up_tolerances(TrajectoryStage& stage) {
   bool had_some = false;
-  for (int i = 0; i < stage.chain.hold_count; ++i) {
-    had_some = had_some || stage.chain.holds[i].reach > 0.0;
-    stage.chain.holds[i].reach = 0.0;
+  for (int i = 0; i < stage.chain.via_joint_count; ++i) {
+    had_some = had_some || stage.chain.via_joints[i].reach > 0.0;
+    stage.chain.via_joints[i].reach = 0.0;
   }
   if (had_some) stage.warm_count = 0;
   return had_some;
@@ -193,7 +193,7 @@ bool give_up_tolerances(TrajectoryStage& stage) {
 void weigh_bound(TrajectoryStage& stage, Work& work) {
   Round& round = stage.round;
   const double bound = qp_lower_bound(stage.solver);
-  round.bounded = stage.chain.hold_count > 0 && stage.best.found && bound > -kQpNoBound;
+  round.bounded = stage.chain.via_joint_count > 0 && stage.best.found && bound > -kQpNoBound;
   if (!round.bounded) return;
   round.offer.snap = stage.scale.snap_per_cost * bound + stage.fixed_snap;
   qp_abandon(stage.solver, stage.problem, stage.solution);
