@@ -13,9 +13,10 @@ import sys
 NODE = re.compile(r'node: \{ title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
 FRAME = re.compile(r"(\d+) bytes \((\w+(?:,\w+)?)\)")
-# Calls through a pointer end here; the only one is the caller's clock, whose stack is the caller's.
+# Calls through a pointer end here; the only one is the caller's clock, whose stack is the caller's. Plan reads it, in
+# whichever of its functions the compiler inlines that.
 INDIRECT = "__indirect_call"
-CLOCK_CALLER = "4Plan7advance"
+CLOCK_CALLER = "4tern4Plan"
 # What a function outside the graph may take: memcpy and its kin, and the compiler's integer helpers, are leaves of a few
 # registers.
 OUTSIDE_FRAME = 64
