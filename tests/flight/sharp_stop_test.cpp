@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/math.hpp"
-#include "flight/brakes.hpp"
 #include "flight/branch.hpp"
 #include "support/random.hpp"
 

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/math.hpp"
-#include "flight/brakes.hpp"
 #include "flight/branch.hpp"
 #include "tern/proof.hpp"
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Pieces that committed plans are made of: the first part of a trajectory, a segment that takes the jerk to zero, and
-// a brake in closed form. Every function appends to a trajectory; positions are relative to its origin.
+// brakes, in closed form or along the path. Every function appends to a trajectory; positions are relative to its
+// origin.
 #ifndef TERN_FLIGHT_BRANCH_HPP
 #define TERN_FLIGHT_BRANCH_HPP
 
@@ -48,6 +49,31 @@ void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept
 constexpr int kStops = kBrakeShapes;
 bool append_stop(const JointState& from, const MotionLimits& limits, int way, Stopping& scratch,
                  Trajectory& out) noexcept;
+
+/// How many slow-downs are tried, the sharpest first.
+constexpr int kSlowDowns = 6;
+/// Brakes of an evasion by number: the sharp stop, the stops of append_stop(), the sharpest first, and the slow-downs.
+constexpr int kStraight = 1 + kStops;
+constexpr int kEvasions = kStraight + kSlowDowns;
+
+/// Appends a brake that takes the jerk to zero, ramps to a steady deceleration, holds it, and ramps back to zero. Its
+/// ramps are the shortest ones that the limits on jerk allow, kMinDuration at least. Of the times in which the jerk
+/// goes to zero (kSettleTime, halved up to kSettleHalvings times), it takes the one with the shortest way to rest. The
+/// brake never takes the acceleration to zero before the ramp: at its speed limit, a vehicle whose speed still rises
+/// must not wait.
+///
+/// False if there is no room, or if no such brake keeps the limits.
+bool append_sharp_stop(const JointState& from, const MotionLimits& limits, Trajectory& out) noexcept;
+
+/// How long slow-down `way` of 0 .. kSlowDowns - 1 takes from this velocity, seconds. On a straight path flown at a
+/// constant speed, the sharpest one brakes at the limit of acceleration or of jerk.
+double slow_down_time(const Vec3& velocity, const MotionLimits& limits, int way) noexcept;
+
+/// Appends the plan's path from `from` on, flown ever slower until it rests after `time` > 0: if the path is clear, so
+/// is the brake. It begins in the plan's state, from position to jerk, and ends half of that time further along the
+/// plan, or at its end. Every joint lies on the path; in between, the error is below kProofTolerance for common limits.
+/// The caller has to check the limits. False if there is no room (kMaxSegments).
+bool append_slow_down(const Trajectory& plan, double from, double time, Trajectory& out) noexcept;
 
 }  // namespace tern
 

@@ -3,7 +3,6 @@
 #include "flight/draft.hpp"
 
 #include "base/math.hpp"
-#include "flight/brakes.hpp"
 #include "flight/branch.hpp"
 #include "prove/joints.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "flight/brakes.hpp"
+#include "flight/branch.hpp"
 #include "flight/charge.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"

@@ -3,7 +3,7 @@
 #include "base/math.hpp"
 #include "curve/brake.hpp"
 #include "curve/motion_limits.hpp"
-#include "flight/brakes.hpp"
+#include "flight/branch.hpp"
 
 namespace tern {
 namespace {

@@ -3,7 +3,7 @@
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "curve/bezier.hpp"
-#include "flight/brakes.hpp"
+#include "flight/branch.hpp"
 
 namespace tern {
 namespace {
