@@ -100,7 +100,7 @@ void count_reuse(const Map& map, const std::vector<Vec3>& line, Samples& samples
   const auto corridor = std::make_unique<tern::Corridor>();
   path->count = static_cast<int>(line.size());
   std::copy(line.begin(), line.end(), path->points);
-  corridor_begin(*stage, *path, 0xFFFFFFFFu);
+  corridor_begin(*stage, *path);
   tern::Work work{0xFFFFFFFFu};
   if (corridor_advance(*stage, tern::World(map.grid), *path, work, *corridor) != tern::Progress::kDone) {
     ++samples.failed;

@@ -115,8 +115,7 @@ TernFrontEnd::TernFrontEnd()
 TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions) {
   TernRoutes routes;
   const tern::Grid& grid = world.grid();
-  const tern::SearchQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position),
-                                kNoBudget};
+  const tern::SearchQuery query{grid.to_local(scenario.start.position), grid.to_local(scenario.goal.position)};
   double searching = std::numeric_limits<double>::infinity();
   double shortening = searching;
   for (int k = 0; k < repetitions; ++k) {
@@ -129,7 +128,7 @@ TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenari
     const double between = thread_time();
     routes.status = search_->status;
     if (searched == tern::Progress::kDone) {
-      tern::shortcut_begin(*shortcut_, grid, kNoBudget, *path_);
+      tern::shortcut_begin(*shortcut_, grid, *path_);
       tern::shortcut_advance(*shortcut_, grid, work, *path_);
       routes.status = shortcut_->status;
     }
@@ -137,8 +136,8 @@ TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenari
     shortening = std::min(shortening, thread_time() - between);
   }
   const bool found = routes.status == tern::Status::kOk;
-  routes.jump_points = {{found, {}, search_->expansions}, searching};
-  routes.shortened = {{found, {}, search_->expansions}, searching + shortening};
+  routes.jump_points = {{found, {}, search_->pieces}, searching};
+  routes.shortened = {{found, {}, search_->pieces}, searching + shortening};
   if (found) {
     routes.jump_points.route.points = world_points(world, path_->raw, path_->raw_count);
     routes.shortened.route.points = world_points(world, path_->points, path_->count);

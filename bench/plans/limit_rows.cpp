@@ -39,7 +39,6 @@ std::vector<LimitRow> Prober::rows(const tern::Corridor& corridor, const tern::L
   query.goal.position = corridor.polyhedra[corridor.count - 1].to;
   query.limits = limits;
   query.time_weight = time_weight;
-  query.max_iterations = 0xFFFFFFFFu;
   tern::TimesStage times;
   tern::Chain chain;
   tern::Work all{0xFFFFFFFFu};

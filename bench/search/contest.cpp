@@ -37,7 +37,8 @@ double timed(Run run) {
 tern::Status run_tern(tern::Search& search, tern::ScanMap& scans, const tern::Grid& grid, const Query& query) {
   tern::search_begin(search, scans, grid, query.start, query.goal);
   tern::Status status = tern::Status::kRunning;
-  while (status == tern::Status::kRunning) status = tern::search_expand(search, grid);
+  tern::Work work;
+  while (status == tern::Status::kRunning) status = tern::search_expand(search, grid, work);
   return status;
 }
 

@@ -25,8 +25,8 @@ struct Figures {
   Spread nanoseconds;
   Spread cycles;  ///< zeros where no cycle counter was to be had
   bool has_work;  ///< the row counts work
-  std::uint32_t work;
-  std::uint32_t bound;
+  std::uint64_t work;
+  std::uint64_t bound;
 };
 
 struct CaseFigures {

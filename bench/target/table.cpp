@@ -40,7 +40,7 @@ std::string csv_cells(const Spread& spread, double scale, const char* pattern) {
 
 std::string csv_row(const std::string& name, const Figures& row) {
   std::string out = name + "," + row.stage + csv_cells(row.nanoseconds, 1e-3, "%.3f");
-  out += row.has_work ? format(",%" PRIu32 ",%" PRIu32, row.work, row.bound) : ",,";
+  out += row.has_work ? format(",%" PRIu64 ",%" PRIu64, row.work, row.bound) : ",,";
   return out + csv_cells(row.cycles, 1.0, "%.0f") + "\n";
 }
 
@@ -55,7 +55,7 @@ std::string table_of(const CaseFigures& figures) {
   std::string out = format("%s, bits %016" PRIx64 "\n", figures.name.c_str(), figures.bits);
   for (const Figures& row : figures.rows) {
     out += format("  %-10s", row.stage) + cells(row.nanoseconds) + cells(row.cycles);
-    out += row.has_work ? format("%10" PRIu32 "%12" PRIu32 "\n", row.work, row.bound) : format("%10s%12s\n", "-", "-");
+    out += row.has_work ? format("%10" PRIu64 "%20" PRIu64 "\n", row.work, row.bound) : format("%10s%12s\n", "-", "-");
   }
   return out;
 }

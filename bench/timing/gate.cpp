@@ -83,7 +83,7 @@ tern::Status run(const Case& input, tern::Planner& planner, tern::Report& report
   return plan_in_units(input, grid, planner, cost);
 }
 
-void row(const Case& input, const char* stage, std::uint64_t count, std::uint32_t work, std::uint32_t bound) {
+void row(const Case& input, const char* stage, std::uint64_t count, std::uint64_t work, std::uint64_t bound) {
   print(input.name, ",", stage, ",", count, ",", work, ",", bound, "\n");
 }
 

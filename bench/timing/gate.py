@@ -17,12 +17,17 @@ HEADROOM = 1.10
 SLACK = 0.70
 # Instructions of a flight's tick, whatever its budget: 4 ms at 0.7 ns each (docs/timing.md).
 LONGEST_TICK = 5_700_000
+# Instructions of a unit of work, in every stage and job (docs/timing.md), where at least LEAST_UNITS of them were done.
+UNIT_BAND = (400, 1500)
+LEAST_UNITS = 100
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
 STAGES = ["grid", "mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check",
           "detour", "previous", "escape", "plan"]
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
 UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
+COUNTED = ["fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "previous", "escape", "reach",
+           "first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "fixed", "motion", "point", "timed"]
 MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
 
 
@@ -133,6 +138,29 @@ def print_bounds(rows, caps):
         print(f"{stage:12}{thousands(bound):>16}{thousands(worst):>14}{worst / bound:>16.2g}  {cap}, {scenario}")
 
 
+def instructions_per_unit(rows):
+    """{stage: [(instructions of a unit, scenario)]}, where a row counts both."""
+    found = {}
+    for (scenario, stage), row in rows.items():
+        if stage in COUNTED and row[1] >= LEAST_UNITS:
+            found.setdefault(stage, []).append((row[0] / row[1], scenario))
+    return found
+
+
+def print_units(rows):
+    print(f"{'':12}{'least':>10}{'mean':>10}{'most':>10}  in")
+    for stage, found in instructions_per_unit(rows).items():
+        values = [value for value, _ in found]
+        print(f"{stage:12}{min(values):>10.0f}{sum(values) / len(values):>10.0f}{max(values):>10.0f}  {max(found)[1]}")
+
+
+def check_units(rows):
+    low, high = UNIT_BAND
+    return [f"{scenario} {stage}: a unit takes {value:.0f} instructions, not {low} to {high}"
+            for stage, found in instructions_per_unit(rows).items() for value, scenario in found
+            if not low <= value <= high]
+
+
 def check_caps(caps):
     return [f"{name} {stage}: reached {cap.reached} of {cap.capacity}, so that its bound was not measured"
             for (name, stage), cap in caps.items() if cap.reached != cap.capacity]
@@ -160,8 +188,9 @@ def compare(counts, budgets):
     return failures, warnings
 
 
-def judge(counts, caps, made_with, budgets, notes):
+def judge(rows, counts, caps, made_with, budgets, notes):
     failures, warnings = compare(counts, budgets)
+    failures += check_units(rows)
     for warning in warnings:
         print(f"warning: {warning}")
     failures += check_caps(caps)
@@ -184,6 +213,8 @@ def show(notes, rows, caps, budgets):
     print_table(rows, budgets, MAP_JOBS)
     print("and the longest ticks of flights")
     print_table(rows, budgets, TICKS)
+    print("instructions of a unit of work")
+    print_units(rows)
     if not caps:
         return
     print("each loop at its configured bound")
@@ -217,7 +248,7 @@ def main():
     made_with, budgets = read_budgets(arguments.budgets)
     show(notes, rows, caps, budgets)
     print(f"two runs equal to the last digit; {time.monotonic() - began:.0f} s")
-    return judge(counts, caps, made_with, budgets, notes)
+    return judge(rows, counts, caps, made_with, budgets, notes)
 
 
 sys.exit(main())

@@ -14,7 +14,7 @@ static tern::Status plan_until(std::uint64_t deadline, tern::Planner& planner, c
                                const tern::Request& request, tern::Trajectory& trajectory, tern::Report& report) {
   tern::Status status = planner.begin(grid, request);
   while (status == tern::Status::kRunning && tern_port::monotonic_nanoseconds() < deadline) {
-    status = planner.step(50);  // units of work; measure once how many fit into the time that may be overrun
+    status = planner.step(50);  // units of work, about a thousand instructions each
   }
   status = planner.finish(trajectory, report);
   return status;

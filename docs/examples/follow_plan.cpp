@@ -28,14 +28,11 @@ static int plan_in_slices(tern::Planner& planner, const tern::Grid& grid, const 
 }
 
 static void print_stages(const tern::Report& report) {
-  static const char* const units[tern::kStageCount] = {
-      "none",  "expansion",  "sight line", "half-space", "segment", "iteration", "polyhedron or segment",
-      "fence", "sight line", "half-space", "half-space", "row"};
   for (int s = 1; s < tern::kStageCount; ++s) {
     const tern::StageReport& stage = report.diagnostics.stages[s];
     if (stage.bound == 0) continue;  // it did not run
-    std::printf("| %s | %s | %" PRIu32 " | %" PRIu32 " |\n", tern::stage_name(static_cast<tern::Stage>(s)), units[s],
-                stage.work, stage.bound);
+    std::printf("| %s | %" PRIu64 " | %" PRIu64 " |\n", tern::stage_name(static_cast<tern::Stage>(s)), stage.work,
+                stage.bound);
   }
 }
 

@@ -40,7 +40,7 @@ int main() {
   grid.inflate();
   const std::int64_t quarter = static_cast<std::int64_t>(0.25e9 * whole);
   const bool around = replan(planner, grid, request, request.begin + quarter, plan);
-  request.budget.expansions = 0;  // no search: all that is left is the rest of the plan
+  request.budget.search = 0;  // no search: all that is left is the rest of the plan
   const double rest = tern::duration(plan) - 0.5;
   const bool along = replan(planner, grid, request, plan.begin + 500000000, plan);
   const double error = tern::duration(plan) - rest;

@@ -193,7 +193,7 @@ void replan_along(Context& context, tern::Planner& planner, const World& world, 
   t = before_goal(ask, plan, t);
   Ask next;
   make_replan(context, world, map, ask, plan, t, false, next);
-  if (context.rng.chance(0.5)) next.request.budget.expansions = 0;
+  if (context.rng.chance(0.5)) next.request.budget.search = 0;
   const std::size_t before = context.findings.size();
   ask_with_previous(context, planner, world, map, next, plan, t, false, "replan_along_");
   if (context.findings.size() == before && !spoiled(context.bench.trajectory)) {

@@ -37,7 +37,7 @@ struct Ask {
   bool hurries() const;
   /// True where no stage before the optimiser has a budget.
   bool unlimited_search() const;
-  bool unlimited() const { return unlimited_search() && request.budget.iterations == 0xFFFFFFFFu; }
+  bool unlimited() const { return unlimited_search() && request.budget.trajectory == 0xFFFFFFFFu; }
 };
 
 void make_request(Rng& rng, Family family, const World& world, const Map& map, Ask& ask);

@@ -61,8 +61,8 @@ void print_ask(const World& world, const Ask& ask) {
   line("a_min", r.limits.a_min);
   line("j_max", r.limits.j_max);
   std::printf("  v_horizontal %.17g a_horizontal %.17g j_horizontal %.17g weight %.17g budget %u %u %u %u\n",
-              r.limits.v_horizontal, r.limits.a_horizontal, r.limits.j_horizontal, r.time_weight, r.budget.expansions,
-              r.budget.sight_lines, r.budget.planes, r.budget.iterations);
+              r.limits.v_horizontal, r.limits.a_horizontal, r.limits.j_horizontal, r.time_weight, r.budget.search,
+              r.budget.shortcut, r.budget.corridor, r.budget.trajectory);
   for (const tern::Via& via : ask.vias) {
     line("via", via.position);
     std::printf("    tolerance %.17g%s dwell %.17g\n", via.tolerance, via.stop ? " stop" : "", via.dwell);

@@ -130,7 +130,7 @@ void ask_both(Context& context, tern::Planner& kept, Changing& c) {
   for (int k = 0; k < count && context.findings.empty(); ++k) {
     Ask ask;
     make_request(context.rng, Family::kChanges, c.world, map, ask);
-    if (c.wide || context.rng.chance(0.7)) ask.request.budget.iterations = 0;
+    if (c.wide || context.rng.chance(0.7)) ask.request.budget.trajectory = 0;
     const Status status = ask_once(context, kept, c.world, map, ask, "plan on a changed world");
     compare_fresh(context, c.world, ask, status);
   }

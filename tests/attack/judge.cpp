@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a status and a report may say.
+#include <cinttypes>
 #include <cstdio>
 #include <cstring>
 
@@ -62,13 +63,13 @@ bool fits_budget(const Ask& ask, Status status) {
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   switch (status) {
     case Status::kBudgetSearch:
-      return b.expansions != kNone;
+      return b.search != kNone;
     case Status::kBudgetShortcut:
-      return b.sight_lines != kNone;
+      return b.shortcut != kNone;
     case Status::kBudgetCorridor:
-      return b.planes != kNone;
+      return b.corridor != kNone;
     case Status::kBudgetOptimise:
-      return b.iterations != kNone && (!ask.rest_to_rest() || ask.hurries());
+      return b.trajectory != kNone && (!ask.rest_to_rest() || ask.hurries());
     default:
       return true;
   }
@@ -97,7 +98,7 @@ void check_report(Context& context, const World& world, const Ask& ask, const te
     report(f, "report", "%s: quality %d", what, static_cast<int>(r.quality));
   for (int k = 0; k < tern::kStageCount; ++k) {
     if (r.diagnostics.stages[k].work <= r.diagnostics.stages[k].bound) continue;
-    report(f, "report", "%s: %s spent %u of %u", what, tern::stage_name(static_cast<tern::Stage>(k)),
+    report(f, "report", "%s: %s spent %" PRIu64 " of %" PRIu64, what, tern::stage_name(static_cast<tern::Stage>(k)),
            r.diagnostics.stages[k].work, r.diagnostics.stages[k].bound);
   }
   const bool occupied = is_occupied(status) || is_narrow(status);

@@ -80,10 +80,10 @@ void make_moving(Rng& rng, const tern::Limits& l, tern::State& state) {
 
 void make_budget(Rng& rng, double none, tern::Budget& budget) {
   const double u = rng.unit();
-  if (u < none) budget.iterations = 0;
-  if (u >= none && u < none + 0.15) budget.iterations = static_cast<std::uint32_t>(rng.integer(1, 60));
+  if (u < none) budget.trajectory = 0;
+  if (u >= none && u < none + 0.15) budget.trajectory = static_cast<std::uint32_t>(rng.integer(1, 60));
   if (!rng.chance(0.04)) return;
-  std::uint32_t* const budgets[] = {&budget.expansions, &budget.sight_lines, &budget.planes};
+  std::uint32_t* const budgets[] = {&budget.search, &budget.shortcut, &budget.corridor};
   *rng.pick(budgets) = static_cast<std::uint32_t>(rng.integer(0, 40));
 }
 
@@ -124,7 +124,7 @@ bool Ask::hurries() const {
 
 bool Ask::unlimited_search() const {
   const tern::Budget& b = request.budget;
-  return b.expansions == kUnlimited && b.sight_lines == kUnlimited && b.planes == kUnlimited;
+  return b.search == kUnlimited && b.shortcut == kUnlimited && b.corridor == kUnlimited;
 }
 
 tern::Vec3 make_point(Rng& rng, const World& world, const Map& map) {

@@ -22,7 +22,7 @@ TERN_BOARD_LARGE std::uint64_t words[tern_golden::kFmuGridWords];
 tern_golden::Scenario scenario;
 tern::Trajectory trajectory;
 
-void row(int index, const char* stage, std::uint64_t count, std::uint32_t work, std::uint32_t bound) {
+void row(int index, const char* stage, std::uint64_t count, std::uint64_t work, std::uint64_t bound) {
   print("golden_", index, ",", stage, ",", count, ",", work, ",", bound, "\n");
 }
 

@@ -182,25 +182,26 @@ std::vector<Exceeded> optimiser_capacities() {
 
 // ---- budgets
 
-/// The answer to a plan with a share of the work that it needs in a stage: all of it, or a unit less.
-Status plan_within(std::uint32_t tern::Budget::*budget, tern::Stage stage, std::uint32_t less) {
+/// The answer to a plan with the work that it needs in a stage, or with a part of it.
+Status plan_within(std::uint32_t tern::Budget::*budget, tern::Stage stage, std::uint64_t part) {
   World world = slalom(1);
   if (world.plan() != Status::kOk) return kNotThis;
-  world.request.budget.*budget = world.report.diagnostics.stages[static_cast<int>(stage)].work - less;
+  world.request.budget.*budget =
+      static_cast<std::uint32_t>(world.report.diagnostics.stages[static_cast<int>(stage)].work / part);
   const Status status = world.replan();
   return status == Status::kOk ? world.report.optimiser : status;
 }
 
 Exceeded budget(const char* name, std::uint32_t tern::Budget::*member, tern::Stage stage, Status status) {
-  return {name, status, [=] { return plan_within(member, stage, 0) == Status::kOk; },
-          [=] { return plan_within(member, stage, 1); }};
+  return {name, status, [=] { return plan_within(member, stage, 1) == Status::kOk; },
+          [=] { return plan_within(member, stage, 4); }};
 }
 
 std::vector<Exceeded> budgets() {
-  return {budget("Budget::expansions", &tern::Budget::expansions, tern::Stage::kSearch, Status::kBudgetSearch),
-          budget("Budget::sight_lines", &tern::Budget::sight_lines, tern::Stage::kShortcut, Status::kBudgetShortcut),
-          budget("Budget::planes", &tern::Budget::planes, tern::Stage::kCorridor, Status::kBudgetCorridor),
-          budget("Budget::iterations", &tern::Budget::iterations, tern::Stage::kTrajectory, Status::kBudgetOptimise)};
+  return {budget("Budget::search", &tern::Budget::search, tern::Stage::kSearch, Status::kBudgetSearch),
+          budget("Budget::shortcut", &tern::Budget::shortcut, tern::Stage::kShortcut, Status::kBudgetShortcut),
+          budget("Budget::corridor", &tern::Budget::corridor, tern::Stage::kCorridor, Status::kBudgetCorridor),
+          budget("Budget::trajectory", &tern::Budget::trajectory, tern::Stage::kTrajectory, Status::kBudgetOptimise)};
 }
 
 }  // namespace

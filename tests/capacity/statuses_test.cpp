@@ -118,7 +118,7 @@ Status grow_through_obstacle() {
 Status check_failed() {
   World world = open_world();
   world.grid.inflate();
-  world.request.budget.iterations = 0;  // stop-and-go, which nothing can replace
+  world.request.budget.trajectory = 0;  // stop-and-go, which nothing can replace
   const auto address = reinterpret_cast<std::uintptr_t>(world.memory.get());
   const std::uintptr_t mask = tern::kWorkspaceAlignment - 1;
   auto& layout = *reinterpret_cast<tern::Layout*>((address + mask) & ~mask);

@@ -28,8 +28,8 @@
   FIELD(tern_state, jerk) FIELD(tern_limits, j_max) FIELD(tern_limits, j_horizontal)                                 \
   FIELD(tern_limits, v_max) FIELD(tern_limits, a_max) FIELD(tern_limits, v_min) FIELD(tern_limits, a_min)            \
   FIELD(tern_limits, v_horizontal) FIELD(tern_limits, a_horizontal)                                                  \
-  FIELD(tern_budget, expansions) FIELD(tern_budget, sight_lines) FIELD(tern_budget, planes)                          \
-  FIELD(tern_budget, iterations)                                                                                     \
+  FIELD(tern_budget, search) FIELD(tern_budget, shortcut) FIELD(tern_budget, corridor)                               \
+  FIELD(tern_budget, trajectory)                                                                                     \
   FIELD(tern_halfspace, normal) FIELD(tern_halfspace, offset)                                                        \
   FIELD(tern_fence, planes) FIELD(tern_fence, count) FIELD(tern_fence, kind)                                         \
   FIELD(tern_via, position) FIELD(tern_via, tolerance) FIELD(tern_via, stop) FIELD(tern_via, has_velocity)           \

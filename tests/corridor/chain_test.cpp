@@ -101,7 +101,7 @@ void expect_joints_on(const Path& path, const Corridor& corridor) {
 class CorridorChain : public ::testing::Test {
  protected:
   Status run(const tern::Grid& grid, const Path& path) {
-    corridor_begin(*stage_, path, 0xFFFFFFFFu);
+    corridor_begin(*stage_, path);
     Work work{0xFFFFFFFFu};
     corridor_advance(*stage_, tern::World(grid), path, work, *corridor_);
     return stage_->status;

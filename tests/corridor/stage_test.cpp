@@ -30,14 +30,13 @@ class CorridorStageTest : public ::testing::Test {
   }
 
   /// Runs in slices of `slice` units on a scratch full of `fill`.
-  Status run(const MarkedWorld& world, std::uint32_t slice, std::uint32_t max_planes = 0xFFFFFFFFu, int fill = 0xA5) {
+  Status run(const MarkedWorld& world, std::uint32_t slice, int fill = 0xA5) {
     std::memset(static_cast<void*>(stage_.get()), fill, sizeof *stage_);
     std::memset(static_cast<void*>(corridor_.get()), fill, sizeof *corridor_);
-    corridor_begin(*stage_, *path_, max_planes);
+    corridor_begin(*stage_, *path_);
     for (int i = 0; i < 1000000; ++i) {
       Work work{slice};
       const tern::Progress progress = corridor_advance(*stage_, tern::World(world.grid), *path_, work, *corridor_);
-      EXPECT_LE(stage_->planes, tern::kCorridorBound);
       EXPECT_LE(stage_->tries, tern::kCorridorTries);
       if (progress != tern::Progress::kMore) return stage_->status;
     }
@@ -105,7 +104,7 @@ TEST_F(CorridorStageTest, LegsThatAPolyhedronHoldsAreNotBuilt) {
   ASSERT_EQ(run(world, 1), Status::kOk);
   ASSERT_EQ(corridor_->count, 2);
   expect_chain();
-  EXPECT_EQ(stage_->planes, 2u * 6u) << "the six faces of two boxes";
+  EXPECT_EQ(stage_->grow.planes_high, 6) << "the faces of a box";
   const Polyhedron& first = corridor_->polyhedra[0];
   expect_same(first.to, {4.5, 3.5, 1.0});
 }
@@ -180,12 +179,12 @@ TEST_F(CorridorStageTest, APathOutsideTheBoundarySaysSo) {
 TEST_F(CorridorStageTest, NoWorkIsNoProgress) {
   const MarkedWorld world({40, 40, 40}, 0.1, 0.2);
   set_path({{0.5, 0.5, 0.5}, {2.0, 2.0, 2.0}});
-  corridor_begin(*stage_, *path_, 100);
+  corridor_begin(*stage_, *path_);
   for (int i = 0; i < 5; ++i) {
     Work none{0};
     EXPECT_EQ(corridor_advance(*stage_, tern::World(world.grid), *path_, none, *corridor_), tern::Progress::kMore);
   }
-  EXPECT_EQ(stage_->planes, 0u);
+  EXPECT_EQ(stage_->growth.phase, tern::GrowPhase::kBox);
 }
 
 TEST_F(CorridorStageTest, SlicesChangeNoBit) {
@@ -198,29 +197,15 @@ TEST_F(CorridorStageTest, SlicesChangeNoBit) {
     }
   }
   set_path({{0.5, 4.05, 1.5}, {3.0, 4.05, 1.5}, {7.5, 4.04, 1.5}});
-  ASSERT_EQ(run(world, 1000, 0xFFFFFFFFu, 0), Status::kOk);
+  ASSERT_EQ(run(world, 1000, 0), Status::kOk);
   const auto whole = std::make_unique<Corridor>(*corridor_);
-  const std::uint32_t planes = stage_->planes;
   ASSERT_EQ(run(world, 1), Status::kOk);
-  EXPECT_EQ(stage_->planes, planes);
   ASSERT_EQ(corridor_->count, whole->count);
   for (int i = 0; i < whole->count; ++i) {
     const Polyhedron& a = whole->polyhedra[i];
     const Polyhedron& b = corridor_->polyhedra[i];
     ASSERT_EQ(a.count, b.count);
     EXPECT_EQ(std::memcmp(a.planes, b.planes, sizeof(tern::Halfspace) * static_cast<std::size_t>(a.count)), 0);
-  }
-}
-
-TEST_F(CorridorStageTest, EveryBudgetEndsInBudgetOrInTheSameCorridor) {
-  MarkedWorld world({80, 80, 30}, 0.1, 0.2);
-  world.fill({30, 0, 0}, {35, 50, 30});
-  set_path({{1.0, 1.0, 1.5}, {2.5, 5.6, 1.5}, {3.9, 5.6, 1.5}, {6.0, 1.0, 1.5}});
-  ASSERT_EQ(run(world, 100), Status::kOk);
-  const std::uint32_t needed = stage_->planes;
-  for (std::uint32_t k = 0; k <= needed + 1; ++k) {
-    EXPECT_EQ(run(world, 100, k), k < needed ? Status::kBudgetCorridor : Status::kOk) << k;
-    EXPECT_LE(stage_->planes, k);
   }
 }
 

@@ -221,7 +221,9 @@ Polyhedron box_polyhedron(double a, double b, double c) {
 
 TEST(CorridorEllipsoid, TheBarrierCentresOnABox) {
   // Two slacks of a / 2 each: the Hessian is 8 / a^2 along x, so that E^2 is a^2 / 8.
-  const tern::BarrierEllipsoid inner = barrier_ellipsoid(box_polyhedron(4.0, 2.0, 1.0), Vector(0.3, 1.9, 0.1), 1e-3);
+  tern::Work work;
+  const tern::BarrierEllipsoid inner =
+      barrier_ellipsoid(box_polyhedron(4.0, 2.0, 1.0), Vector(0.3, 1.9, 0.1), 1e-3, work);
   EXPECT_NEAR(inner.metric.center[0], 2.0, 2e-2);
   EXPECT_NEAR(inner.metric.center[1], 1.0, 1e-2);
   EXPECT_NEAR(inner.metric.center[2], 0.5, 5e-3);
@@ -232,7 +234,9 @@ TEST(CorridorEllipsoid, TheBarrierCentresOnABox) {
 }
 
 TEST(CorridorEllipsoid, TheBarrierBeginsOnAPlaneToo) {
-  const tern::BarrierEllipsoid inner = barrier_ellipsoid(box_polyhedron(4.0, 2.0, 1.0), Vector(0.0, 2.0, 0.5), 0.05);
+  tern::Work work;
+  const tern::BarrierEllipsoid inner =
+      barrier_ellipsoid(box_polyhedron(4.0, 2.0, 1.0), Vector(0.0, 2.0, 0.5), 0.05, work);
   EXPECT_NEAR(inner.metric.center[0], 2.0, 0.1);
   EXPECT_NEAR(inner.metric.center[1], 1.0, 0.1);
 }

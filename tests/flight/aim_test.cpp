@@ -123,7 +123,8 @@ TEST(FlightAim, TheNearestReachablePointTakesTheAimsPlace) {
     FlightState& state = room.state();
     state.facts.time = state.draft.takeover = 2000000000;
     state.cycle.route.begin(room.map(), room.start, 0.0, 0.0, 0.0);
-    for (int k = 0; k < 100000 && !state.cycle.route.done(); ++k) state.cycle.route.advance(room.map());
+    for (int k = 0; k < 100000 && !state.cycle.route.done(); ++k)
+      state.cycle.route.advance(room.map(), state.tick_work);
     EXPECT_TRUE(state.cycle.route.done());
     state.cycle.aim.start = joint_at(state.facts.plans.in_flight.trajectory, 0.0, kZero);
     state.cycle.aim.target_place = state.cycle.aim.place = {8.125, 0.125, 1.125};
@@ -274,10 +275,9 @@ TEST(FlightAim, NewGoalDuringTheProofOfTheRestDropsIt) {
     if (moves) {
       ASSERT_EQ(room.flight.set_goal({8.125, 4.125, 1.125}), Status::kOk);
     }
-    state.charge.owed = 0;
+    state.tick_work = tern::Work{};
     Work work{100000};
-    ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.itinerary, state.draft, state.charge, work),
-              Progress::kDone);
+    ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.itinerary, state.draft, work), Progress::kDone);
     EXPECT_EQ(state.cycle.remainder_is_free, !moves);
   }
 }

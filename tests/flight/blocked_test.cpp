@@ -232,7 +232,7 @@ TEST(FlightBlocked, ProofThatEndsAtAFence) {
   state.draft.plan.planned = tern_test::polyline({room.start, {8.125, 0.125, 1.125}}, 4.0);
   ASSERT_EQ(state.draft.begin_proof(state.facts, state.draft.plan.planned, 0.0), Status::kRunning);
   Work work{100000};
-  ASSERT_EQ(state.charge.step(state.draft.proof, work), Progress::kDone);
+  ASSERT_EQ(tern::FlightWork::step(state.draft.proof, work), Progress::kDone);
   state.block.note_unproven(state.facts.map, state.draft);
   EXPECT_EQ(state.block.fence, 0);
   EXPECT_NEAR(state.block.at.x, 3.4, 0.1);
@@ -243,11 +243,11 @@ TEST(FlightBlocked, NothingIsBeyond) {
   FlightRoom room;
   FlightState& state = room.state();
   state.block = {BlockedBy::kWindow, state.cycle.aim.target_place, kNoFence};
-  state.block.note_beyond(state.facts, state.cycle.aim, state.cycle.aim.target_place, state.charge);
+  state.block.note_beyond(state.facts, state.cycle.aim, state.cycle.aim.target_place, state.tick_work);
   EXPECT_EQ(state.block.by, BlockedBy::kWindow);
   Report found{};
   found.status = Status::kNoPath;
-  state.block.note_no_plan(state.facts, state.cycle.aim, found, state.charge);
+  state.block.note_no_plan(state.facts, state.cycle.aim, found, state.tick_work);
   EXPECT_EQ(state.block.by, BlockedBy::kNothing);
 }
 

@@ -25,7 +25,7 @@ struct Braking : Flying {
     s.draft.extends = false;
     s.evasion.best.number = -1;
     s.evasion.number = 0;
-    EXPECT_TRUE(s.draft.brake(s.facts, s.itinerary, s.evasion.number, s.watch.threat, s.charge));
+    EXPECT_TRUE(s.draft.brake(s.facts, s.itinerary, s.evasion.number, s.watch.threat, s.tick_work));
   }
   /// What ends the proof, and that the brake's limits are proven next.
   void expect_contact(Finding end) {

@@ -138,7 +138,7 @@ TEST(FlightLateBrakes, BrakesAreTriedAnewOnAChangedMap) {
   room.advance(kNothing);
   ASSERT_TRUE(state.evasion.is_running);
   const int first = state.evasion.number;
-  state.evasion.try_next(state.facts, state.itinerary, state.watch, state.draft, state.charge);
+  state.evasion.try_next(state.facts, state.itinerary, state.watch, state.draft, state.tick_work);
   ASSERT_NE(state.evasion.number, first);
   state.evasion.best = kBrake;
   const std::int64_t takeover = state.draft.takeover;
@@ -168,7 +168,7 @@ TEST(FlightLateBrakes, ContactBeforeTheTakeoverIsForgottenOnlyByAWholeProof) {
       state.watch.prove(state.facts, Watched::kBefore);
       ASSERT_TRUE(state.watch.is_running);
       Work work{4000};
-      ASSERT_EQ(state.charge.step(state.watch.proof, work), Progress::kDone);
+      ASSERT_EQ(tern::FlightWork::step(state.watch.proof, work), Progress::kDone);
       state.end_watched_part();
       EXPECT_EQ(state.watch.meets_before, met && added);
     }

@@ -36,7 +36,7 @@ struct Stuck : FlightRoom {
     state().search.begin_lookout();
     state().cycle.job = Job::kLookout;
   }
-  Vec3 place() { return state().search.lookout_place(map(), state().block, start, state().charge); }
+  Vec3 place() { return state().search.lookout_place(map(), state().block, start, state().tick_work); }
   /// The place that is chosen, with the copy of the route still empty.
   Vec3 choose() {
     begin();
@@ -121,10 +121,10 @@ TEST(FlightLookout, IsSoughtOnceTheMapIsThere) {
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
   Work work{100000};
   EXPECT_EQ(state.run_lookout(work), Progress::kMore);
-  EXPECT_EQ(work.left, 100000u);
+  EXPECT_EQ(work.units(), 100000u);
   EXPECT_EQ(state.cycle.job, Job::kLookout);
   EXPECT_EQ(state.search.searched, 0);
-  EXPECT_EQ(state.block.note_near(state.facts.map, room.start, state.facts.map.safe(), state.charge), kAnywhere);
+  EXPECT_EQ(state.block.note_near(state.facts.map, room.start, state.facts.map.safe(), state.tick_work), kAnywhere);
   expect_same(state.block.at, kHidden);
 }
 

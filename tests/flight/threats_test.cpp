@@ -140,7 +140,7 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
     ++marked;
     const double wall = room.flight.rest_position().x - 0.5;
     room.mark({{wall, room.start.y - 8.0, -2.0}, {wall + 0.3, room.start.y + 8.0, 4.0}});
-    state.charge.owed = 0;
+    state.tick_work = tern::Work{};
     room.watch(4000);
     ASSERT_TRUE(state.watch.threat);
     room.advance(4000);
@@ -241,7 +241,7 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     state.evasion.number = 0;
     state.evasion.straight = 1;
     ASSERT_TRUE(
-        state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.charge));
+        state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.tick_work));
     ASSERT_TRUE(state.evasion.begin_brake_proof(BrakeProof::kClear, state.facts, state.watch, state.draft));
     Work work{4000};
     EXPECT_EQ(state.run_evasion(work), Progress::kDone);
@@ -379,7 +379,7 @@ TEST(FlightThreats, BrakesBeyondALimitAreNotFlown) {
       state.evasion.best.number = -1;
       state.evasion.number = 0;
       ASSERT_TRUE(
-          state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.charge));
+          state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.tick_work));
       if (is_weak)
         state.facts.spec.limits.a_max = {0.5, 0.5, 0.5};  // for the proof alone: brakes are made by state.facts.limits
       state.evasion.tried = {0, 0.0, 1.0, true};

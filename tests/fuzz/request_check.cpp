@@ -62,9 +62,9 @@ void make_request(ByteSource& source, Asked& asked) {
   if (source.below(4) == 0) r.limits.j_max = source.vector(1.0, 60.0);
   if (source.below(4) == 0) r.limits.v_horizontal = source.number(0.2, 4.0);
   if (source.below(8) == 0) r.time_weight = source.number(0.001, 1000.0);
-  if (source.below(4) == 0) r.budget.expansions = static_cast<std::uint32_t>(source.byte());
-  if (source.below(4) == 0) r.budget.planes = static_cast<std::uint32_t>(source.byte());
-  if (source.below(4) == 0) r.budget.iterations = static_cast<std::uint32_t>(source.byte());
+  if (source.below(4) == 0) r.budget.search = static_cast<std::uint32_t>(source.byte());
+  if (source.below(4) == 0) r.budget.corridor = static_cast<std::uint32_t>(source.byte());
+  if (source.below(4) == 0) r.budget.trajectory = static_cast<std::uint32_t>(source.byte());
   r.search = static_cast<tern::SearchMode>(source.below(2));
   r.goal_mode = static_cast<tern::GoalMode>(source.below(2));
   add_parts(source, asked);

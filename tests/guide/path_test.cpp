@@ -42,7 +42,7 @@ TEST(FastPath, VerdictsAreRightAndBoundsHold) {
     const double optimum = reference.cost(start, goal);
     const Status status = runner.run(world.grid, fast_query(world, start, goal));
     ++used[static_cast<int>(runner.search().search_used)];
-    ASSERT_LE(runner.search().expansions, tern::kSearchBound);
+    ASSERT_LE(runner.search().pieces, tern::kSearchBound);
     if (optimum < 0.0) {
       ASSERT_EQ(status, Status::kNoPath) << "case " << k;
       ASSERT_EQ(runner.search().search_used, SearchUsed::kNone);
@@ -93,10 +93,10 @@ TEST(FastPath, AWayOfTooManyTurnsIsSearchedAgain) {
   PathRunner runner;
   tern_test::PathQuery query = fast_query(world, {0, 0, 0}, {0, 6, 0});
   ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
-  const std::uint32_t fast = runner.search().expansions;
+  const std::uint32_t fast = runner.search().pieces;
   query.search = tern::SearchMode::kOptimal;
   ASSERT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
-  EXPECT_GT(fast, runner.search().expansions + 4000) << "the guided search goes from voxel to voxel";
+  EXPECT_GT(fast, runner.search().pieces + 4000) << "the guided search goes from voxel to voxel";
 }
 
 TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
@@ -113,39 +113,11 @@ TEST(FastPath, NeitherSlicesNorMemoryChangeThePath) {
     for (const std::uint32_t slice : {1u, 7u, 1000u}) {
       other.fill(static_cast<unsigned char>(slice));
       ASSERT_EQ(other.run(world.grid, query, slice), status);
-      ASSERT_EQ(other.search().expansions, whole.search().expansions);
+      ASSERT_EQ(other.search().pieces, whole.search().pieces);
       ASSERT_EQ(other.search().search_used, whole.search().search_used);
       if (status == Status::kOk) tern_test::expect_same_raw(whole.path(), other.path());
     }
   }
-}
-
-/// A budget that ends the search at any unit gives the same answer in one slice and in many.
-TEST(FastPath, BudgetsEndTheSearchWhereverItIs) {
-  PathRunner whole;
-  PathRunner sliced;
-  Random random(23);
-  int guided = 0;
-  for (int k = 0; k < 400 && guided < 3; ++k) {
-    const VoxelWorld world = walled_world(random);
-    Voxel start{};
-    Voxel goal{};
-    if (!random_ends(world.grid, random, start, goal)) continue;
-    tern_test::PathQuery query = fast_query(world, start, goal);
-    if (whole.run(world.grid, query) != Status::kOk || whole.search().search_used != SearchUsed::kGuided) continue;
-    ++guided;
-    const std::uint32_t needed = whole.search().expansions;
-    for (const std::uint32_t budget : {0u, 1u, 96u, 97u, needed - 1}) {
-      query.max_expansions = budget;
-      ASSERT_EQ(whole.run(world.grid, query), Status::kBudgetSearch) << budget;
-      ASSERT_EQ(sliced.run(world.grid, query, 3), Status::kBudgetSearch) << budget;
-      EXPECT_EQ(whole.search().expansions, budget);
-      EXPECT_EQ(sliced.search().expansions, budget);
-    }
-    query.max_expansions = needed;
-    EXPECT_EQ(whole.run(world.grid, query), Status::kOk);
-  }
-  EXPECT_EQ(guided, 3);
 }
 
 }  // namespace

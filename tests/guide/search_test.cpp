@@ -38,13 +38,12 @@ class GuidedRunner {
 
   Status run(const tern::Grid& grid, const Voxel& start, const Voxel& goal, std::uint32_t slice = 0xFFFFFFFFu) {
     if (!guided_begin(*search_, grid, start, goal)) return Status::kInvalidArgument;
-    units = 0;
     Status status = Status::kRunning;
     while (status == Status::kRunning) {
       tern::Work work{slice};
       status = guided_advance(*search_, grid, work);
-      units += slice - work.left;
     }
+    units = search_->entries;
     path_->raw_count = 0;
     return status == Status::kOk ? guided_extract(*search_, grid, 0, *path_) : status;
   }

@@ -127,15 +127,14 @@ TEST(PathChain, ALongWindingPathIsTheSameInSlices) {
   const VoxelWorld world = winding_lane(kColumns);
   PathRunner whole;
   PathRunner sliced;
-  const PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({2 * kColumns - 2, 0, 0}), 0xFFFFFFFFu,
-                        0xFFFFFFFFu};
+  const PathQuery query{world.grid.center({0, 0, 0}), world.grid.center({2 * kColumns - 2, 0, 0})};
   // More turns than a path may have segments: the chain is complete before that shows.
   ASSERT_EQ(whole.run(world.grid, query), Status::kSegmentsFull);
   EXPECT_GT(whole.path().raw_count, tern::kMaxJumpPoints * 9 / 10);
-  EXPECT_LE(whole.shortcut().sight_lines, tern::kChainBound);
+  EXPECT_LE(whole.shortcut().pieces, tern::kChainBound);
   for (const std::uint32_t slice : {1u, 7u, 1000u}) {
     ASSERT_EQ(sliced.run(world.grid, query, slice), Status::kSegmentsFull);
-    EXPECT_EQ(sliced.shortcut().sight_lines, whole.shortcut().sight_lines);
+    EXPECT_EQ(sliced.shortcut().pieces, whole.shortcut().pieces);
     EXPECT_EQ(sliced.path().count, whole.path().count);
   }
 }

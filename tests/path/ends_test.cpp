@@ -82,7 +82,7 @@ TEST(PathEnds, BlockedVoxelWithAClearPointIsServed) {
   const Path& path = runner.path();
   ASSERT_EQ(path.count, 3);
   expect_point(path.points[1], {2.5, 2.5, 2.5});
-  EXPECT_GE(runner.search().expansions, 2u);
+  EXPECT_GE(runner.search().pieces, 2u);
   ASSERT_EQ(runner.run(world.grid, Vec3{6.5, 2.5, 2.5}, Vec3{1.35, 2.5, 2.5}), Status::kOk);
   expect_point(runner.path().points[1], {2.5, 2.5, 2.5});
   // Both ends the same clear point of a voxel that is not free.
@@ -141,7 +141,7 @@ TEST(PathEnds, EnclosedGoal) {
   PathRunner runner;
   EXPECT_EQ(runner.run(world.grid, Voxel{0, 0, 0}, Voxel{6, 6, 6}), Status::kNoPath);
   EXPECT_EQ(runner.run(world.grid, Voxel{6, 6, 6}, Voxel{0, 0, 0}), Status::kNoPath);
-  EXPECT_LE(runner.search().expansions, 1u);
+  EXPECT_LE(runner.search().pieces, 1u);
 }
 
 TEST(PathEnds, FullMapAndOneVoxelMap) {
@@ -172,34 +172,6 @@ TEST(PathEnds, NoDiagonalPastTouchingCorners) {
   box.block({1, 0, 0});
   ASSERT_EQ(runner.run(box.grid, Voxel{0, 0, 0}, Voxel{1, 1, 1}), Status::kOk);
   EXPECT_NEAR(runner.path().grid_length, 1.0 + std::sqrt(2.0), 1e-12);
-}
-
-TEST(PathEnds, EveryBudgetEndsInItsStageOrGivesTheSamePath) {
-  Random random(52);
-  PathRunner whole;
-  PathRunner cut;
-  for (int k = 0; k < scaled(60); ++k) {
-    const VoxelWorld world = random_world(random);
-    Voxel a{};
-    Voxel b{};
-    if (!random_ends(world.grid, random, a, b)) continue;
-    PathQuery query{world.grid.center(a), world.grid.center(b), 0xFFFFFFFFu, 0xFFFFFFFFu};
-    if (whole.run(world.grid, query) != Status::kOk) continue;
-    const std::uint32_t expansions = whole.search().expansions;
-    const std::uint32_t lines = whole.shortcut().sight_lines;
-    for (std::uint32_t n = 0; n <= expansions; ++n) {
-      query.max_expansions = n;
-      ASSERT_EQ(cut.run(world.grid, query), n < expansions ? Status::kBudgetSearch : Status::kOk);
-      ASSERT_LE(cut.search().expansions, n);
-    }
-    for (std::uint32_t n = 0; n <= lines; ++n) {
-      query.max_sight_lines = n;
-      ASSERT_EQ(cut.run(world.grid, query), n < lines ? Status::kBudgetShortcut : Status::kOk);
-      ASSERT_LE(cut.shortcut().sight_lines, n);
-    }
-    ASSERT_EQ(cut.path().count, whole.path().count);
-    for (int i = 0; i < whole.path().count; ++i) expect_point(cut.path().points[i], whole.path().points[i]);
-  }
 }
 
 }  // namespace

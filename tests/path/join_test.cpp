@@ -155,11 +155,12 @@ class Reference {
 
 std::vector<Key> joined(const Place& place, bool moves) {
   const auto join = std::make_unique<tern::Join>();
+  tern::Work work;
   tern::join_begin(*join, place.grid, place.point);
   std::vector<Key> found;
   for (int turn = 0; turn <= 2 * tern::kJoinCells && join->state != tern::JoinState::kRefused; ++turn) {
     if (join->state == tern::JoinState::kTrying) {
-      tern::join_try(*join, place.world(), place.point);
+      tern::join_try(*join, place.world(), place.point, work);
     } else {
       found.push_back(key(join->voxel));
       const bool more = tern::join_others(*join, place.grid, place.point, moves);

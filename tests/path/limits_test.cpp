@@ -31,8 +31,8 @@ TEST(PathLimits, APocketThatIsFloodedAlreadyIsNotFloodedAgain) {
   for (int x = 1; x <= 3; ++x) world.clear({x, 3, 3});
   world.block({10, 10, 10}, {12, 12, 12}).clear({11, 11, 11});
   const auto stage = std::make_unique<tern::ReachStage>();
-  tern::reach_begin(*stage, tern::World(world.grid), {{4.0, 4.0, 4.0}, {11.6, 11.5, 11.5}, 0xFFFFFFFFu});
-  tern::Work work{tern::kReachBound};
+  tern::reach_begin(*stage, tern::World(world.grid), {{4.0, 4.0, 4.0}, {11.6, 11.5, 11.5}});
+  tern::Work work{0xFFFFFFFFu};
   ASSERT_EQ(tern::reach_advance(*stage, tern::World(world.grid), work), tern::Progress::kDone);
   EXPECT_TRUE(stage->start.voxel.x == 3 && stage->start.voxel.y == 3 && stage->start.voxel.z == 3) << "joined last";
   EXPECT_TRUE(stage->nearest.x == 13 && stage->nearest.y == 11 && stage->nearest.z == 11);

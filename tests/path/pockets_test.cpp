@@ -94,17 +94,6 @@ TEST_F(ThreePockets, AreTriedOneAfterTheOther) {
   expect_clear(world_, runner_.path());
 }
 
-TEST_F(ThreePockets, CountAgainstTheBudget) {
-  world_.clear({2, 3, 4}).clear({1, 3, 4});
-  PathQuery query{kCorner, kOutside, ~0u, ~0u};
-  ASSERT_EQ(runner_.run(world_.grid, query), Status::kOk);
-  const std::uint32_t needed = runner_.search().expansions;
-  for (query.max_expansions = 0; query.max_expansions < needed; ++query.max_expansions) {
-    ASSERT_EQ(runner_.run(world_.grid, query), Status::kBudgetSearch) << query.max_expansions;
-  }
-  EXPECT_EQ(runner_.run(world_.grid, query), Status::kOk);
-}
-
 TEST_F(Pockets, AnotherGoalIsSoughtFromEveryStart) {
   // The start's own voxel has a way out and the one tried after it has none; the goal's own voxel has none.
   VoxelWorld world({16, 8, 8});
@@ -118,13 +107,13 @@ TEST_F(Pockets, NoWayWhereTheGoalIsSealedAltogether) {
   world_.block({0, 0, 0}, {2, 2, 2}).clear({1, 1, 1});
   EXPECT_EQ(runner_.run(world_.grid, kCorner, Vec3{1.5, 1.5, 1.5}), Status::kNoPath);
   EXPECT_EQ(runner_.run(world_.grid, Vec3{1.5, 1.5, 1.5}, kCorner), Status::kNoPath);
-  EXPECT_LE(runner_.search().expansions, tern::kSearchBound);
+  EXPECT_LE(runner_.search().pieces, tern::kSearchBound);
 }
 
 TEST_F(Pockets, SlicesOfOneFindTheSamePath) {
   ASSERT_EQ(runner_.run(world_.grid, kCorner, kElsewhere), Status::kOk);
   PathRunner sliced;
-  ASSERT_EQ(sliced.run(world_.grid, {kCorner, kElsewhere, ~0u, ~0u}, 1), Status::kOk);
+  ASSERT_EQ(sliced.run(world_.grid, {kCorner, kElsewhere}, 1), Status::kOk);
   ASSERT_EQ(sliced.path().count, runner_.path().count);
   for (int i = 0; i < sliced.path().count; ++i) {
     EXPECT_EQ(sliced.path().points[i].x, runner_.path().points[i].x);
@@ -135,20 +124,21 @@ TEST_F(Pockets, SlicesOfOneFindTheSamePath) {
 
 TEST_F(Pockets, JoinOthersLeavesOutWhatWasSearched) {
   const auto join = std::make_unique<Join>();
+  tern::Work work;
   join_begin(*join, world_.grid, kCorner);
   ASSERT_EQ(join->state, JoinState::kJoined);
   ASSERT_EQ(join->count, 0);
   ASSERT_TRUE(join_others(*join, world_.grid, kCorner, false));
   EXPECT_EQ(join->state, JoinState::kTrying);
   EXPECT_GT(join->count, 1);
-  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner);
+  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner, work);
   ASSERT_EQ(join->state, JoinState::kJoined);
   const Voxel first = join->voxel;
   EXPECT_NE(first.x + first.y + first.z, 12) << "not the pocket itself";
   EXPECT_TRUE(world_.grid.free(first));
   // All the others that the corner sees are joined to it by faces: none is left.
   EXPECT_TRUE(join_others(*join, world_.grid, kCorner, false));
-  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner);
+  while (join->state == JoinState::kTrying) join_try(*join, tern::World(world_.grid), kCorner, work);
   EXPECT_EQ(join->state, JoinState::kRefused);
   EXPECT_FALSE(join_others(*join, world_.grid, kCorner, false));
 }

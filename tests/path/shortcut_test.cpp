@@ -95,7 +95,7 @@ TEST(PathShortcut, OpenSpaceIsOneSegment) {
   ASSERT_EQ(runner.run(world.grid, Voxel{1, 2, 3}, Voxel{17, 9, 12}), Status::kOk);
   EXPECT_EQ(runner.path().count, 2);
   EXPECT_NEAR(runner.path().length, std::sqrt(16.0 * 16 + 7 * 7 + 9 * 9), 1e-12);
-  EXPECT_LE(runner.shortcut().sight_lines, 3u);
+  EXPECT_LE(runner.shortcut().pieces, 3u);
 }
 
 TEST(PathShortcut, CollinearPointsFallAway) {

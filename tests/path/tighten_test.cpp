@@ -61,7 +61,7 @@ TEST(PathTighten, NeverLongerNeverMoreAlwaysInSight) {
     const Vec3 start{a.x + random.unit(), a.y + random.unit(), a.z + random.unit()};
     const Vec3 goal{b.x + random.unit(), b.y + random.unit(), b.z + random.unit()};
     if (runner.run(world.grid, start, goal) != Status::kOk) continue;
-    ASSERT_LE(runner.shortcut().sight_lines, tern::kShortcutBound);
+    ASSERT_LE(runner.shortcut().pieces, tern::kShortcutBound);
     const Path chain = chain_of(world.grid, runner.path());
     ASSERT_NO_FATAL_FAILURE(expect_sound(world.grid, runner.path(), chain)) << "case " << k;
     shorter += runner.path().length < chain.length - 1e-9 ? 1 : 0;

@@ -37,12 +37,12 @@ class Detour : public testing::Test {
     request_.start.position = path_->points[0];
     request_.goal.position = path_->points[path_->count - 1];
   }
-  bool take() { return tern::take_detour(tern::World(world_.grid), request_, request_.limits, *path_, lines_); }
+  bool take() { return tern::take_detour(tern::World(world_.grid), request_, request_.limits, *path_, work_); }
 
   World world_;
   Request request_{};
   std::unique_ptr<Path> path_ = std::make_unique<Path>();
-  std::uint32_t lines_ = 0;
+  tern::Work work_;
 };
 
 TEST_F(Detour, LeadsPastTheStartsStoppingPoint) {
@@ -55,7 +55,6 @@ TEST_F(Detour, LeadsPastTheStartsStoppingPoint) {
   EXPECT_EQ(path_->points[1].y, 1.0);
   EXPECT_EQ(path_->points[2].x, 4.2) << "the corridor's end is not in sight from there";
   EXPECT_GT(path_->length, 4.4);
-  EXPECT_LE(lines_, tern::kDetourLines);
 }
 
 TEST_F(Detour, GoesOnToTheFurthestWaypointInSight) {
@@ -105,8 +104,8 @@ TEST(DetourFarAway, StopsOnTheBoundaryWhereRoundingLeadsBeyondIt) {
   const tern::MotionLimits limits(request.limits);
   const tern::State& start = request.start;
   ASSERT_LT(tern::stopping_point(tern::make_brake(start, limits, tern::kBrakeShapes - 1)).x, -1e-9);
-  std::uint32_t lines = 0;
-  ASSERT_TRUE(tern::take_detour(tern::World(far.grid), request, limits, path, lines));
+  tern::Work work;
+  ASSERT_TRUE(tern::take_detour(tern::World(far.grid), request, limits, path, work));
   EXPECT_EQ(path.points[1].x, 0.0);
 }
 
@@ -137,7 +136,7 @@ class FencedDetour : public Detour {
     tern::box_planes(box, planes);
     const tern::Fence fence{planes, tern::kBoxPlanes, tern::FenceKind::kKeepOut};
     EXPECT_EQ(tern::load_fences(world_.grid, &fence, 1, *solids_).status, Status::kOk);
-    return tern::take_detour(tern::World(world_.grid, *solids_), request_, request_.limits, *path_, lines_);
+    return tern::take_detour(tern::World(world_.grid, *solids_), request_, request_.limits, *path_, work_);
   }
   std::unique_ptr<tern::Solids> solids_ = std::make_unique<tern::Solids>();
 };
@@ -183,9 +182,7 @@ TEST(DetourPlan, IsReportedAndBounded) {
   EXPECT_EQ(world.report.diagnostics.detours, 1);
   EXPECT_EQ(world.planner.path()->points[1].x, 1.2);
   EXPECT_LT(world.planner.path()->points[1].y, 1.4);
-  const std::uint32_t lines = world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work;
-  EXPECT_GT(lines, 0u);
-  EXPECT_LE(lines, tern::kDetourLines);
+  EXPECT_GT(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);
   for (const tern::StageReport& stage : world.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
 }
 
@@ -206,24 +203,27 @@ TEST(DetourPlan, KeepsTheBudgetsOverBothAttempts) {
   World world = sideways();
   ASSERT_EQ(world.plan(), Status::kOk);
   const tern::Report full = world.report;
-  world.request.budget.iterations = full.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work / 2;
+  world.request.budget.trajectory =
+      static_cast<std::uint32_t>(full.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work / 2);
   ASSERT_EQ(world.replan(), Status::kOk) << "stop-and-go at least";
-  EXPECT_LE(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work,
-            world.request.budget.iterations);
-  world.request.budget.iterations = 0xFFFFFFFFu;
-  world.request.budget.planes = full.diagnostics.stages[static_cast<int>(tern::Stage::kCorridor)].work - 1;
+  const tern::StageReport& optimising = world.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)];
+  EXPECT_LE(optimising.work, optimising.bound);
+  world.request.budget.trajectory = 0xFFFFFFFFu;
+  world.request.budget.corridor =
+      static_cast<std::uint32_t>(full.diagnostics.stages[static_cast<int>(tern::Stage::kCorridor)].work / 2);
   EXPECT_EQ(world.replan(), Status::kNoTrajectory);
   EXPECT_TRUE(world.trajectory_untouched());
 }
 
-TEST(DetourPlan, SharesTheBudgetOfSightLinesWithTheShortcut) {
+TEST(DetourPlan, SharesTheBudgetOfTheShortcut) {
   World world = sideways();
   ASSERT_EQ(world.plan(), Status::kOk);
-  const std::uint32_t shortcut = world.report.diagnostics.stages[static_cast<int>(tern::Stage::kShortcut)].work;
-  world.request.budget.sight_lines = shortcut + tern::kDetourLines;
+  const auto shortcut =
+      static_cast<std::uint32_t>(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kShortcut)].work);
+  world.request.budget.shortcut = shortcut + 1;
   ASSERT_EQ(world.replan(), Status::kOk);
   EXPECT_EQ(world.report.diagnostics.detours, 1);
-  world.request.budget.sight_lines = shortcut + tern::kDetourLines - 1;
+  world.request.budget.shortcut = shortcut - 1;
   world.replan();
   EXPECT_NE(world.report.diagnostics.detours, 1);
   EXPECT_EQ(world.report.diagnostics.stages[static_cast<int>(tern::Stage::kDetour)].work, 0u);

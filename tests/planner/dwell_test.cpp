@@ -77,7 +77,7 @@ TEST_F(Dwell, HoldsAtEveryStopAndAtBothEnds) {
   expect_rests();
   EXPECT_GE(arrival(2), arrival(1) + 0.5);
   EXPECT_GE(tern::duration(world_.trajectory), arrival(4) + 3.0 - 1e-9);
-  world_.request.budget.iterations = 0;
+  world_.request.budget.trajectory = 0;
   ASSERT_EQ(plan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
   expect_rests();
@@ -86,7 +86,7 @@ TEST_F(Dwell, HoldsAtEveryStopAndAtBothEnds) {
 
 TEST_F(Dwell, HoldsInStopAndGoAndAfterAStartInMotion) {
   stop({4.0, 3.0, 1.0}, 1.5);
-  world_.request.budget.iterations = 0;
+  world_.request.budget.trajectory = 0;
   ASSERT_EQ(plan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, tern::Quality::kStopAndGo);
   expect_rests();

@@ -33,7 +33,10 @@ class Fallback : public testing::Test {
   Status step_to_trajectory() {
     layout().trajectory.count = -1;
     Status status = Status::kRunning;
-    while (status == Status::kRunning && layout().trajectory.count == -1) status = world_.planner.step(1);
+    while (status == Status::kRunning && layout().trajectory.count == -1) {
+      tern::Work one_piece = tern::Work{1}.within(1);
+      status = world_.planner.step(one_piece);
+    }
     return status;
   }
   void spoil() { layout().trajectory.segments[0].points[4].z += 100.0; }
@@ -69,10 +72,10 @@ TEST_F(Fallback, UnspoiltPlansAreOptimised) {
 }
 
 TEST_F(Fallback, FliesFromStopToStopWhatTheCheckRefused) {
-  world_.request.budget.iterations = 0;
+  world_.request.budget.trajectory = 0;
   ASSERT_EQ(world_.replan(), Status::kOk);
   const tern::Trajectory stops = world_.trajectory;
-  world_.request.budget.iterations = 0xFFFFFFFFu;
+  world_.request.budget.trajectory = 0xFFFFFFFFu;
   begin();
   spoil();
   ASSERT_EQ(run(), Status::kOk);
@@ -103,7 +106,7 @@ TEST_F(Fallback, EndsWhereStopAndGoIsRefusedAsWell) {
 }
 
 TEST_F(Fallback, ThereIsNoneBelowStopAndGo) {
-  world_.request.budget.iterations = 0;
+  world_.request.budget.trajectory = 0;
   begin();
   spoil();
   EXPECT_EQ(run(), Status::kCheckFailed);

@@ -39,7 +39,7 @@ class FarPlans : public testing::TestWithParam<double> {
 
 TEST_P(FarPlans, MovingStartsAtEveryIterationBudget) {
   for (const std::uint32_t budget : {0u, 20u, 60u, 0xFFFFFFFFu}) {
-    world_.request.budget.iterations = budget;
+    world_.request.budget.trajectory = budget;
     for (int i = 0; i < scaled(40); ++i) {
       const double v = random_.real(2.0, 10.0);
       const double a = random_.real(2.0, 8.0);

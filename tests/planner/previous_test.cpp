@@ -36,7 +36,7 @@ class PreviousPlan : public testing::Test {
     world_.request.start = {now.position, now.velocity, now.acceleration, now.jerk};
     world_.request.previous = &first_;
     world_.request.previous_time = time;
-    world_.request.budget.expansions = 0;
+    world_.request.budget.search = 0;
   }
   /// The output is not touched before.
   Status plan_over() { return world_.planner.plan(world_.grid, world_.request, world_.trajectory, world_.report); }
@@ -77,7 +77,7 @@ TEST_F(PreviousPlan, IsFlownOnWhereNothingNewIsFound) {
 
 TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
   ask_from(0.4 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.time_weight = tern::kMinTimeWeight;  // a new plan takes its time
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kPrevious);
@@ -95,7 +95,7 @@ TEST_F(PreviousPlan, IsLeftWhereANewOneArrivesEarlier) {
 TEST_F(PreviousPlan, SetsThePaceOfANewOne) {
   // With higher limits there is an earlier plan. The old durations lead to it in fewer iterations.
   ask_from(0.3 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
   world_.request.time_weight = 1000.0;
   ASSERT_EQ(world_.replan(), Status::kOk);
@@ -110,7 +110,7 @@ TEST_F(PreviousPlan, SetsThePaceOfANewOne) {
 
 TEST_F(PreviousPlan, SetsTheSamePaceInSlices) {
   ask_from(0.3 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.limits = {{4.0, 4.0, 4.0}, {6.0, 6.0, 6.0}};
   ASSERT_EQ(world_.replan(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kOptimised);
@@ -131,20 +131,21 @@ TEST_F(PreviousPlan, SetsTheSamePaceInSlices) {
   }
 }
 
-TEST_F(PreviousPlan, IsNotReturnedToWithoutTheHalfSpacesForIt) {
+TEST_F(PreviousPlan, IsNotReturnedToWithoutTheWorkForIt) {
   ask_from(0.4 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.time_weight = tern::kMinTimeWeight;
   ASSERT_EQ(world_.replan(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kPrevious);
-  std::uint32_t planes = 0;
+  std::uint64_t needed = 0;
   for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kEscape}) {
-    planes += world_.report.diagnostics.stages[static_cast<int>(stage)].work;
+    needed += world_.report.diagnostics.stages[static_cast<int>(stage)].work;
   }
-  world_.request.budget.planes = planes;
+  world_.request.budget.corridor = static_cast<std::uint32_t>(needed);
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kPrevious);
-  world_.request.budget.planes = planes - 1;  // too few to enclose the rest a second time
+  world_.request.budget.corridor =
+      static_cast<std::uint32_t>(needed - needed / 10);  // too little to enclose the rest a second time
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
 }
@@ -158,7 +159,7 @@ TEST_F(PreviousPlan, LeadsNowhereElseFromRest) {
 
 TEST_F(PreviousPlan, LeadsToNoOtherGoalThatIsOccupied) {
   ask_from(0.3 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   world_.request.goal.position = {3.0, 1.0, 1.0};  // in the wall
   EXPECT_EQ(world_.replan(), Status::kGoalOccupied);
   EXPECT_EQ(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kPrevious)].work, 0u);
@@ -269,7 +270,7 @@ TEST_F(PreviousPlan, IsATrajectory) {
 
 TEST_F(PreviousPlan, IsOverPastItsEnd) {
   ask_from(2.0 * duration(first_));
-  world_.request.budget.expansions = 0xFFFFFFFFu;
+  world_.request.budget.search = 0xFFFFFFFFu;
   ASSERT_EQ(world_.replan(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kHover);
 }

@@ -81,7 +81,7 @@ TEST_F(RestBeforeAWall, IsFullWhereALastSegmentIsBlocked) {
 
 /// More segments would not have helped the search.
 TEST_F(RestBeforeAWall, LeavesASpentBudgetWhereItWas) {
-  world_.request.budget.expansions = 0;
+  world_.request.budget.search = 0;
   EXPECT_EQ(plan_after(2.8), Status::kBudgetSearch);
   EXPECT_EQ(world_.report.stage, Stage::kSearch);
 }

@@ -134,7 +134,7 @@ TEST_F(ViasPlan, KeepsTheOrder) {
 TEST_F(ViasPlan, StopAndGoPassesEveryVia) {
   via({4.0, 3.0, 1.0}).tolerance = 0.2;
   via({4.5, 1.0, 1.0});
-  world_.request.budget.iterations = 0;
+  world_.request.budget.trajectory = 0;
   ASSERT_EQ(plan(), Status::kOk);
   EXPECT_EQ(report().quality, Quality::kStopAndGo);
   expect_passes();

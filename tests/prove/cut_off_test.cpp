@@ -87,8 +87,8 @@ std::vector<Vec3> random_hull(Random& random, const Vec3& size) {
 }
 
 bool is_cut_off(const World& world, const std::vector<Vec3>& hull, const Polyhedron& hints, double distance) {
-  std::uint32_t effort = 0;
-  return tern::cut_off(world.grid, hull.data(), static_cast<int>(hull.size()), tern::hints_of(hints), distance, effort);
+  tern::Work work;
+  return tern::cut_off(world.grid, hull.data(), static_cast<int>(hull.size()), tern::hints_of(hints), distance, work);
 }
 
 TEST(CutOff, IsItsDefinition) {
@@ -138,11 +138,11 @@ TEST(CutOff, SeesOneVoxelThatAPlaneJustMisses) {
 /// Too many rows for one look: the answer is no, and the curve is halved.
 TEST(CutOff, LeavesWideHullsAlone) {
   World world({20, 200, 200}, 0.1, 0.2);
-  std::uint32_t effort = 0;
+  tern::Work work;
   const Vec3 wide[] = {{1.0, 1.0, 1.0}, {1.0, 19.0, 19.0}};
-  EXPECT_FALSE(tern::cut_off(world.grid, wide, 2, {nullptr, 0}, 0.2, effort));
+  EXPECT_FALSE(tern::cut_off(world.grid, wide, 2, {nullptr, 0}, 0.2, work));
   const Vec3 half[] = {{1.0, 1.0, 1.0}, {1.0, 10.0, 10.0}};
-  EXPECT_TRUE(tern::cut_off(world.grid, half, 2, {nullptr, 0}, 0.2, effort));
+  EXPECT_TRUE(tern::cut_off(world.grid, half, 2, {nullptr, 0}, 0.2, work));
 }
 
 }  // namespace

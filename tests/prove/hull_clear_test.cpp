@@ -23,8 +23,8 @@ struct Room : OwnedGrid {
   }
   bool clear(const Vec3& from, const Vec3& to, const Clearance& clearance, Voxel& found) const {
     const Vec3 points[2] = {from, to};
-    std::uint32_t effort = 0;
-    return hull_clear(grid, points, 2, clearance, found, effort);
+    tern::Work work;
+    return hull_clear(grid, points, 2, clearance, found, work);
   }
 };
 

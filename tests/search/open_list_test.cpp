@@ -256,7 +256,8 @@ TEST(SearchBound, EndsTheSearchWithoutAnAnswer) {
     tern::search_begin(*search, *scans, world.grid, {0, 0, 0}, {5, 0, 0});
     search->units = tern::kExpansionBound - units_left;
     tern::Status status = tern::Status::kRunning;
-    while (status == tern::Status::kRunning) status = tern::search_expand(*search, world.grid);
+    tern::Work work;
+    while (status == tern::Status::kRunning) status = tern::search_expand(*search, world.grid, work);
     return status;
   };
   // Step by step, each voxel of the corridor takes one unit. All have the same f, so nothing is sorted.

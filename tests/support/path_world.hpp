@@ -59,12 +59,10 @@ inline std::unique_ptr<tern::ScanMap> garbage_scans(unsigned char byte = 0xA5) {
   return scans;
 }
 
-/// What a path is asked for: the search stage's query, and the budget of the shortcut stage.
+/// What a path is asked for: the search stage's query.
 struct PathQuery {
   tern::Vec3 start;
   tern::Vec3 goal;
-  std::uint32_t max_expansions = 0xFFFFFFFFu;
-  std::uint32_t max_sight_lines = 0xFFFFFFFFu;
   bool start_moves = false;
   bool goal_moves = false;
   tern::SearchMode search = tern::SearchMode::kOptimal;
@@ -87,16 +85,15 @@ class PathRunner {
   /// Runs a query to its end in slices of `slice` units.
   tern::Status run(const tern::Grid& grid, const PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
     last_ = tern::Stage::kSearch;
-    shortcut_->sight_lines = 0;  // stays so where the search fails
-    tern::search_begin(
-        *search_, *scans_, tern::World(grid),
-        {query.start, query.goal, query.max_expansions, query.start_moves, query.goal_moves, query.search});
+    shortcut_->pieces = 0;  // stays so where the search fails
+    tern::search_begin(*search_, *scans_, tern::World(grid),
+                       {query.start, query.goal, query.start_moves, query.goal_moves, query.search});
     const auto search = [&](tern::Work& work) {
       return tern::search_advance(*search_, tern::World(grid), work, *path_);
     };
     if (run_in_slices(search, slice) == tern::Progress::kFailed) return search_->status;
     last_ = tern::Stage::kShortcut;
-    tern::shortcut_begin(*shortcut_, grid, query.max_sight_lines, *path_);
+    tern::shortcut_begin(*shortcut_, grid, *path_);
     const auto shorten = [&](tern::Work& work) { return tern::shortcut_advance(*shortcut_, grid, work, *path_); };
     return run_in_slices(shorten, slice) == tern::Progress::kFailed ? shortcut_->status : tern::Status::kOk;
   }

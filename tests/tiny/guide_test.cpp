@@ -49,7 +49,7 @@ TEST(TinyGuide, EveryCapacityRunsOut) {
     ASSERT_TRUE(guided_begin(*search, world.grid, start, goal));
     tern::Work work{0xFFFFFFFFu};
     const Status status = guided_advance(*search, world.grid, work);
-    ASSERT_LE(0xFFFFFFFFu - work.left, tern::kGuidedBound);
+    ASSERT_LE(search->entries, tern::kGuidedBound);
     ASSERT_LE(search->store.count, tern::kGuidePages);
     ASSERT_LE(search->open.count, tern::kGuidedOpen);
     ASSERT_LE(search->guide.open.count, tern::kBlockOpen);
@@ -150,11 +150,11 @@ TEST(TinyGuide, WithoutRoomForAGuideTheOptimalSearchGoesOn) {
                      (start.z + random.integer(0, 8)) % 57};
     PathQuery query{world.grid.center(start), world.grid.center(goal)};
     const Status exact = runner.run(world.grid, query);
-    const std::uint32_t expansions = runner.search().expansions;
+    const std::uint32_t expansions = runner.search().pieces;
     query.search = tern::SearchMode::kFast;
     ASSERT_EQ(runner.run(world.grid, query), exact) << "case " << k;
     ASSERT_NE(runner.search().search_used, tern::SearchUsed::kGuided);
-    begun += runner.search().expansions > expansions ? 1 : 0;
+    begun += runner.search().pieces > expansions ? 1 : 0;
   }
   EXPECT_GT(begun, 0) << "the first of the two searches that follow each other";
 }

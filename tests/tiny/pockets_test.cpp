@@ -68,8 +68,8 @@ TEST(TinyPockets, NoSearchBeginsOnceABoundIsSpent) {
     if (status == Status::kNodesFull) continue;  // of a room
     ASSERT_EQ(status, Status::kNoPath);
     ++spent;
-    EXPECT_GE(runner.search().expansions, tern::kExpansionBound);
-    EXPECT_LE(runner.search().expansions, tern::kSearchBound);
+    EXPECT_GE(runner.search().pieces, tern::kExpansionBound);
+    EXPECT_LE(runner.search().pieces, tern::kSearchBound);
     EXPECT_LT(runner.search().failed, 48u) << "six by eight";
     EXPECT_GT(runner.search().failed, tern::kExpansionBound / tern::kMaxNodes / 2);
   }

@@ -65,7 +65,7 @@ TEST(TinyQp, IterationsEndAtTheirLimit) {
       EXPECT_EQ(bench.solution->iterations, tern::kMaxQpIterations);
       tern::Work work{100};
       EXPECT_EQ(tern::qp_advance(*bench.solver, *bench.problem, work, *bench.solution), Status::kIterationLimit);
-      EXPECT_EQ(work.left, 100u);
+      EXPECT_EQ(work.units(), 100u);
       ++limited;
     }
   }

@@ -29,10 +29,10 @@ TEST(TinyTurns, AStaircaseIsFullWhicheverSearchTakesIt) {
   for (const SearchMode mode : {SearchMode::kOptimal, SearchMode::kFast}) {
     query.search = mode;
     EXPECT_EQ(runner.run(world.grid, query), Status::kJumpPointsFull);
-    const std::uint32_t expansions = runner.search().expansions;
+    const std::uint32_t expansions = runner.search().pieces;
     EXPECT_EQ(runner.search().raw_high, tern::kMaxJumpPoints);
     EXPECT_EQ(runner.run(world.grid, query, 1), Status::kJumpPointsFull);
-    EXPECT_EQ(runner.search().expansions, expansions);
+    EXPECT_EQ(runner.search().pieces, expansions);
   }
 }
 
@@ -87,13 +87,13 @@ TEST(TinyTurns, WhereTheGuidedPathIsFullTheOptimalSearchAnswers) {
     if (!guided_path_is_full(world.grid, query)) continue;
     ++full;
     const Status answer = fast.run(world.grid, query);
-    const std::uint32_t expansions = fast.search().expansions;
+    const std::uint32_t expansions = fast.search().pieces;
     EXPECT_EQ(fast.run(world.grid, query, 1), answer) << k;
-    EXPECT_EQ(fast.search().expansions, expansions) << k;
+    EXPECT_EQ(fast.search().pieces, expansions) << k;
     query.search = SearchMode::kOptimal;
     EXPECT_EQ(optimal.run(world.grid, query), answer) << k;
     EXPECT_TRUE(answer == Status::kJumpPointsFull || answer == Status::kNodesFull) << k;
-    EXPECT_GT(expansions, optimal.search().expansions) << k;
+    EXPECT_GT(expansions, optimal.search().pieces) << k;
   }
   EXPECT_GT(full, 0);
 }

@@ -119,7 +119,6 @@ class RandomCorridors : public testing::Test {
     query.goal.position = corridor_.polyhedra[corridor_.count - 1].to;
     query.limits = limits_ = tern_test::random_limits(random);
     query.time_weight = kDefaultTimeWeight;
-    query.max_iterations = kUnlimited;
     return query;
   }
 
@@ -235,7 +234,7 @@ TEST_F(RandomCorridors, LimitsOnJerkHoldAndAreReached) {
     if (i % 4 == 0) limits.j_horizontal = 1.2 * j;
     query.limits = limits_ = limits;
     query.time_weight = kMaxTimeWeight;
-    if (i % 5 == 4) query.max_iterations = 0;
+    if (i % 5 == 4) query.stop_and_go = true;
     if (i % 2 == 1) {
       query.start.velocity = part_of(random, limits_.v_max, 0.3);
       query.start.acceleration = part_of(random, limits_.a_max, 0.1);

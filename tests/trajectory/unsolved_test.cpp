@@ -41,7 +41,7 @@ class Unsolved : public ::testing::Test {
     times_begin(times, *corridor_, {from, to, kTwo, {via_joints_, 2}}, chain);
     times_advance(times, *corridor_, work, chain);
     std::memset(static_cast<void*>(&plan_), 0, sizeof plan_);
-    trajectory_begin(*stage_, *corridor_, {from, to, kTwo, kDefaultTimeWeight, 0xFFFFFFFFu}, chain);
+    trajectory_begin(*stage_, *corridor_, {from, to, kTwo, kDefaultTimeWeight}, chain);
   }
   /// Runs to the end; `judge(n)` is what the solver is made to say of programme n, or kOk to leave its answer.
   template <typename Judge>

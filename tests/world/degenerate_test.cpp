@@ -200,7 +200,7 @@ TEST(FencesDegenerate, EveryPlanFromRestToRestHasAnAnswer) {
     c.world.request.fences = &c.fence;
     c.world.request.fence_count = 1;
     for (int k = 0; k < 3; ++k) {
-      c.world.request.budget.iterations = random.chance(0.5) ? tern::Budget{}.iterations : 10;
+      c.world.request.budget.trajectory = random.chance(0.5) ? tern::Budget{}.trajectory : 10;
       c.world.from({random.real(0.1, 5.9) * c.scale, random.real(0.1, 3.9) * c.scale, random.real(0.1, 1.9) * c.scale});
       c.world.to({random.real(0.1, 5.9) * c.scale, random.real(0.1, 3.9) * c.scale, random.real(0.1, 1.9) * c.scale});
       if (random.chance(0.3)) touch(random, c, c.world.request.start.position);

@@ -57,8 +57,9 @@ class FencesTest : public ::testing::Test {
   tern::ConvexSolid solid() const { return solid_of(*solids_, solids_->parts[0]); }
   /// All planes of a solid.
   void block(int k, tern::SolidLayer& layer, const tern::Grid& view) {
-    prepare_solid(solid_of(*solids_, solids_->parts[k]), layer, view);
-    for (int z = 0; z < view.spec().dims.z; ++z) block_solid(layer, view, z);
+    tern::Work work;
+    prepare_solid(solid_of(*solids_, solids_->parts[k]), layer, view, work);
+    for (int z = 0; z < view.spec().dims.z; ++z) block_solid(layer, view, z, work);
   }
   /// Of a grid with this radius: 0, 0.2 or 0.4.
   bool is_clear(const Vec3& from, const Vec3& to, double radius) const {
@@ -141,7 +142,7 @@ TEST_F(FencesTest, AKeepInCutsKeepOutsShortAsABoundaryDoes) {
 }
 
 TEST_F(FencesTest, AKeepInOfOnePointLosesNoKeepOutAboutIt) {
-  const World world({40, 40, 20}, 0.1, 0.0);
+  const MarkedWorld world({40, 40, 20}, 0.1, 0.0);
   const Vec3 point{1.0, 1.5, 0.5};
   Halfspace planes[tern::kBoxPlanes];
   box_planes({point, point}, planes);
@@ -159,7 +160,7 @@ TEST_F(FencesTest, AFlatKeepOutStillCountsInASmallKeepIn) {
   const Halfspace plate[] = {{{1.0, 0.0, 0.0}, 1.0}, {{-1.0, 0.0, 0.0}, -1.0 - 2e-13}};
   const Halfspace small[] = {{{1.0, 0.0, 0.0}, 1.01},  {{-1.0, 0.0, 0.0}, -0.99}, {{0.0, 1.0, 0.0}, 1.01},
                              {{0.0, -1.0, 0.0}, -1.0}, {{0.0, 0.0, 1.0}, 1.01},   {{0.0, 0.0, -1.0}, -1.0}};
-  const World world({40, 40, 20}, 0.1, 0.0);
+  const MarkedWorld world({40, 40, 20}, 0.1, 0.0);
   const Fence list[] = {{plate, 2, FenceKind::kKeepOut}, {small, 6, FenceKind::kKeepIn}};
   ASSERT_EQ(load_fences(world.grid, list, 2, *solids_).status, Status::kOk);
   EXPECT_EQ(solids_->solid_count, 1);
@@ -310,7 +311,8 @@ TEST_F(FencesTest, FreeVoxelsAreClearWithAllTheirCorners) {
     world_.grid.inflate();
     tern::Grid view;
     ASSERT_EQ(copy_blocked(world_.grid, *layer, view), Status::kOk);
-    for (int z = 0; z < 20; ++z) block_outside(*solids_, *layer, view, z);
+    tern::Work work;
+    for (int z = 0; z < 20; ++z) block_outside(*solids_, *layer, view, z, work);
     for (int k = 0; k < solids_->solid_count; ++k) block(k, *layer, view);
     for (int k = 0; k < 300; ++k) {
       const tern::Voxel v{random.integer(0, 39), random.integer(0, 39), random.integer(0, 19)};

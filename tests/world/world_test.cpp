@@ -104,8 +104,8 @@ TEST(World, IsTheSameInSlices) {
   std::uint32_t slices = 0;
   tern::Progress progress = tern::Progress::kMore;
   for (; progress == tern::Progress::kMore; ++slices) {
-    tern::Work one{1};
-    progress = world_advance(*sliced.memory, one);
+    tern::Work one_piece = tern::Work{1}.within(1);
+    progress = world_advance(*sliced.memory, one_piece);
   }
   EXPECT_EQ(slices, 3u * 20u) << "a plane of voxels of each step";
   EXPECT_EQ(sliced.memory->steps, 3);

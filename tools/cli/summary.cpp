@@ -39,10 +39,8 @@ double largest(const tern::Vec3& v) {
 
 std::string search_lines(const PlanResult& result) {
   const tern::Path& path = *result.path;
-  const auto expanded = result.report.diagnostics.stages[static_cast<int>(Stage::kSearch)].work;
-  return "  jump points " + fixed(path.raw_length, 3) + " m over " + std::to_string(path.raw_count) + " points, " +
-         std::to_string(expanded) + " expansions\n" + "  shortcut    " + fixed(path.length, 3) + " m over " +
-         std::to_string(path.count) + " waypoints\n";
+  return "  jump points " + fixed(path.raw_length, 3) + " m over " + std::to_string(path.raw_count) + " points\n" +
+         "  shortcut    " + fixed(path.length, 3) + " m over " + std::to_string(path.count) + " waypoints\n";
 }
 
 std::string corridor_line(const PlanResult& result) {

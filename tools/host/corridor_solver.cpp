@@ -19,7 +19,7 @@ struct CorridorSolver::Memory {
 namespace {
 
 /// More than any solve can use.
-constexpr tern::Work kUnlimited = {2 * tern::kMaxQpIterations};
+constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
 
 double microseconds(std::uint64_t ticks) {
   return static_cast<double>(ticks) * (1e6 / tern_port::ticks_per_second());
@@ -45,7 +45,7 @@ CorridorSolver::~CorridorSolver() = default;
 
 template <typename Begin>
 CorridorSolver::Run CorridorSolver::run(const tern::QpProblem& problem, Begin begin) {
-  tern::Work work = kUnlimited;
+  tern::Work work{kUnlimited};
   const std::uint64_t before = tern_port::ticks(nullptr);
   begin();
   const tern::Status status = tern::qp_advance(memory_->solver, problem, work, memory_->solution);

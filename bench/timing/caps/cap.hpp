@@ -45,6 +45,12 @@ std::uint64_t count(const Call& call) {
   return now() - begin;
 }
 
+/// Work that no loop here uses up, and the units that were spent of it.
+constexpr std::uint32_t kUnlimited = 0xFFFFFFFFu;
+inline std::uint64_t units_of(const tern::Work& work) {
+  return static_cast<std::uint64_t>((tern::Work{kUnlimited}.operations() - work.operations()) / tern::kUnit);
+}
+
 /// A request from rest to rest between two points of the world frame.
 tern::Request request_between(const tern::Vec3& start, const tern::Vec3& goal);
 

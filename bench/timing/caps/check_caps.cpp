@@ -86,14 +86,14 @@ void check_caps() {
   }
   const tern::Request request = request_between(kFrom, tern::kMaxSegments % 2 == 0 ? kFrom : kTo);
   const tern::CheckQuery query{request.start, request.goal, request.limits};
-  tern::Work work{tern::kCheckBound};
+  tern::Work work{kUnlimited};
   tern::Progress progress = tern::Progress::kMore;
   tern::check_begin(stage);
   const std::uint64_t instructions =
       count([&] { progress = tern::check_advance(stage, grid, corridor, trajectory, query, work); });
   const auto reached = static_cast<std::uint64_t>(stage.next);
   report({"segments_checked", "check", instructions, progress == tern::Progress::kDone ? reached : 0,
-          tern::kMaxSegments, stage.units, 1});
+          tern::kMaxSegments, units_of(work), 1});
 }
 
 }  // namespace tern_caps

@@ -63,13 +63,16 @@ void corridor_caps() {
   auto& polyhedron = state_at<tern::Polyhedron>(kPolyhedronOffset);
   const tern::Grid grid = crowded_grid();
   tern::reset_counters(scratch);
-  const std::uint64_t instructions =
-      count([&] { tern::grow_polyhedron(tern::World(grid), kFrom, kTo, scratch, polyhedron); });
+  tern::Work work{kUnlimited};
+  tern::Growth growth;
+  const tern::World world(grid);
+  tern::grow_begin(growth, world, kFrom, kTo);
+  const std::uint64_t instructions = count([&] { tern::grow_advance(growth, world, scratch, polyhedron, work); });
   const std::uint64_t tries = tern::kCorridorTries;
   const auto planes = static_cast<std::uint64_t>(scratch.planes_high);
   const auto boxes = static_cast<std::uint64_t>(scratch.boxes_high);
-  report({"planes", "corridor", instructions, planes, tern::kMaxPlanes, scratch.planes, tries});
-  report({"local_boxes", "corridor", instructions, boxes, tern::kMaxLocalBoxes, scratch.planes, tries});
+  report({"planes", "corridor", instructions, planes, tern::kMaxPlanes, units_of(work), tries});
+  report({"local_boxes", "corridor", instructions, boxes, tern::kMaxLocalBoxes, units_of(work), tries});
 }
 
 }  // namespace tern_caps

@@ -12,6 +12,8 @@ namespace {
 constexpr double kCell = 0.1;
 /// A fast search runs its guided search twice at most, and a flood around each end.
 constexpr std::uint64_t kTimes = 2;
+/// Units after which the counter is read.
+constexpr std::uint32_t kSlice = 1000;
 
 struct Run {
   std::uint64_t count;
@@ -44,9 +46,10 @@ void guided_cap() {
   tern::guided_reopen(search, grid);  // it shall not stall
   Run run{};
   tern::Status status = tern::Status::kRunning;
-  for (; status == tern::Status::kRunning; ++run.units) {
-    tern::Work unit{1};
-    run.count += count([&] { status = tern::guided_advance(search, grid, unit); });
+  while (status == tern::Status::kRunning) {
+    tern::Work slice{kSlice};
+    run.count += count([&] { status = tern::guided_advance(search, grid, slice); });
+    run.units += kSlice;
   }
   // The search ends as it is about to exceed the limit.
   const std::uint32_t expanded = status == tern::Status::kNodesFull ? search.expanded - 1 : 0;
@@ -80,6 +83,7 @@ void pocket_cap() {
   for (; status == tern::Status::kRunning; ++run.units) {
     run.count += count([&] { status = tern::pocket_take(search, grid, {0, 0, 0}); });
   }
+  run.units = run.units * tern::kPocketOperations / tern::kUnit;
   const bool full = status == tern::Status::kNodesFull && search.store.count > tern::kPocketPages;
   report({"pocket", "search", run.count, full ? tern::kPocketPages : std::uint64_t{0}, tern::kPocketPages, run.units,
           kTimes});

@@ -85,7 +85,7 @@ void begin(Random& random, const tern::QpProblem& problem, tern::QpSolver& solve
 }  // namespace
 
 void programme_caps() {
-  constexpr std::uint32_t kSlice = 100;
+  constexpr int kSlice = 100;
   auto& problem = state_at<tern::QpProblem>(0);
   auto& solver = state_at<tern::QpSolver>(kSolverOffset);
   auto& solution = state_at<tern::QpSolution>(kSolutionOffset);
@@ -94,13 +94,13 @@ void programme_caps() {
   fill_rows(random, problem);
   std::uint64_t instructions = count([&] { begin(random, problem, solver); });
   tern::Status status = tern::Status::kRunning;
+  tern::Work work{kUnlimited};
   while (status == tern::Status::kRunning) {
-    tern::Work work{kSlice};
-    instructions += count([&] { status = tern::qp_advance(solver, problem, work, solution); });
+    instructions += count([&] { status = tern::qp_advance(solver, problem, work, solution, kSlice); });
   }
   const auto iterations = static_cast<std::uint64_t>(solution.iterations);
   report({"qp_iterations", "trajectory", instructions, status == tern::Status::kIterationLimit ? iterations : 0,
-          tern::kMaxQpIterations, iterations, tern::kMaxQpSolves});
+          tern::kMaxQpIterations, units_of(work), tern::kMaxQpSolves});
 }
 
 }  // namespace tern_caps

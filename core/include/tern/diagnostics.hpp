@@ -14,22 +14,12 @@ namespace tern {
 
 /// What one stage did. All zero if the stage did not run.
 struct StageReport {
-  /// Units of work done. What a unit is depends on the stage:
-  /// - kRequest: none
-  /// - kSearch: a node, voxel or block taken off an open list, or a line that joins start or goal to the grid
-  /// - kShortcut: a line of sight, or a trial of tightening
-  /// - kCorridor: a half-space made, even if it was discarded later
-  /// - kTimes: a segment that got its first duration
-  /// - kTrajectory: an iteration of a quadratic programme
-  /// - kCheck: a piece of a segment, or of one of its derivatives, proven or halved; a joint
-  /// - kFences: all keep-in fences together, or one keep-out fence, entered into the grid
-  /// - kDetour: a line of sight; Budget::sight_lines counts it with those of kShortcut
-  /// - kPrevious, kEscape: a half-space made; Budget::planes counts it with those of kCorridor
-  /// - kReach: a row of voxels flooded, 1024 words cleared, or a line that joins the start to the grid;
-  ///   Budget::expansions counts it with those of kSearch
-  uint32_t work;
-  /// Upper bound on `work`, from the capacities and the budget alone. work <= bound always holds (contract C2).
-  uint32_t bound;
+  /// Units of work done, the last one perhaps in part: about a thousand instructions each (tern/work.hpp). Reading the
+  /// request (kRequest) is not counted here.
+  uint64_t work;
+  /// Upper bound on `work`, from the capacities, the size of the grid and the budget. work <= bound always holds
+  /// (contract C2).
+  uint64_t bound;
   /// Time in ticks of the clock given to Planner::set_clock. 0 if timing_known is false.
   uint64_t ticks;
 };

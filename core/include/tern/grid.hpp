@@ -15,6 +15,7 @@
 #include "tern/config.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
+#include "tern/work.hpp"
 
 namespace tern {
 
@@ -177,7 +178,7 @@ class Grid {
            static_cast<size_t>(row_words_);
   }
   void begin_header() noexcept;
-  uint32_t inflate_planes(int32_t begin, int32_t end, int32_t first_block, int32_t end_block) noexcept;
+  void inflate_planes(int32_t begin, int32_t end, int32_t first_block, int32_t end_block, Work& work) noexcept;
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
   void set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept;

@@ -15,6 +15,7 @@
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
 #include "tern/vec3.hpp"
+#include "tern/work.hpp"
 
 namespace tern {
 
@@ -180,9 +181,10 @@ class RollingMap {
   /// Continues the job. kRunning: there is more to do. kOk: no job is left, and both grids are inflated.
   /// kInvalidArgument if the map is not bound.
   ///
-  /// A unit is at most 64 voxels projected or updated, 64 pixels or points read, or 1024 voxels inflated or moved. Some
-  /// pieces of work take several units. The map does such a piece once that many units have been given, so a call never
-  /// does more than `work` units and one piece.
+  /// A piece of work is a row of pixels, 64 points, a block of 64 x 8 x 8 voxels, or some planes of the window. It may
+  /// begin as long as work is left, so a call takes at most one piece more.
+  Status step(Work& work) noexcept;
+  /// The same with `work` more units. What a call takes beyond them, the next calls take less.
   Status step(uint32_t work) noexcept;
   /// True while a job is not finished.
   bool busy() const noexcept;
@@ -236,7 +238,7 @@ class RollingMap {
   int32_t slack() const noexcept;
 
  private:
-  friend class FlightWork;  // does the job piece by piece, and charges the work of pieces
+  friend class FlightWork;  // lets the map take any time for its next frame
 
   MapState* state_ = nullptr;
 };

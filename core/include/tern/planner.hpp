@@ -16,6 +16,7 @@
 #include "tern/request.hpp"
 #include "tern/self_test.hpp"
 #include "tern/trajectory.hpp"
+#include "tern/work.hpp"
 #include "tern/workspace.hpp"
 
 namespace tern {
@@ -67,13 +68,14 @@ class Planner {
   /// kInvalidArgument, field kPrevious, if there is a previous plan, `pace` is no trajectory, or `pace_time` is
   /// negative or not finite.
   Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
-  /// Continues the plan for at most `work` units. kRunning: there is more to do. Any other answer is the answer of the
+  /// Continues the plan as long as work is left. kRunning: there is more to do. Any other answer is the answer of the
   /// plan: call finish(). kInvalidArgument if no plan was begun.
   ///
-  /// One unit is one of these: a node expanded, a line that joins an end to the grid, a line of sight, a trial of
-  /// tightening, a polyhedron, the duration of a segment, the assembly of a quadratic programme, one of its iterations
-  /// or its judgement, a polyhedron or a segment checked, a fence, a detour, a way to come to rest, a segment of the
-  /// previous plan, or a row of voxels that is flooded.
+  /// A piece of work is, for example, a node expanded, a line of sight, a step of a polyhedron, or an iteration of a
+  /// quadratic programme. A call takes at most one piece more than is left.
+  Status step(Work& work) noexcept;
+  /// The same with `work` more units. What a call takes beyond them, the next calls take less. So step(n) takes about
+  /// n thousand instructions in the mean, whatever the plan is doing.
   Status step(uint32_t work) noexcept;
   /// Ends the plan and fills in `report`. With kOk, it copies the plan to `trajectory`; with any other answer,
   /// `trajectory` is unchanged. If you call it before step() is done, it abandons the plan and answers
@@ -92,9 +94,8 @@ class Planner {
   /// abandons what was begun and answers kInvalidArgument, field kCallOrder. So does finish() after begin_route().
   Status finish_route(Report& report) noexcept;
 
-  /// The stage that the next unit of work belongs to, or the last one of a plan that is done. kRequest if no plan was
-  /// begun. Units of different stages take different times: a unit of kSearch takes the least, one of kCorridor up
-  /// to fifty times as long.
+  /// The stage that the next piece of work belongs to, or the last one of a plan that is done. kRequest if no plan was
+  /// begun.
   Stage stage() const noexcept;
 
   /// The path of the last plan or route, in the grid's local frame. Null if it has none. If the plan stops first
@@ -106,9 +107,6 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
-  friend class FlightWork;  // charges the work of units
-
-  uint32_t effort() const noexcept;  // instructions of the last plan so far, estimated; modulo 2^32
   Status refuse(Report& report) noexcept;
   const Plan& current_plan() const noexcept;
   Plan& current_plan() noexcept;

@@ -15,6 +15,7 @@
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
+#include "tern/work.hpp"
 
 namespace tern {
 
@@ -89,17 +90,20 @@ class Proof {
   /// Request may not have gets the same answer as there.
   Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                const ProofGrounds& grounds = {}) noexcept;
-  /// Looks at up to `work` pieces. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if no
-  /// proof was begun.
+  /// Goes on as long as work is left. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if
+  /// no proof was begun.
   ///
-  /// A piece takes at most as long as it takes to read the voxels within the radius of a box of kProofSpan voxels.
+  /// A piece of work is a piece of the curve. It takes at most as long as it takes to read the voxels within the radius
+  /// of a box of kProofSpan voxels.
+  Status step(Work& work) noexcept;
+  /// The same with `work` more units. What a call takes beyond them, the next calls take less.
   Status step(uint32_t work) noexcept;
   /// What is known so far.
   const ProofReport& report() const noexcept { return report_; }
 
  private:
   friend struct PlanProof;  // proves plans, with what the planner knows of them
-  friend class FlightWork;  // charges the work of pieces, and begins with fences that were checked before
+  friend class FlightWork;  // begins with fences that were checked before
   // clear_until() has no fences to check, and needs no stack for that.
   friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
 
@@ -168,7 +172,9 @@ class Proof {
   double worst_ = 0.0;  // excess that was seen in this part
   int worst_axis_ = -1;
   Piece stack_[kProofDepth + 1] = {};
-  uint32_t effort_ = 0;  // instructions of all pieces so far, estimated; modulo 2^32
+  Work* work_ = nullptr;  // the current slice
+  Work slice_;            // what step() was given; a debt between two calls
+  int64_t spent_ = 0;     // operations of all pieces so far
   ProofReport report_{};
 };
 

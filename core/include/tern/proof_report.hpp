@@ -36,7 +36,7 @@ struct ProofReport {
   /// By how much more than the proof grants: metres, or m/s, m/s^2 or m/s^3 for a derivative. >= 0. The worst that was
   /// seen on the way to the finding; 0 for kMalformed and kPieces, and if nothing that is known is beyond.
   double excess = 0.0;
-  /// Pieces that were looked at.
+  /// Units of work done so far (tern/work.hpp).
   uint32_t work = 0;
 };
 

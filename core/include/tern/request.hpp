@@ -69,19 +69,21 @@ constexpr double kDefaultTimeWeight = 40.0;
 constexpr double kMinTimeWeight = 1e-3;
 constexpr double kMaxTimeWeight = 1e6;
 
-/// How much work a plan may spend in each stage. Work is counted, never timed (contract C7), so a budget gives the same
-/// plan on every machine. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
+/// How much work a plan may spend in each stage, in units: about a thousand instructions each (tern/work.hpp). Work is
+/// counted, never timed (contract C7), so a budget gives the same plan on every machine. A piece of work may begin as
+/// long as a budget is not spent, so a stage may take one piece more. A planner keeps tables of the last map that it
+/// searched: the first search of a map spends more than later ones. By default, only the bounds of the stages apply
+/// (config.hpp). 0 is allowed.
 struct Budget {
-  /// Search: nodes, voxels and blocks taken off an open list, and lines checked to join start and goal to the grid.
-  /// Beyond it: kBudgetSearch. The rest of a search's budget may be spent on Report::reachable.
-  uint32_t expansions = 0xFFFFFFFFu;
-  /// Shortcut: lines of sight and trials of tightening. Beyond it: kBudgetShortcut.
-  uint32_t sight_lines = 0xFFFFFFFFu;
-  /// Corridor: half-spaces made, including those that are discarded. Beyond it: kBudgetCorridor.
-  uint32_t planes = 0xFFFFFFFFu;
-  /// Trajectory: iterations of all quadratic programmes together. Beyond it, the answer is the best plan so far, or
-  /// stop-and-go if there is none yet; Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
-  uint32_t iterations = 0xFFFFFFFFu;
+  /// The search, and finding Report::reachable. Beyond it: kBudgetSearch.
+  uint32_t search = 0xFFFFFFFFu;
+  /// The shortcut and the detour. Beyond it: kBudgetShortcut, or no detour.
+  uint32_t shortcut = 0xFFFFFFFFu;
+  /// The corridor, and all other polyhedra: of the previous plan and of stops. Beyond it: kBudgetCorridor.
+  uint32_t corridor = 0xFFFFFFFFu;
+  /// The trajectory. Beyond it, the answer is the best plan so far, or stop-and-go if there is none yet;
+  /// Report::optimiser is then kBudgetOptimise. 0 asks for stop-and-go.
+  uint32_t trajectory = 0xFFFFFFFFu;
 };
 
 /// How the search finds a path over the grid. Any other number is refused (kInvalidArgument, field kSearch). In both

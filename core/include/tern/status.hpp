@@ -137,10 +137,10 @@ enum class Status : uint8_t {
 
   // 90 .. 99: the request's budget ran out. Allow more, or go on with what you have.
 
-  kBudgetSearch = 90,    ///< Budget::expansions
-  kBudgetShortcut = 91,  ///< Budget::sight_lines
-  kBudgetCorridor = 92,  ///< Budget::planes
-  /// Budget::iterations. Only as Report::optimiser: the plan is the best so far, or stop-and-go.
+  kBudgetSearch = 90,    ///< Budget::search
+  kBudgetShortcut = 91,  ///< Budget::shortcut
+  kBudgetCorridor = 92,  ///< Budget::corridor
+  /// Budget::trajectory. Only as Report::optimiser: the plan is the best so far, or stop-and-go.
   kBudgetOptimise = 93,
 };
 

@@ -74,8 +74,9 @@ typedef struct {
   tern_vec3 j_max;                      /* m/s^3, > 0 in both directions; an axis of 0 has no limit */
   double j_horizontal;                  /* m/s^3, > 0; 0 means none */
 } tern_limits;
-/* Work that a plan may spend in each stage: tern/request.hpp. UINT32_MAX means no limit but the stage's own bound. */
-typedef struct { uint32_t expansions, sight_lines, planes, iterations; } tern_budget;
+/* Units of work that a plan may spend in each stage, about a thousand instructions each: tern/request.hpp. UINT32_MAX
+ * means no limit but the stage's own bound. */
+typedef struct { uint32_t search, shortcut, corridor, trajectory; } tern_budget;
 /* All points p with normal . p <= offset: tern/halfspace.hpp. */
 typedef struct { tern_vec3 normal; double offset; } tern_halfspace;
 /* A geofence: tern/fence.hpp. `planes` points to `count` half-spaces that the caller owns; world frame. */
@@ -135,7 +136,7 @@ typedef struct {
 /* When a plan passes a via, in seconds, and how far from it, in metres: tern/report.hpp. */
 typedef struct { double time, distance; } tern_via_passage;
 /* What one stage did, the highest use of each capacity, and both with how the path was found: tern/diagnostics.hpp. */
-typedef struct { uint32_t work, bound; uint64_t ticks; } tern_stage_report;
+typedef struct { uint64_t work, bound, ticks; } tern_stage_report;
 typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
@@ -349,8 +350,9 @@ uint8_t tern_plan(tern_planner* planner, const tern_grid* grid, const tern_reque
  * The grid must stay at its address, bound and unchanged, until tern_plan_finish(). You may change the request at
  * once. */
 uint8_t tern_plan_begin(tern_planner* planner, const tern_grid* grid, const tern_request* request);
-/* Continues for at most `work` units; tern/planner.hpp says what a unit is. running: call it again. Any other answer is
- * that of the plan: call tern_plan_finish(). map_changed if the grid has changed since tern_plan_begin(). */
+/* Continues for `work` units, about a thousand instructions each; tern/planner.hpp says more. running: call it again.
+ * Any other answer is that of the plan: call tern_plan_finish(). map_changed if the grid has changed since
+ * tern_plan_begin(). */
 uint8_t tern_plan_step(tern_planner* planner, uint32_t work);
 /* Ends the plan and fills `report`. With ok, `trajectory` is the plan; with any other answer, it is unchanged. If you
  * call it too early, it abandons the plan and answers invalid_argument, field "call order". */

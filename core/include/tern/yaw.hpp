@@ -13,6 +13,7 @@
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
 #include "tern/vec3.hpp"
+#include "tern/work.hpp"
 
 namespace tern {
 
@@ -100,8 +101,8 @@ YawSample evaluate(const YawPlan& plan, double t) noexcept;
 /// Iterations of a yaw plan's optimisation, at most. Of 3,000 random plans, the median took 16, and the longest 29.
 constexpr int kYawIterations = 40;
 
-/// Units of work of a whole yaw plan, at most.
-constexpr uint32_t kYawWorkBound = kMaxYawPieces + 2 + kYawIterations;
+/// Units of work of a whole yaw plan, at most: three for a point of the spline, two for a piece of it in an iteration.
+constexpr uint32_t kYawWorkBound = 3 * (kMaxYawPieces + 2) + 2 * (kYawIterations + 2) * kMaxYawPieces;
 
 /// Plans yaws. An object of about 90 * kMaxYawPieces bytes, with no other memory; it can be used again. Not
 /// thread-safe.
@@ -116,16 +117,16 @@ class YawPlanner {
   /// Begins a yaw plan in slices. kRunning, or what is wrong with the request. `trajectory` must stay as it is until
   /// finish().
   Status begin(const Trajectory& trajectory, const YawRequest& request) noexcept;
-  /// Spends at most `work` units: a point of the spline, or an iteration of the optimisation. kRunning, kOk, or
-  /// kInvalidArgument without begin().
+  /// Goes on as long as work is left. A piece is a point of the spline, or an iteration of the optimisation. kRunning,
+  /// kOk, or kInvalidArgument without begin().
+  Status step(Work& work) noexcept;
+  /// The same with `work` more units. What a call takes beyond them, the next calls take less.
   Status step(uint32_t work) noexcept;
   /// Hands over the plan. Before step() is done: the plan so far, which keeps the limits too, but points less well
   /// where it should. kInvalidArgument without begin().
   Status finish(YawPlan& plan) noexcept;
 
  private:
-  friend class FlightWork;  // charges the work of units
-
   class Fit;
   enum class Phase : uint8_t { kIdle = 0, kWish, kFit, kDone };
 
@@ -135,9 +136,10 @@ class YawPlanner {
   bool wished_direction(double t, Heading& direction) noexcept;
   double timed_angle(double t) const noexcept;
   void wish_next() noexcept;
-  uint32_t unit_effort() const noexcept;  // instructions of the next unit, estimated
+  void take_point(Work& work) noexcept;
 
   Phase phase_ = Phase::kIdle;
+  Work slice_;  // what step() was given; a debt between two calls
   const Trajectory* trajectory_ = nullptr;
   YawRequest request_;
   YawPlan plan_;

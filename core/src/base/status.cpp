@@ -114,10 +114,10 @@ const char* status_meaning(Status status) noexcept {
     case Status::kNumerical: return "no solution of the accuracy that the contracts need";
     case Status::kCheckFailed: return "the independent check refused the plan: a defect, please report it";
     case Status::kSelfTestFailed: return "this machine or build does not compute as Tern needs: see docs/determinism.md";
-    case Status::kBudgetSearch: return "the budget of expansions ran out";
-    case Status::kBudgetShortcut: return "the budget of sight lines ran out";
-    case Status::kBudgetCorridor: return "the budget of planes ran out";
-    case Status::kBudgetOptimise: return "the budget of iterations ran out";
+    case Status::kBudgetSearch: return "the budget of the search ran out";
+    case Status::kBudgetShortcut: return "the budget of the shortcut ran out";
+    case Status::kBudgetCorridor: return "the budget of the corridor ran out";
+    case Status::kBudgetOptimise: return "the budget of the trajectory ran out";
   }
   return "not a status of this version";
 }

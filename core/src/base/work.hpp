@@ -1,35 +1,47 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
+//
+// What loops spend. Each piece of work spends the operations of its primitives, times sizes and turns that it knows
+// anyway: `work.spend(ops::kDot * planes)`. One call a loop or a piece, none in an innermost turn.
 #ifndef TERN_BASE_WORK_HPP
 #define TERN_BASE_WORK_HPP
 
 #include <cstdint>
 
+#include "tern/work.hpp"
+
 namespace tern {
 
-/// A slice of work: a stage's advance() takes one unit before each piece of work and returns Progress::kMore when none
-/// is left. Each stage says what a unit is; no unit is unbounded.
-///
-/// Units differ in size. So each piece also adds to `effort` the number of instructions that it took. This is a high
-/// estimate from counted quantities, such as sizes and turns of loops, never from time. A flight charges effort, so
-/// that its ticks take about the same time whatever they work on.
-struct Work {
-  std::uint32_t left;        ///< units
-  std::uint32_t effort = 0;  ///< instructions of the pieces done; the caller's to reset
+using Operations = std::int64_t;
 
-  bool take() noexcept {
-    if (left == 0) return false;
-    --left;
-    return true;
-  }
-};
+/// Operations of the primitives that all loops are made of, read off the instructions that they compile to on aarch64.
+/// The timing gate compares units with instructions, stage by stage (docs/timing.md).
+namespace ops {
 
-/// The effort of `count` turns of a loop.
-constexpr std::uint32_t effort_of(std::uint32_t each, int count) noexcept {
-  return each * static_cast<std::uint32_t>(count);
-}
+/// A multiply-add, not contracted: a load, a multiplication and an addition.
+constexpr Operations kMultiplyAdd = 3;
+/// An element of a dense loop over doubles, two at a time: half of two loads, of a multiplication, an addition, a
+/// store.
+constexpr Operations kElement = 2;
+/// A turn that copies, compares or clears one record: the loads, the stores, and the branch.
+constexpr Operations kTurn = 8;
+/// A word of a layer of voxels: read, masked or combined, and tested or written.
+constexpr Operations kWord = 5;
+/// A point against a half-space, or a coordinate of a point against a box, three times: three multiply-adds, the loads
+/// of both, and the comparison.
+constexpr Operations kDot = 15;
+/// A row of voxels: its address, the range of its words from coordinates, and its first word.
+constexpr Operations kRow = 60;
+/// A piece, besides its loops: the calls and switches that lead to it, its state read and written.
+constexpr Operations kPiece = 200;
+/// A voxel, node or block of a search: its record found, read and written, and its place in a queue.
+constexpr Operations kNode = 180;
+/// A curve of degree 7: its eight control points made or read once, with eight multiply-adds on each of three axes.
+constexpr Operations kCurve = 8 * 8 * 3 * kMultiplyAdd;
 
-/// The lesser of two amounts of work.
+}  // namespace ops
+
+/// The lesser of two amounts.
 constexpr std::uint32_t least(std::uint32_t a, std::uint32_t b) noexcept {
   return b < a ? b : a;
 }

@@ -143,14 +143,12 @@ Progress end_piece(CorridorStage& stage, const Grid& grid, const Path& path, Cor
 
 }  // namespace
 
-void corridor_begin(CorridorStage& stage, const Path& path, std::uint32_t max_planes, ViaMarks* marks) noexcept {
+void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks) noexcept {
   stage.status = Status::kOk;
   stage.tries = 0;
-  stage.planes = 0;
   stage.planes_high = 0;
   stage.boxes_high = 0;
   reset_counters(stage.grow);
-  stage.grow.planes_allowed = max_planes;
   stage.marks = marks;
   stage.passed = 0;
   stage.at_via = false;
@@ -175,7 +173,6 @@ Progress corridor_advance(CorridorStage& stage, const World& world, const Path& 
   while (progress == Progress::kMore) {
     if (!stage.growing && !begin_piece(stage, world, path)) return conclude(Status::kSegmentsFull, stage.status);
     const Progress grown = grow_advance(stage.growth, world, stage.grow, out.polyhedra[out.count], work);
-    stage.planes = stage.grow.planes;
     stage.planes_high = stage.grow.planes_high;
     stage.boxes_high = stage.grow.boxes_high;
     if (grown == Progress::kMore) return grown;

@@ -33,9 +33,6 @@ constexpr int kMaxHalvings = 6;
 /// last attempt may fail.
 constexpr std::uint32_t kCorridorTries = 2u * static_cast<std::uint32_t>(kMaxSegments) + 1u;
 
-/// Bound on CorridorStage::planes.
-constexpr std::uint32_t kCorridorBound = kCorridorTries * kGrowBound;
-
 /// Where a plan passes its vias, in order.
 struct ViaMarks {
   std::int32_t count;
@@ -47,7 +44,6 @@ struct ViaMarks {
 struct CorridorStage {
   Status status;             ///< why the stage failed; else kOk
   std::uint32_t tries;       ///< polyhedra begun so far; <= kCorridorTries
-  std::uint32_t planes;      ///< half-spaces made so far, discarded ones included; <= kCorridorBound and the budget
   std::int32_t planes_high;  ///< half-spaces of the fullest polyhedron
   std::int32_t boxes_high;   ///< boxes in the fullest local box
 
@@ -67,13 +63,12 @@ struct CorridorStage {
   GrowScratch grow;
 };
 
-/// `max_planes` is the budget of half-spaces (Budget::planes). `marks`, which must outlive the stage, says which
-/// waypoints are vias, and receives the polyhedra that begin there; null means none.
-void corridor_begin(CorridorStage& stage, const Path& path, std::uint32_t max_planes,
-                    ViaMarks* marks = nullptr) noexcept;
+/// `marks`, which must outlive the stage, says which waypoints are vias, and receives the polyhedra that begin there;
+/// null means none.
+void corridor_begin(CorridorStage& stage, const Path& path, ViaMarks* marks = nullptr) noexcept;
 
-/// The units of work are those of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
-/// kObstaclesFull, kPlanesFull, kSegmentsFull or kBudgetCorridor, with `out` undefined.
+/// The pieces of work are those of grow_advance. kDone: `out` is filled in. kFailed: kCorridorBlocked, kOutOfMap,
+/// kObstaclesFull, kPlanesFull or kSegmentsFull, with `out` undefined.
 ///
 /// When done, polyhedron i contains its `from` and `to`, and ends exactly where i + 1 begins. The first begins at the
 /// path's first point, and the last ends at the path's last. The points in between are waypoints or ends of pieces, in

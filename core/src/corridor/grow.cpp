@@ -23,17 +23,9 @@ constexpr double kThickness = 0.3;
 /// blurs no shape.
 constexpr double kLeastSlackCells = 0.1;
 
-/// Instructions of the local box, of a wall, of a solid, of finishing a polyhedron, of a half-space in that, and
-/// of a cut of a facet.
-constexpr std::uint32_t kBoxEffort = 1500;
-constexpr std::uint32_t kWallEffort = 200;
-constexpr std::uint32_t kSolidEffort = 20000;
-constexpr std::uint32_t kFinishEffort = 1500;
-constexpr std::uint32_t kFinishPlaneEffort = 300;
-constexpr std::uint32_t kCutEffort = 350;
-
-std::uint32_t solids_effort(const World& world) {
-  return effort_of(kWallEffort, world.wall_count()) + effort_of(kSolidEffort, world.solid_count());
+/// A wall is compared with both ends of the segment. A solid has up to three gaps to it.
+Operations solids_operations(const World& world) {
+  return ops::kPiece * world.wall_count() + 3 * kGapOperations * world.solid_count();
 }
 
 /// The box around the segment that the polyhedron stays in.
@@ -87,7 +79,7 @@ Enclosure enclosure_of(const Growth& growth, const GridSpec& spec, const GrowScr
 
 /// Makes the half-spaces that come before those for obstacles: the faces of the local box, walls and solids.
 Progress make_box(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) {
-  if (!work.take()) return Progress::kMore;
+  if (!work.left()) return Progress::kMore;
   const Grid& grid = world.voxels();
   const SegmentMargin& segment = growth.segment;
   const Box box = local_box(grid, segment.from, segment.to, growth.reach);
@@ -96,7 +88,7 @@ Progress make_box(Growth& growth, const World& world, GrowScratch& scratch, Poly
   if (status == Status::kOk) status = append_solid_planes(world, box, segment, scratch, out);
   growth.given = out.count;
   extract_begin(voxels_within_reach(grid, box), scratch.extract);
-  work.effort += kBoxEffort + solids_effort(world);
+  work.spend(ops::kPiece * (1 + kBoxPlanes) + solids_operations(world));
   return conclude(status, growth.status);
 }
 
@@ -122,14 +114,14 @@ Progress fit(Growth& growth, const Grid& grid, GrowScratch& scratch, Work& work)
 
 /// Puts the half-spaces into the order that a reader of the polyhedron expects.
 Progress finish(Growth& growth, GrowScratch& scratch, Polyhedron& out, Work& work) {
-  if (!work.take()) return Progress::kMore;
+  if (!work.left()) return Progress::kMore;
   const SegmentMargin& segment = growth.segment;
   const Vec3 inside = inner_point(out, to_vec3(growth.improvement.center), segment);
   const int made = out.count;
   const int cuts = set_redundant_aside(out, inside, box_diagonal(out), scratch.trial.planes);
   out.from = segment.from;
   out.to = segment.to;
-  work.effort += kFinishEffort + effort_of(kFinishPlaneEffort, made) + effort_of(kCutEffort, cuts);
+  work.spend(ops::kPiece * (1 + kBoxPlanes) + 16 * ops::kDot * (made + cuts));
   return Progress::kDone;
 }
 

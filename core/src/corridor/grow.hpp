@@ -30,11 +30,6 @@ constexpr double kLocalMargin = 2.0;
 constexpr double kLocalMarginCells = 4.0;
 constexpr int kBoxLevels = 6;
 
-/// Half-spaces that one call may make. Each size of the local box starts from nothing; each round and each trial starts
-/// from the faces of the box.
-constexpr std::uint32_t kGrowBound =
-    static_cast<std::uint32_t>(kBoxLevels * (1 + kImprovingRounds + kLeaveOuts) * kMaxPlanes);
-
 /// The phase of a growing polyhedron: what it makes next.
 enum class GrowPhase : std::uint8_t {
   kBox,      ///< the half-spaces of the local box, of walls and of solids
@@ -64,14 +59,14 @@ struct Growth {
 /// keep the radius from everything in the world and lie inside the boundary.
 void grow_begin(Growth& growth, const World& world, const Vec3& from, const Vec3& to) noexcept;
 
-/// A unit of work is a unit of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
+/// A piece of work is one of extract_advance, fit_advance, keep_uncut, tangents_advance or improve_advance, or makes
 /// the half-spaces of phase kBox, or finishes the polyhedron.
 ///
 /// kDone: `out` contains the segment. Each of its half-spaces made for an obstacle stays min(kSightMargin * cell, room)
 /// away from the segment. Each obstacle voxel is beyond one half-space by the radius (to 1e-9 m). kFailed, with
 /// growth.status. kOutOfMap: an end lies outside the boundary. kCorridorBlocked: something is nearer to the segment
 /// than the radius. kObstaclesFull, kPlanesFull: even the smallest local box has too many; a shorter segment may fit.
-/// kBudgetCorridor: the budget ran out. `out` is undefined unless kDone.
+/// `out` is undefined unless kDone.
 Progress grow_advance(Growth& growth, const World& world, GrowScratch& scratch, Polyhedron& out, Work& work) noexcept;
 
 /// Grows the polyhedron in one call. Returns kOk, or why it failed.

@@ -12,12 +12,10 @@
 
 namespace tern {
 
-/// Scratch and counters of grow_polyhedron. The counters add up over calls: reset them before the first.
+/// Scratch and high-water marks of grow_polyhedron. The marks hold for all calls: reset them before the first.
 struct GrowScratch {
-  std::uint32_t planes;          ///< half-spaces made so far, discarded ones included
-  std::uint32_t planes_allowed;  ///< never exceeded; kBudgetCorridor
-  std::int32_t planes_high;      ///< half-spaces of the fullest polyhedron
-  std::int32_t boxes_high;       ///< boxes in the fullest local box
+  std::int32_t planes_high;  ///< half-spaces of the fullest polyhedron
+  std::int32_t boxes_high;   ///< boxes in the fullest local box
 
   LocalBox boxes[kMaxLocalBoxes];
   std::int32_t remaining[kMaxLocalBoxes];  ///< boxes that no half-space cuts off yet, in ascending order
@@ -27,19 +25,15 @@ struct GrowScratch {
   ExtractScratch extract;
 };
 
-/// Resets everything: counters of zero and no budget.
+/// Resets all marks to zero.
 inline void reset_counters(GrowScratch& scratch) noexcept {
-  scratch.planes = 0;
-  scratch.planes_allowed = 0xFFFFFFFFu;
   scratch.planes_high = 0;
   scratch.boxes_high = 0;
 }
 
-/// Adds a half-space. kOk, kBudgetCorridor or kPlanesFull. The polyhedron is unchanged unless kOk.
+/// Adds a half-space. kOk or kPlanesFull. The polyhedron is unchanged unless kOk.
 inline Status append(const Halfspace& plane, GrowScratch& scratch, Polyhedron& polyhedron) noexcept {
-  if (is_full(scratch.planes >= scratch.planes_allowed)) return Status::kBudgetCorridor;
   if (is_full(polyhedron.count == kMaxPlanes)) return Status::kPlanesFull;
-  ++scratch.planes;
   polyhedron.planes[polyhedron.count++] = plane;
   if (polyhedron.count > scratch.planes_high) scratch.planes_high = polyhedron.count;
   return Status::kOk;

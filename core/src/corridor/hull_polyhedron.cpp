@@ -11,15 +11,6 @@ namespace {
 
 constexpr int kCorners = 8;
 
-/// Instructions of the box, of a unit, of a test of a box against a half-space, of the gap to a box, of a wall and of a
-/// solid.
-constexpr std::uint32_t kHullEffort = 3000;
-constexpr std::uint32_t kPieceEffort = 300;
-constexpr std::uint32_t kPlaneTestEffort = 80;
-constexpr std::uint32_t kGapEffort = 8000;
-constexpr std::uint32_t kHullWallEffort = 200;
-constexpr std::uint32_t kHullSolidEffort = 30000;
-
 /// Takes normals of any length and keeps the one that leaves the most room between hull and solid.
 struct Widest {
   const Hull& hull;
@@ -111,7 +102,7 @@ Status cut_off_some(HullGrowth& growth, const World& world, const Hull& hull, do
                     Polyhedron& out, Work& work) {
   const int left = scratch.extract.count - growth.next;
   const int tests = left < kHullTests ? left : kHullTests;
-  work.effort += kPieceEffort + effort_of(kPlaneTestEffort, tests * out.count);
+  work.spend(ops::kPiece + 4 * ops::kDot * tests * out.count);
   for (int k = 0; k < tests; ++k) {
     const LocalBox& box = scratch.boxes[growth.next++];
     Vec3 corners[kCorners];
@@ -121,7 +112,7 @@ Status cut_off_some(HullGrowth& growth, const World& world, const Hull& hull, do
     }
     const ConvexSolid solid = solid_of(corners, kCorners);
     if (is_cut_off(solid, world.spec().clearance(), out)) continue;
-    work.effort += kGapEffort;
+    work.spend(kGapOperations);
     return append_between(world, hull, solid, slack, scratch, out);
   }
   return Status::kOk;
@@ -139,10 +130,10 @@ Status keep_off(HullGrowth& growth, const World& world, const Hull& hull, double
                 Polyhedron& out, Work& work) {
   const int index = growth.next++ - 1;
   if (index < 0) {
-    work.effort += kPieceEffort + effort_of(kHullWallEffort, world.wall_count());
+    work.spend(ops::kPiece + 8 * ops::kDot * world.wall_count());
     return inside_walls(world, hull) ? Status::kOk : Status::kCorridorBlocked;
   }
-  work.effort += kHullSolidEffort;
+  work.spend(4 * kGapOperations);
   const ConvexSolid solid = world.solid(index);
   if (is_cut_off(solid, world.spec().clearance(), out)) return Status::kOk;
   return append_between(world, hull, solid, slack, scratch, out);
@@ -165,7 +156,7 @@ Status do_unit(HullGrowth& growth, const World& world, const Hull& hull, double 
   if (growth.phase == HullPhase::kObstacles) return cut_off_some(growth, world, hull, slack, scratch, out, work);
   if (growth.phase == HullPhase::kSolids) return keep_off(growth, world, hull, slack, scratch, out, work);
   ++growth.next;
-  work.effort += kHullEffort;
+  work.spend(ops::kPiece + 8 * 12 * ops::kDot);
   return make_box(world.voxels(), hull, scratch, out);
 }
 
@@ -174,7 +165,7 @@ Progress advance_phase(HullGrowth& growth, const World& world, const Hull& hull,
                        Polyhedron& out, Work& work) {
   if (growth.phase == HullPhase::kExtract) return extract(growth, world.voxels(), scratch, work);
   while (growth.next < count_of(growth.phase, world, scratch)) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     const Status status = do_unit(growth, world, hull, slack, scratch, out, work);
     if (status != Status::kOk) return conclude(status, growth.status);
   }

@@ -31,12 +31,12 @@ struct HullGrowth {
 /// Fills `out` with the box around the hull, and adds a half-space for each obstacle and solid that none of the others
 /// cuts off by the radius. Local frame. The polyhedron's segment leads from the hull's first point to its last.
 ///
-/// A unit of work is a unit of extract_advance, or makes the box around the hull, or looks at one solid or all
+/// A piece of work is one of extract_advance, or makes the box around the hull, or looks at one solid or all
 /// walls. Or it looks at kHullTests obstacle boxes, but at none after the first that needs a half-space.
 ///
 /// kDone: `out` contains the hull, and each obstacle voxel is beyond one half-space by the radius. kFailed, with
 /// `status`. kOutOfMap: a point lies outside the boundary. kCorridorBlocked: an obstacle or a solid is closer than
-/// the radius, or a point is outside a wall. Also kObstaclesFull, kPlanesFull and kBudgetCorridor. `out` is
+/// the radius, or a point is outside a wall. Also kObstaclesFull and kPlanesFull. `out` is
 /// undefined unless kDone.
 ///
 /// `slack`: metres by which the hull may come closer than touching allows. The half-spaces do not move out for it, so

@@ -22,14 +22,11 @@ void copy_all_but(int left_out, const Polyhedron& from, Polyhedron& to) {
   }
 }
 
-/// Instructions of a half-space that is copied.
-constexpr std::uint32_t kCopyEffort = 8;
-
 /// The barrier's ellipsoid inside scratch.trial.
 void find_ellipsoid(Improvement& improvement, const Enclosure& enclosure, const Vector& inside,
                     const GrowScratch& scratch, Work& work) {
-  improvement.inner = barrier_ellipsoid(scratch.trial, inside, enclosure.least_slack);
-  work.effort += improvement.inner.effort + effort_of(kCopyEffort, 2 * scratch.trial.count);
+  improvement.inner = barrier_ellipsoid(scratch.trial, inside, enclosure.least_slack, work);
+  work.spend(2 * ops::kTurn * scratch.trial.count);
 }
 
 /// Begins to make half-spaces tangent to the ellipsoid, after those that stay.
@@ -105,7 +102,7 @@ Progress improve_advance(Improvement& improvement, const Enclosure& enclosure, G
   // Each turn but the last one makes half-spaces, of a round or a trial, or finds an ellipsoid.
   while (!is_done(improvement, out)) {
     if (improvement.phase != ImprovePhase::kTangents) {
-      if (!work.take()) return Progress::kMore;
+      if (!work.left()) return Progress::kMore;
       find_next(improvement, enclosure, scratch, out, work);
       continue;
     }

@@ -62,8 +62,8 @@ struct Improvement {
 /// a polyhedron. Uses scratch.trial and everything that tangents_advance uses.
 void improve_begin(Improvement& improvement) noexcept;
 
-/// A unit of work is a unit of tangents_advance, or finds one ellipsoid. kDone, or kFailed with `status`
-/// kCorridorBlocked or kBudgetCorridor.
+/// A piece of work is one of tangents_advance, or finds one ellipsoid. kDone, or kFailed with `status`
+/// kCorridorBlocked.
 Progress improve_advance(Improvement& improvement, const Enclosure& enclosure, GrowScratch& scratch, Polyhedron& out,
                          Work& work, Status& status) noexcept;
 

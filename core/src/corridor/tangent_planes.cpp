@@ -14,15 +14,6 @@ constexpr double kRounding = 1e-15;
 /// Stands for the scale of the second box if only one remains: above all scales that matter.
 constexpr double kNoOther = 1e300;
 
-/// Instructions of a unit, and of one turn of each of its loops.
-constexpr std::uint32_t kPassEffort = 200;
-constexpr std::uint32_t kPointEffort = 40;
-constexpr std::uint32_t kListEffort = 170;
-constexpr std::uint32_t kScanEffort = 6;
-constexpr std::uint32_t kContactEffort = 1500;
-constexpr std::uint32_t kSeparateEffort = 1500;
-constexpr std::uint32_t kDropEffort = 20;
-
 bool cut_off(const Halfspace& plane, const LocalBox& box, double radius) {
   const double short_of = plane.offset + radius - support(plane.normal, box_of(box));
   if (short_of <= 0.0) return true;
@@ -39,7 +30,7 @@ void list_some(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scrat
     scratch.remaining[i] = i;
   }
   pass.listed = end;
-  work.effort += kPassEffort + effort_of(kListEffort, end - begin);
+  work.spend(ops::kPiece + kScaleOperations * (end - begin));
 }
 
 /// The remaining box with the least scale, or bound of a scale; of equals, the one with the lowest index.
@@ -67,13 +58,13 @@ Nearest nearest_remaining(const GrowScratch& scratch, int count) {
 /// boxes are cut off before their bound is the least, and never need a contact. True once a box with a contact has the
 /// least scale: the growing ellipsoid meets that box first.
 bool meets_first(TangentPass& pass, const Obstacles& obstacles, GrowScratch& scratch, Work& work) {
-  work.effort += kPassEffort + effort_of(kScanEffort, pass.count);
+  work.spend(ops::kPiece + ops::kTurn * pass.count);
   const Nearest nearest = nearest_remaining(scratch, pass.count);
   if (nearest.place == pass.met) return true;
   const LocalBox& box = obstacles.boxes[scratch.remaining[nearest.place]];
   pass.met = nearest.place;
   pass.contact = contact_of(pass.metric, box, obstacles.radius);
-  work.effort += kContactEffort;
+  work.spend(kContactOperations);
   scratch.scale[nearest.place] = pass.contact.scale;
   // Each look but the last two turns a bound into a scale.
   return pass.contact.scale < nearest.second || ++pass.looks == pass.count + 2;
@@ -96,7 +87,7 @@ int drop_cut_off(const Halfspace& plane, const Obstacles& obstacles, std::int32_
 /// Makes the half-space for the box that is met first.
 Status cut_off_met(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment, GrowScratch& scratch,
                    Polyhedron& out, Work& work) {
-  work.effort += kSeparateEffort + effort_of(kDropEffort, pass.count);
+  work.spend(kContactOperations + ops::kDot * pass.count);
   const std::int32_t box = scratch.remaining[pass.met];
   Halfspace plane;
   Status status = separate(segment, obstacles.boxes[box], obstacles.radius, to_vec3(pass.contact.normal), plane);
@@ -113,7 +104,7 @@ Status cut_off_met(TangentPass& pass, const Obstacles& obstacles, const SegmentM
 Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, LocalBox* boxes, int count,
                     Work& work) noexcept {
   while (sieve.next < count) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     const int end = count - sieve.next < kSieved ? count : sieve.next + kSieved;
     int tests = end - sieve.next;
     for (; sieve.next < end; ++sieve.next) {
@@ -123,7 +114,7 @@ Progress keep_uncut(Sieve& sieve, const Polyhedron& polyhedron, double radius, L
       if (!cut) boxes[sieve.kept++] = boxes[sieve.next];
       tests += p;
     }
-    work.effort += kPassEffort + effort_of(kPointEffort, tests);
+    work.spend(ops::kPiece + 2 * ops::kDot * tests);
   }
   return Progress::kDone;
 }
@@ -139,11 +130,11 @@ void tangents_begin(TangentPass& pass, const EllipsoidMetric& metric) noexcept {
 Progress tangents_advance(TangentPass& pass, const Obstacles& obstacles, const SegmentMargin& segment,
                           GrowScratch& scratch, Polyhedron& out, Work& work, Status& status) noexcept {
   for (; pass.listed < obstacles.count; pass.count = pass.listed) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     list_some(pass, obstacles, scratch, work);
   }
   while (pass.count > 0) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     if (!meets_first(pass, obstacles, scratch, work)) continue;
     const Status made = cut_off_met(pass, obstacles, segment, scratch, out, work);
     if (made != Status::kOk) return conclude(made, status);

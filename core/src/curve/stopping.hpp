@@ -7,6 +7,7 @@
 #define TERN_CURVE_STOPPING_HPP
 
 #include "base/bounds.hpp"
+#include "base/work.hpp"
 #include "curve/axis_brake.hpp"
 #include "curve/brake.hpp"
 #include "tern/request.hpp"
@@ -57,6 +58,8 @@ struct Stopping {
 
 /// Makes the stop of `choice`, 0 .. kStoppingChoices - 1. False if it breaks the limits by more than kStopTolerance.
 bool make_stopping(const State& state, const MotionLimits& limits, int choice, Stopping& out) noexcept;
+/// Each segment with its three derivatives against the limits, in three ways to level off.
+constexpr Operations kStopOperations = 3 * 4 * ops::kCurve * kStoppingSegments;
 
 /// Turns the stop into the same motion flown backwards in time.
 void reverse(Stopping& stopping) noexcept;

@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ellipsoid/barrier_ellipsoid.hpp"
 
-#include "base/work.hpp"
-
 namespace tern {
 namespace {
 
 constexpr int kBarrierSteps = 20;
 /// Newton decrement at which the point is close enough to the centre for its ellipsoid to be used.
 constexpr double kCentred = 1e-2;
-
-/// Instructions of a step, and of a half-space in it.
-constexpr std::uint32_t kStepEffort = 200;
-constexpr std::uint32_t kPlaneEffort = 40;
 
 /// Returns the gradient of the barrier -sum log(slack), and stores its Hessian as the metric's matrix.
 void differentiate(const Polyhedron& polyhedron, double least_slack, EllipsoidMetric& metric, Vector& gradient) {
@@ -47,7 +41,8 @@ double invert(EllipsoidMetric& metric) {
 
 }  // namespace
 
-BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack) noexcept {
+BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack,
+                                   Work& work) noexcept {
   BarrierEllipsoid result;
   EllipsoidMetric& metric = result.metric;
   metric.center = inside;
@@ -65,7 +60,7 @@ BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& i
   }
   const double planes = static_cast<double>(polyhedron.count);
   result.size = determinant * (planes * planes * planes);
-  result.effort = effort_of(kStepEffort + effort_of(kPlaneEffort, polyhedron.count), steps);
+  work.spend((ops::kPiece + 2 * ops::kDot * polyhedron.count) * steps);
   return result;
 }
 

@@ -8,8 +8,7 @@
 #ifndef TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 #define TERN_ELLIPSOID_BARRIER_ELLIPSOID_HPP
 
-#include <cstdint>
-
+#include "base/work.hpp"
 #include "ellipsoid/ellipsoid_metric.hpp"
 #include "tern/corridor.hpp"
 
@@ -18,14 +17,14 @@ namespace tern {
 /// The ellipsoid as a metric, and a stand-in for the polyhedron's size.
 struct BarrierEllipsoid {
   EllipsoidMetric metric;
-  double size;           ///< det(E^2) * planes^3: grows like the square of the volume
-  std::uint32_t effort;  ///< instructions that it took, see Work
+  double size;  ///< det(E^2) * planes^3: grows like the square of the volume
 };
 
 /// Takes at most kBarrierSteps damped Newton steps from `inside` towards the analytic centre. A distance to a plane
 /// counts as at least `least_slack` (metres, > 0), so a point on a plane is a valid start. If the steps run out early,
 /// the ellipsoid is smaller, but nothing becomes unsafe: half-spaces are safe whatever metric they are made with.
-BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack) noexcept;
+BarrierEllipsoid barrier_ellipsoid(const Polyhedron& polyhedron, const Vector& inside, double least_slack,
+                                   Work& work) noexcept;
 
 }  // namespace tern
 

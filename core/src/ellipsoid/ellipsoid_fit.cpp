@@ -10,12 +10,6 @@ constexpr double kThinnest = 0.01;
 /// Shrinking steps in each of the two phases, at most. Each step shortens the axis; most fits need two or three.
 constexpr int kFitSteps = 16;
 
-/// Instructions of a unit, and of one obstacle in its loops.
-constexpr std::uint32_t kFitEffort = 400;
-constexpr std::uint32_t kCollectEffort = 20;
-constexpr std::uint32_t kScreenEffort = 170;
-constexpr std::uint32_t kContactEffort = 1500;
-
 void turn_y_towards(EllipsoidFrame& frame, const Vector& unit) {
   frame.direction.col(1) = unit;
   frame.direction.col(2) = cross(frame.direction.col(0), unit);
@@ -33,7 +27,7 @@ void collect(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index,
     const double z = center[2] - clamp(center[2], box.lower[2], box.upper[2]);
     if ((x * x + y * y) + z * z < limit) index[fit.count++] = i;
   }
-  work.effort += kFitEffort + effort_of(kCollectEffort, obstacles.count);
+  work.spend(ops::kPiece + ops::kDot * obstacles.count);
 }
 
 /// Looks at the next candidates. Drops those that the ellipsoid does not meet: it only shrinks, so they never come
@@ -52,7 +46,7 @@ void look(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* index, Wo
     if (fit.kept == 0 || contact.scale < fit.first.scale) fit.first = contact;
     ++fit.kept;
   }
-  work.effort += kFitEffort + effort_of(kScreenEffort, fit.next - begin) + effort_of(kContactEffort, contacts);
+  work.spend(ops::kPiece + kScaleOperations * (fit.next - begin) + kContactOperations * contacts);
 }
 
 double square(double x) {
@@ -158,7 +152,7 @@ void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell)
 
 Progress fit_advance(EllipsoidFit& fit, const Obstacles& obstacles, std::int32_t* inside, Work& work) noexcept {
   while (fit.phase != FitPhase::kDone) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     if (fit.phase == FitPhase::kCollect || fit.phase == FitPhase::kCollectAgain) {
       collect(fit, obstacles, inside, work);
       begin_phase(fit);

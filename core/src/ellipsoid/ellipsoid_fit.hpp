@@ -58,7 +58,7 @@ struct EllipsoidFit {
 /// half-spaces their directions.
 void fit_begin(EllipsoidFit& fit, const Vec3& from, const Vec3& to, double cell) noexcept;
 
-/// A unit of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
+/// A piece of work collects the candidates, or looks at kFitScreens of them and computes at most kFitContacts contacts.
 /// `inside` is scratch for obstacles.count indices, which stays until kDone.
 constexpr int kFitScreens = 256;
 constexpr int kFitContacts = 16;

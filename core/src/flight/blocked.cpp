@@ -10,10 +10,6 @@
 namespace tern {
 namespace {
 
-/// Instructions for a row or word in the search for a solid voxel.
-constexpr std::uint32_t kSolidEffort = 40;
-/// Instructions to compare two faces of a fence with a place.
-constexpr std::uint32_t kFenceEffort = 100;
 /// How many voxels beyond the radius a solid voxel is sought.
 constexpr double kBeyondRadius = 2.0;
 
@@ -84,12 +80,12 @@ void Blockage::clear() noexcept {
   *this = kNoBlockage;
 }
 
-double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid& grid, FlightWork& charge) noexcept {
+double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept {
   if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
   const double reach = window.clearance() + kBeyondRadius * window.cell;
   const NearestSolid solid = nearest_solid(grid, grid.to_local(place), reach);
-  charge.owe(kSolidEffort * solid.words);
+  work.spend(8 * ops::kWord * solid.words);
   if (solid.found) *this = block_at(map, solid.voxel);
   return solid.distance;
 }
@@ -104,8 +100,7 @@ void Blockage::note_unproven(const RollingMap& map, const Draft& draft) noexcept
 }
 
 /// A fence counts before any voxel: it does not go away, whatever is seen there.
-void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable,
-                           FlightWork& charge) noexcept {
+void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, Work& work) noexcept {
   const Vec3 way = aim.target_place - reachable;
   const double far = length(way);
   if (!(far > 0.0)) return;
@@ -113,25 +108,24 @@ void Blockage::note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3
   const Vec3 place = reachable + (smaller(far, clearance) / far) * way;
   for (std::int32_t k = 0; k < flight.spec.fence_count; ++k) {
     const Fence& next = flight.spec.fences[k];
-    charge.owe(kFenceEffort * static_cast<std::uint32_t>(next.count * next.count));
+    work.spend(6 * ops::kDot * next.count * next.count);
     if (fence_clear(next, {place, clearance, 0.0}, &kZero, 1)) continue;
     *this = {BlockedBy::kFence, place, k};
     return;
   }
-  note_near(flight.map, place, flight.map.safe(), charge);
+  note_near(flight.map, place, flight.map.safe(), work);
 }
 
-void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found,
-                            FlightWork& charge) noexcept {
+void Blockage::note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found, Work& work) noexcept {
   const Grid& safe = flight.map.safe();
   if (!safe.bound()) return;
   if (is_voxel() && safe.obstacle(safe.voxel_of(safe.to_local(at)))) return;
   clear();
   if (found.status == Status::kGoalFenced) *this = {BlockedBy::kFence, aim.place, found.fence};
   if (found.status == Status::kViaFenced) *this = {BlockedBy::kFence, aim.asked[found.via].position, found.fence};
-  if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, charge);
-  if (found.status == Status::kStartOccupied) note_near(flight.map, aim.start.d[0], safe, charge);
-  if (found.status == Status::kNoPath && found.has_reachable) note_beyond(flight, aim, found.reachable, charge);
+  if (found.status == Status::kGoalOccupied) note_near(flight.map, aim.place, safe, work);
+  if (found.status == Status::kStartOccupied) note_near(flight.map, aim.start.d[0], safe, work);
+  if (found.status == Status::kNoPath && found.has_reachable) note_beyond(flight, aim, found.reachable, work);
 }
 
 }  // namespace tern

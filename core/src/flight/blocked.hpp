@@ -38,13 +38,13 @@ struct Blockage {
   void clear() noexcept;
   /// Notes the solid voxel of the safe or route grid that is too near to a place. Returns its distance, or more than
   /// the radius if there is none; kAnywhere while the map slides, because nothing is known of it then.
-  double note_near(const RollingMap& map, const Vec3& place, const Grid& grid, FlightWork& charge) noexcept;
+  double note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept;
   /// Notes what ended the proof of the draft.
   void note_unproven(const RollingMap& map, const Draft& draft) noexcept;
   /// Notes what is in the way of a plan that failed, unless an earlier proof named a voxel that is still solid.
-  void note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found, FlightWork& charge) noexcept;
+  void note_no_plan(const FlightFacts& flight, const Aim& aim, const Report& found, Work& work) noexcept;
   /// Notes what comes next on the straight line from the reachable point to the target.
-  void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, FlightWork& charge) noexcept;
+  void note_beyond(const FlightFacts& flight, const Aim& aim, const Vec3& reachable, Work& work) noexcept;
 };
 
 constexpr Blockage kNoBlockage{BlockedBy::kNothing, kZero, kNoFence};

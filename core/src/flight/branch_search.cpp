@@ -7,9 +7,6 @@
 namespace tern {
 namespace {
 
-/// Units that making a candidate costs.
-constexpr std::uint32_t kBranchPrice = 32;
-
 /// Branches must be later than this, in seconds since the draft's beginning. In an extension, a branch no later than
 /// the committed one would change nothing. A new plan must lead somewhere before its branch.
 double earliest_branch(const FlightFacts& flight, const Draft& draft) {
@@ -29,17 +26,16 @@ void BranchSearch::begin(double until) noexcept {
   is_proving = false;
 }
 
-Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Draft& draft, FlightWork& charge,
-                               Work& work) noexcept {
+Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Draft& draft, Work& work) noexcept {
   while (is_proving || candidate + 1 < kBranches * kBranchShapes) {
     if (!is_proving) {
-      if (work.left < kBranchPrice) return Progress::kMore;
-      work.left -= kBranchPrice;
+      if (!work.left()) return Progress::kMore;
+      work.spend(kStopOperations / 2);
       ++candidate;
       is_proving = make_candidate(flight, start, draft);
       continue;
     }
-    if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+    if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
     is_proving = false;
     if (draft.proof.report().finding == Finding::kNone) return Progress::kDone;
   }

@@ -27,7 +27,7 @@ struct BranchSearch {
   void begin(double until) noexcept;
   /// kDone: the draft branches off, and its brake is proven. kFailed: no candidate is left. May be called again after
   /// kDone, for the candidates that follow.
-  Progress advance(const FlightFacts& flight, const Vec3& start, Draft& draft, FlightWork& charge, Work& work) noexcept;
+  Progress advance(const FlightFacts& flight, const Vec3& start, Draft& draft, Work& work) noexcept;
 
  private:
   bool make_candidate(const FlightFacts& flight, const Vec3& start, Draft& draft) const noexcept;

@@ -63,10 +63,10 @@ void Cycle::begin_copy(const FlightFacts& flight, const Itinerary& itinerary, co
   job = Job::kCopy;
 }
 
-Progress Cycle::copy(const RollingMap& map, FlightWork& charge, Work& work) noexcept {
+Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
   while (!route.done()) {
-    if (work.left == 0) return Progress::kMore;
-    charge.pay(route.advance(map), work);
+    if (!work.left()) return Progress::kMore;
+    route.advance(map, work);
   }
   job = Job::kFollow;
   return Progress::kDone;
@@ -83,9 +83,9 @@ Progress Cycle::begin_remainder(const FlightFacts& flight, const Itinerary& itin
   return Progress::kDone;
 }
 
-Progress Cycle::prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, FlightWork& charge,
+Progress Cycle::prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft,
                                 Work& work) noexcept {
-  if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
   remainder_is_free =
       draft.proof.report().finding == Finding::kNone && flight.plans.in_flight.mission == itinerary.number;
   job = Job::kAim;
@@ -109,13 +109,13 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Itinerary& itinerary, st
 }
 
 void Cycle::choose_aim(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                       const Blockage& block, std::int64_t takeover, FlightWork& charge) noexcept {
+                       const Blockage& block, std::int64_t takeover, Work& work) noexcept {
   looks_out = search.seeks;
   const bool leads_out = hemmed_in && search.idle_cycles % 2 == 1;
   aim.choose_points(flight, itinerary, takeover);
   if (leads_out || looks_out) aim.pass_first(0, itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
-  if (looks_out) aim.lead_to(search.lookout_place(flight.map, block, aim.start.d[0], charge));
+  if (looks_out) aim.lead_to(search.lookout_place(flight.map, block, aim.start.d[0], work));
   if (leads_out) aim.choose_way_out(flight);
   ask(flight);
 }
@@ -160,8 +160,8 @@ void Cycle::begin_branch(double until) noexcept {
   job = Job::kBranch;
 }
 
-Progress Cycle::find_branch(const FlightFacts& flight, Draft& draft, FlightWork& charge, Work& work) noexcept {
-  const Progress progress = branches.advance(flight, aim.start.d[0], draft, charge, work);
+Progress Cycle::find_branch(const FlightFacts& flight, Draft& draft, Work& work) noexcept {
+  const Progress progress = branches.advance(flight, aim.start.d[0], draft, work);
   if (progress != Progress::kDone) return progress;
   job = Job::kConfirm;
   draft.begin_proof(flight, draft.plan.trajectory, draft.start_of_proof());

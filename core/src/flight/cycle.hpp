@@ -77,18 +77,17 @@ struct Cycle {
              std::int64_t takeover) noexcept;
   void begin_copy(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
                   std::int64_t takeover) noexcept;
-  Progress copy(const RollingMap& map, FlightWork& charge, Work& work) noexcept;
+  Progress copy(const RollingMap& map, Work& work) noexcept;
   /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
   Progress begin_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft) noexcept;
-  Progress prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, FlightWork& charge,
-                           Work& work) noexcept;
+  Progress prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, Work& work) noexcept;
   /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
   bool follow_aim(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
   /// Chooses another aim.
   void choose_aim(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                  const Blockage& block, std::int64_t takeover, FlightWork& charge) noexcept;
-  Progress ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept;
-  Progress ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, FlightWork& charge) noexcept;
+                  const Blockage& block, std::int64_t takeover, Work& work) noexcept;
+  Progress ask_route(const FlightFacts& flight, Planner& planner, Work& work) noexcept;
+  Progress ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, Work& work) noexcept;
   /// The route is found: the plan leads to the point one horizon along it.
   void follow_route(const FlightFacts& flight, const Itinerary& itinerary, const Path& way) noexcept;
   Status finish(Planner& planner, Report& found) noexcept { return planner.finish(plan, found); }
@@ -111,7 +110,7 @@ struct Cycle {
   /// The draft is proven until then, in seconds since its beginning: looks for a branch there or earlier.
   void begin_branch(double until) noexcept;
   /// Finds a proven branch, then begins to prove the draft as a whole. kFailed if there is no branch.
-  Progress find_branch(const FlightFacts& flight, Draft& draft, FlightWork& charge, Work& work) noexcept;
+  Progress find_branch(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   /// The draft is not proven as a whole: the next candidate follows.
   void reject_branch() noexcept { job = Job::kBranch; }
   /// Proves the draft anew on the map as it is, if it is being proven: boxes were marked meanwhile.

@@ -9,9 +9,10 @@
 namespace tern {
 namespace {
 
-/// Units of a plan's work for each iteration that the optimiser may spend: if it needs more, it answers with the best
-/// plan so far.
-constexpr std::uint32_t kUnitsPerIteration = 64;
+/// The part of a plan's units that the optimiser may spend: if it needs more, it answers with the best plan so far.
+constexpr std::uint32_t kOptimiserPart = 2;
+/// Of a plan or a route besides the planner: choosing an aim and a draft, and copies of trajectories.
+constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
 /// True if the vehicle will rest, and the nearest free point to an aim in an obstacle, which is the aim now, is no
 /// nearer to the target than its own place.
@@ -35,7 +36,7 @@ void Cycle::ask(const FlightFacts& flight) noexcept {
   job = aim.way_length(aim.place) > flight.spec.horizon ? Job::kAskRoute : Job::kAskPlan;
 }
 
-Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWork& charge) noexcept {
+Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, Work& work) noexcept {
   Request request{};
   request.start.position = aim.start.d[0];
   request.goal.position = aim.place;
@@ -45,18 +46,17 @@ Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, FlightWor
   request.vias = aim.asked;
   request.via_count = aim.asked_count;
   planner.begin_route(route.grid(), request);
-  charge.charge_planner();
+  work.spend(kPlanOperations);
   job = Job::kRoute;
   return Progress::kDone;
 }
 
-Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover,
-                         FlightWork& charge) noexcept {
+Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, Work& work) noexcept {
   Request request{};
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.goal.position = aim.place;
   request.limits = flight.spec.limits;
-  request.budget.iterations = flight.spec.plan_work / kUnitsPerIteration;
+  request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
   request.fences = flight.spec.fences;
   request.fence_count = flight.spec.fence_count;
@@ -69,7 +69,7 @@ Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64
   } else {
     planner.begin(route.grid(), request);
   }
-  charge.charge_planner();
+  work.spend(kPlanOperations);
   job = Job::kPlan;
   return Progress::kDone;
 }

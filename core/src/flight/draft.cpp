@@ -9,9 +9,8 @@
 namespace tern {
 namespace {
 
-/// Instructions to make a brake straight ahead, and one along the committed plan.
-constexpr std::uint32_t kStopEffort = 25000;
-constexpr std::uint32_t kSlowDownEffort = 90000;
+/// Of a brake along the committed plan: three curves for each piece.
+constexpr Operations kSlowDownOperations = 3 * ops::kCurve * kMaxSegments;
 /// How much later than the plan in flight a new plan may pass the next point, seconds.
 constexpr double kLaterAtPoint = 0.25;
 
@@ -62,9 +61,8 @@ bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   return append_stop(joint, flight.limits, way, stop, plan.trajectory);
 }
 
-bool Draft::brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades,
-                  FlightWork& charge) noexcept {
-  charge.owe(number < kStops ? kStopEffort : kSlowDownEffort);
+bool Draft::brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades, Work& work) noexcept {
+  work.spend(number < kStops ? kStopOperations / 2 : kSlowDownOperations);
   const Commitment& committed = flight.plans.at(takeover);
   const double from = seconds_between(committed.begin, takeover);
   extends = false;
@@ -100,7 +98,7 @@ bool Draft::prove_hover(const FlightFacts& flight) noexcept {
   const Commitment& hover = flight.plans.in_flight;
   FlightWork::begin(proof, flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
                     grounds_of(flight.spec, hover));
-  return proof.step(2 * kProofPieces) == Status::kOk && proof.report().finding == Finding::kNone;
+  return proof.step(~std::uint32_t{0}) == Status::kOk && proof.report().finding == Finding::kNone;
 }
 
 Status Draft::begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept {
@@ -131,9 +129,9 @@ bool Draft::passes_later(const Commitment& in_flight, const Itinerary& itinerary
   return kept < kNever && kept - since_begin + kLaterAtPoint < plan.time_of(leg);
 }
 
-bool Draft::joins_committed_plan(const CommittedPlans& plans, FlightWork& charge) const noexcept {
+bool Draft::joins_committed_plan(const CommittedPlans& plans, Work& work) const noexcept {
   const Commitment& committed = plans.at(takeover);
-  charge.owe(effort_of(kJointEffort, plan.trajectory.count + 2));
+  work.spend(kJointOperations * (plan.trajectory.count + 2));
   return follows(evaluate(committed.trajectory, seconds_between(committed.begin, takeover)),
                  evaluate(plan.trajectory, start_of_proof())) &&
          joints_hold(plan.trajectory);

@@ -61,10 +61,10 @@ bool Evasion::is_called_for(const FlightFacts& flight, const Watch& watch, bool 
 }
 
 EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch,
-                                  Draft& draft, FlightWork& charge) noexcept {
+                                  Draft& draft, Work& work) noexcept {
   best.number = number = -1;
   straight = along = 0;
-  return try_next(flight, itinerary, watch, draft, charge);
+  return try_next(flight, itinerary, watch, draft, work);
 }
 
 /// The sharpest brake straight ahead comes first: hardly any other meets what is in the way more slowly. Once a brake
@@ -76,9 +76,9 @@ int Evasion::number_of_next() noexcept {
 }
 
 EvasionResult Evasion::try_next(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                                FlightWork& charge) noexcept {
+                                Work& work) noexcept {
   for (number = number_of_next(); number < kEvasions; number = number_of_next()) {
-    if (draft.brake(flight, itinerary, number, watch.threat, charge) &&
+    if (draft.brake(flight, itinerary, number, watch.threat, work) &&
         begin_brake_proof(BrakeProof::kClear, flight, watch, draft)) {
       return EvasionResult::kProving;
     }
@@ -99,13 +99,13 @@ bool Evasion::begin_brake_proof(BrakeProof what, const FlightFacts& flight, cons
 }
 
 EvasionResult Evasion::judge(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                             FlightWork& charge) noexcept {
+                             Work& work) noexcept {
   if (proves == BrakeProof::kClear && draft.proof.report().finding == Finding::kNone) {
     missed = 0;
     return EvasionResult::kProven;
   }
   if (go_on_proving(flight, watch, draft)) return EvasionResult::kProving;
-  return try_next(flight, itinerary, watch, draft, charge);
+  return try_next(flight, itinerary, watch, draft, work);
 }
 
 /// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True if
@@ -141,7 +141,7 @@ bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& wat
 /// A threat remains. A stop is tried again once the waiting plan has taken over. If there was no time to judge any
 /// brake, or to find one for a stop, the next evasion gets more time.
 bool Evasion::end(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                  FlightWork& charge) noexcept {
+                  Work& work) noexcept {
   const bool is_late = number < kEvasions && (best.number < 0 || !watch.threat);
   if (is_late) {
     miss(itinerary.has_goal);
@@ -152,7 +152,7 @@ bool Evasion::end(const FlightFacts& flight, const Itinerary& itinerary, const W
   stop_asked = stop_asked || (serves_stop && flight.plans.has_waiting && !itinerary.has_goal);
   number = best.number;
   return watch.threat && helps(best, flight, watch, draft.takeover) &&
-         draft.brake(flight, itinerary, number, watch.threat, charge);
+         draft.brake(flight, itinerary, number, watch.threat, work);
 }
 
 void Evasion::miss(bool has_goal) noexcept {

@@ -29,7 +29,7 @@ class FlightState {
  public:
   FlightFacts facts;
   Itinerary itinerary;
-  FlightWork charge;
+  Work tick_work;  ///< what is left of the tick's units; a debt goes on to the next tick
   Planner* planner;
   Cycle cycle;
   Evasion evasion;

@@ -137,7 +137,7 @@ NoseWish Nose::wish_of(const FlightFacts& flight, const Itinerary& itinerary, co
 
 /// Spends a share of the tick's work. No plan for the trajectory waits for it.
 void Nose::turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at, std::uint32_t commits,
-                FlightWork& charge, Work& work) noexcept {
+                Work& work) noexcept {
   if (!is_planned) return;
   if (has_waiting && flight.time >= waiting.begin) {
     in_flight = waiting;
@@ -149,7 +149,7 @@ void Nose::turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec
     const NoseWish wanted = wish_of(flight, itinerary, look_at, commits);
     if (!same_wish(wanted, wish)) begin(flight, itinerary, wanted);
   }
-  if (is_pending) advance(flight, work.left - least(work.left, flight.spec.work_per_tick / kNoseShare), charge, work);
+  if (is_pending) advance(flight, work);
 }
 
 /// Drops a pending yaw plan that is not done one tick before its takeover, as is done with plans of the trajectory. It
@@ -198,11 +198,13 @@ void Nose::time_headings(const FlightFacts& flight, const Itinerary& itinerary, 
   request.heading = headings[itinerary.leg < last ? itinerary.leg : last];
 }
 
-/// Works on the yaw plan as long as more than `kept` units are left. A plan that would be late at the next tick is
-/// taken unfinished: it keeps the limits as well.
-void Nose::advance(const FlightFacts& flight, std::uint32_t kept, FlightWork& charge, Work& work) noexcept {
-  Status status = Status::kRunning;
-  while (status == Status::kRunning && work.left > kept) status = charge.step(planner, work);
+/// Works on the yaw plan with its share of the tick's units. A plan that would be late at the next tick is taken
+/// unfinished: it keeps the limits as well.
+void Nose::advance(const FlightFacts& flight, Work& work) noexcept {
+  Work share = work.within(kUnit * (flight.spec.work_per_tick / kNoseShare));
+  const Operations given = share.operations();
+  const Status status = planner.step(share);
+  work.spend(given - share.operations());
   if (status == Status::kRunning && flight.time + tick_gap(flight) <= waiting.begin - flight.spec.tick) return;
   planner.finish(waiting.plan);
   const double begins = evaluate(in_flight.plan, seconds_between(in_flight.begin, waiting.begin)).angle;

@@ -62,7 +62,7 @@ struct Nose {
   /// Goes on with the pending yaw plan, or begins one if the wish has changed.
   /// The next thing to see is at `look_at`; so many plans were committed.
   void turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at, std::uint32_t commits,
-            FlightWork& charge, Work& work) noexcept;
+            Work& work) noexcept;
   /// Notes whether something that was not seen yet ended the last proof.
   void note_view(const RollingMap& map, const ProofReport& found) noexcept;
 
@@ -83,7 +83,7 @@ struct Nose {
  private:
   void drop_late(const FlightFacts& flight) noexcept;
   void begin(const FlightFacts& flight, const Itinerary& itinerary, const NoseWish& wanted) noexcept;
-  void advance(const FlightFacts& flight, std::uint32_t kept, FlightWork& charge, Work& work) noexcept;
+  void advance(const FlightFacts& flight, Work& work) noexcept;
 };
 
 }  // namespace tern

@@ -18,7 +18,7 @@ FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearc
 
 /// How near the nearest thing is to where the vehicle rests.
 double FlightState::note_block_near_vehicle() noexcept {
-  return block.note_near(facts.map, facts.position(), facts.map.safe(), charge);
+  return block.note_near(facts.map, facts.position(), facts.map.safe(), tick_work);
 }
 
 void FlightState::note_beside() noexcept {
@@ -26,7 +26,7 @@ void FlightState::note_beside() noexcept {
 }
 
 void FlightState::turn_nose(Work& work) noexcept {
-  nose.turn(facts, itinerary, search.looking_at(facts, nose, facts.time), report.committed, charge, work);
+  nose.turn(facts, itinerary, search.looking_at(facts, nose, facts.time), report.committed, work);
 }
 
 void FlightState::finish_report(std::uint32_t spent) noexcept {

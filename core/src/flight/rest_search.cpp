@@ -22,18 +22,6 @@ constexpr int kHeights = 21;
 constexpr double kSamePlaceRadii = 4.0;
 /// The steepest line of sight: how far it drops or climbs across a voxel, in voxels.
 constexpr double kSteepest = 1.0;
-/// Instructions for a row of voxels near a way.
-constexpr std::uint32_t kRowEffort = 60;
-/// How often a check of a line of sight reads the rows: it also makes sure that no gap of width zero between obstacles
-/// counts as an opening.
-constexpr int kSightPasses = 4;
-
-/// Instructions to find out whether a straight way is free with a radius around it.
-std::uint32_t way_effort(const GridSpec& window, const Vec3& way, double radius) {
-  const int rows = static_cast<int>((absolute(way.y) + 2.0 * radius) / window.cell) + 2;
-  const int planes = static_cast<int>((absolute(way.z) + 2.0 * radius) / window.cell) + 2;
-  return effort_of(kRowEffort, rows * planes);
-}
 
 /// Is `one` a better lookout than `other` for a vehicle that rests at `at`? A free straight way to it counts most,
 /// because it can be flown wherever the vehicle rests. The next criterion is a small drop of the line of sight across a
@@ -55,12 +43,12 @@ Vec3 offset_of(int direction) {
 
 /// The place straight away from what is to be seen, as far as the space is known to be free. If the vehicle touches
 /// what it cannot see, no plan may lead elsewhere.
-Vec3 place_away(const Grid& safe, const Blockage& block, const Vec3& start, FlightWork& charge) {
+Vec3 place_away(const Grid& safe, const Blockage& block, const Vec3& start, Work& work) {
   const double radius = safe.spec().clearance();
   const Vec3 away = start - block.at;
   const Vec3 step = (0.5 * radius / larger(kSamePlace, length(away))) * away;
   Vec3 place = start;
-  charge.owe(2 * kMostRadii * way_effort(safe.spec(), kZero, radius));
+  work.spend(2 * kMostRadii * clear_operations(safe.spec(), kZero, radius));
   for (int n = 0; n < 2 * kMostRadii && point_clear(safe, safe.to_local(place + step), radius); ++n) {
     place = place + step;
   }
@@ -131,13 +119,13 @@ void RestSearch::begin_lookout() noexcept {
 
 /// If no lookout was found, the next plan leads to the goal as usual.
 Progress RestSearch::find_lookout(const FlightFacts& flight, const Blockage& block, std::int64_t takeover,
-                                  FlightWork& charge, Work& work) noexcept {
+                                  Work& work) noexcept {
   if (!flight.map.safe().bound()) return Progress::kMore;
   const Vec3 at = flight.plans.sample_at(takeover).position;
   for (; searched < kDirections * kRanges * kHeights; ++searched) {
-    if (work.left == 0) return Progress::kMore;
-    look_from(flight, block, at, charge);
-    charge.pay(kRowEffort, work);
+    if (!work.left()) return Progress::kMore;
+    look_from(flight, block, at, work);
+    work.spend(ops::kPiece);
   }
   seeks = lookout.direction >= 0;
   sought |= seeks ? 1u << lookout.direction : kAround;
@@ -146,8 +134,7 @@ Progress RestSearch::find_lookout(const FlightFacts& flight, const Blockage& blo
 
 /// Looks at place `searched`: in a direction from what is to be seen, at a range and a height. Keeps it if it is the
 /// best lookout so far for a vehicle that rests at `at`.
-void RestSearch::look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at,
-                           FlightWork& charge) noexcept {
+void RestSearch::look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at, Work& work) noexcept {
   const Grid& safe = flight.map.safe();
   const double radius = safe.spec().clearance();
   const std::int32_t ring = searched / kHeights;
@@ -163,18 +150,18 @@ void RestSearch::look_from(const FlightFacts& flight, const Blockage& block, con
   Lookout found{place, drop, direction, true};
   const bool was_sought = (sought >> direction & 1) != 0;
   if (was_sought || drop >= kSteepest || distance(at, place) < radius || !is_better(found, lookout, at)) return;
-  charge.owe(way_effort(safe.spec(), kZero, radius));
+  work.spend(clear_operations(safe.spec(), kZero, radius));
   if (!point_clear(safe, safe.to_local(place), radius)) return;
-  charge.owe(way_effort(safe.spec(), place - at, radius));
+  work.spend(clear_operations(safe.spec(), place - at, radius));
   found.is_straight = segment_clear(safe, safe.to_local(at), safe.to_local(place), radius);
   if (!is_better(found, lookout, at)) return;
-  charge.owe(kSightPasses * way_effort(safe.spec(), sight, 0.0));
+  work.spend(clear_operations(safe.spec(), sight, 0.0));
   if (segment_clear(flight.map.route(), safe.to_local(place), safe.to_local(block.at), 0.0)) lookout = found;
 }
 
 Vec3 RestSearch::lookout_place(const RollingMap& map, const Blockage& block, const Vec3& start,
-                               FlightWork& charge) const noexcept {
-  return goes_away() ? place_away(map.safe(), block, start, charge) : lookout.place;
+                               Work& work) const noexcept {
+  return goes_away() ? place_away(map.safe(), block, start, work) : lookout.place;
 }
 
 /// A plan straight away is the first part of the way to a lookout.

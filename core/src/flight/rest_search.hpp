@@ -69,8 +69,7 @@ struct RestSearch {
   void begin_lookout() noexcept;
   /// Looks for a lookout for a vehicle that rests at the takeover. Waits while the map slides, because nothing is known
   /// of it then.
-  Progress find_lookout(const FlightFacts& flight, const Blockage& block, std::int64_t takeover, FlightWork& charge,
-                        Work& work) noexcept;
+  Progress find_lookout(const FlightFacts& flight, const Blockage& block, std::int64_t takeover, Work& work) noexcept;
   /// A plan is committed: counts the lookouts that plans lead to.
   void note_commit(const Draft& draft, const Commitment& in_flight) noexcept;
   /// The sensor should see what ended the draft's proof, which holds until then, in seconds since its beginning.
@@ -80,15 +79,14 @@ struct RestSearch {
   /// The lookout that is sought is straight away from what is to be seen.
   bool goes_away() const noexcept { return (sought & kAway) != 0; }
   /// Where the plan to a lookout leads from a start at rest.
-  Vec3 lookout_place(const RollingMap& map, const Blockage& block, const Vec3& start,
-                     FlightWork& charge) const noexcept;
+  Vec3 lookout_place(const RollingMap& map, const Blockage& block, const Vec3& start, Work& work) const noexcept;
   /// What the sensor should see next: `look_at` or, during a look around, one direction after the other.
   Vec3 looking_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
   /// The direction of a look around at time `t`, from 0.
   int sector_at(const FlightFacts& flight, const Nose& nose, std::int64_t t) const noexcept;
 
  private:
-  void look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at, FlightWork& charge) noexcept;
+  void look_from(const FlightFacts& flight, const Blockage& block, const Vec3& at, Work& work) noexcept;
 };
 
 }  // namespace tern

@@ -26,17 +26,17 @@ Progress FlightState::run_job(Work& work) noexcept {
   switch (cycle.job) {
     case Job::kIdle: return Progress::kMore;
     case Job::kLookout: return run_lookout(work);
-    case Job::kCopy: return cycle.copy(facts.map, charge, work);
+    case Job::kCopy: return cycle.copy(facts.map, work);
     case Job::kFollow: return cycle.begin_remainder(facts, itinerary, draft);
-    case Job::kRemainder: return cycle.prove_remainder(facts, itinerary, draft, charge, work);
+    case Job::kRemainder: return cycle.prove_remainder(facts, itinerary, draft, work);
     case Job::kAim: return choose_aim();
-    case Job::kAskRoute: return cycle.ask_route(facts, *planner, charge);
-    case Job::kAskPlan: return cycle.ask_plan(facts, *planner, draft.takeover, charge);
-    case Job::kRoute: return charge.run(*planner, work) == Progress::kMore ? Progress::kMore : end_route();
-    case Job::kPlan: return charge.run(*planner, work) == Progress::kMore ? Progress::kMore : end_plan();
+    case Job::kAskRoute: return cycle.ask_route(facts, *planner, tick_work);
+    case Job::kAskPlan: return cycle.ask_plan(facts, *planner, draft.takeover, tick_work);
+    case Job::kRoute: return FlightWork::run(*planner, work) == Progress::kMore ? Progress::kMore : end_route();
+    case Job::kPlan: return FlightWork::run(*planner, work) == Progress::kMore ? Progress::kMore : end_plan();
     case Job::kWait: return or_fail(cycle.begin_reach(facts, draft));
     case Job::kReach: return run_reach(work);
-    case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, charge, work));
+    case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, work));
     case Job::kConfirm: return run_confirm(work);
   }
   return Progress::kMore;
@@ -44,7 +44,7 @@ Progress FlightState::run_job(Work& work) noexcept {
 // clang-format on
 
 Progress FlightState::run_lookout(Work& work) noexcept {
-  const Progress progress = search.find_lookout(facts, block, draft.takeover, charge, work);
+  const Progress progress = search.find_lookout(facts, block, draft.takeover, work);
   if (progress == Progress::kDone) cycle.begin_copy(facts, itinerary, search, draft.takeover);
   return progress;
 }
@@ -52,7 +52,7 @@ Progress FlightState::run_lookout(Work& work) noexcept {
 Progress FlightState::choose_aim() noexcept {
   if (cycle.follow_aim(facts, itinerary, draft.takeover)) return Progress::kDone;
   itinerary.clear_suspicion(facts);
-  cycle.choose_aim(facts, itinerary, search, block, draft.takeover, charge);
+  cycle.choose_aim(facts, itinerary, search, block, draft.takeover, tick_work);
   return Progress::kDone;
 }
 
@@ -82,13 +82,13 @@ Progress FlightState::end_plan() noexcept {
 /// Asks the planner for something else, if there is anything. If the mission is a new one, the failure says nothing.
 void FlightState::end_without_plan(const Report& found) noexcept {
   if (cycle.aim.is_outdated(itinerary)) return choose_draft(false);
-  block.note_no_plan(facts, cycle.aim, found, charge);
+  block.note_no_plan(facts, cycle.aim, found, tick_work);
   if (note_fault(found)) return give_up();
   const NextPlan next = cycle.job == Job::kRoute ? cycle.next_after_route(facts, itinerary, found, draft.takeover)
                                                  : cycle.next_after_plan(facts, itinerary, found, draft.takeover);
   if (next == NextPlan::kAsked) return;
   if (next == NextPlan::kNearest) park(FlightReason::kNearest);
-  if (next == NextPlan::kCutOff) block.note_beyond(facts, cycle.aim, found.reachable, charge);
+  if (next == NextPlan::kCutOff) block.note_beyond(facts, cycle.aim, found.reachable, tick_work);
   choose_draft(false);
 }
 
@@ -109,7 +109,7 @@ void FlightState::choose_draft(bool planned) noexcept {
 /// What ended the proof of the draft is what the sensor should see next. If the flight gave up, or something is too
 /// near to the resting vehicle, the report keeps that instead.
 Progress FlightState::run_reach(Work& work) noexcept {
-  if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
   const ProofReport& found = draft.proof.report();
   search.look_at_end(facts, draft, found.until);
   nose.note_view(facts.map, found);
@@ -128,7 +128,7 @@ Progress FlightState::run_reach(Work& work) noexcept {
 }
 
 Progress FlightState::run_confirm(Work& work) noexcept {
-  if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
   if (draft.proof.report().finding == Finding::kNone) {
     commit();
   } else {
@@ -146,7 +146,7 @@ Progress FlightState::or_fail(Progress progress) noexcept {
 
 /// Commits the draft. False, and nothing is committed, if it does not join the committed plan.
 bool FlightState::commit() noexcept {
-  if (!draft.joins_committed_plan(facts.plans, charge)) {
+  if (!draft.joins_committed_plan(facts.plans, tick_work)) {
     fail();
     return false;
   }
@@ -203,9 +203,9 @@ void FlightState::park(FlightReason why) noexcept {
   }
   itinerary.park(why);
   search.end_look();
-  if (is_occupied) block.note_near(facts.map, cycle.aim.target_place, facts.map.route(), charge);
+  if (is_occupied) block.note_near(facts.map, cycle.aim.target_place, facts.map.route(), tick_work);
   if (why == FlightReason::kHemmedIn) {
-    block.note_near(facts.map, cycle.aim.start.d[0], facts.map.safe(), charge);
+    block.note_near(facts.map, cycle.aim.start.d[0], facts.map.safe(), tick_work);
   }
 }
 

@@ -12,10 +12,6 @@ namespace {
 
 /// Words that a piece copies; one row if that is longer.
 constexpr std::int32_t kCopiedWords = 256;
-/// Instructions for a row, for each word of it, and on top of that for each word that changed.
-constexpr std::uint32_t kCopiedRowEffort = 180;
-constexpr std::uint32_t kWordEffort = 36;
-constexpr std::uint32_t kChangedEffort = 140;
 /// No voxels of a row.
 constexpr IndexRange kNone{0, 0};
 
@@ -92,16 +88,15 @@ bool RouteCopy::done() const noexcept {
   return piece_ == GridWords::inflation_pieces(grid_.spec().dims);
 }
 
-std::uint32_t RouteCopy::advance(const RollingMap& map) noexcept {
+void RouteCopy::advance(const RollingMap& map, Work& work) noexcept {
   const Voxel& dims = grid_.spec().dims;
   const std::int32_t rows = dims.y * dims.z;
-  if (row_ == rows) return GridWords(grid_).inflate_piece(piece_++);
+  if (row_ == rows) return GridWords(grid_).inflate_piece(piece_++, work);
   const std::int32_t left = rows - row_;
   const std::int32_t count = rows_of_piece(grid_.row_words()) < left ? rows_of_piece(grid_.row_words()) : left;
   std::int32_t changed = 0;
   for (std::int32_t n = 0; n < count; ++n) changed += copy_row(map, row_++);
-  return effort_of(kCopiedRowEffort + effort_of(kWordEffort, grid_.row_words()), count) +
-         effort_of(kChangedEffort, changed);
+  work.spend((3 * ops::kRow + 7 * ops::kWord * grid_.row_words()) * count + 28 * ops::kWord * changed);
 }
 
 }  // namespace tern

@@ -26,8 +26,8 @@ class RouteCopy {
   void begin(const RollingMap& map, const Vec3& center, double near, double hole, double emptied) noexcept;
   bool done() const noexcept;
   /// Does one piece: it copies some rows, or inflates a part. Must not be called once done() is true; the map must not
-  /// change before that. Returns the instructions that the piece took (see Work).
-  std::uint32_t advance(const RollingMap& map) noexcept;
+  /// change before that.
+  void advance(const RollingMap& map, Work& work) noexcept;
 
   const Grid& grid() const noexcept { return grid_; }
 

@@ -12,13 +12,15 @@ void FlightState::tick(std::int64_t t) noexcept {
   if (facts.plans.take_over(facts.time)) watch.note_takeover();
   // A flight that gave up because no frames came goes on with the next one.
   if (facts.note_frame() && itinerary.parked && itinerary.reason == FlightReason::kMapStale) try_anew();
-  Work work = charge.begin_tick(facts.spec.work_per_tick, evasion.is_running);
+  if (tick_work.left()) tick_work = Work{};
+  tick_work.add(facts.spec.work_per_tick);
+  Work& work = tick_work;
   step_map(work);
   run_watch(work);
   note_beside();
   turn_nose(work);
   advance(work);
-  finish_report(facts.spec.work_per_tick - work.left);
+  finish_report(facts.spec.work_per_tick - least(work.units(), facts.spec.work_per_tick));
 }
 
 /// The map gets half of the tick's work, or most of it if there is no job. A copy or a proof reads the map, which must
@@ -27,7 +29,10 @@ void FlightState::step_map(Work& work) noexcept {
   if (watch.is_running || evasion.is_running || cycle.reads_map()) return;
   if (!facts.map.busy()) facts.follow_vehicle();
   if (!facts.map.busy()) return;
-  charge.step(facts.map, cycle.job == Job::kIdle ? work.left / 4 : work.left / 2, work);
+  Work part = work.within(work.operations() - work.operations() / (cycle.job == Job::kIdle ? 4 : 2));
+  const Operations given = part.operations();
+  facts.map.step(part);
+  work.spend(given - part.operations());
   // Slide before the next frame begins, because a frame may always be waiting.
   if (!facts.map.busy()) facts.follow_vehicle();
 }
@@ -35,7 +40,7 @@ void FlightState::step_map(Work& work) noexcept {
 void FlightState::run_watch(Work& work) noexcept {
   if (!watch.is_running && !facts.map.busy()) watch.begin(facts, facts.map);
   for (int k = 0; k < kWatchedParts && watch.is_running; ++k) {
-    if (charge.step(watch.proof, work) == Progress::kMore) return;
+    if (FlightWork::step(watch.proof, work) == Progress::kMore) return;
     end_watched_part();
   }
 }
@@ -83,8 +88,8 @@ void FlightState::begin_evasion() noexcept {
   }
   if (!evasion.begin(facts, watch, draft)) return;
   cycle.leave();
-  charge.defer_debt();
-  if (evasion.try_brakes(facts, itinerary, watch, draft, charge) == EvasionResult::kOver) end_evasion();
+  tick_work.forgive();
+  if (evasion.try_brakes(facts, itinerary, watch, draft, tick_work) == EvasionResult::kOver) end_evasion();
 }
 
 /// If boxes were marked between two ticks, begins the current proof of the draft anew on the map as it is.
@@ -92,12 +97,12 @@ void FlightState::prove_anew() noexcept {
   if (draft.proven_on == facts.map.safe().revision()) return;
   cycle.prove_anew();
   if (!evasion.is_running) return;
-  if (evasion.try_brakes(facts, itinerary, watch, draft, charge) == EvasionResult::kOver) end_evasion();
+  if (evasion.try_brakes(facts, itinerary, watch, draft, tick_work) == EvasionResult::kOver) end_evasion();
 }
 
 Progress FlightState::run_evasion(Work& work) noexcept {
-  if (charge.step(draft.proof, work) == Progress::kMore) return Progress::kMore;
-  const EvasionResult result = evasion.judge(facts, itinerary, watch, draft, charge);
+  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  const EvasionResult result = evasion.judge(facts, itinerary, watch, draft, tick_work);
   if (result == EvasionResult::kProven) commit();
   if (result == EvasionResult::kOver) end_evasion();
   return Progress::kDone;
@@ -105,7 +110,7 @@ Progress FlightState::run_evasion(Work& work) noexcept {
 
 /// Commits the best brake even if it is not proven, if it is better than the committed plan. A threat then remains.
 void FlightState::end_evasion() noexcept {
-  if (!evasion.end(facts, itinerary, watch, draft, charge)) return give_up();
+  if (!evasion.end(facts, itinerary, watch, draft, tick_work)) return give_up();
   const bool had_alarm = watch.has_alarm;
   const JudgedBrake& brake = evasion.best;
   if (!commit()) return;

@@ -134,6 +134,13 @@ bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius
          blocks_clear(grid, probe, {2, 2}, radius);
 }
 
+/// Without a radius, rows are read four times over: alone, and in blocks of two and four.
+Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept {
+  const Operations rows = static_cast<Operations>((absolute(way.y) + 2.0 * radius) / spec.cell) + 2;
+  const Operations planes = static_cast<Operations>((absolute(way.z) + 2.0 * radius) / spec.cell) + 2;
+  return (radius > 0.0 ? 1 : 4) * ops::kRow * rows * planes;
+}
+
 bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept {
   return segment_clear(grid, local, local, radius);
 }

@@ -65,6 +65,8 @@ bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept;
 /// True if point_clear() holds for every point of the segment from a to b. Reads at most the voxels within the radius
 /// of its bounding box.
 bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius) noexcept;
+/// Operations of point_clear() for a point, or of segment_clear() along `way`: each row near it once.
+Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept;
 
 /// The state of a search for the free voxel nearest to a point. Plain data; needs no initialisation before
 /// nearest_begin.
@@ -78,7 +80,7 @@ struct NearestFree {
 };
 
 /// Finds the free voxel (up-to-date blocked layer) whose centre is nearest to the point, which may lie anywhere; ties
-/// go to the least z, then y, then x. A unit of work reads the rows at one distance from the point's row, each word of
+/// go to the least z, then y, then x. A piece of work reads the rows at one distance from the point's row, each word of
 /// the layer at most once. kDone: `found` says whether any voxel is free, and `voxel` is the nearest.
 void nearest_begin(NearestFree& nearest, const Grid& grid, const Vec3& local) noexcept;
 Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noexcept;

@@ -13,15 +13,6 @@ namespace {
 
 constexpr double kFullyInside = 1.0 - kLatticeTolerance;
 
-/// Instructions of: a layer; a word that is compared with the layer below. In a layer that differs: a word that is
-/// compared with the row before; a row that differs; a run in that row; a rectangle in the layer or in the one below.
-constexpr std::uint32_t kLayerEffort = 300;
-constexpr std::uint32_t kWordEffort = 6;
-constexpr std::uint32_t kRowWordEffort = 12;
-constexpr std::uint32_t kRowEffort = 100;
-constexpr std::uint32_t kRunEffort = 50;
-constexpr std::uint32_t kRectangleEffort = 60;
-
 /// Truncates to [0, count]. Compares as doubles first, because a far coordinate does not fit into an integer.
 std::int32_t clamp_index(double cells, std::int32_t count) {
   if (!(cells > 0.0)) return 0;
@@ -129,7 +120,6 @@ struct Layer {
   LayerRectangle* rectangles;
   int count;
   int open_count;
-  std::uint32_t effort;  ///< see Work
 };
 
 void close_rectangle(Layer& layer, std::int32_t index, std::int32_t y) {
@@ -165,20 +155,19 @@ bool take_row(Layer& layer, const std::uint64_t* row, std::int32_t count, std::i
   }
   while (i < layer.open_count) close_rectangle(layer, open[i++], y);
   layer.open_count = kept;
-  layer.effort += kRowEffort + effort_of(kRunEffort, kept);
   return true;
 }
 
 /// The rectangles of one layer, sorted by (y0, x0), because they open in that order. -1 if they do not fit.
 int layer_rectangles(const Rows& rows, const Window& window, ExtractScratch& scratch, LayerRectangle* rectangles,
                      Work& work) {
-  Layer layer{rectangles, 0, 0, effort_of(kRowWordEffort, rows.count * window.words)};
+  Layer layer{rectangles, 0, 0};
+  work.spend(ops::kWord * rows.count * window.words);
   int now = 0;
   for (std::int32_t y = 0; y < rows.count; y = first_difference(rows, window, y + 1)) {
     copy_window(rows.words + static_cast<std::ptrdiff_t>(y) * rows.stride, window, scratch.row);
     const bool fits = take_row(layer, scratch.row, window.words * 64, y, scratch.open[now ^ 1], scratch.open[now]);
-    work.effort += layer.effort;
-    layer.effort = 0;
+    work.spend(ops::kRow + 8 * ops::kTurn * layer.open_count);
     if (!fits) return -1;
     now ^= 1;
   }
@@ -238,14 +227,14 @@ bool read_layer(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work
   const Window window = window_of(range);
   const Rows rows = rows_of(grid, range, window, scratch.z);
   const std::ptrdiff_t plane_words = GridView::obstacles(grid).index(0, 1);
-  work.effort += kLayerEffort + effort_of(kWordEffort, rows.count * window.words);
+  work.spend(ops::kPiece + ops::kWord * rows.count * window.words);
   if (scratch.z > range.lower.z && all_equal(rows, window, plane_words, scratch.row)) return true;
   LayerRectangle* const below = scratch.rectangles[scratch.below];
   LayerRectangle* const layer = scratch.rectangles[1 - scratch.below];
   Boxes found{boxes, scratch.count, grid.spec().cell};
   grow_up(below, scratch.below_count, scratch.z, found);
   const int count = layer_rectangles(rows, window, scratch, layer, work);
-  work.effort += effort_of(kRectangleEffort, scratch.below_count + (count < 0 ? kMaxLocalBoxes : count));
+  work.spend(8 * ops::kTurn * (scratch.below_count + (count < 0 ? kMaxLocalBoxes : count)));
   if (count < 0 || !join_below(below, scratch.below_count, layer, count, range, scratch.z, found)) return false;
   scratch.count = found.count;
   scratch.below = 1 - scratch.below;
@@ -281,7 +270,7 @@ void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept {
 Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept {
   const VoxelRange& range = scratch.range;
   for (; scratch.z < range.upper.z; ++scratch.z) {
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     if (!read_layer(grid, scratch, boxes, work)) return Progress::kFailed;
   }
   const Boxes found{boxes, scratch.count, grid.spec().cell};

@@ -66,7 +66,7 @@ struct ExtractScratch {
 VoxelRange voxels_within_reach(const Grid& grid, const Box& box) noexcept;
 
 /// Merges the obstacle voxels of `range` into disjoint boxes, in the order of their lower corners by (z, y, x). Reads
-/// only the words of the range. A unit of work reads a layer. kDone: scratch.count is the number of boxes. kFailed:
+/// only the words of the range. A piece of work reads a layer. kDone: scratch.count is the number of boxes. kFailed:
 /// there are more than kMaxLocalBoxes.
 void extract_begin(const VoxelRange& range, ExtractScratch& scratch) noexcept;
 Progress extract_advance(const Grid& grid, ExtractScratch& scratch, LocalBox* boxes, Work& work) noexcept;

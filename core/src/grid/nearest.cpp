@@ -10,11 +10,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of: a square of rows; a row of it; a word of that row.
-constexpr std::uint32_t kSquareEffort = 200;
-constexpr std::uint32_t kSquareRowEffort = 80;
-constexpr std::uint32_t kSquareWordEffort = 8;
-
 bool precedes(const Voxel& a, const Voxel& b) {
   if (a.z != b.z) return a.z < b.z;
   if (a.y != b.y) return a.y < b.y;
@@ -107,11 +102,11 @@ Progress nearest_advance(NearestFree& nearest, const Grid& grid, Work& work) noe
     // distances tie.
     const double least = nearest.square - 0.5 - 1e-6;
     if (nearest.found && least > 0.0 && nearest.distance_squared < least * least) break;
-    if (!work.take()) return Progress::kMore;
+    if (!work.left()) return Progress::kMore;
     const Voxel center{floor_index(nearest.point.x, 0, dims.x - 1), floor_index(nearest.point.y, 0, dims.y - 1),
                        floor_index(nearest.point.z, 0, dims.z - 1)};
     const int rows = offer_square(grid, center, nearest.square, nearest);
-    work.effort += kSquareEffort + effort_of(kSquareRowEffort + effort_of(kSquareWordEffort, grid.row_words()), rows);
+    work.spend(ops::kPiece + (ops::kRow + ops::kWord * grid.row_words()) * rows);
   }
   return Progress::kDone;
 }

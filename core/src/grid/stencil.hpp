@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -38,6 +39,9 @@ class Stencil {
   std::int32_t last_row_;
   std::int16_t table_[kTable][kTable];
 };
+
+/// Of making a stencil: a root for each entry of its table.
+constexpr Operations kStencilOperations = 16 * 16 * 4 * ops::kTurn;
 
 }  // namespace tern
 

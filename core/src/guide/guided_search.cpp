@@ -12,10 +12,6 @@ namespace {
 
 constexpr int kGuidedBucketBits = 6;
 
-/// Instructions of: taking an entry off the open list of voxels; taking an entry off the guide's open list.
-constexpr std::uint32_t kVoxelEffort = 2200;
-constexpr std::uint32_t kGuideEffort = 1000;
-
 /// Blocks from the current one to the carrot. Aiming ahead smooths the corners of the guide's path, which the path of
 /// voxels need not follow.
 constexpr int kCarrotBlocks = 2;
@@ -179,20 +175,20 @@ Status take_voxel(GuidedSearch& search, const Grid& grid) {
   return expand(search, grid, index, at, place);
 }
 
-/// Lets the guide take entries off its list, one a unit of work, until it has closed the awaited block, or has no units
-/// left.
+/// Lets the guide take entries off its list, one a piece of work, until it has closed the awaited block, or nothing is
+/// left of the slice.
 Status advance_guide(GuidedSearch& search, const Grid& grid, Work& work) {
   const Block& awaited = search.guide.map.blocks[search.awaited];
   // If guide_left is 0 here, the guide has closed the start's block, and may take any number of entries.
-  const std::uint32_t most = search.guide_left == 0 ? work.left : least(work.left, search.guide_left);
+  const std::uint32_t most = search.guide_left == 0 ? ~std::uint32_t{0} : search.guide_left;
   std::uint32_t taken = 0;
   Status status = Status::kRunning;
-  while (status == Status::kRunning && taken < most && !awaited.closed()) {
+  while (status == Status::kRunning && taken < most && work.left() && !awaited.closed()) {
+    work.spend(4 * ops::kNode);
     status = block_search_take(search.guide, grid);
     ++taken;
   }
-  work.left -= taken;
-  work.effort += taken * kGuideEffort;
+  search.entries += taken;
   search.guide_left -= taken;
   return status;
 }
@@ -204,6 +200,7 @@ bool guided_begin(GuidedSearch& search, const Grid& grid, const Voxel& start, co
   search.goal = goal;
   search.expanded = 0;
   search.most = 0;
+  search.entries = 0;
   if (!block_search_begin(search.guide, grid, goal, start, small)) return false;
   search.awaited = search.guide.map.index(search.guide.target);
   guided_reopen(search, grid);
@@ -221,10 +218,10 @@ void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept {
 
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept {
   Status status = Status::kRunning;
-  while (status == Status::kRunning && work.left > 0) {
+  while (status == Status::kRunning && work.left()) {
     if (block_closed(search.guide, search.awaited)) {
-      work.take();
-      work.effort += kVoxelEffort;
+      work.spend(9 * ops::kNode);
+      ++search.entries;
       status = take_voxel(search, grid);
       continue;
     }

@@ -28,7 +28,7 @@ constexpr std::uint32_t kGuidedTaken = 16 * kGuidedExpansions;
 constexpr std::int32_t kGuidedBuckets = 1024;
 constexpr std::int32_t kGuidedOpen = 3 * kMaxOpen < 32 * 1024 ? 3 * kMaxOpen : 32 * 1024;
 
-/// Bound on the units of one guided search: entries taken off either open list.
+/// Bound on the pieces of work of one guided search: entries taken off either open list.
 constexpr std::uint32_t kGuidedBound = kBlocksTaken + kGuidedTaken;
 
 /// A search between two free voxels. Plain data; needs no initialisation before guided_begin.
@@ -38,6 +38,7 @@ struct GuidedSearch {
   std::uint32_t expanded;    ///< voxels
   std::uint32_t most;        ///< the most voxels that it may expand, given the length of the guide's path
   std::uint32_t taken;       ///< entries taken off `open`
+  std::uint32_t entries;     ///< entries taken off either open list
   std::uint32_t guide_left;  ///< entries that the guide may still take before it stalls
   std::int32_t awaited;      ///< block that the guide has to close before the search of voxels goes on
   BlockSearch guide;
@@ -61,9 +62,9 @@ inline bool guide_stalls(const GuidedSearch& search) noexcept {
 /// once.
 void guided_reopen(GuidedSearch& search, const Grid& grid) noexcept;
 
-/// Takes entries off the open lists, one a unit of work. kRunning if no work is left, or once guide_stalls() is true.
-/// At the end: kOk; kNoPath if no moves connect the two voxels; kNodesFull or kOpenFull if a capacity or one of the
-/// limits above is exhausted, which proves nothing. Must not be called after the end.
+/// Takes entries off the open lists, one a piece of work. kRunning if nothing is left of the slice, or once
+/// guide_stalls() is true. At the end: kOk; kNoPath if no moves connect the two voxels; kNodesFull or kOpenFull if a
+/// capacity or one of the limits above is exhausted, which proves nothing. Must not be called after the end.
 Status guided_advance(GuidedSearch& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, as search_extract does. Once, after kOk.

@@ -17,15 +17,17 @@ namespace tern {
 /// Pages that a flood reaches before it gives up: on the companion profile, a room of 30 voxels in each direction.
 constexpr std::int32_t kPocketPages = kGuidePages / 8;
 
-/// Units of work of one flood. A page comes back to the list only with a voxel more than before.
+/// Pieces of work of one flood. A page comes back to the list only with a voxel more than before.
 constexpr std::uint32_t kPocketBound = 64u * static_cast<std::uint32_t>(kPocketPages + kSides) + 2u;
 
 /// Begins at a free voxel, in the memory of the search of voxels: the content of `open` and `store` is lost.
 void pocket_begin(GuidedSearch& search, const Grid& grid, const Voxel& from) noexcept;
 
-/// Takes one page off the list. kRunning; kNoPath: the blocked layer does not connect the two voxels; kNodesFull: they
-/// are connected, or the flood reached more than kPocketPages pages.
+/// Takes one page off the list, a piece of work. kRunning; kNoPath: the blocked layer does not connect the two voxels;
+/// kNodesFull: they are connected, or the flood reached more than kPocketPages pages.
 Status pocket_take(GuidedSearch& search, const Grid& grid, const Voxel& to) noexcept;
+/// The page, its flood, and the pages on its six sides.
+constexpr Operations kPocketOperations = 9 * ops::kNode;
 
 }  // namespace tern
 

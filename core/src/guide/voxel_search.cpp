@@ -5,11 +5,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of: expanding a node of the optimal search, without its jumps; an entry of a flood; beginning a guided
-/// search or a flood.
-constexpr std::uint32_t kNodeEffort = 1500;
-constexpr std::uint32_t kPocketEffort = 2200;
-constexpr std::uint32_t kBeginEffort = 14000;
+/// Beginning a guided search or a flood clears the buckets and the index of pages.
+constexpr Operations kBeginOperations = 2 * ops::kTurn * kGuidedBuckets;
 
 void raise_high_water(VoxelSearch& search) {
   raise(search.nodes_high, static_cast<std::int32_t>(search.optimal.store.count));
@@ -38,9 +35,9 @@ bool first_over(const VoxelSearch& search) {
 
 Status advance_optimal(VoxelSearch& search, const Grid& grid, Work& work) {
   Status status = Status::kRunning;
-  while (status == Status::kRunning && !first_over(search) && work.take()) {
-    status = search_expand(search.optimal, grid);
-    work.effort += kNodeEffort + search.optimal.effort;
+  while (status == Status::kRunning && !first_over(search) && work.left()) {
+    status = search_expand(search.optimal, grid, work);
+    ++search.entries;
     raise_high_water(search);
   }
   return status;
@@ -61,9 +58,10 @@ void begin_pocket(VoxelSearch& search, const Grid& grid, SearchMethod method) {
 Status advance_pocket(VoxelSearch& search, const Grid& grid, Work& work) {
   const Voxel& to = search.method == SearchMethod::kGoalPocket ? search.start : search.goal;
   Status status = Status::kRunning;
-  while (status == Status::kRunning && work.take()) {
+  while (status == Status::kRunning && work.left()) {
+    work.spend(kPocketOperations);
+    ++search.entries;
     status = pocket_take(search.guided, grid, to);
-    work.effort += kPocketEffort;
   }
   return status;
 }
@@ -102,11 +100,13 @@ Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
   Status status = Status::kRunning;
   for (int turn = 0; turn < kGuidedTurns; ++turn) {
     const bool floods = search.method != SearchMethod::kGuided;
+    const std::uint32_t before = search.guided.entries;
     status = floods ? advance_pocket(search, grid, work) : guided_advance(search.guided, grid, work);
+    search.entries += search.guided.entries - before;
     const bool stalls = !floods && status == Status::kRunning && guide_stalls(search.guided);
     if (proves(status) || (status == Status::kRunning && !stalls)) return status;
     search.gave_up = search.gave_up || (!floods && !stalls);
-    work.effort += kBeginEffort;
+    work.spend(kBeginOperations);
     if (!begin_next(search, grid)) return status;
   }
   return status;
@@ -120,6 +120,7 @@ void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, con
   search.start = start;
   search.goal = goal;
   search.least = octile(start, goal);
+  search.entries = 0;
   search.nodes_high = 0;
   search.open_high = 0;
   search.start_flooded = false;
@@ -133,7 +134,7 @@ Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) n
   if (search.method == SearchMethod::kFirst) {
     const Status status = advance_optimal(search, grid, work);
     if (proves(status) || (status == Status::kRunning && !first_over(search))) return status;
-    work.effort += kBeginEffort;
+    work.spend(kBeginOperations);
     begin_guided(search, grid);
   }
   if (search.method == SearchMethod::kOptimal) return advance_optimal(search, grid, work);

@@ -24,7 +24,7 @@ namespace tern {
 /// expansions that jump. Easy queries end there, with a cheapest path.
 constexpr std::uint32_t kFirstJumps = 32;
 
-/// Units of work of one search. The first expansions have the bound of a search of their own.
+/// Pieces of work of one search. The first expansions have the bound of a search of their own.
 constexpr std::uint32_t kVoxelSearchBound = 2 * kGuidedBound + 2 * kPocketBound + 2 * kExpansionBound;
 
 enum class SearchMethod : std::uint8_t { kFirst, kGuided, kStartPocket, kGoalPocket, kOptimal };
@@ -38,6 +38,7 @@ struct VoxelSearch {
   bool goal_flooded;        ///< the same for a flood around the goal
   bool gave_up;             ///< the guided search gave up
   Cost least;               ///< proven lower bound of the cost of any path
+  std::uint32_t entries;    ///< entries taken off open lists, and sorting steps; <= kVoxelSearchBound
   std::int32_t nodes_high;  ///< the most nodes of the optimal search
   std::int32_t open_high;
   ScanMap* map;
@@ -53,7 +54,7 @@ static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes n
 void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept;
 
-/// One unit of work is one entry taken off an open list, or one sorting step. kRunning if no work is left; at the end:
+/// A piece of work is an entry taken off an open list, or a sorting step. kRunning if nothing is left; at the end:
 /// kOk, kNoPath, kNodesFull, kOpenFull.
 Status voxel_search_advance(VoxelSearch& search, const Grid& grid, Work& work) noexcept;
 

@@ -14,12 +14,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of: beginning; a word of the change map; a plane of a window; a word of that plane.
-constexpr std::uint32_t kBeginEffort = 3000;
-constexpr std::uint32_t kExtentEffort = 8;
-constexpr std::uint32_t kPlaneEffort = 500;
-constexpr std::uint32_t kReachedEffort = 90;
-
 /// The rows of a block that changed in either of two planes, word by word.
 struct ChangedRows {
   const std::uint64_t* below;
@@ -129,8 +123,8 @@ struct Inflation {
   const Regions regions;
   const std::uint64_t content;  ///< content number of the obstacle layer
   std::uint64_t* const
-      contents;           ///< for each region of the blocked layer, the obstacles' `content` when it was last made
-  std::uint32_t& effort;  ///< see Work
+      contents;  ///< for each region of the blocked layer, the obstacles' `content` when it was last made
+  Work& work;
 
   /// The rows of the window that changes can affect in plane z.
   WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
@@ -162,25 +156,19 @@ struct Inflation {
     }
   }
 
-  void make(const Patch& patch) const {
-    effort += maker.make_effort(patch);
-    maker.make(patch);
-  }
-
   void make_all(const BlockWindow& window, std::int32_t z, WindowRows& rows) const {
     const std::int32_t count = window.words.end - window.words.begin;
     merge(rows, count);
     const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
     for (std::int32_t k = 0; k < count; ++k) rows.words[k] &= inside;
-    for_each_patch(window, z, rows, [this](const Patch& patch) { make(patch); });
+    for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch, work); });
   }
 
   /// Makes the voxels that may differ from the plane below, from which the patch has been copied.
   void make_differing(const Patch& patch, const PlaneSteps& steps) const {
     const IndexRange x = steps.voxels(patch.words);
-    if (!maker.narrow(x)) return make(patch);
-    effort += maker.narrow_effort(patch);
-    maker.make_narrow(patch, x);
+    if (!maker.narrow(x)) return maker.make(patch, work);
+    maker.make_narrow(patch, x, work);
   }
 
   /// Makes the rows of `reached` by copying the plane below and making the differences, and removes them from
@@ -199,10 +187,7 @@ struct Inflation {
       price += count_runs(differing.words[k]) * (maker.narrow(steps.voxels({word, word + 1})) ? 1 : kWidePatch);
     }
     if (equal == 0 || price > count + kFewPatches) return false;
-    for_each_patch(window, z, reached, [this](const Patch& patch) {
-      effort += PatchMaker::copy_effort(patch);
-      maker.copy_below(patch);
-    });
+    for_each_patch(window, z, reached, [this](const Patch& patch) { maker.copy_below(patch, work); });
     for_each_patch(window, z, differing, [&](const Patch& patch) { make_differing(patch, steps); });
     return true;
   }
@@ -213,12 +198,12 @@ struct Inflation {
     bool follows = false;
     for (std::int32_t z = planes.begin; z < planes.end; ++z) {
       WindowRows reached = find_reached(window, z);
-      effort += kPlaneEffort + effort_of(kReachedEffort, count);
+      work.spend(2 * ops::kPiece + 10 * ops::kWord * count);
       for (std::int32_t k = 0; k < count; ++k) {
         if (reached.words[k] != 0) contents[regions.at(z, window.block, window.words.begin + k)] = content;
       }
       const bool any = reached.any(count) != 0;
-      if (any) effort += steps.effort(window, follows);
+      if (any) work.spend(steps.operations(window, follows));
       if (any && follows) steps.advance();
       if (any && !follows) steps.begin(window, z);
       follows = any;
@@ -247,7 +232,7 @@ struct Inflation {
         changes.extent(overlap({0, regions.planes}, {wanted.begin - far_z, wanted.end + far_z}));
     const IndexRange reached = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
     const IndexRange planes = overlap(reached, wanted);
-    effort += effort_of(kExtentEffort, (wanted.end - wanted.begin + 2 * far_z) * regions.blocks * regions.words);
+    work.spend(ops::kWord * (wanted.end - wanted.begin + 2 * far_z) * regions.blocks * regions.words);
     for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
       const std::uint64_t any = rows_reached(extent, block, far_y);
       if (any == 0) continue;
@@ -261,22 +246,37 @@ struct Inflation {
 
 }  // namespace
 
-std::uint32_t Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t first_block,
-                                   std::int32_t end_block) noexcept {
+void Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t first_block, std::int32_t end_block,
+                          Work& work) noexcept {
   const Changes changes(spec_.dims, changes_);
-  std::uint32_t effort = kBeginEffort;
-  if (!changes.any()) return effort;
+  work.spend(ops::kPiece);
+  if (!changes.any()) return;
+  work.spend(kStencilOperations);
   const Stencil stencil(spec_);
   const PatchMaker maker(*this, stencil, blocked_);
   PlaneSteps steps(*this, stencil);
-  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_, effort}.run(
+  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_, work}.run(
       steps, {begin, end}, {first_block, end_block});
-  return effort;
+}
+
+Operations inflation_operations(const Grid& grid) noexcept {
+  const Stencil stencil(grid.spec());
+  const PatchMaker maker(grid, stencil, nullptr);
+  const PlaneSteps steps(grid, stencil);
+  const Regions regions(grid.spec().dims);
+  const BlockWindow widest{0, {0, kBlockRows}, {0, kStepWords}};
+  const Operations window =
+      2 * ops::kPiece + steps.operations(widest, false) + kStepWords * (10 * ops::kWord + maker.most_operations());
+  const Operations piece = ops::kPiece + kStencilOperations +
+                           ops::kWord * (kBlockRows + 2 * (stencil.gap_z() + 1)) * regions.blocks * regions.words;
+  return (piece + window * words_for(regions.words * kWordBits / kStepWords + kWordBits)) * regions.blocks *
+         regions.planes;
 }
 
 void Grid::inflate() noexcept {
   if (!bound()) return;
-  inflate_planes(0, spec_.dims.z, 0, Regions(spec_.dims).blocks);
+  Work work;
+  inflate_planes(0, spec_.dims.z, 0, Regions(spec_.dims).blocks, work);
   Changes changes(spec_.dims, changes_);
   if (changes.any()) changes.clear();
   words_[kInflated] = words_[kRevision];

@@ -4,17 +4,11 @@
 
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
+#include "grid/regions.hpp"
 #include "inflation/inflation_tile.hpp"
 
 namespace tern {
 namespace {
-
-/// Instructions of: a patch; a tile of it; a plane of the ball in each round of the tile; a row of the ball, for each
-/// word that it is added to.
-constexpr std::uint32_t kPatchEffort = 200;
-constexpr std::uint32_t kTileEffort = 600;
-constexpr std::uint32_t kRingEffort = 350;
-constexpr std::uint32_t kBallRowEffort = 7;
 
 /// Rows of the ball in the planes on one side of a voxel.
 int rows_of_ball(const Stencil& stencil) {
@@ -39,27 +33,27 @@ PatchMaker::PatchMaker(const Grid& grid, const Stencil& stencil, std::uint64_t* 
       planes_inside_(inside_boundary(grid, 2)) {
   const IndexRange x = inside_boundary(grid, 0);
   for (std::int32_t k = 0; k < rows_.row_words; ++k) outside_x_[k] = ~bits_met(x, k);
-  tile_effort_ = kTileEffort + effort_of(kRingEffort, (stencil.gap_x() + 1) * (stencil.gap_z() + 1));
-  word_effort_ = 20 + effort_of(kBallRowEffort, rows_of_ball(stencil));
+  // Each round of a tile goes through the planes of the ball, and adds each row of the ball to each word.
+  tile_operations_ = ops::kPiece * (3 + 2 * (stencil.gap_x() + 1) * (stencil.gap_z() + 1));
+  word_operations_ = ops::kWord * (3 + rows_of_ball(stencil));
 }
 
-std::uint32_t PatchMaker::make_effort(const Patch& patch) const noexcept {
+Operations PatchMaker::make_operations(const Patch& patch) const noexcept {
   const IndexRange words = with_halo(patch.words);
   const std::int32_t width = words.end - words.begin;
   const std::int32_t rows = patch.rows.end - patch.rows.begin;
   const std::int32_t tile_rows = kTileWords / width;
   // Whole rows are contiguous and cost less.
-  const std::uint32_t word = width == rows_.row_words ? word_effort_ * 2 / 3 : word_effort_;
-  return kPatchEffort + effort_of(tile_effort_, (rows + tile_rows - 1) / tile_rows) + effort_of(word, rows * width);
+  const Operations word = width == rows_.row_words ? word_operations_ * 2 / 3 : word_operations_;
+  return ops::kPiece + tile_operations_ * ((rows + tile_rows - 1) / tile_rows) + word * rows * width;
 }
 
-std::uint32_t PatchMaker::narrow_effort(const Patch& patch) const noexcept {
-  return kPatchEffort + tile_effort_ + effort_of(30 + word_effort_, patch.rows.end - patch.rows.begin);
-}
-
-std::uint32_t PatchMaker::copy_effort(const Patch& patch) noexcept {
-  const std::uint32_t row = 16 + effort_of(5, patch.words.end - patch.words.begin);
-  return kPatchEffort + effort_of(row, patch.rows.end - patch.rows.begin);
+/// A word has at most eight runs of rows (see without_gaps in inflate.cpp). Each is copied from below, and made.
+Operations PatchMaker::most_operations() const noexcept {
+  constexpr Operations kRuns = 8;
+  const Operations width = 1 + 2 * words_for(reach_x_);
+  const Operations tiles = kRuns + kBlockRows * width / kTileWords + 1;
+  return 2 * kRuns * ops::kPiece + tiles * tile_operations_ + kBlockRows * (width * word_operations_ + 7 * ops::kWord);
 }
 
 /// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.
@@ -74,7 +68,8 @@ IndexRange PatchMaker::with_halo(const IndexRange& words) const noexcept {
   return overlap({0, rows_.row_words}, {words.begin - halo, words.end + halo});
 }
 
-void PatchMaker::make(const Patch& patch) const noexcept {
+void PatchMaker::make(const Patch& patch, Work& work) const noexcept {
+  work.spend(make_operations(patch));
   const IndexRange words = with_halo(patch.words);
   InflationTile tile;
   tile.z = patch.z;
@@ -107,7 +102,9 @@ void PatchMaker::store(const InflationTile& tile, const IndexRange& words) const
   }
 }
 
-void PatchMaker::make_narrow(const Patch& patch, const IndexRange& x) const noexcept {
+void PatchMaker::make_narrow(const Patch& patch, const IndexRange& x, Work& work) const noexcept {
+  work.spend(ops::kPiece + tile_operations_ +
+             (4 * ops::kWord + word_operations_) * (patch.rows.end - patch.rows.begin));
   InflationTile tile;
   tile.y = patch.rows.begin;
   tile.z = patch.z;
@@ -131,9 +128,10 @@ void PatchMaker::store_narrow(const InflationTile& tile, const IndexRange& x, st
   }
 }
 
-void PatchMaker::copy_below(const Patch& patch) const noexcept {
+void PatchMaker::copy_below(const Patch& patch, Work& work) const noexcept {
   const std::int32_t width = patch.words.end - patch.words.begin;
   const std::int32_t count = patch.rows.end - patch.rows.begin;
+  work.spend(ops::kPiece + (2 * ops::kTurn + ops::kWord * width) * count);
   const std::ptrdiff_t plane = rows_.index(0, 1);
   std::uint64_t* row = blocked_ + rows_.index(patch.rows.begin, patch.z) + patch.words.begin;
   if (width == rows_.row_words) return copy(row - plane, count * width, row);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/stencil.hpp"
 
@@ -28,21 +29,20 @@ class PatchMaker {
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
-  /// The cost of a patch, in instructions (see Work): of making it, of making it with make_narrow(), and of copying it.
-  std::uint32_t make_effort(const Patch& patch) const noexcept;
-  std::uint32_t narrow_effort(const Patch& patch) const noexcept;
-  static std::uint32_t copy_effort(const Patch& patch) noexcept;
+  /// The most that copying and making the rows of one word of a block takes, in all its patches.
+  Operations most_operations() const noexcept;
   /// Makes the patch from the obstacles around it.
-  void make(const Patch& patch) const noexcept;
+  void make(const Patch& patch, Work& work) const noexcept;
   /// Makes voxels [x.begin, x.end) of the patch's rows; other voxels stay as they are. They must all lie within the
   /// patch's words, and narrow() must be true for them.
-  void make_narrow(const Patch& patch, const IndexRange& x) const noexcept;
+  void make_narrow(const Patch& patch, const IndexRange& x, Work& work) const noexcept;
   /// True if a word can hold this many voxels together with everything along x that can block them.
   bool narrow(const IndexRange& x) const noexcept { return x.end - x.begin + 2 * reach_x_ <= kWordBits; }
   /// Copies the patch from the plane below.
-  void copy_below(const Patch& patch) const noexcept;
+  void copy_below(const Patch& patch, Work& work) const noexcept;
 
  private:
+  Operations make_operations(const Patch& patch) const noexcept;
   IndexRange with_halo(const IndexRange& words) const noexcept;
   bool rows_apart(std::int32_t first, std::int32_t end) const noexcept;
   void store(const InflationTile& tile, const IndexRange& words) const noexcept;
@@ -56,9 +56,12 @@ class PatchMaker {
   IndexRange rows_inside_;
   IndexRange planes_inside_;
   std::uint64_t outside_x_[kMaxRowWords];  ///< a row's bits outside the boundary
-  std::uint32_t tile_effort_;              ///< instructions of a tile, and of a word in it
-  std::uint32_t word_effort_;
+  Operations tile_operations_;             ///< of a tile, and of a word in it
+  Operations word_operations_;
 };
+
+/// The most that an inflation of the whole grid takes, in pieces of one plane of one block or larger.
+Operations inflation_operations(const Grid& grid) noexcept;
 
 }  // namespace tern
 

@@ -58,9 +58,9 @@ void PlaneSteps::advance() {
   if (known_) take(z_ + reach_z_);
 }
 
-std::uint32_t PlaneSteps::effort(const BlockWindow& window, bool follows) const {
+Operations PlaneSteps::operations(const BlockWindow& window, bool follows) const {
   const int words = (window.rows.end - window.rows.begin + 2 * reach_y_) * (window.words.end - window.words.begin + 2);
-  return effort_of(400 + effort_of(14, words), follows ? 1 : 2 * reach_z_);
+  return (2 * ops::kPiece + 2 * ops::kWord * words) * (follows ? 1 : 2 * reach_z_);
 }
 
 void PlaneSteps::judge(bool useful) {

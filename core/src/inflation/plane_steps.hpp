@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/stencil.hpp"
 
@@ -48,8 +49,8 @@ class PlaneSteps {
   void begin(const BlockWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
-  /// Instructions of advance() if `follows`, else of begin(); see Work.
-  std::uint32_t effort(const BlockWindow& window, bool follows) const;
+  /// Of advance() if `follows`, else of begin().
+  Operations operations(const BlockWindow& window, bool follows) const;
   /// Notes whether the marks were of use for this plane. If they were of no use for many planes in a row, comparing is
   /// switched off for kRestPlanes planes.
   void judge(bool useful);

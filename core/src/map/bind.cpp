@@ -120,8 +120,9 @@ void lay_out(MapState& state, std::uint64_t* words) {
 /// Nothing is seen yet: all of the safe grid is solid, and the prior is solid in both grids.
 void fill(MapState& state) {
   const Voxel dims = state.spec.dims;
+  Work work;
   for (std::int32_t z = 0; z < dims.z; ++z) {
-    state.mark_prior(z, VoxelBox{});
+    state.mark_prior(z, VoxelBox{}, work);
     for (std::int32_t y = 0; y < dims.y; ++y) {
       for (std::int32_t k = 0; k < state.row_words(); ++k) {
         state.store(y, z, k, GridWords(state.route).obstacles()[state.row(y, z) + static_cast<std::size_t>(k)]);

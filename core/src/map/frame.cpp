@@ -13,13 +13,6 @@ namespace tern {
 namespace {
 
 constexpr double kNormTolerance = 1e-3;
-/// Instructions of: a row of a pyramid; a pixel of that row; a block that the frame does not meet; a block that it
-/// meets; a word of a block that the frame changes.
-constexpr std::uint32_t kPyramidRowEffort = 250;
-constexpr std::uint32_t kPyramidEffort = 11;
-constexpr std::uint32_t kMissedEffort = 200;
-constexpr std::uint32_t kBlockEffort = 4000;
-constexpr std::uint32_t kEnteredEffort = 150;
 /// The cubes that the first part of a scan's view divides: the first half of a block.
 constexpr CubeBits kFirstHalf = 0x0f;
 /// Largest tangent of a ray.
@@ -148,7 +141,7 @@ Status RollingMap::begin_frame(const DepthView& view, const Pose& pose, int64_t 
   return Status::kRunning;
 }
 
-std::uint32_t MapState::make_pyramid_row(std::int64_t index) noexcept {
+void MapState::make_pyramid_row(std::int64_t index, Work& work) noexcept {
   // All views of a frame have the same size.
   const std::int64_t per_view = pieces() / frame.view_count;
   const DepthPyramid& pyramid = frame.views[index / per_view].pyramid;
@@ -156,7 +149,7 @@ std::uint32_t MapState::make_pyramid_row(std::int64_t index) noexcept {
   std::int32_t level = 1;
   while (level + 1 < pyramid.levels() && row >= pyramid.height(level)) row -= pyramid.height(level++);
   pyramid.make_row(level, static_cast<std::int32_t>(row));
-  return kPyramidRowEffort + effort_of(kPyramidEffort, pyramid.width(level));
+  work.spend(ops::kPiece + (ops::kTurn + ops::kMultiplyAdd) * pyramid.width(level));
 }
 
 VoxelBox MapState::block_at(std::int64_t index) const noexcept {
@@ -215,13 +208,13 @@ void MapState::want_block(const VoxelBox& block) noexcept {
   }
 }
 
-std::uint32_t MapState::enter_block(const VoxelBox& block) noexcept {
+void MapState::enter_block(const VoxelBox& block, Work& work) noexcept {
   const std::int32_t k = block.x.begin / 64;
   const std::uint64_t valid = GridWords::valid_bits(route, k);
   const bool forget_first = forgets(block.z.begin / kBlock);
   const Threshold hits(spec.hits);
   const Threshold misses(spec.misses);
-  std::uint32_t effort = kBlockEffort;
+  int entered = 0;
   for (std::int32_t z = block.z.begin; z < block.z.end; ++z) {
     for (std::int32_t y = block.y.begin; y < block.y.end; ++y) {
       const std::size_t at = row(y, z) + static_cast<std::size_t>(k);
@@ -234,27 +227,28 @@ std::uint32_t MapState::enter_block(const VoxelBox& block) noexcept {
       high[at] = now.high;
       hit[at] = 0;
       store(y, z, k, now.blocked);
-      effort += kEnteredEffort;
+      ++entered;
     }
   }
-  return effort;
+  // Each word is read twice, with its evidence in four layers; one that changes is written in seven.
+  work.spend(ops::kWord * (8 * kBlock * kBlock + 18 * entered));
 }
 
-std::uint32_t MapState::carve_block(std::int64_t index) noexcept {
+void MapState::carve_block(std::int64_t index, Work& work) noexcept {
   const VoxelBox block = block_at(index);
-  if (block.x.begin >= block.x.end) return kMissedEffort;
+  work.spend(ops::kPiece);
+  if (block.x.begin >= block.x.end) return;
   if (frame.part == 0) want_block(block);
   const int parts = frame.parts_of_view();
   const int view = frame.part / parts;
   const bool begins = frame.part == view * parts;
   const CarvePart part{begins, begins && parts > 1 ? kFirstHalf : kAllCubes};
-  const std::uint32_t effort =
-      carve(frame.views[view], frame.projectors[view], {block.x.begin, block.y.begin, block.z.begin}, frame.wanted,
-            frame.free, part, frame.left);
+  carve(frame.views[view], frame.projectors[view], {block.x.begin, block.y.begin, block.z.begin}, frame.wanted,
+        frame.free, part, frame.left, work);
   frame.part = frame.left != 0 ? frame.part + 1 : (view + 1) * parts;  // usually, no cube is left for a second part
-  if (frame.part < frame.view_count * parts) return effort;
+  if (frame.part < frame.view_count * parts) return;
   frame.part = 0;
-  return effort + enter_block(block);
+  enter_block(block, work);
 }
 
 }  // namespace tern

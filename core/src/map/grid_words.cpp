@@ -37,14 +37,13 @@ std::int32_t GridWords::inflation_pieces(const Voxel& dims) noexcept {
   return (dims.z + kInflatedPlanes - 1) / kInflatedPlanes * Regions(dims).blocks;
 }
 
-std::uint32_t GridWords::inflate_piece(std::int32_t piece) const noexcept {
+void GridWords::inflate_piece(std::int32_t piece, Work& work) const noexcept {
   const Voxel& dims = grid_.spec_.dims;
   const std::int32_t blocks = Regions(dims).blocks;
   const std::int32_t begin = piece / blocks * kInflatedPlanes;
   const std::int32_t end = begin + kInflatedPlanes < dims.z ? begin + kInflatedPlanes : dims.z;
-  const std::uint32_t effort = grid_.inflate_planes(begin, end, piece % blocks, piece % blocks + 1);
+  grid_.inflate_planes(begin, end, piece % blocks, piece % blocks + 1, work);
   if (piece + 1 == inflation_pieces(dims)) finish_inflation();
-  return effort;
 }
 
 void GridWords::finish_inflation() const noexcept {

@@ -39,9 +39,8 @@ class GridWords {
 
   /// Number of pieces of an inflation. A piece is kInflatedPlanes planes of 64 rows each.
   static std::int32_t inflation_pieces(const Voxel& dims) noexcept;
-  /// Makes one piece of the blocked layer as inflate() would. The last piece also calls finish_inflation(). Returns its
-  /// cost, in instructions (see Work).
-  std::uint32_t inflate_piece(std::int32_t piece) const noexcept;
+  /// Makes one piece of the blocked layer as inflate() would. The last piece also calls finish_inflation().
+  void inflate_piece(std::int32_t piece, Work& work) const noexcept;
   void finish_inflation() const noexcept;
 
   /// Begins to make a bound grid equal to an inflated one of the same size, cell and radius. Their origins may differ.

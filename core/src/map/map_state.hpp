@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/progress.hpp"
 #include "base/work.hpp"
 #include "grid/lattice.hpp"
 #include "map/evidence.hpp"
@@ -19,6 +20,12 @@
 #include "view/view.hpp"
 
 namespace tern {
+
+/// Points or beams of a piece, and the operations of such a piece: each is sorted into a face, and marked.
+constexpr std::size_t kPiecePoints = 64;
+constexpr Operations kPointsOperations = 64 * 19 * ops::kDot;
+/// Of a word of the prior that is marked: in the layers of both grids, with their changes.
+constexpr Operations kMarkOperations = 11 * ops::kWord;
 
 /// Views of a scan: the faces of a cube around its origin.
 constexpr int kFaces = 6;
@@ -90,7 +97,7 @@ class MapState {
   std::int32_t forget;    ///< the next layer to forget
   std::int32_t face;      ///< pixels along an edge of a scan's face
   Task task;
-  std::uint32_t paid;  ///< units saved up for the next piece
+  Work slice;          ///< what step() was given; a debt between two calls
   std::int64_t piece;  ///< the next piece of the task
   Frame frame;
   Slide slide;
@@ -106,36 +113,48 @@ class MapState {
   /// World position of the window's lower corner, computed from its index only.
   Vec3 window_origin() const noexcept;
 
-  /// The number of pieces of the current task, and the units that its next piece takes.
+  /// The number of pieces of the current task.
   std::int64_t pieces() const noexcept;
-  std::uint32_t price() const noexcept;
-  /// Does the next piece of the job, and returns its cost, in instructions (see Work).
-  std::uint32_t advance() noexcept;
-  std::uint32_t do_piece() noexcept;
+  /// Does the job, piece by piece.
+  Progress advance(Work& work) noexcept;
+  void do_piece(Work& work) noexcept;
   /// Begins this task, or the first task after it that has any pieces.
   void begin(Task first) noexcept;
   /// Voxels of a block that the frame may change; an empty range along x if there are none.
   VoxelBox block_at(std::int64_t index) const noexcept;
   bool forgets(std::int32_t layer) const noexcept;
 
-  // One function for each task. It does the piece of this index and returns its cost. v is an image row.
-  std::uint32_t read_pixels(std::int32_t v) noexcept;
-  std::uint32_t clear_face_row(std::int32_t index) noexcept;
-  std::uint32_t close_face_row(std::int32_t index) noexcept;
-  std::uint32_t read_points(std::int64_t index) const noexcept;
-  std::uint32_t make_pyramid_row(std::int64_t index) noexcept;
-  std::uint32_t carve_block(std::int64_t index) noexcept;
+  // One function for each task, which does the piece of this index. v is an image row.
+  void read_pixels(std::int32_t v, Work& work) noexcept;
+  void clear_face_row(std::int32_t index, Work& work) noexcept;
+  void close_face_row(std::int32_t index, Work& work) noexcept;
+  void read_points(std::int64_t index, Work& work) const noexcept;
+  void make_pyramid_row(std::int64_t index, Work& work) noexcept;
+  void carve_block(std::int64_t index, Work& work) noexcept;
   /// Enters a frame into a block: its hits, and a miss for each voxel that was carved.
-  std::uint32_t enter_block(const VoxelBox& block) noexcept;
+  void enter_block(const VoxelBox& block, Work& work) noexcept;
   void want_block(const VoxelBox& block) noexcept;
   Evidence evidence_at(std::size_t word, bool forgotten) const noexcept;
-  std::uint32_t slide_plane(std::int32_t index) noexcept;
-  std::uint32_t copy_plane(std::int32_t z) const noexcept;
+  void slide_plane(std::int32_t index, Work& work) noexcept;
+  void copy_plane(std::int32_t z, Work& work) const noexcept;
   void move_plane(std::int32_t z, const VoxelBox& kept) noexcept;
   void move_origin() noexcept;
   /// Makes a row of the safe grid from the route grid's obstacles and the unseen voxels. Notes the row as changed in
   /// both grids.
   void renew_row(std::int32_t y, std::int32_t z) noexcept;
+
+  // Operations of parts of pieces; a job's bound is made of them, too.
+
+  /// Of a row of pixels: each is read and marked, and with support compared with its neighbours.
+  Operations pixels_operations(std::int32_t width) const noexcept {
+    return ops::kPiece + (3 * ops::kDot + (spec.support > 0 ? 6 * ops::kDot : 0)) * width;
+  }
+  /// Of a plane that moves, in seven layers: by whole rows, its words are copied; otherwise each is shifted.
+  Operations moved_operations(bool rows) const noexcept {
+    return ops::kPiece + 7 * (rows ? 2 * ops::kElement : 3 * ops::kWord) * static_cast<Operations>(row(0, 1));
+  }
+  /// Of a row of the safe grid that is made anew.
+  Operations renewed_operations() const noexcept { return ops::kRow + 5 * ops::kWord * row_words(); }
 
   /// Marks hits of the current frame.
   HitWriter hit_writer() const noexcept { return {hit, row_words(), spec.dims.y, frame.box}; }
@@ -143,9 +162,8 @@ class MapState {
   /// grid.
   void store(std::int32_t y, std::int32_t z, std::int32_t k, std::uint64_t blocked) noexcept;
   void note_added(std::int32_t y, std::int32_t z, std::int32_t k) noexcept;
-  /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window. Returns the cost, in
-  /// instructions.
-  std::uint32_t mark_prior(std::int32_t z, const VoxelBox& kept) noexcept;
+  /// Marks the prior in plane z of the route grid, except in voxels that stayed in the window.
+  void mark_prior(std::int32_t z, const VoxelBox& kept, Work& work) noexcept;
   /// Begins a scan whose points or beams are set.
   void begin_faces(const Vec3& world_origin, std::int64_t t) noexcept;
   /// Prepares the projectors of the frame's views.

@@ -13,10 +13,6 @@ namespace {
 
 /// Pixels that are processed together.
 constexpr std::int32_t kChunk = 64;
-/// Instructions of a row, of a pixel, and of a pixel that is compared with its neighbours.
-constexpr std::uint32_t kRowEffort = 600;
-constexpr std::uint32_t kPixelEffort = 60;
-constexpr std::uint32_t kJudgedEffort = 175;
 /// Depths of a chunk.
 struct Chunk {
   Four fours[kChunk / 4];
@@ -135,7 +131,8 @@ RowOfRays rays_of(const View& view, const Vec3& origin, double cell, float range
 
 }  // namespace
 
-std::uint32_t MapState::read_pixels(std::int32_t v) noexcept {
+void MapState::read_pixels(std::int32_t v, Work& work) noexcept {
+  work.spend(pixels_operations(frame.image.width));
   const DepthView& depth = frame.image;
   const Scale scale = scale_of(depth);
   const float range = static_cast<float>(spec.range);
@@ -161,7 +158,6 @@ std::uint32_t MapState::read_pixels(std::int32_t v) noexcept {
     for (std::int32_t k = 0; k < count; ++k) row[u + k] = free.of(sees[k]);
     rays.mark(u, chunk, writer);
   }
-  return kRowEffort + effort_of(support.least > 0 ? kJudgedEffort : kPixelEffort, depth.width);
 }
 
 }  // namespace tern

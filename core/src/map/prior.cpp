@@ -13,10 +13,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a box or cylinder of the prior, and of a word of either.
-constexpr std::uint32_t kPriorEffort = 200;
-constexpr std::uint32_t kMarkEffort = 90;
-
 /// The window's voxels whose interior overlaps the box.
 VoxelBox voxels_met(const GridSpec& window, const Box& box) {
   return {voxels_met(window, box.lower.x, box.upper.x, 0), voxels_met(window, box.lower.y, box.upper.y, 1),
@@ -70,13 +66,14 @@ std::uint64_t inside_ball(const Vec3& center, double square, const Voxel& first,
 
 }  // namespace
 
-std::uint32_t MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcept {
+void MapState::mark_prior(std::int32_t z, const VoxelBox& kept, Work& work) noexcept {
   const bool plane_kept = contains(kept.z, z);
-  std::uint32_t effort = effort_of(kPriorEffort, spec.prior_count + spec.prior_cylinder_count);
+  work.spend(ops::kPiece * (spec.prior_count + spec.prior_cylinder_count));
+  int words = 0;
   const auto mark = [&](const IndexRange& met_x, const IndexRange& met_y) {
     visit_words({met_x, met_y, {z, z + 1}}, [&](std::int32_t y, std::int32_t, std::int32_t k, std::uint64_t bits) {
       const bool row_kept = plane_kept && contains(kept.y, y);
-      effort += kMarkEffort;
+      ++words;
       if (row_kept) bits &= ~bits_met(kept.x, k);
       GridWords(route).store(y, z, k, GridWords(route).obstacles()[row(y, z) + static_cast<std::size_t>(k)] | bits);
     });
@@ -90,7 +87,7 @@ std::uint32_t MapState::mark_prior(std::int32_t z, const VoxelBox& kept) noexcep
     if (!contains(planes_met(route.spec(), cylinder), z)) continue;
     visit_rows(route.spec(), cylinder, [&](std::int32_t y, const IndexRange& x) { mark(x, {y, y + 1}); });
   }
-  return effort;
+  work.spend(kMarkOperations * words);
 }
 
 void MapState::inflate() noexcept {

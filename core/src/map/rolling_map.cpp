@@ -4,6 +4,7 @@
 // A map's jobs, task by task and piece by piece.
 #include "base/math.hpp"
 #include "grid/regions.hpp"
+#include "inflation/patch_maker.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 
@@ -12,8 +13,6 @@ namespace {
 
 /// The most tasks of a job.
 constexpr int kTasks = 8;
-/// Words that one unit inflates or moves.
-constexpr std::size_t kUnitWords = 16;
 /// Rows of all coarser levels of all views. One piece makes one row.
 std::int64_t pyramid_rows(const Frame& frame) {
   std::int64_t rows = 0;
@@ -22,23 +21,9 @@ std::int64_t pyramid_rows(const Frame& frame) {
   return rows * frame.view_count;
 }
 
-std::uint32_t units(std::size_t amount, std::size_t per_unit) {
-  return static_cast<std::uint32_t>((amount + per_unit - 1) / per_unit);
-}
-
 std::size_t blocks(const MapState& state) {
   return static_cast<std::size_t>(state.row_words()) *
          static_cast<std::size_t>((state.spec.dims.y + kBlock - 1) / kBlock) * static_cast<std::size_t>(state.layers());
-}
-
-std::uint32_t plane_units(const MapState& state) {
-  return units(state.row(0, 1), kUnitWords);
-}
-
-/// Units of a piece of an inflation.
-std::uint32_t inflation_price(const MapState& state) {
-  const std::int32_t rows = state.spec.dims.y < kBlockRows ? state.spec.dims.y : kBlockRows;
-  return units(state.row(rows, 0) * kInflatedPlanes, kUnitWords);
 }
 
 bool touches(const VoxelBox& box) {
@@ -69,26 +54,25 @@ Task task_after(Task task) {
   return Task::kIdle;
 }
 
-/// Units for moving a plane and going through the prior.
-std::uint32_t slide_price(const MapState& state) {
-  const std::size_t prior =
-      static_cast<std::size_t>(state.spec.prior_count) + static_cast<std::size_t>(state.spec.prior_cylinder_count);
-  return plane_units(state) + units(prior, kUnitWords);
+/// The most operations of the blocks of a frame.
+Operations blocks_operations(const MapState& state, bool around) {
+  const Operations block = ops::kPiece + (around ? kFaces * 2 : 1) * (ops::kPiece + carve_operations(around)) +
+                           ops::kWord * 26 * kBlock * kBlock;
+  return block * static_cast<Operations>(blocks(state));
 }
 
-/// Units of the next part of a block; the parts share the units of the block.
-std::uint32_t part_price(const Frame& frame) {
-  const int parts = frame.view_count * frame.parts_of_view();
-  const int before = kBlock * kBlock * frame.part / parts;
-  return static_cast<std::uint32_t>(kBlock * kBlock * (frame.part + 1) / parts - before);
+/// The most operations of a slide or a snapshot, without inflations.
+Operations slide_operations(const MapState& state) {
+  const MapSpec& spec = state.spec;
+  const Operations prior = spec.prior_count + spec.prior_cylinder_count;
+  const Operations words = static_cast<Operations>(state.row(0, 1));
+  const Operations plane = state.moved_operations(false) + (ops::kPiece + kMarkOperations * words) * prior +
+                           state.renewed_operations() * spec.dims.y;
+  return plane * spec.dims.z + ops::kWord * Regions(spec.dims).count();
 }
 
-/// Units of all blocks, both inflations and one slide.
-std::uint32_t grids_work(const MapState& state) {
-  const std::uint32_t planes =
-      static_cast<std::uint32_t>(GridWords::inflation_pieces(state.spec.dims)) * inflation_price(state);
-  const std::uint32_t slide = static_cast<std::uint32_t>(state.spec.dims.z) * slide_price(state);
-  return static_cast<std::uint32_t>(blocks(state)) * kBlock * kBlock + 2 * planes + slide;
+std::uint32_t units(Operations operations) {
+  return static_cast<std::uint32_t>((operations + kUnit - 1) / kUnit);
 }
 
 }  // namespace
@@ -120,78 +104,52 @@ std::int64_t MapState::pieces() const noexcept {
 
 // One line a task: a table.
 // clang-format off
-std::uint32_t MapState::do_piece() noexcept {
+void MapState::do_piece(Work& work) noexcept {
   const std::int32_t index = static_cast<std::int32_t>(piece);
   switch (task) {
-    case Task::kIdle: return 0;
-    case Task::kPixels: return read_pixels(index);
-    case Task::kClearFaces: return clear_face_row(index);
-    case Task::kPoints: return read_points(piece);
-    case Task::kCloseFaces: return close_face_row(index);
-    case Task::kPyramids: return make_pyramid_row(index);
-    case Task::kBlocks: return carve_block(piece);
-    case Task::kInflateRoute: return GridWords(route).inflate_piece(index);
-    case Task::kInflateSafe: return GridWords(safe).inflate_piece(index);
-    case Task::kSlide: return slide_plane(index);
-    case Task::kCopy: return copy_plane(index);
+    case Task::kIdle: return;
+    case Task::kPixels: return read_pixels(index, work);
+    case Task::kClearFaces: return clear_face_row(index, work);
+    case Task::kPoints: return read_points(piece, work);
+    case Task::kCloseFaces: return close_face_row(index, work);
+    case Task::kPyramids: return make_pyramid_row(index, work);
+    case Task::kBlocks: return carve_block(piece, work);
+    case Task::kInflateRoute: return GridWords(route).inflate_piece(index, work);
+    case Task::kInflateSafe: return GridWords(safe).inflate_piece(index, work);
+    case Task::kSlide: return slide_plane(index, work);
+    case Task::kCopy: return copy_plane(index, work);
   }
-  return 0;
 }
 // clang-format on
 
 void MapState::begin(Task first) noexcept {
   task = first;
   piece = 0;
-  paid = 0;
   frame.part = 0;
   for (int skipped = 0; skipped < kTasks && task != Task::kIdle && pieces() == 0; ++skipped) task = task_after(task);
 }
 
-std::uint32_t MapState::advance() noexcept {
-  const std::uint32_t effort = do_piece();
-  if (frame.part > 0) return effort;  // the block is not done yet
-  if (++piece >= pieces()) begin(task_after(task));
-  return effort;
+Progress MapState::advance(Work& work) noexcept {
+  while (task != Task::kIdle) {
+    if (!work.left()) return Progress::kMore;
+    do_piece(work);
+    // A block may take several pieces.
+    if (frame.part == 0 && ++piece >= pieces()) begin(task_after(task));
+  }
+  return Progress::kDone;
 }
 
-std::uint32_t MapState::price() const noexcept {
-  switch (task) {
-    case Task::kIdle:
-    case Task::kPoints:
-      return 1;
-    case Task::kPixels:
-    case Task::kPyramids:
-      return units(static_cast<std::size_t>(frame.views[0].width), 64);
-    case Task::kClearFaces:
-    case Task::kCloseFaces:
-      return units(static_cast<std::size_t>(face), 64);
-    case Task::kBlocks:
-      return frame.part > 0 || touches(block_at(piece)) ? part_price(frame) : 1;
-    case Task::kInflateRoute:
-    case Task::kInflateSafe:
-      return inflation_price(*this);
-    case Task::kSlide:
-      return slide_price(*this);
-    case Task::kCopy:
-      return plane_units(*this);
-  }
-  return 1;
+Status RollingMap::step(Work& work) noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  return state_->advance(work) == Progress::kMore ? Status::kRunning : Status::kOk;
 }
 
 Status RollingMap::step(uint32_t work) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
-  MapState& state = *state_;
-  Work slice{work};
-  while (state.task != Task::kIdle) {
-    const std::uint32_t price = state.price();
-    const std::uint32_t given = least(slice.left, price - state.paid);
-    slice.left -= given;
-    state.paid += given;
-    if (state.paid < price) return Status::kRunning;
-    state.paid = 0;
-    state.advance();
-  }
-  return Status::kOk;
+  state_->slice.add(work);
+  const Status status = step(state_->slice);
+  if (status == Status::kOk) state_->slice = Work{};
+  return status;
 }
 
 bool RollingMap::busy() const noexcept {
@@ -201,15 +159,17 @@ bool RollingMap::busy() const noexcept {
 uint32_t RollingMap::frame_work(int32_t width, int32_t height) const noexcept {
   if (state_ == nullptr || width < 1 || height < 1) return 0;
   // Together, the coarser levels have at most `height` rows and a few more.
-  const std::uint32_t image = units(static_cast<std::size_t>(width), 64) * static_cast<std::uint32_t>(2 * height + 16);
-  return image + grids_work(*state_);
+  const Operations image = state_->pixels_operations(width) * (2 * height + 16);
+  return units(image + blocks_operations(*state_, false) + 2 * inflation_operations(state_->route));
 }
 
 uint32_t RollingMap::scan_work(size_t count) const noexcept {
   if (state_ == nullptr) return 0;
-  const std::uint32_t face = static_cast<std::uint32_t>(state_->face);
-  const std::uint32_t rows = kFaces * (4 * face + 16);
-  return units(count, 64) + rows * units(face, 64) + grids_work(*state_);
+  const Operations pieces = static_cast<Operations>(count / kPiecePoints + 1);
+  const Operations rows = kFaces * (4 * state_->face + 16);
+  const Operations faces = rows * (ops::kPiece + (ops::kTurn + ops::kMultiplyAdd) * state_->face);
+  return units(pieces * kPointsOperations + faces + blocks_operations(*state_, true) + slide_operations(*state_) +
+               2 * inflation_operations(state_->route));
 }
 
 const Grid& RollingMap::route() const noexcept {

@@ -10,13 +10,6 @@
 namespace tern {
 namespace {
 
-/// Points or beams of a piece.
-constexpr std::size_t kPiecePoints = 64;
-/// Instructions of: a piece of points; a piece of beams; a row of a face; a pixel of that row.
-constexpr std::uint32_t kPointsEffort = 15500;
-constexpr std::uint32_t kBeamsEffort = 20000;
-constexpr std::uint32_t kFaceRowEffort = 120;
-constexpr std::uint32_t kFacePixelEffort = 3;
 /// The depth of a pixel into which no beam has fallen.
 constexpr Depth kNoPoint = 32767;
 /// Outlines are widened by this many pixels, as an angle. No point of a pixel is further than that from a beam in the
@@ -216,19 +209,20 @@ Status RollingMap::begin_scan(const Beams& beams, const Vec3& origin, int64_t t)
   return Status::kRunning;
 }
 
-std::uint32_t MapState::clear_face_row(std::int32_t index) noexcept {
+void MapState::clear_face_row(std::int32_t index, Work& work) noexcept {
+  work.spend(ops::kPiece + ops::kElement * face);
   Depth* row = frame.views[index / face].pyramid.row(index % face);
   for (std::int32_t u = 0; u < face; ++u) row[u] = kNoPoint;
-  return kFaceRowEffort + effort_of(kFacePixelEffort, face);
 }
 
-std::uint32_t MapState::close_face_row(std::int32_t index) noexcept {
+void MapState::close_face_row(std::int32_t index, Work& work) noexcept {
+  work.spend(ops::kPiece + ops::kElement * face);
   Depth* row = frame.views[index / face].pyramid.row(index % face);
   for (std::int32_t u = 0; u < face; ++u) row[u] = row[u] == kNoPoint ? Depth{0} : row[u];
-  return kFaceRowEffort + effort_of(kFacePixelEffort, face);
 }
 
-std::uint32_t MapState::read_points(std::int64_t index) const noexcept {
+void MapState::read_points(std::int64_t index, Work& work) const noexcept {
+  work.spend(kPointsOperations);
   const std::size_t begin = static_cast<std::size_t>(index) * kPiecePoints;
   const std::size_t left = frame.point_count - begin;
   const std::size_t count = left < kPiecePoints ? left : kPiecePoints;
@@ -246,7 +240,6 @@ std::uint32_t MapState::read_points(std::int64_t index) const noexcept {
     for (int a = 0; a < 3; ++a) cells[a] = static_cast<float>(axis(from, a)) + per_cell * rays.axes[a];
     writer.add(cells, rays.hits);
   }
-  return by_range ? kBeamsEffort : kPointsEffort;
 }
 
 }  // namespace tern

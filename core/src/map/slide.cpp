@@ -11,14 +11,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of: a plane; a word of a plane in all layers; a row of the safe grid that is made anew; a word of that
-/// row; a region at the end.
-constexpr std::uint32_t kPlaneEffort = 2000;
-constexpr std::uint32_t kMovedEffort = 130;
-constexpr std::uint32_t kRenewedEffort = 60;
-constexpr std::uint32_t kRenewedWordEffort = 40;
-constexpr std::uint32_t kRegionEffort = 8;
-
 /// The largest distance of the window's lower voxel from the spec's origin, in voxels.
 constexpr double kMaxBase = 1 << 28;
 
@@ -161,23 +153,24 @@ void MapState::renew_row(std::int32_t y, std::int32_t z) noexcept {
   }
 }
 
-std::uint32_t MapState::slide_plane(std::int32_t index) noexcept {
+void MapState::slide_plane(std::int32_t index, Work& work) noexcept {
   const Voxel dims = spec.dims;
   const VoxelBox kept = kept_box(slide.by, dims);
   const std::int32_t z = slide.by.z >= 0 ? index : dims.z - 1 - index;
   if (index == 0) move_origin();
   move_plane(z, kept);
-  std::uint32_t effort = kPlaneEffort + effort_of(kMovedEffort, static_cast<int>(row(0, 1))) + mark_prior(z, kept);
+  work.spend(moved_operations(slide.by.x == 0));
+  mark_prior(z, kept, work);
   const bool whole = slide.by.x != 0 || Stale(slide.by.z, kept.z, dims.z).contains(z);
   const Stale stale(whole ? 1 : slide.by.y, whole ? IndexRange{0, 0} : kept.y, dims.y);
   for (std::int32_t y = stale.first.begin; y < stale.first.end; ++y) renew_row(y, z);
   for (std::int32_t y = stale.last.begin; y < stale.last.end; ++y) renew_row(y, z);
   const int renewed = (stale.first.end - stale.first.begin) + (stale.last.end - stale.last.begin);
-  effort += effort_of(kRenewedEffort + effort_of(kRenewedWordEffort, row_words()), renewed);
-  if (index + 1 < dims.z) return effort;
+  work.spend(renewed_operations() * renewed);
+  if (index + 1 < dims.z) return;
   GridWords(route).end_shift(slide.by);
   GridWords(safe).end_shift(slide.by);
-  return effort + effort_of(kRegionEffort, Regions(dims).count());
+  work.spend(ops::kWord * Regions(dims).count());
 }
 
 void MapState::move_origin() noexcept {

@@ -11,9 +11,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a plane, and of a word of it.
-constexpr std::uint32_t kCopiedPlaneEffort = 2000;
-constexpr std::uint32_t kWordEffort = 6;
 /// More units than any job needs.
 constexpr std::uint32_t kWholeWork = ~std::uint32_t{0};
 
@@ -44,10 +41,10 @@ Status RollingMap::begin_snapshot(Grid& grid, uint64_t* words, size_t word_count
   return Status::kRunning;
 }
 
-std::uint32_t MapState::copy_plane(std::int32_t z) const noexcept {
+void MapState::copy_plane(std::int32_t z, Work& work) const noexcept {
+  work.spend(ops::kPiece + 2 * ops::kElement * static_cast<Operations>(row(0, 1)));
   GridWords(*copy).copy_planes(route, z, z + 1);
   if (z + 1 == spec.dims.z) GridWords(*copy).end_copy(route);
-  return kCopiedPlaneEffort + effort_of(kWordEffort, static_cast<int>(row(0, 1)));
 }
 
 }  // namespace tern

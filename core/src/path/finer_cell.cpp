@@ -3,15 +3,11 @@
 #include "path/finer_cell.hpp"
 
 #include "base/math.hpp"
+#include "grid/distance.hpp"
 #include "grid/lattice.hpp"
 
 namespace tern {
 namespace {
-
-/// Instructions of: a voxel; a row of obstacles that is examined for it; the line to it.
-constexpr std::uint32_t kVoxelEffort = 400;
-constexpr std::uint32_t kRowEffort = 60;
-constexpr std::uint32_t kLineEffort = 15000;
 
 /// Whole cells between a fine voxel and a coarse one on one axis, in fine cells.
 std::int32_t gap_between(std::int32_t fine, std::int32_t coarse, std::int32_t parts) {
@@ -36,7 +32,7 @@ bool row_has_obstacle(const std::uint64_t* row, const IndexRange& range) {
 }
 
 /// True if the fine voxel keeps the radius from all obstacles of the coarse grid, by the rule of inflation.
-bool keeps_radius(const Grid& grid, const Grid& fine, const Voxel& voxel, std::uint32_t& effort) {
+bool keeps_radius(const Grid& grid, const Grid& fine, const Voxel& voxel, Work& work) {
   const Voxel& dims = grid.spec().dims;
   const std::int32_t parts = fine.spec().dims.x / dims.x;
   if (grid.obstacle({voxel.x / parts, voxel.y / parts, voxel.z / parts})) return false;
@@ -47,11 +43,11 @@ bool keeps_radius(const Grid& grid, const Grid& fine, const Voxel& voxel, std::u
   const IndexRange planes = coarse_within(voxel.z, reach, parts, dims.z);
   const IndexRange rows = coarse_within(voxel.y, reach, parts, dims.y);
   for (std::int32_t z = planes.begin; z < planes.end; ++z) {
+    work.spend(ops::kRow * (rows.end - rows.begin));
     const double gap_z = gap_between(voxel.z, z, parts);
     for (std::int32_t y = rows.begin; y < rows.end; ++y) {
       const double gap_y = gap_between(voxel.y, y, parts);
       const double rest = needed - gap_z * gap_z - gap_y * gap_y;
-      effort += kRowEffort;
       if (!(rest > 0.0)) continue;
       // The largest gap along x whose square is below the rest.
       const std::int32_t gap_x = ceil_index(square_root(rest), 1, kMaxDimension) - 1;
@@ -74,11 +70,12 @@ bool resolves(const GridSpec& spec) {
 }
 
 /// True if the point would join the voxel.
-bool would_join(const World& world, const Grid& fine, const Vec3& point, const Voxel& voxel, std::uint32_t& effort) {
-  if (!is_inside(fine, voxel) || !keeps_radius(world.voxels(), fine, voxel, effort)) return false;
+bool would_join(const World& world, const Grid& fine, const Vec3& point, const Voxel& voxel, Work& work) {
+  if (!is_inside(fine, voxel) || !keeps_radius(world.voxels(), fine, voxel, work)) return false;
   if (!world.solids_clear(cube_of(fine, voxel))) return false;
-  effort += kLineEffort;
-  return world.line_clear(point, free_point(fine, voxel));
+  const Vec3 to = free_point(fine, voxel);
+  work.spend(clear_operations(world.spec(), to - point, world.spec().clearance()));
+  return world.line_clear(point, to);
 }
 
 }  // namespace
@@ -96,14 +93,12 @@ Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcep
     if (!GridView::halved(world.voxels(), finer.halvings, fine) || !resolves(fine.spec())) return Progress::kDone;
     const Voxel home = fine.voxel_of(finer.point);
     for (; finer.candidate < kJoinCells; ++finer.candidate) {
-      if (!work.take()) return Progress::kMore;
+      if (!work.left()) return Progress::kMore;
       const int k = finer.candidate;
       const Voxel voxel{home.x + k % kJoinWidth - kJoinReach, home.y + k / kJoinWidth % kJoinWidth - kJoinReach,
                         home.z + k / (kJoinWidth * kJoinWidth) - kJoinReach};
-      std::uint32_t effort = kVoxelEffort;
-      const bool joins = would_join(world, fine, finer.point, voxel, effort);
-      work.effort += effort;
-      if (!joins) continue;
+      work.spend(2 * ops::kPiece);
+      if (!would_join(world, fine, finer.point, voxel, work)) continue;
       finer.cell = fine.spec().cell;
       return Progress::kDone;
     }

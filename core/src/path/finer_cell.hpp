@@ -30,8 +30,8 @@ struct FinerCell {
 /// its obstacles fill the same space. Local frame; the point breaks nothing of the world.
 void finer_begin(FinerCell& finer, const Vec3& point) noexcept;
 
-/// A unit is one voxel of one resolution. kDone: `cell` is the result. Ends without a result once the finer grid would
-/// exceed kMaxCells or kMaxDimension.
+/// A piece of work is one voxel of one resolution. kDone: `cell` is the result. Ends without a result once the finer
+/// grid would exceed kMaxCells or kMaxDimension.
 Progress finer_advance(FinerCell& finer, const World& world, Work& work) noexcept;
 
 }  // namespace tern

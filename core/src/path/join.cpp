@@ -10,10 +10,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a candidate: without the line to it, and with it.
-constexpr std::uint32_t kTryEffort = 300;
-constexpr std::uint32_t kJoinEffort = 15000;
-
 double square_distance(const Grid& grid, const Voxel& voxel, const Vec3& point) {
   const Vec3 d = free_point(grid, voxel) - point;
   return dot(d, d);
@@ -103,19 +99,20 @@ bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) no
   return join.state == JoinState::kTrying;
 }
 
-std::uint32_t join_try(Join& join, const World& world, const Vec3& point) noexcept {
+void join_try(Join& join, const World& world, const Vec3& point, Work& work) noexcept {
   const Grid& grid = world.voxels();
   const Voxel candidate = join.candidates[join.next++];
   const Vec3 center = free_point(grid, candidate);
   const bool known = join.searched[cell_of(join, candidate)];
   const bool looks = !known && world.solids_clear(point, center);
-  if (looks && segment_clear(grid, point, center, grid.spec().clearance())) {
+  const double radius = grid.spec().clearance();
+  work.spend(ops::kPiece + (looks ? clear_operations(grid.spec(), center - point, radius) : 0));
+  if (looks && segment_clear(grid, point, center, radius)) {
     join.voxel = candidate;
     join.state = JoinState::kJoined;
   } else if (join.next == join.count) {
     join.state = JoinState::kRefused;
   }
-  return looks ? kJoinEffort : kTryEffort;
 }
 
 }  // namespace tern

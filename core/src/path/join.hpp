@@ -36,12 +36,12 @@ struct Join {
   bool searched[kJoinCells];    ///< voxels around home, x fastest: true if a search from there found no path
 };
 
-/// join_effort(): instructions of beginning to join an end, which sorts the candidates. kSearchedEffort: instructions
-/// of finding the candidates that a search has reached.
-constexpr std::uint32_t kSearchedEffort = 40000;
-inline std::uint32_t join_effort(const Join& join) noexcept {
-  return join.count > 0 ? 8000 + effort_of(8, join.count * join.count) : 1500;
+/// Of beginning to join an end: examines the voxels within reach, and sorts those that are free.
+inline Operations join_operations(const Join& join) noexcept {
+  return join.count > 0 ? ops::kRow * kJoinCells + ops::kTurn * join.count * join.count : ops::kTurn * kJoinCells;
 }
+/// Of finding the voxels within reach that a search has reached, each from its six neighbours.
+constexpr Operations kSearchedOperations = 6 * ops::kRow * kJoinCells;
 
 /// A point in a free voxel is joined at once. If the voxel is not free but the point keeps the radius, the free voxels
 /// around it are the candidates.
@@ -55,8 +55,8 @@ void join_begin(Join& join, const Grid& grid, const Vec3& point) noexcept;
 /// the point may have come through a corner, and may go back through it.
 bool join_others(Join& join, const Grid& grid, const Vec3& point, bool moves) noexcept;
 
-/// Checks the line to the next candidate. Call only while kTrying. Returns the cost, in instructions (see Work).
-std::uint32_t join_try(Join& join, const World& world, const Vec3& point) noexcept;
+/// Checks the line to the next candidate. Call only while kTrying. A piece of work.
+void join_try(Join& join, const World& world, const Vec3& point, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -8,11 +8,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of: a unit; a word of a row, with the same word of the neighbouring rows.
-constexpr std::uint32_t kUnitEffort = 800;
-constexpr std::uint32_t kWordEffort = 80;
-
-void clear(ReachStage& stage, const Grid& grid) {
+void clear(ReachStage& stage, const Grid& grid, Work& work) {
+  work.spend(static_cast<Operations>(kClearedWords));
   if (!flood_clear(stage.flood)) return;
   nearest_begin(stage.search, grid, stage.query.goal);
   stage.phase = ReachPhase::kBest;
@@ -28,7 +25,7 @@ void take_nearest(ReachStage& stage, const Grid& grid, Work& work) {
   }
   if (found) stage.best = stage.search.voxel;
   join_begin(stage.start, grid, stage.query.start);
-  work.effort += join_effort(stage.start);
+  work.spend(join_operations(stage.start));
   stage.phase = found ? ReachPhase::kJoin : ReachPhase::kEnd;
 }
 
@@ -41,7 +38,7 @@ void end_flood(ReachStage& stage, const Grid& grid) {
 /// Joins the start to a voxel, and begins to flood from there.
 void join(ReachStage& stage, const World& world, Work& work) {
   const Grid& grid = world.voxels();
-  if (stage.start.state == JoinState::kTrying) work.effort += join_try(stage.start, world, stage.query.start);
+  if (stage.start.state == JoinState::kTrying) join_try(stage.start, world, stage.query.start, work);
   if (stage.start.state == JoinState::kRefused) end_flood(stage, grid);
   if (stage.start.state != JoinState::kJoined) return;
   flood_from(stage.flood, grid, stage.start.voxel);
@@ -54,19 +51,19 @@ void flood(ReachStage& stage, const Grid& grid, Work& work) {
   if (flooded(stage.flood, grid).free(stage.best)) {
     end_flood(stage, grid);
   } else if (stage.flood.count > 0) {
-    work.effort += effort_of(kWordEffort, grid.row_words());
+    work.spend(9 * ops::kWord * grid.row_words());
     flood_row(stage.flood, grid);
   } else {
     const bool others = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
-    work.effort += kSearchedEffort + join_effort(stage.start);
+    work.spend(kSearchedOperations + join_operations(stage.start));
     others ? static_cast<void>(stage.phase = ReachPhase::kJoin) : end_flood(stage, grid);
   }
 }
 
 void advance_once(ReachStage& stage, const World& world, Work& work) {
   const Grid& grid = world.voxels();
-  work.effort += kUnitEffort;
-  if (stage.phase == ReachPhase::kClear) return clear(stage, grid);
+  work.spend(4 * ops::kPiece);
+  if (stage.phase == ReachPhase::kClear) return clear(stage, grid, work);
   stage.phase == ReachPhase::kJoin ? join(stage, world, work) : flood(stage, grid, work);
 }
 
@@ -79,7 +76,6 @@ bool searches(const ReachStage& stage) {
 void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept {
   const bool fits = !is_full(!flood_begin(stage.flood, world.voxels()));
   stage.status = fits ? Status::kOk : Status::kFenceLayerFull;
-  stage.units = 0;
   stage.joined = false;
   stage.phase = fits ? ReachPhase::kClear : ReachPhase::kEnd;
   stage.query = query;
@@ -87,7 +83,7 @@ void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query)
 
 Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept {
   const Grid& grid = world.voxels();
-  // Each turn takes a unit or ends a search. At most kReachBound units count.
+  // Each turn is a piece of work or ends a search. At most kReachBound are no pieces of a search.
   while (stage.phase != ReachPhase::kEnd) {
     if (searches(stage)) {
       const Grid reached = stage.phase == ReachPhase::kNearest ? flooded(stage.flood, grid) : grid;
@@ -95,9 +91,7 @@ Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexce
       take_nearest(stage, grid, work);
       continue;
     }
-    if (is_full(stage.units >= stage.query.max_units)) return conclude(Status::kBudgetSearch, stage.status);
-    if (!work.take()) return Progress::kMore;
-    ++stage.units;
+    if (!work.left()) return Progress::kMore;
     advance_once(stage, world, work);
   }
   if (stage.status != Status::kOk) return Progress::kFailed;

@@ -19,15 +19,14 @@
 
 namespace tern {
 
-/// Bound on ReachStage::units: clearing, the rows of the flood and, for each voxel that the start can join, its line
-/// and the beginning and end of its flood.
+/// The most pieces of work, without those of nearest_advance: clearing, the rows of the flood and, for each voxel that
+/// the start can join, its line and the beginning and end of its flood.
 constexpr std::uint32_t kReachBound = kClearBound + kFloodBound + 4u * static_cast<std::uint32_t>(kJoinCells);
 
 /// What to find. Local frame.
 struct ReachQuery {
   Vec3 start;                ///< inside the grid's boundary; breaks no wall and no solid
   Vec3 goal;                 ///< anywhere
-  std::uint32_t max_units;   ///< the rest of Budget::expansions
   bool start_moves = false;  ///< as SearchQuery::start_moves
 };
 
@@ -42,11 +41,10 @@ enum class ReachPhase : std::uint8_t {
 
 /// Plain data; needs no initialisation before reach_begin.
 struct ReachStage {
-  Status status;        ///< why the stage failed; else kOk
-  std::uint32_t units;  ///< rows, and lines that join the start to the grid; <= kReachBound and the budget
-  Voxel nearest;        ///< the result
-  bool joined;          ///< the start has joined at least one voxel
-  Voxel best;           ///< of all free voxels, the nearest to the goal; the flood ends once it is reached
+  Status status;  ///< why the stage failed; else kOk
+  Voxel nearest;  ///< the result
+  bool joined;    ///< the start has joined at least one voxel
+  Voxel best;     ///< of all free voxels, the nearest to the goal; the flood ends once it is reached
   ReachPhase phase;
   ReachQuery query;
   NearestFree search;  ///< for kBest and kNearest
@@ -57,10 +55,9 @@ struct ReachStage {
 /// The grid must be inflated, and the world must not change until the stage ends.
 void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept;
 
-/// One unit is one row of the flood, one line that joins the start to the grid, 1024 words cleared before that, or one
-/// unit of nearest_advance. The units of nearest_advance do not count against the budget. kDone: `nearest` is the
-/// result. Ties go to the least z, then y, then x. kFailed: kStartOccupied (the start joins no voxel), kBudgetSearch,
-/// or kFenceLayerFull (the grid is too large).
+/// A piece of work is one row of the flood, one line that joins the start to the grid, kClearedWords cleared before
+/// that, or a piece of nearest_advance. kDone: `nearest` is the result. Ties go to the least z, then y, then x.
+/// kFailed: kStartOccupied (the start joins no voxel), or kFenceLayerFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept;
 
 }  // namespace tern

@@ -11,11 +11,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of work between units: examining the ends and beginning to join one; extracting a path; a voxel of the
-/// path.
-constexpr std::uint32_t kEndsEffort = 3000;
-constexpr std::uint32_t kExtractEffort = 6000;
-constexpr std::uint32_t kPathVoxelEffort = 300;
+/// Examining both ends, each with the rows around it.
+constexpr Operations kEndsOperations = 2 * kJoinWidth * kJoinWidth * ops::kRow;
 
 /// Refuses an end that joins no voxel, and begins to look for the free voxel nearest to it. If the end has room, first
 /// looks for a resolution at which it would join.
@@ -41,21 +38,13 @@ Progress advance_nearest(SearchStage& stage, const World& world, Work& work) {
   return Progress::kFailed;
 }
 
-/// Takes one unit of work from the budget and from the slice. kDone if both had one left.
-Progress take_expansion(SearchStage& stage, Work& work) {
-  if (is_full(stage.expansions >= stage.query.max_expansions)) return conclude(Status::kBudgetSearch, stage.status);
-  if (!work.take()) return Progress::kMore;
-  ++stage.expansions;
-  return Progress::kDone;
-}
-
 /// Tries to join an end to the grid. kDone once it has joined. If no candidate is left: kNoPath after a search that
 /// found no path, otherwise goes on with refuse_end.
 Progress advance_join(SearchStage& stage, const World& world, Work& work, Join& join, const Vec3& point) {
   while (join.state == JoinState::kTrying) {
-    const Progress taken = take_expansion(stage, work);
-    if (taken != Progress::kDone) return taken;
-    work.effort += join_try(join, world, point);
+    if (!work.left()) return Progress::kMore;
+    ++stage.pieces;
+    join_try(join, world, point, work);
   }
   if (join.state == JoinState::kJoined) return Progress::kDone;
   if (stage.failed > 0) return conclude(Status::kNoPath, stage.status);
@@ -71,18 +60,18 @@ void join_start(SearchStage& stage, const Grid& grid) {
 /// After a search that found no path, chooses the ends of the next one. First come the other candidates of the start,
 /// then those of the goal, each with all candidates of the start. False if none is left.
 bool join_elsewhere(SearchStage& stage, const Grid& grid, Work& work) {
-  if (++stage.failed == kJoinSearches || stage.expansions >= kExpansionBound) return false;
+  if (++stage.failed == kJoinSearches || stage.pieces >= kExpansionBound) return false;
   const bool has_other = join_others(stage.start, grid, stage.query.start, stage.query.start_moves);
-  work.effort += kSearchedEffort + join_effort(stage.start);
+  work.spend(kSearchedOperations + join_operations(stage.start));
   if (has_other) {
     stage.phase = SearchPhase::kJoinStart;
     return true;
   }
   const bool has_goal = join_others(stage.goal, grid, stage.query.goal, stage.query.goal_moves);
-  work.effort += kSearchedEffort + join_effort(stage.goal);
+  work.spend(kSearchedOperations + join_operations(stage.goal));
   if (!has_goal) return false;
   join_start(stage, grid);
-  work.effort += join_effort(stage.start);
+  work.spend(join_operations(stage.start));
   return true;
 }
 
@@ -114,22 +103,18 @@ Status write_raw(SearchStage& stage, const Grid& grid, Path& out, Work& work) {
   if (status == Status::kOk && !at_center) out.raw[out.raw_count++] = query.goal;
   stage.raw_high = status == Status::kOk ? out.raw_count : kMaxJumpPoints;
   const double voxels = status == Status::kOk ? out.grid_length : kMaxJumpPoints;
-  work.effort += kExtractEffort + effort_of(kPathVoxelEffort, static_cast<int>(voxels));
+  work.spend(ops::kPiece + ops::kNode * (static_cast<Operations>(voxels) + stage.raw_high));
   return status;
 }
 
-/// Runs a slice of the search, within the stage's budget.
+/// Runs a slice of the search.
 Status run_search(SearchStage& stage, const Grid& grid, Work& work) {
-  const std::uint32_t most = least(work.left, stage.query.max_expansions - stage.expansions);
-  Work allowed{most};
-  const Status status = voxel_search_advance(stage.search, grid, allowed);
-  work.left -= most - allowed.left;
-  work.effort += allowed.effort;
-  stage.expansions += most - allowed.left;
+  const std::uint32_t before = stage.search.entries;
+  const Status status = voxel_search_advance(stage.search, grid, work);
+  stage.pieces += stage.search.entries - before;
   raise(stage.nodes_high, stage.search.nodes_high);
   raise(stage.open_high, stage.search.open_high);
-  const bool spent = is_full(stage.expansions >= stage.query.max_expansions);
-  return status == Status::kRunning && spent ? Status::kBudgetSearch : status;
+  return status;
 }
 
 /// Runs a slice of the search, and writes the path once it is found. If a path of the fast search has too many turns,
@@ -160,7 +145,7 @@ Progress advance_once(SearchStage& stage, const World& world, Work& work, Path& 
   if (stage.phase == SearchPhase::kJoinGoal) {
     const Progress joined = advance_join(stage, world, work, stage.goal, stage.query.goal);
     if (joined != Progress::kDone) return joined;
-    work.effort += kEndsEffort;
+    work.spend(kEndsOperations);
     voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
     stage.phase = SearchPhase::kSearch;
   }
@@ -173,7 +158,7 @@ void search_begin(SearchStage& stage, ScanMap& map, const World& world, const Se
   const Grid& grid = world.voxels();
   stage.status = Status::kOk;
   stage.map = &map;
-  stage.expansions = 0;
+  stage.pieces = 0;
   stage.nodes_high = 0;
   stage.open_high = 0;
   stage.raw_high = 0;
@@ -191,7 +176,7 @@ void search_begin(SearchStage& stage, ScanMap& map, const World& world, const Se
 Progress search_advance(SearchStage& stage, const World& world, Work& work, Path& out) noexcept {
   const Grid& grid = world.voxels();
   if (stage.phase == SearchPhase::kJoinStart && stage.failed == 0 && is_direct(stage, grid)) {
-    work.effort += kEndsEffort;
+    work.spend(kEndsOperations);
     direct_path(stage, out);
     return Progress::kDone;
   }

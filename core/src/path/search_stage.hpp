@@ -22,11 +22,11 @@
 namespace tern {
 
 /// Searches that one query may make: the first, and more from other voxels that an end can join. Eight voxels meet in a
-/// corner, and each may lie in a separate pocket. Most pockets are small, so a limit on their units suffices: no search
-/// begins once kExpansionBound units are spent.
+/// corner, and each may lie in a separate pocket. Most pockets are small, so a limit on their pieces suffices: no
+/// search begins once kExpansionBound pieces of work are done.
 constexpr std::uint32_t kJoinSearches = 4096;
 
-/// Bound on SearchStage::expansions: kExpansionBound units until the last search begins, that search, and the lines
+/// Bound on SearchStage::pieces: kExpansionBound until the last search begins, that search, and the lines
 /// that join both ends to the grid before each search.
 constexpr std::uint32_t kSearchBound =
     kExpansionBound + kVoxelSearchBound + kJoinSearches * 2u * static_cast<std::uint32_t>(kMaxJoins);
@@ -35,8 +35,7 @@ constexpr std::uint32_t kSearchBound =
 struct SearchQuery {
   Vec3 start;
   Vec3 goal;
-  std::uint32_t max_expansions;  ///< the rest of Budget::expansions
-  bool start_moves = false;      ///< the start is a state in flight, see join_others
+  bool start_moves = false;  ///< the start is a state in flight, see join_others
   bool goal_moves = false;
   SearchMode mode = SearchMode::kOptimal;
 };
@@ -51,14 +50,14 @@ enum class SearchPhase : std::uint8_t {
 
 /// Plain data; needs no initialisation before search_begin.
 struct SearchStage {
-  Status status;             ///< why the stage failed; else kOk
-  std::uint32_t expansions;  ///< entries taken off open lists and joining lines checked; <= kSearchBound and the budget
-  std::int32_t nodes_high;   ///< jump points generated
-  std::int32_t open_high;    ///< most entries of the open list at once
-  std::int32_t raw_high;     ///< points of the jump-point path
-  SearchUsed search_used;    ///< kNone until a search has found the path, or if none was needed
-  double search_bound;       ///< Diagnostics::search_bound
-  bool raw_occupied;         ///< kStartOccupied / kGoalOccupied: the point itself is inside an obstacle
+  Status status;            ///< why the stage failed; else kOk
+  std::uint32_t pieces;     ///< entries taken off open lists and joining lines checked; <= kSearchBound
+  std::int32_t nodes_high;  ///< jump points generated
+  std::int32_t open_high;   ///< most entries of the open list at once
+  std::int32_t raw_high;    ///< points of the jump-point path
+  SearchUsed search_used;   ///< kNone until a search has found the path, or if none was needed
+  double search_bound;      ///< Diagnostics::search_bound
+  bool raw_occupied;        ///< kStartOccupied / kGoalOccupied: the point itself is inside an obstacle
   bool has_nearest_free;
   Vec3 nearest_free;  ///< local frame: centre of the free voxel nearest to an occupied start or goal
 
@@ -77,10 +76,10 @@ struct SearchStage {
 /// voxels.
 void search_begin(SearchStage& stage, ScanMap& map, const World& world, const SearchQuery& query) noexcept;
 
-/// One unit of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
+/// A piece of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
 /// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied,
 /// kStartTooNarrow, kGoalTooNarrow, kNoPath, kNodesFull,
-/// kOpenFull, kJumpPointsFull or kBudgetSearch, with `out` undefined. Pass the same `out` in every call.
+/// kOpenFull or kJumpPointsFull, with `out` undefined. Pass the same `out` in every call.
 ///
 /// Every leg lies in free voxels, except the first or the last if the exact start or goal is not in a free voxel. Such
 /// a leg leads to a free voxel near it along a line that keeps the radius.

@@ -2,41 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path/shortcut_stage.hpp"
 
-#include "base/capacity.hpp"
 #include "path/sight.hpp"
 
 namespace tern {
 namespace {
 
-/// Instructions of ranking the candidates.
-constexpr std::uint32_t kRankEffort = 800;
-
-std::uint32_t chain_effort(const Shortcut& shortcut, const Grid& grid, const Path& path) {
-  if (shortcut.probe < 0) return kRankEffort;
-  return kRankEffort + sight_effort(grid, path.raw[shortcut.probe], path.raw[shortcut.head]);
+/// A step of the chain ranks the candidates, and looks along at most one line.
+Operations chain_operations(const Shortcut& shortcut, const Grid& grid, const Path& path) {
+  if (shortcut.probe < 0) return ops::kPiece;
+  return ops::kPiece + sight_operations(grid, path.raw[shortcut.probe], path.raw[shortcut.head]);
 }
 
-/// Instructions of a trial: of the lines of sight of both legs at the waypoint. Counted from the waypoint's present
-/// place, wherever the trial moves it.
-std::uint32_t trial_effort(const Tighten& tighten, const Grid& grid, const Path& path) {
+/// A trial looks along both legs at the waypoint. Counted from the waypoint's present place, wherever the trial moves
+/// it.
+Operations trial_operations(const Tighten& tighten, const Grid& grid, const Path& path) {
   const Vec3* const at = path.points + tighten.waypoint;
-  return kRankEffort + sight_effort(grid, at[-1], at[0]) + sight_effort(grid, at[0], at[1]);
-}
-
-/// Takes one unit of work from the budget and from the slice. kDone if both had one left.
-Progress take_sight_line(ShortcutStage& stage, Work& work) {
-  if (is_full(stage.sight_lines >= stage.max_sight_lines)) return conclude(Status::kBudgetShortcut, stage.status);
-  if (!work.take()) return Progress::kMore;
-  ++stage.sight_lines;
-  return Progress::kDone;
+  return ops::kPiece + sight_operations(grid, at[-1], at[0]) + sight_operations(grid, at[0], at[1]);
 }
 
 /// kDone once the chain is complete and written to the path.
 Progress advance_chain(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) {
   while (shortcut_needs_step(stage.shortcut, path)) {
-    const Progress taken = take_sight_line(stage, work);
-    if (taken != Progress::kDone) return taken;
-    work.effort += chain_effort(stage.shortcut, grid, path);
+    if (!work.left()) return Progress::kMore;
+    ++stage.pieces;
+    work.spend(chain_operations(stage.shortcut, grid, path));
     shortcut_step(stage.shortcut, grid, path);
   }
   const Status status = shortcut_finish(stage.shortcut, path);
@@ -46,9 +35,9 @@ Progress advance_chain(ShortcutStage& stage, const Grid& grid, Work& work, Path&
 
 Progress advance_tighten(ShortcutStage& stage, const Grid& grid, Work& work, Path& path) {
   while (tighten_needs_trial(stage.tighten, path)) {
-    const Progress taken = take_sight_line(stage, work);
-    if (taken != Progress::kDone) return taken;
-    work.effort += trial_effort(stage.tighten, grid, path);
+    if (!work.left()) return Progress::kMore;
+    ++stage.pieces;
+    work.spend(trial_operations(stage.tighten, grid, path));
     tighten_try(stage.tighten, grid, path);
   }
   return Progress::kDone;
@@ -56,11 +45,10 @@ Progress advance_tighten(ShortcutStage& stage, const Grid& grid, Work& work, Pat
 
 }  // namespace
 
-void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_sight_lines, Path& path) noexcept {
+void shortcut_begin(ShortcutStage& stage, const Grid& grid, Path& path) noexcept {
   stage.status = Status::kOk;
-  stage.sight_lines = 0;
+  stage.pieces = 0;
   stage.segments_high = 0;
-  stage.max_sight_lines = max_sight_lines;
   stage.phase = ShortcutPhase::kChain;
   shortcut_begin(stage.shortcut, grid, path);
 }

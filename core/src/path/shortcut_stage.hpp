@@ -17,7 +17,7 @@
 
 namespace tern {
 
-/// Bound on ShortcutStage::sight_lines.
+/// The most pieces of work of one run of the stage.
 constexpr std::uint32_t kShortcutBound = kChainBound + kTightenBound;
 
 enum class ShortcutPhase : std::uint8_t { kChain, kTighten };
@@ -25,24 +25,22 @@ enum class ShortcutPhase : std::uint8_t { kChain, kTighten };
 /// Plain data; needs no initialisation before shortcut_begin.
 struct ShortcutStage {
   Status status;               ///< why the stage failed; else kOk
-  std::uint32_t sight_lines;   ///< steps of the shortcut, trials of tightening; <= kShortcutBound and the budget
+  std::uint32_t pieces;        ///< steps of the chain, trials of tightening; <= kShortcutBound
   std::int32_t segments_high;  ///< legs of the shortcut path; kMaxSegments if it needs more
 
   ShortcutPhase phase;
-  std::uint32_t max_sight_lines;
   union {
     Shortcut shortcut;
     Tighten tighten;  ///< begins when the shortcut's chain is complete
   };
 };
 
-/// `path` holds the raw path of the search stage. `max_sight_lines` is the rest of Budget::sight_lines. The grid must
-/// not change until the stage ends.
-void shortcut_begin(ShortcutStage& stage, const Grid& grid, std::uint32_t max_sight_lines, Path& path) noexcept;
+/// `path` holds the raw path of the search stage. The grid must not change until the stage ends.
+void shortcut_begin(ShortcutStage& stage, const Grid& grid, Path& path) noexcept;
 
-/// One unit of work is one step of the shortcut (at most one line of sight) or one trial of tightening (at most two
-/// lines of sight). kDone: `path` is complete. kFailed: kSegmentsFull or kBudgetShortcut; the raw path stays, and the
-/// rest of `path` is undefined. Pass the same `path` in every call.
+/// A piece of work is one step of the shortcut (at most one line of sight) or one trial of tightening (at most two
+/// lines of sight). kDone: `path` is complete. kFailed: kSegmentsFull; the raw path stays, and the rest of `path` is
+/// undefined. Pass the same `path` in every call.
 ///
 /// Every leg of the path lies in free voxels and keeps kSightMargin of a voxel (max norm) from all others. The first
 /// and the last leg may come closer if the exact start or goal does. Such a leg leads straight to the centre of the

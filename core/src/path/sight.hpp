@@ -22,10 +22,10 @@ constexpr double kSightRounding = 1e-9;
 /// thick segment meets.
 bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin = kSightMargin) noexcept;
 
-/// The most instructions of a line of sight (see Work), which reads the rows along x that the line meets.
-inline std::uint32_t sight_effort(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
+/// Operations of a line of sight, which reads a word or two of each row along x that the line meets.
+inline Operations sight_operations(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
   const double across = absolute(b.y - a.y) + absolute(b.z - a.z);
-  return 500 + effort_of(60, static_cast<int>(across / grid.spec().cell));
+  return ops::kPiece + 2 * ops::kTurn * static_cast<Operations>(across / grid.spec().cell);
 }
 
 }  // namespace tern

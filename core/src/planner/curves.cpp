@@ -13,11 +13,9 @@ void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_
   times_begin(memory.times, memory.corridor, {ends.start, ends.goal, problem.limits, via_joints, pace}, memory.chain);
 }
 
-void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, std::uint32_t iterations,
-                  CurveMemory& memory) noexcept {
-  const TrajectoryQuery query{
-      ends.start,        ends.goal, problem.limits, problem.asked.time_weight, curves.stop_and_go ? 0 : iterations,
-      memory.times.paced};
+void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept {
+  const TrajectoryQuery query{ends.start,         ends.goal,         problem.limits, problem.asked.time_weight,
+                              curves.stop_and_go, memory.times.paced};
   trajectory_begin(memory.stage, memory.corridor, query, memory.chain);
 }
 

@@ -49,9 +49,8 @@ struct Curves {
 void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_joints, const Pace& pace,
                  const Corridor& corridor, CurveMemory& memory) noexcept;
 
-/// Makes the trajectory of the chain, within `iterations`; the origin is that of the plan's frame.
-void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, std::uint32_t iterations,
-                  CurveMemory& memory) noexcept;
+/// Makes the trajectory of the chain; the origin is that of the plan's frame.
+void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept;
 Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& curves, Trajectory& trajectory,
                         Work& work) noexcept;
 

@@ -13,25 +13,22 @@
 namespace tern {
 namespace {
 
-/// Instructions of a detour, and of each line that it looks along.
-constexpr std::uint32_t kDetourEffort = 20000;
-constexpr std::uint32_t kDetourLineEffort = 15000;
-
-/// What lines are checked against, and how many have been checked.
+/// What lines are checked against, and what that spends from.
 struct Lines {
   const World& world;
-  std::uint32_t count;
+  Work& work;
 };
 
 /// A braking motion needs only the radius, like a start that is not in a free voxel.
 bool can_brake_along(Lines& lines, const Vec3& from, const Vec3& to) {
-  ++lines.count;
+  const GridSpec& spec = lines.world.spec();
+  lines.work.spend(clear_operations(spec, to - from, spec.clearance()));
   return lines.world.line_clear(from, to);
 }
 
 /// Legs of a path keep the margin that gives neighbouring polyhedra room in common.
 bool can_lead_on(Lines& lines, const Vec3& from, const Vec3& to) {
-  ++lines.count;
+  lines.work.spend(sight_operations(lines.world.voxels(), from, to));
   return line_of_sight(lines.world.voxels(), from, to) && lines.world.solids_clear(from, to);
 }
 
@@ -90,15 +87,15 @@ bool lead_through_stop(Lines& lines, const State& start, const MotionLimits& lim
 }  // namespace
 
 bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
-                 std::uint32_t& lines) noexcept {
-  Lines checked{world, 0};
+                 Work& work) noexcept {
+  Lines checked{world, work};
+  work.spend(2 * kBrakeShapes * ops::kCurve);
   const bool start_led = lead_through_stop(checked, request.start, limits, path.count - 1, path);
   reverse(path);
   // The start's own leg stays, whatever the stopping point of the goal can see.
   const int last = path.count - (start_led ? 2 : 1);
   const bool goal_led = lead_through_stop(checked, backwards(request.goal), backwards(limits), last, path);
   reverse(path);
-  lines = checked.count;
   if (!start_led && !goal_led) return false;
   path.length = polyline_length(path.points, path.count);
   return true;
@@ -109,16 +106,13 @@ bool detour_may_help(const Problem& problem, const Detour& detour) noexcept {
 }
 
 void detour_begin(Status why, Detour& detour) noexcept {
-  detour = {true, why, 0};
+  detour = {true, why};
 }
 
-Progress detour_advance(const Problem& problem, std::uint32_t sight_lines, Detour& detour, Path& path,
-                        Work& work) noexcept {
-  if (!work.take()) return Progress::kMore;
+Progress detour_advance(const Problem& problem, Path& path, Work& work) noexcept {
+  if (!work.left()) return Progress::kMore;
   const Request local = to_local(voxels_of(problem), problem.asked);
-  const bool found =
-      sight_lines >= kDetourLines && take_detour(world_of(problem), local, problem.limits, path, detour.lines);
-  work.effort += kDetourEffort + detour.lines * kDetourLineEffort;
+  const bool found = take_detour(world_of(problem), local, problem.limits, path, work);
   return found ? Progress::kDone : Progress::kFailed;
 }
 

@@ -31,14 +31,13 @@ constexpr std::uint32_t kDetourLines = 2u * static_cast<std::uint32_t>(kBrakeSha
 /// (for the goal: where it can have begun), if this line keeps the radius. From there it goes to the furthest waypoint
 /// in sight, or back to its end and along the old path. Adds at most two waypoints per end. False, with `path`
 /// unchanged, if neither end has such a point or the path has no room for it. The request is in the local frame, and
-/// `limits` are its limits. `lines` receives the number of lines checked, <= kDetourLines.
+/// `limits` are its limits. A piece of work: at most kDetourLines lines.
 bool take_detour(const World& world, const Request& request, const MotionLimits& limits, Path& path,
-                 std::uint32_t& lines) noexcept;
+                 Work& work) noexcept;
 
 struct Detour {
-  bool tried;           ///< for the current goal
-  Status without;       ///< why there is no trajectory without it
-  std::uint32_t lines;  ///< checked
+  bool tried;      ///< for the current goal
+  Status without;  ///< why there is no trajectory without it
 };
 
 /// True if a detour may help after the trajectory stage failed: none was tried for the current goal, and there are no
@@ -47,10 +46,8 @@ bool detour_may_help(const Problem& problem, const Detour& detour) noexcept;
 
 /// Begins the attempt. `why`: the status of the plan without a detour.
 void detour_begin(Status why, Detour& detour) noexcept;
-/// One unit of work makes the detours of both ends, if `sight_lines` suffice for them. kDone: the path has changed.
-/// kFailed: it has not.
-Progress detour_advance(const Problem& problem, std::uint32_t sight_lines, Detour& detour, Path& path,
-                        Work& work) noexcept;
+/// A piece of work makes the detours of both ends. kDone: the path has changed. kFailed: it has not.
+Progress detour_advance(const Problem& problem, Path& path, Work& work) noexcept;
 
 }  // namespace tern
 

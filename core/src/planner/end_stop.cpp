@@ -11,10 +11,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of making a stop, and of making an arrival.
-constexpr std::uint32_t kStopEffort = 60000;
-constexpr std::uint32_t kArrivalEffort = 8000;
-
 void shift(int by, Corridor& corridor, Trajectory& trajectory) {
   for (int i = corridor.count - 1; i >= 0; --i) corridor.polyhedra[i + by] = corridor.polyhedra[i];
   for (int i = trajectory.count - 1; i >= 0; --i) {
@@ -91,8 +87,8 @@ Progress advance_trial(const StopContext& context, GrowScratch& scratch, EndStop
 Progress stop_advance(const StopContext& context, const State& state, const MotionLimits& limits, GrowScratch& scratch,
                       EndStop& stop, Work& work) noexcept {
   if (!stop.is_tried) {
-    if (!work.take()) return Progress::kMore;
-    work.effort += kStopEffort;
+    if (!work.left()) return Progress::kMore;
+    work.spend(kStopOperations);
     if (!make_stop(context, state, limits, stop)) return Progress::kFailed;
     begin_trial(stop);
   }
@@ -102,8 +98,8 @@ Progress stop_advance(const StopContext& context, const State& state, const Moti
 Progress arrive_advance(const StopContext& context, const State& start, const State& goal, const MotionLimits& limits,
                         int choice, GrowScratch& scratch, EndStop& stop, Work& work) noexcept {
   if (!stop.is_tried) {
-    if (!work.take()) return Progress::kMore;
-    work.effort += kArrivalEffort;
+    if (!work.left()) return Progress::kMore;
+    work.spend(14 * ops::kCurve);
     stop.count = 0;
     if (!make_arrival(start, goal, limits, choice, stop.stopping)) return Progress::kFailed;
     begin_trial(stop);

@@ -22,9 +22,6 @@ namespace tern {
 /// The most segments of one choice.
 constexpr int kStopSegments = kMaxSegments < 16 ? kMaxSegments : 16;
 
-/// The most half-spaces that one choice makes. The factor 2 is for segments that had no room and were halved.
-constexpr std::uint32_t kStopPlanes = 2u * kStopSegments * static_cast<std::uint32_t>(kMaxPlanes);
-
 /// The motion of one end to rest, with a polyhedron for each segment. It is one of the choices, or the remainder of the
 /// previous plan.
 struct EndStop {

@@ -68,15 +68,16 @@ Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow
   return progress;
 }
 
-void follow_note_trial(bool holds, const Trajectory& trajectory, std::uint32_t planes, Follow& follow) noexcept {
+void follow_note_trial(bool holds, const Trajectory& trajectory, Operations spent, Follow& follow) noexcept {
   follow.held = holds;
   follow.held_duration = duration(trajectory);
-  follow.held_planes = planes;
+  follow.held_operations = spent;
 }
 
 bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory,
-                       std::uint32_t planes) noexcept {
-  if (!follow.held || (follow.leads_plan && previous.meets_goal) || planes < follow.held_planes) return false;
+                       Operations left) noexcept {
+  const bool is_flown = follow.leads_plan && previous.meets_goal;
+  if (!follow.held || is_flown || left < follow.held_operations) return false;
   return !(duration(trajectory) < follow.held_duration - kEarlierBy);
 }
 

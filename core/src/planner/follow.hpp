@@ -22,11 +22,11 @@
 namespace tern {
 
 struct Follow {
-  bool is_trial;              ///< the remainder is tried before a new plan is looked for
-  bool leads_plan;            ///< the current plan begins with the remainder
-  bool held;                  ///< the remainder was tried, and holds
-  double held_duration;       ///< of that remainder, s
-  std::uint32_t held_planes;  ///< half-spaces that it takes to enclose that remainder
+  bool is_trial;               ///< the remainder is tried before a new plan is looked for
+  bool leads_plan;             ///< the current plan begins with the remainder
+  bool held;                   ///< the remainder was tried, and holds
+  double held_duration;        ///< of that remainder, s
+  Operations held_operations;  ///< that it takes to enclose that remainder
 };
 
 /// True if the remainder is to be tried before a new plan is looked for: it leads to the goal.
@@ -39,7 +39,7 @@ bool follow_may_help(const Problem& problem, const Previous& previous, Status fa
 /// Begins the try of the remainder.
 void follow_begin(Follow& follow, Previous& previous) noexcept;
 
-/// Encloses the remainder in polyhedra. The units of work are those of append_advance. kDone: if the remainder meets
+/// Encloses the remainder in polyhedra. The pieces of work are those of append_advance. kDone: if the remainder meets
 /// the goal, it is the whole plan, in `corridor` and `trajectory`; otherwise it is the start's stop, `lead`. kFailed:
 /// previous.enclosure.status says why.
 Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow, Previous& previous,
@@ -47,13 +47,13 @@ Progress follow_advance(const Problem& problem, const Ends& ends, Follow& follow
                         Work& work) noexcept;
 
 /// Notes the result of a trial: whether the check passed the remainder, which is then in `trajectory`, and the
-/// half-spaces that it took.
-void follow_note_trial(bool holds, const Trajectory& trajectory, std::uint32_t planes, Follow& follow) noexcept;
+/// operations that it took.
+void follow_note_trial(bool holds, const Trajectory& trajectory, Operations spent, Follow& follow) noexcept;
 
-/// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier. `planes`: the
-/// half-spaces that are left to enclose it.
+/// True if the plan is to follow the remainder that held, because `trajectory` does not arrive earlier. `left`: the
+/// operations that are left to enclose it.
 bool prefers_remainder(const Follow& follow, const Previous& previous, const Trajectory& trajectory,
-                       std::uint32_t planes) noexcept;
+                       Operations left) noexcept;
 
 /// The jerk with which the plan begins.
 inline const Vec3& start_jerk(const Problem& problem, const Follow& follow, const Previous& previous) noexcept {

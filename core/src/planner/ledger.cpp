@@ -2,17 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/ledger.hpp"
 
-#include "base/work.hpp"
-#include "corridor/corridor_stage.hpp"
-#include "path/reach_stage.hpp"
-#include "path/search_stage.hpp"
-#include "path/shortcut_stage.hpp"
-#include "planner/detour.hpp"
 #include "planner/previous.hpp"
+#include "planner/stage_bounds.hpp"
 #include "planner/stop_first.hpp"
-#include "prove/check_stage.hpp"
-#include "times/times_stage.hpp"
-#include "trajectory/trajectory_stage.hpp"
 
 namespace tern {
 namespace {
@@ -34,43 +26,63 @@ Times times_of(const Problem& problem) {
   return times;
 }
 
-/// The most units of all searches together, if one search takes at most `bound` units a leg.
-std::uint32_t legs_searched(const Problem& problem, std::uint32_t searches, std::uint32_t bound) {
-  const std::uint64_t all = std::uint64_t{searches} * static_cast<std::uint64_t>(problem.via_count + 1) * bound;
-  return all < 0xFFFFFFFFu ? static_cast<std::uint32_t>(all) : 0xFFFFFFFFu;
-}
-
-/// The most work of a stage in one plan.
-std::uint32_t bound_of(Stage stage, const Problem& problem, std::uint32_t searched_again) {
-  const Budget& budget = problem.asked.budget;
+/// How often a stage may run.
+std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searched_again) {
   const Times times = times_of(problem);
   switch (stage) {
-    case Stage::kFences:
-      return kWorldBound;
     case Stage::kSearch:
-      return least(budget.expansions, legs_searched(problem, times.searches + searched_again, kSearchBound));
     case Stage::kShortcut:
-      return least(budget.sight_lines, legs_searched(problem, times.searches + searched_again, kShortcutBound));
+      return std::uint64_t{times.searches + searched_again} * static_cast<std::uint64_t>(problem.via_count + 1);
     case Stage::kCorridor:
-      return least(budget.planes, (times.corridors + searched_again) * kCorridorBound);
+      return times.corridors + searched_again;
     case Stage::kTimes:
-      return (times.corridors + times.goals) * kTimesBound;
     case Stage::kTrajectory:
-      return least(budget.iterations, times.corridors * kTrajectoryBound);
+      return times.corridors + times.goals;
     case Stage::kCheck:
-      return times.checks * kCheckBound;
-    case Stage::kDetour:
-      return least(budget.sight_lines, times.goals * kDetourLines);
-    case Stage::kPrevious:
-      return least(budget.planes, times.goals * kPreviousPlanes);
-    case Stage::kEscape:
-      return least(budget.planes, times.goals * kStopFirstPlanes);
+      return times.checks;
+    case Stage::kFences:
     case Stage::kReach:
-      return least(budget.expansions, kReachBound);
+      return 1;
     case Stage::kRequest:
+    case Stage::kDetour:
+    case Stage::kPrevious:
+    case Stage::kEscape:
       break;
   }
-  return 0;
+  return times.goals;
+}
+
+/// A budget that is not limited: more than any plan takes.
+constexpr std::uint32_t kNoBudget = 0xFFFFFFFFu;
+constexpr Operations kNoLimit = Operations{1} << 62;
+
+/// A budget and the stages that share it; kRequest, which is not counted, stands for none.
+struct Account {
+  std::uint32_t budget;
+  Stage stages[3];
+};
+
+Account account_of(Stage stage, const Budget& budget) {
+  switch (stage) {
+    case Stage::kSearch:
+    case Stage::kReach:
+      return {budget.search, {Stage::kSearch, Stage::kReach, Stage::kRequest}};
+    case Stage::kShortcut:
+    case Stage::kDetour:
+      return {budget.shortcut, {Stage::kShortcut, Stage::kDetour, Stage::kRequest}};
+    case Stage::kCorridor:
+    case Stage::kPrevious:
+    case Stage::kEscape:
+      return {budget.corridor, {Stage::kCorridor, Stage::kPrevious, Stage::kEscape}};
+    case Stage::kTrajectory:
+      return {budget.trajectory, {Stage::kTrajectory, Stage::kRequest, Stage::kRequest}};
+    case Stage::kRequest:
+    case Stage::kFences:
+    case Stage::kTimes:
+    case Stage::kCheck:
+      break;
+  }
+  return {kNoBudget, {}};
 }
 
 }  // namespace
@@ -80,10 +92,16 @@ void Ledger::clear(bool timed) noexcept {
   timed_ = timed;
 }
 
-void Ledger::count(Stage stage, std::uint32_t units, const Problem& problem, bool searched_again) noexcept {
+void Ledger::count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept {
+  Operations& spent = spent_[static_cast<int>(stage)];
+  spent += operations;
   StageReport& entry = stages_[static_cast<int>(stage)];
-  entry.work = before_ + units;
-  entry.bound = bound_of(stage, problem, searched_again ? 1 : 0);
+  entry.work = static_cast<std::uint64_t>(spent + kUnit - 1) / kUnit;
+  const StageBound bound = stage_bound(stage, problem.grid->spec());
+  entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
+  const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;
+  const std::uint64_t within = budget + static_cast<std::uint64_t>(bound.piece) / kUnit + 1;
+  if (budget != kNoBudget && within < entry.bound) entry.bound = within;
 }
 
 /// A clock that runs backwards has measured nothing. The plan does not depend on it.
@@ -92,20 +110,12 @@ void Ledger::count_ticks(Stage stage, std::uint64_t begin, std::uint64_t end) no
   timed_ = timed_ && end >= begin;
 }
 
-std::uint32_t Ledger::expansions_left(const Budget& budget) const noexcept {
-  return budget.expansions - work(Stage::kSearch) - work(Stage::kReach);
-}
-
-std::uint32_t Ledger::sight_lines_left(const Budget& budget) const noexcept {
-  return budget.sight_lines - work(Stage::kShortcut) - work(Stage::kDetour);
-}
-
-std::uint32_t Ledger::planes_left(const Budget& budget) const noexcept {
-  return budget.planes - work(Stage::kCorridor) - work(Stage::kPrevious) - work(Stage::kEscape);
-}
-
-std::uint32_t Ledger::iterations_left(const Budget& budget) const noexcept {
-  return budget.iterations - work(Stage::kTrajectory);
+Operations Ledger::left(Stage stage, const Budget& budget) const noexcept {
+  const Account account = account_of(stage, budget);
+  if (account.budget == kNoBudget) return kNoLimit;
+  Operations left = kUnit * account.budget;
+  for (const Stage of : account.stages) left -= spent(of);
+  return left;
 }
 
 /// A clock that stood still has measured nothing either. No ticks are better than wrong ones.

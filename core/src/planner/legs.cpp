@@ -49,6 +49,12 @@ EndFault fault_of(const Problem& problem, const SearchStage& stage) {
   return fault;
 }
 
+void note_failure(const Problem& problem, const SearchStage& stage, Legs& legs) {
+  legs.status = status_of_leg(problem, legs, stage.status);
+  legs.via = via_at(problem, lacks_start_voxel(stage.status) ? legs.leg - 1 : legs.leg);
+  legs.fault = fault_of(problem, stage);
+}
+
 /// Appends the leg that is finished to the path.
 Status join_leg(const Problem& problem, Legs& legs, WayMemory& way) {
   if (problem.via_count == 0) return Status::kOk;
@@ -78,16 +84,14 @@ Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept {
   return to_local(voxels_of(problem), target);
 }
 
-std::uint32_t leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, std::uint32_t expansions,
-                               ScanMap& scans, SearchStage& stage) noexcept {
+Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, ScanMap& scans,
+                            SearchStage& stage) noexcept {
   const SearchQuery query{leg_begin(problem, ends, legs),
                           is_last_leg(problem, legs) ? ends.goal_in_grid : leg_target(problem, legs),
-                          expansions,
-                          legs.leg == 0 && !at_rest(ends.start),
-                          is_last_leg(problem, legs) && !at_rest(ends.goal),
+                          legs.leg == 0 && !at_rest(ends.start), is_last_leg(problem, legs) && !at_rest(ends.goal),
                           legs.searched_again ? SearchMode::kOptimal : problem.asked.search};
   search_begin(stage, scans, world_of(problem), query);
-  return join_effort(stage.start) + join_effort(stage.goal);
+  return join_operations(stage.start) + join_operations(stage.goal);
 }
 
 Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way,
@@ -98,16 +102,18 @@ Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& le
   raise(legs.jump_points_high, stage.raw_high);
   if (legs.leg == 0 || stage.search_used == SearchUsed::kGuided) legs.search_used = stage.search_used;
   legs.search_bound = legs.leg == 0 ? stage.search_bound : larger(legs.search_bound, stage.search_bound);
-  if (progress != Progress::kFailed) return progress;
-  legs.status = status_of_leg(problem, legs, stage.status);
-  legs.via = via_at(problem, lacks_start_voxel(stage.status) ? legs.leg - 1 : legs.leg);
-  legs.fault = fault_of(problem, stage);
+  if (progress == Progress::kFailed) note_failure(problem, stage, legs);
   return progress;
 }
 
-void leg_shortcut_begin(const Problem& problem, std::uint32_t sight_lines, WayMemory way,
-                        ShortcutStage& stage) noexcept {
-  shortcut_begin(stage, voxels_of(problem), sight_lines, path_of_leg(problem, way));
+/// A search that has already failed only looks for a free voxel to report.
+void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noexcept {
+  if (stage.phase < SearchPhase::kFiner) stage.status = Status::kBudgetSearch;
+  note_failure(problem, stage, legs);
+}
+
+void leg_shortcut_begin(const Problem& problem, WayMemory way, ShortcutStage& stage) noexcept {
+  shortcut_begin(stage, voxels_of(problem), path_of_leg(problem, way));
 }
 
 Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,

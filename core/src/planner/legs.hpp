@@ -59,16 +59,17 @@ bool is_last_leg(const Problem& problem, const Legs& legs) noexcept;
 /// is to come to rest before a goal in motion.
 Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept;
 
-/// Searches for the current leg, within `expansions`. leg_search_begin() returns the instructions that it took. If the
-/// search fails, legs.status, via and fault say why.
-std::uint32_t leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, std::uint32_t expansions,
-                               ScanMap& scans, SearchStage& stage) noexcept;
+/// Searches for the current leg. leg_search_begin() returns the operations that it took. If the search fails,
+/// legs.status, via and fault say why.
+Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, ScanMap& scans,
+                            SearchStage& stage) noexcept;
 Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way, Work& work) noexcept;
+/// The search ends here, for lack of work.
+void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noexcept;
 
-/// Shortens the current leg, within `sight_lines`, and appends it to the path. If that fails, legs.status and via say
+/// Shortens the current leg, and appends it to the path. If that fails, legs.status and via say
 /// why.
-void leg_shortcut_begin(const Problem& problem, std::uint32_t sight_lines, WayMemory way,
-                        ShortcutStage& stage) noexcept;
+void leg_shortcut_begin(const Problem& problem, WayMemory way, ShortcutStage& stage) noexcept;
 Progress leg_shortcut_advance(const Problem& problem, ShortcutStage& stage, Legs& legs, WayMemory way,
                               Work& work) noexcept;
 

@@ -137,8 +137,8 @@ void Pipeline::go_on_from_check(bool done) noexcept {
     const bool falls_back = quality_ == Quality::kOptimised && attempts_.current < Attempt::kStopFirst;
     return falls_back ? stop_at_waypoints(memory.stage.check.status) : fail(Stage::kCheck, memory.stage.check.status);
   }
-  const std::uint32_t planes = ledger_.planes_left(problem_.asked.budget);
-  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory, planes)) {
+  const Operations left = ledger_.left(Stage::kPrevious, problem_.asked.budget);
+  if (!prefers_remainder(attempts_.follow, memory.previous, memory.trajectory, left)) {
     end(Stage::kCheck, Status::kOk);
     return;
   }
@@ -194,7 +194,7 @@ void Pipeline::go_on_from_reach(bool done) noexcept {
 /// Ends the trial of the remainder. The plan begins as if nothing had been tried.
 void Pipeline::end_trial(bool holds) noexcept {
   const Layout& memory = *memory_;
-  follow_note_trial(holds, memory.trajectory, ledger_.work(Stage::kPrevious), attempts_.follow);
+  follow_note_trial(holds, memory.trajectory, ledger_.spent(Stage::kPrevious), attempts_.follow);
   begin_goal();
   begin_way();
 }

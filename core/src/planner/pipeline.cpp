@@ -2,26 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/pipeline.hpp"
 
+#include "base/capacity.hpp"
 #include "planner/layout.hpp"
 #include "planner/validate.hpp"
 
 namespace tern {
 namespace {
 
-/// Instructions of a turn of step(), besides what the stage counts.
-constexpr std::uint32_t kTurnEffort = 250;
-/// Instructions of begin() and finish() together, and of each fence that is read.
-constexpr std::uint32_t kBeginEffort = 12000;
-constexpr std::uint32_t kFenceEffort = 40000;
+/// Of begin() and finish() together, and of each fence that is read: its corners are those of all triples of faces.
+constexpr Operations kBeginOperations = 20 * ops::kCurve;
+constexpr Operations kFenceOperations = 200 * ops::kPiece;
 
 WayMemory way_of(Layout& memory) {
   return {memory.path, memory.vias.leg, memory.vias.marks};
-}
-
-/// Prepares the memory for polyhedra around curves, within `planes` half-spaces.
-void begin_hulls(std::uint32_t planes, GrowScratch& scratch) {
-  reset_counters(scratch);
-  scratch.planes_allowed = planes;
 }
 
 bool pace_fits(const Request& request, const Trajectory& plan, double time) {
@@ -68,7 +61,7 @@ Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode&
   problem_.grid = &grid;
   problem_.world = &memory->world;
   world_begin(memory->world, grid);
-  effort_ = kBeginEffort + static_cast<std::uint32_t>(request.fence_count > 0 ? request.fence_count : 0) * kFenceEffort;
+  begun_ = kBeginOperations + kFenceOperations * (request.fence_count > 0 ? request.fence_count : 0);
   if (!grid.inflated()) return refuse({Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage});
   const Status status = read(request, mode);
   if (status != Status::kRunning) return status;
@@ -100,17 +93,24 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   if (request.fence_count == 0) return Status::kRunning;
-  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked_fences, effort_);
+  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked_fences, begun_);
   if (fault_.status != Status::kOk) return refuse(fault_);
   take_ends(problem_, memory.ends);
   return Status::kRunning;
 }
 
 Progress Pipeline::advance(Work& work) noexcept {
-  work.effort = kTurnEffort;
-  const Progress progress = run(work);
-  effort_ += work.effort;
-  ledger_.count(stage_, units(), problem_, legs_.searched_again);
+  const Stage stage = stage_;
+  work.spend(begun_);
+  begun_ = 0;
+  const Operations left = ledger_.left(stage, problem_.asked.budget);
+  Work slice = work.within(left);
+  const Operations given = slice.operations();
+  Progress progress = run(slice);
+  const Operations spent = given - slice.operations();
+  if (progress == Progress::kMore && is_full(spent >= left)) progress = end_for_budget(slice);
+  work.spend(given - slice.operations());
+  ledger_.count(stage, given - slice.operations(), problem_, legs_.searched_again);
   if (progress != Progress::kMore) go_on(progress == Progress::kDone);
   return progress;
 }
@@ -118,34 +118,32 @@ Progress Pipeline::advance(Work& work) noexcept {
 /// Begins a stage.
 void Pipeline::enter(Stage stage) noexcept {
   Layout& m = *memory_;
-  const Budget& budget = problem_.asked.budget;
   stage_ = stage;
-  ledger_.begin_run(stage);
   switch (stage) {
     case Stage::kSearch:
-      effort_ += leg_search_begin(problem_, m.ends, legs_, ledger_.expansions_left(budget), m.scans, m.stage.search);
+      begun_ += leg_search_begin(problem_, m.ends, legs_, m.scans, m.stage.search);
       return;
     case Stage::kShortcut:
-      return leg_shortcut_begin(problem_, ledger_.sight_lines_left(budget), way_of(m), m.stage.shortcut);
+      return leg_shortcut_begin(problem_, way_of(m), m.stage.shortcut);
     case Stage::kCorridor:
-      return corridor_begin(m.stage.corridor, m.path, ledger_.planes_left(budget), &m.vias.marks);
+      return corridor_begin(m.stage.corridor, m.path, &m.vias.marks);
     case Stage::kTimes:
       return chain_begin(problem_, m.ends, make_via_joints(problem_, m.vias), pace_of(problem_, curves_, m), m.corridor,
                          m.stage.trajectory);
     case Stage::kTrajectory:
-      return curves_begin(problem_, m.ends, curves_, ledger_.iterations_left(budget), m.stage.trajectory);
+      return curves_begin(problem_, m.ends, curves_, m.stage.trajectory);
     case Stage::kCheck:
       return check_begin(m.stage.check);
     case Stage::kDetour:
       return detour_begin(failure_.status, attempts_.detour);
     case Stage::kPrevious:
-      begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
+      reset_counters(m.stage.corridor.grow);
       return follow_begin(attempts_.follow, m.previous);
     case Stage::kEscape:
-      begin_hulls(ledger_.planes_left(budget), m.stage.corridor.grow);
+      reset_counters(m.stage.corridor.grow);
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
     case Stage::kReach:
-      return reach_attempt_begin(problem_, leg_target(problem_, legs_), ledger_.expansions_left(budget), m.stage.reach);
+      return reach_attempt_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kRequest:
     case Stage::kFences:
       break;
@@ -172,7 +170,7 @@ Progress Pipeline::run(Work& work) noexcept {
       return check_advance(m.stage.check, *problem_.grid, m.corridor, m.trajectory,
                            check_query(problem_, attempts_.follow, m), work);
     case Stage::kDetour:
-      return detour_advance(problem_, ledger_.sight_lines_left(problem_.asked.budget), attempts_.detour, m.path, work);
+      return detour_advance(problem_, m.path, work);
     case Stage::kPrevious:
       return follow_advance(problem_, m.ends, attempts_.follow, m.previous, m.stage.corridor.grow, m.stops[0],
                             m.corridor, m.trajectory, work);
@@ -187,35 +185,39 @@ Progress Pipeline::run(Work& work) noexcept {
   return Progress::kDone;
 }
 
-/// What the current run of the current stage took, in the stage's own units.
-std::uint32_t Pipeline::units() const noexcept {
-  const Layout& m = *memory_;
+/// The current stage has spent its budget. The optimiser then keeps the best plan that it has; other stages fail.
+Progress Pipeline::end_for_budget(Work& work) noexcept {
+  Layout& m = *memory_;
   switch (stage_) {
-    case Stage::kFences:
-      return static_cast<std::uint32_t>(m.world.steps);
     case Stage::kSearch:
-      return m.stage.search.expansions;
+      leg_search_stop(problem_, m.stage.search, legs_);
+      break;
     case Stage::kShortcut:
-      return m.stage.shortcut.sight_lines;
+      legs_.status = Status::kBudgetShortcut;
+      legs_.via = is_last_leg(problem_, legs_) ? kNoVia : legs_.leg;
+      break;
     case Stage::kCorridor:
-      return m.stage.corridor.planes;
-    case Stage::kTimes:
-      return static_cast<std::uint32_t>(m.stage.trajectory.times.timed);
+      rooms_.status = Status::kBudgetCorridor;
+      rooms_.via = m.stage.corridor.passed < problem_.via_count ? m.stage.corridor.passed : kNoVia;
+      break;
     case Stage::kTrajectory:
-      return m.stage.trajectory.stage.iterations;
-    case Stage::kCheck:
-      return m.stage.check.units;
-    case Stage::kDetour:
-      return attempts_.detour.lines;
+      trajectory_stop(m.stage.trajectory.stage);
+      return run(work);
     case Stage::kPrevious:
-    case Stage::kEscape:
-      return m.stage.corridor.grow.planes;
+      m.previous.enclosure.status = Status::kBudgetCorridor;
+      break;
     case Stage::kReach:
-      return m.stage.reach.units;
+      attempts_.reach.status = Status::kBudgetSearch;
+      break;
     case Stage::kRequest:
+    case Stage::kFences:
+    case Stage::kTimes:
+    case Stage::kCheck:
+    case Stage::kDetour:
+    case Stage::kEscape:
       break;
   }
-  return 0;
+  return Progress::kFailed;
 }
 
 }  // namespace tern

@@ -58,8 +58,6 @@ class Pipeline {
   Status status() const noexcept { return status_; }
   Stage stage() const noexcept { return stage_; }
   const Results& results() const noexcept { return results_; }
-  /// What the plan took so far, in instructions (see Work); modulo 2^32.
-  std::uint32_t effort() const noexcept { return effort_; }
   /// A slice of the stage began and ended at these ticks of the clock.
   void count_ticks(Stage stage, std::uint64_t from, std::uint64_t to) noexcept { ledger_.count_ticks(stage, from, to); }
   /// When the plan begins, as the request says.
@@ -72,7 +70,7 @@ class Pipeline {
   Status read(const Request& request, const PlanMode& mode) noexcept;
   void enter(Stage stage) noexcept;
   Progress run(Work& work) noexcept;
-  std::uint32_t units() const noexcept;
+  Progress end_for_budget(Work& work) noexcept;
 
   void write_diagnostics(Diagnostics& diagnostics) const noexcept;  // report.cpp
 
@@ -111,7 +109,7 @@ class Pipeline {
   Status optimiser_ = Status::kOk;    // how optimising that trajectory ended
   Results results_{};
   bool segments_full_ = false;  // an attempt had too many segments
-  std::uint32_t effort_ = 0;
+  Operations begun_ = 0;        // what beginnings took, and no slice has paid yet
   Ledger ledger_{};
 };
 

@@ -34,20 +34,25 @@ Status Plan::begin_query(const Grid& grid, const Request& request, const PlanMod
   begun_ = true;
   is_route_ = mode.route_only;
   grid_ = &grid;
+  slice_ = Work{};
   const Status status = pipeline_.begin(grid, request, mode);
   version_ = grid.version();
   return status;
 }
 
 Status Plan::step(std::uint32_t work) noexcept {
+  slice_.add(work);
+  return step(slice_);
+}
+
+Status Plan::step(Work& work) noexcept {
   if (!begun_) return Status::kInvalidArgument;
-  Work slice{work};
   // Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a failure.
   while (pipeline_.status() == Status::kRunning) {
     const Stage stage = pipeline_.stage();
     if (!grid_->version().equals(version_)) return pipeline_.end(stage, Status::kMapChanged);
     const std::uint64_t before = ticks();
-    const Progress progress = pipeline_.advance(slice);
+    const Progress progress = pipeline_.advance(work);
     pipeline_.count_ticks(stage, before, ticks());
     if (progress == Progress::kMore) return Status::kRunning;
   }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "planner/pipeline.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
@@ -30,12 +31,11 @@ class Plan {
   Status begin(const Grid& grid, const Request& request) noexcept;
   Status begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept;
   Status begin_route(const Grid& grid, const Request& request) noexcept;
+  Status step(Work& work) noexcept;
   Status step(std::uint32_t work) noexcept;
   Status finish(Trajectory& trajectory, Report& report) noexcept;
   Status finish_route(Report& report) noexcept;
   Stage stage() const noexcept { return pipeline_.stage(); }
-  /// What the plan took so far, in instructions (see Work); modulo 2^32.
-  std::uint32_t effort() const noexcept { return pipeline_.effort(); }
   const Path* path() const noexcept;
   const Corridor* corridor() const noexcept;
 
@@ -51,6 +51,7 @@ class Plan {
   GridVersion version_{};  // of the grid when the plan began
   bool begun_ = false;     // until finish()
   bool is_route_ = false;
+  Work slice_;  // what step() was given; a debt between two calls
   Pipeline pipeline_;
 };
 

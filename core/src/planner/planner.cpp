@@ -74,6 +74,10 @@ Status Planner::begin_route(const Grid& grid, const Request& request) noexcept {
   return refused_ ? Status::kInvalidArgument : current_plan().begin_route(grid, request);
 }
 
+Status Planner::step(Work& work) noexcept {
+  return workspace_ == nullptr ? Status::kInvalidArgument : current_plan().step(work);
+}
+
 Status Planner::step(std::uint32_t work) noexcept {
   return workspace_ == nullptr ? Status::kInvalidArgument : current_plan().step(work);
 }
@@ -94,10 +98,6 @@ Status Planner::refuse(Report& report) noexcept {
   if (!refused_) report.field = Field::kCallOrder;
   refused_ = false;
   return report.status;
-}
-
-std::uint32_t Planner::effort() const noexcept {
-  return workspace_ == nullptr ? 0 : current_plan().effort();
 }
 
 Stage Planner::stage() const noexcept {

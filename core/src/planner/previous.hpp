@@ -18,10 +18,6 @@ namespace tern {
 /// The least remainder of the last segment that is flown, seconds.
 constexpr double kLeastRest = 1e-3;
 
-/// The most half-spaces for enclosing the rest, before a new plan is looked for and after it. The last factor 2 is for
-/// segments that had no room and were halved.
-constexpr std::uint32_t kPreviousPlanes = 2u * 2u * static_cast<std::uint32_t>(kMaxSegments) * kMaxPlanes;
-
 /// The rest of a plan. Plain data.
 struct Previous {
   int count;          ///< segments; 0 if nothing is left to fly

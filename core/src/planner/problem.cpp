@@ -42,7 +42,7 @@ void take_ends(const Problem& problem, Ends& ends) noexcept {
 }
 
 RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedFences& asked, std::uint32_t& effort) noexcept {
+                         AskedFences& asked, Operations& spent) noexcept {
   const FenceFault added = world_add(world, request.fences, request.fence_count);
   if (added.status != Status::kOk) return {added.status, Field::kFences, added.fence};
   if (!copy_fences(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
@@ -52,7 +52,7 @@ RequestFault read_fences(const Request& request, const Ends& ends, Problem& prob
   problem.goal_fenced = fault.fence != kNoFence;
   const bool lacks_goal = problem.goal_fenced && request.goal_mode == GoalMode::kExact;
   if (lacks_goal) fault.field = Field::kGoalPosition;
-  effort += static_cast<std::uint32_t>(2 * GridView::layer_words(*problem.grid));
+  spent += ops::kElement * static_cast<Operations>(GridView::layer_words(*problem.grid));
   const Status prepared = world_prepare(world);
   if (prepared == Status::kOk) return fault;
   if (lacks_goal) return {Status::kGoalFenced, Field::kGoalPosition, fault.fence};

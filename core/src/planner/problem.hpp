@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/bounds.hpp"
+#include "base/work.hpp"
 #include "prove/asked_fences.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
@@ -69,9 +70,9 @@ void take_ends(const Problem& problem, Ends& ends) noexcept;
 
 /// Reads the request's fences, of which there is at least one, into the world and for the check, and compares start,
 /// vias and goal with them. Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
-/// with a goal that breaks a fence. `effort` grows by the instructions that it took.
+/// with a goal that breaks a fence. `spent` grows by the operations that it took.
 RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedFences& asked, std::uint32_t& effort) noexcept;
+                         AskedFences& asked, Operations& spent) noexcept;
 
 /// Both requested ends are at rest.
 bool rests(const Problem& problem) noexcept;

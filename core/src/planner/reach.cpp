@@ -37,11 +37,9 @@ bool reach_may_help(const Reach& reach, Status failure) noexcept {
   return !reach.has_point && misses_goal(failure);
 }
 
-void reach_attempt_begin(const Problem& problem, const Vec3& target, std::uint32_t expansions,
-                         ReachStage& stage) noexcept {
+void reach_attempt_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept {
   const State& start = problem.asked.start;
-  reach_begin(stage, world_of(problem),
-              {to_local(voxels_of(problem), start.position), target, expansions, !at_rest(start)});
+  reach_begin(stage, world_of(problem), {to_local(voxels_of(problem), start.position), target, !at_rest(start)});
 }
 
 Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept {

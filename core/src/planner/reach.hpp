@@ -27,10 +27,9 @@ struct Reach {
 /// True if the plan misses the goal whatever its limits and budget, and nothing is known yet of how near it can come.
 bool reach_may_help(const Reach& reach, Status failure) noexcept;
 
-/// Looks for the point nearest to `target` (local frame), within `expansions`.
-void reach_attempt_begin(const Problem& problem, const Vec3& target, std::uint32_t expansions,
-                         ReachStage& stage) noexcept;
-/// The units of work are those of reach_advance. kDone: reach.point is known.
+/// Looks for the point nearest to `target` (local frame).
+void reach_attempt_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept;
+/// The pieces of work are those of reach_advance. kDone: reach.point is known.
 Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept;
 
 /// True if the plan should lead to the point that was found. It should not if that is the goal's own voxel, which the

@@ -23,9 +23,6 @@ namespace tern {
 /// The most stops from which a plan tries to go on. From the first ones there may be no path.
 constexpr std::uint32_t kStopFirstTries = 3;
 
-/// The most half-spaces that a plan makes for the stops of both ends and the arrivals together.
-constexpr std::uint32_t kStopFirstPlanes = (2u * kStoppingChoices + kArrivals) * kStopPlanes;
-
 struct StopFirst {
   std::uint32_t tries;    ///< stops that the plan has tried to go on from; of the current goal
   std::int32_t arrivals;  ///< durations of an arrival that were tried
@@ -40,7 +37,7 @@ bool stop_first_may_help(const Problem& problem, const StopFirst& stop_first, St
 /// start's, if the start is in motion.
 void stop_first_begin(const Problem& problem, StopFirst& stop_first, EndStop* stops) noexcept;
 
-/// Finds a stop for each end in motion that has none. The units of work are those of stop_advance. kDone: `ends` are
+/// Finds a stop for each end in motion that has none. The pieces of work are those of stop_advance. kDone: `ends` are
 /// now the places of rest, or `arrived` is set, and corridor and trajectory hold the arrival. kFailed: some end has no
 /// stop left.
 Progress stop_first_advance(const Problem& problem, StopFirst& stop_first, EndStop* stops, GrowScratch& scratch,

@@ -10,8 +10,8 @@
 namespace tern {
 namespace {
 
-/// Instructions of a joint with the test of an end.
-constexpr std::uint32_t kEndEffort = 1500;
+/// Of a joint: both curves and their derivatives at one end.
+constexpr Operations kEndOperations = ops::kPiece + 2 * ops::kCurve;
 
 bool refuse(Finding finding, std::int32_t segment, ProofReport& found) {
   found.finding = finding;
@@ -49,31 +49,31 @@ struct PlanProof {
                       fenced ? query.fences->count : 0, corridor, stage.scratch);
     stage.phase = CheckPhase::kCurve;
   }
-
-  /// Looks at a piece. False if the proof is over.
-  static bool advance(CheckStage& stage, Work& work) {
-    const std::uint32_t before = stage.proof.effort_;
-    const Status status = stage.proof.step(1);
-    work.effort += stage.proof.effort_ - before;
-    return status == Status::kRunning;
-  }
 };
+
+/// Where all rows of the grid are near a piece, and each is half obstacles, one in two.
+Operations check_piece_operations(const GridSpec& spec) noexcept {
+  const Operations rows = Operations{spec.dims.y} * spec.dims.z;
+  const Operations cuts = 4 * ops::kRow + 18 * ops::kMultiplyAdd * kMaxPlanes;
+  const Operations boxes = 2 * ops::kRow + (spec.dims.x / 2 + 1) * (8 + 3 * kControlPoints) * ops::kDot;
+  const Operations faces = kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2;
+  const Operations fences = kMaxFences * (kKeepOutOperations + ops::kPiece + 16 * ops::kDot * faces);
+  return kEndOperations + 12 * ops::kPiece + 6 * ops::kDot * kMaxPlanes + fences +
+         rows * (cuts + 2 * ops::kPiece + boxes);
+}
 
 void check_begin(CheckStage& stage) noexcept {
   stage.status = Status::kOk;
   stage.phase = CheckPhase::kBegin;
   stage.next = 0;
-  stage.units = 0;
   stage.found = ProofReport{};
 }
 
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept {
   if (stage.phase == CheckPhase::kBegin) PlanProof::begin(stage, grid, corridor, trajectory, query);
-  while (stage.phase == CheckPhase::kCurve) {
-    if (!work.take()) return Progress::kMore;
-    ++stage.units;
-    if (PlanProof::advance(stage, work)) continue;
+  if (stage.phase == CheckPhase::kCurve) {
+    if (stage.proof.step(work) == Status::kRunning) return Progress::kMore;
     stage.phase = CheckPhase::kJoints;
     if (stage.proof.report().finding != Finding::kNone) {
       stage.found = stage.proof.report();
@@ -81,9 +81,8 @@ Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corr
     }
   }
   for (; stage.next < trajectory.count; ++stage.next) {
-    if (!work.take()) return Progress::kMore;
-    ++stage.units;
-    work.effort += kEndEffort;
+    if (!work.left()) return Progress::kMore;
+    work.spend(kEndOperations);
     if (!joint_holds(grid, trajectory, stage.next, query, stage.found)) {
       return conclude(Status::kCheckFailed, stage.status);
     }

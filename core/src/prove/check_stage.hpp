@@ -23,9 +23,10 @@
 
 namespace tern {
 
-/// Units of one check: pieces of each segment's position and of its three derivatives, the end of the proof, and the
-/// joints.
+/// Pieces of work of one check: pieces of each segment's position and of its three derivatives, and the joints.
 constexpr std::uint32_t kCheckBound = kMaxSegments * (4u * (kProofPieces + 1) + 1u) + 1u;
+/// The most operations of one of them.
+Operations check_piece_operations(const GridSpec& spec) noexcept;
 
 /// What the request asked of the plan, as the caller gave it. World frame.
 struct CheckQuery {
@@ -45,8 +46,7 @@ enum class CheckPhase : std::uint8_t { kBegin, kCurve, kJoints };
 struct CheckStage {
   Status status;  ///< kCheckFailed if the stage failed; else kOk
   CheckPhase phase;
-  std::int32_t next;    ///< the next segment whose joint is looked at
-  std::uint32_t units;  ///< units done, for the report
+  std::int32_t next;  ///< the next segment whose joint is looked at
   Proof proof;
   ProofReport found;  ///< why the stage failed
   FenceScratch scratch;

@@ -11,16 +11,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a hull, of the support of a hint, of a block of rows, of a hint for a block with obstacles, of going
-/// through such a block's rows, of a row with an obstacle, and of a hint for such a row.
-constexpr std::uint32_t kLookEffort = 1000;
-constexpr std::uint32_t kHintEffort = 100;
-constexpr std::uint32_t kBlockEffort = 60;
-constexpr std::uint32_t kBlockHintEffort = 14;
-constexpr std::uint32_t kCutRowsEffort = 400;
-constexpr std::uint32_t kCutRowEffort = 60;
-constexpr std::uint32_t kRowHintEffort = 14;
-
 /// By how much the square of a unit normal may miss 1. Planes are placed by the normal's own length, so this is only to
 /// keep out numbers that overflow.
 constexpr double kUnitWithin = 1e-6;
@@ -115,19 +105,19 @@ bool any_obstacle(const BitRows& obstacles, const RowBlock& block, const RowSpan
 
 /// True if the cuts take every obstacle of the block, which has one. Looks at single rows only if there is an obstacle
 /// in the span that the cuts leave of the whole block.
-bool block_clear(const Grid& grid, const PlaneCuts& cuts, const RowBlock& block, std::uint32_t& effort) {
+bool block_clear(const Grid& grid, const PlaneCuts& cuts, const RowBlock& block, Work& work) {
   const double cell = grid.spec().cell;
   const BitRows obstacles = GridView::obstacles(grid);
   const RowSpan span = uncut(cell, cuts, block);
-  effort += effort_of(kBlockHintEffort, cuts.end[2]);
+  work.spend(ops::kRow + 4 * ops::kMultiplyAdd * cuts.end[2]);
   if (span.begin >= span.end || !any_obstacle(obstacles, block, span)) return true;
   const PlaneCuts few = cuts_within(cell, cuts, block, span);
-  effort += effort_of(kBlockHintEffort, 2 * cuts.end[2]) + kCutRowsEffort;
+  work.spend(2 * ops::kPiece + 8 * ops::kMultiplyAdd * cuts.end[2]);
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = obstacles.row(y, z);
       if (!has_obstacle(row, span)) continue;
-      effort += kCutRowEffort + effort_of(kRowHintEffort, few.end[2]);
+      work.spend(ops::kRow + 5 * ops::kMultiplyAdd * few.end[2]);
       if (has_obstacle(row, uncut(cell, few, {{span.begin, y, z}, {span.end - 1, y, z}}))) return false;
     }
   }
@@ -157,13 +147,13 @@ double support_of(const Vec3& normal, const Vec3* points, int count) noexcept {
 }
 
 bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints, double distance,
-             std::uint32_t& effort) noexcept {
+             Work& work) noexcept {
   const GridSpec& spec = grid.spec();
   const Box box = box_around(points, count);
   const IndexRange xs = voxels_near(box.lower.x, box.upper.x, distance, spec.cell, spec.dims.x);
   const IndexRange ys = voxels_near(box.lower.y, box.upper.y, distance, spec.cell, spec.dims.y);
   const IndexRange zs = voxels_near(box.lower.z, box.upper.z, distance, spec.cell, spec.dims.z);
-  effort += kLookEffort;
+  work.spend(5 * ops::kPiece);
   if (xs.begin >= xs.end) return true;
   if ((ys.end - ys.begin) * (zs.end - zs.begin) > kMostRows) return false;
   const BitRows obstacles = GridView::obstacles(grid);
@@ -172,14 +162,14 @@ bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints
   for (std::int32_t z = zs.begin; z < zs.end; z += kBlock) {
     for (std::int32_t y = ys.begin; y < ys.end; y += kBlock) {
       const RowBlock block{{xs.begin, y, z}, {xs.end - 1, last_of_block(y, ys.end), last_of_block(z, zs.end)}};
-      effort += kBlockEffort;
+      work.spend(ops::kRow);
       if (!any_obstacle(obstacles, block, {xs.begin, xs.end})) continue;
       if (!is_ready) {
         cuts = cuts_of(grid, points, count, hints, distance);
-        effort += effort_of(kHintEffort, hints.count);
+        work.spend(6 * ops::kDot * hints.count);
         is_ready = true;
       }
-      if (!block_clear(grid, cuts, block, effort)) return false;
+      if (!block_clear(grid, cuts, block, work)) return false;
     }
   }
   return true;

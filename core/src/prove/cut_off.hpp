@@ -35,9 +35,7 @@ constexpr int kMostRows = 1 << 14;
 
 /// True only if each obstacle cube is cut off from the hull of the points by `distance`, along an axis or along the
 /// normal of a hint. Local frame, metres. `distance` may be negative: by so much the hull may be inside a cube.
-/// `effort` grows by the instructions that it took (see Work).
-bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints, double distance,
-             std::uint32_t& effort) noexcept;
+bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints, double distance, Work& work) noexcept;
 
 }  // namespace tern
 

@@ -14,11 +14,6 @@ constexpr double kParallel = 1e-9;
 /// Corners are looked for if a keep-out has no more faces than this.
 constexpr int kCornerFaces = 12;
 
-/// Instructions of a fence, of a face, of an edge between two faces, and of a corner between three.
-constexpr std::uint32_t kFenceEffort = 200;
-constexpr std::uint32_t kFaceEffort = 240;
-constexpr std::uint32_t kEdgeEffort = 250;
-
 /// True if all points lie beyond the plane by the distance. The normal may have any length.
 bool lies_beyond(const Halfspace& plane, double distance, const Vec3* points, int count) {
   const double wanted = plane.offset + distance * length(plane.normal);
@@ -123,10 +118,9 @@ bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, 
   return keeps_out(fence, rule, points, count);
 }
 
-std::uint32_t fence_effort(const Fence& fence) noexcept {
-  const auto faces = static_cast<std::uint32_t>(fence.count);
-  const std::uint32_t all = kFenceEffort + kFaceEffort * faces;
-  return fence.kind == FenceKind::kKeepOut ? all + kEdgeEffort * faces * faces / 2 : all;
+Operations fence_operations(const Fence& fence) noexcept {
+  const Operations edges = fence.kind == FenceKind::kKeepOut ? fence.count * (fence.count - 1) / 2 : 0;
+  return ops::kPiece + 16 * ops::kDot * (fence.count + edges);
 }
 
 double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept {

@@ -5,8 +5,7 @@
 #ifndef TERN_PROVE_FENCE_CLEAR_HPP
 #define TERN_PROVE_FENCE_CLEAR_HPP
 
-#include <cstdint>
-
+#include "base/work.hpp"
 #include "tern/fence.hpp"
 #include "tern/vec3.hpp"
 
@@ -24,8 +23,8 @@ struct FenceRule {
 /// the points are close together.
 bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
 
-/// An upper estimate of its instructions (see Work).
-std::uint32_t fence_effort(const Fence& fence) noexcept;
+/// Of one call: each face, and each edge of a keep-out, against eight points.
+Operations fence_operations(const Fence& fence) noexcept;
 
 /// By how many metres too much a point is outside the keep-in, or too near to the keep-out as far as its faces tell.
 double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept;

@@ -15,12 +15,6 @@ constexpr int kImprovements = 4;
 /// Factor that outweighs the rounding of a sum of three squares.
 constexpr double kLonger = 1.0 + 1e-15;
 
-/// Instructions of a hull, a row near it, a box of obstacles in a row, and the search for a plane between the two.
-constexpr std::uint32_t kHullEffort = 800;
-constexpr std::uint32_t kRowEffort = 140;
-constexpr std::uint32_t kBoxEffort = 180;
-constexpr std::uint32_t kPlaneEffort = 550;
-
 Vec3 nearest_in(const Box& box, const Vec3& p) {
   return {clamp(p.x, box.lower.x, box.upper.x), clamp(p.y, box.lower.y, box.upper.y),
           clamp(p.z, box.lower.z, box.upper.z)};
@@ -128,8 +122,8 @@ std::int32_t nearest_voxel(const Hull& hull, const IndexRange& xs, double cell) 
 }
 
 bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::int32_t y, std::int32_t z, Voxel& found,
-               std::uint32_t& effort) {
-  effort += kRowEffort;
+               Work& work) {
+  work.spend(2 * ops::kRow);
   const double cell = grid.spec().cell;
   const Row row = row_of(grid, hull.keeps.pardon, y, z);
   std::int32_t x = find_bit(row, xs, true);
@@ -139,7 +133,7 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const double distance = distance_from(hull, box);
     const bool may_touch = hull.keeps.left != nullptr && !(distance > 0.0);
     bool apart = may_touch || boxes_apart(hull.box, box, distance);
-    effort += apart ? kBoxEffort : kBoxEffort + kPlaneEffort;
+    work.spend(8 * ops::kDot + (apart ? 0 : 3 * hull.count * ops::kDot));
     apart = apart || plane_between(hull.points, hull.count, box, distance);
     if (!apart) {
       found = {nearest_voxel(hull, {x, end}, cell), y, z};
@@ -181,8 +175,8 @@ Box box_around(const Vec3* points, int count) noexcept {
 }
 
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
-                std::uint32_t& effort) noexcept {
-  effort += kHullEffort;
+                Work& work) noexcept {
+  work.spend(4 * ops::kPiece);
   const GridSpec& spec = grid.spec();
   const double distance = clearance.distance;
   Hull hull{points, count, box_around(points, count), clearance, {0, 0}};
@@ -200,7 +194,7 @@ bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance
       const double rest = distance * distance - (apart_y * apart_y + apart_z * apart_z);
       if (rest <= 0.0) continue;
       const IndexRange xs = voxels_within(lower.x, upper.x, square_root(rest), spec.cell, spec.dims.x);
-      if (!row_clear(grid, hull, xs, y, z, found, effort)) return false;
+      if (!row_clear(grid, hull, xs, y, z, found, work)) return false;
     }
   }
   return true;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "grid/bit_rows.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
@@ -40,10 +41,9 @@ struct Clearance {
 
 /// True only if the hull of the points keeps the clearance from all obstacle cubes. If false, `found` receives a voxel
 /// that is too near. The answer may be false although the hull keeps the clearance, but hardly ever if the points lie
-/// nearly on a line. Reads the voxels within the distance of the hull's box. `effort` grows by the instructions that it
-/// took (see Work).
+/// nearly on a line. Reads the voxels within the distance of the hull's box.
 bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance& clearance, Voxel& found,
-                std::uint32_t& effort) noexcept;
+                Work& work) noexcept;
 
 }  // namespace tern
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "prove/bernstein.hpp"
 #include "tern/proof_report.hpp"
 #include "tern/request.hpp"
@@ -35,8 +36,8 @@ bool state_met(const Segment& segment, bool at_end, const State& asked, const Ve
 /// The most by which a position, a velocity and an acceleration may jump in what a flight commits: m, m/s, m/s^2.
 /// Rounding is granted on top. A jerk may jump.
 constexpr double kJointJump[] = {1e-9, 1e-6, 1e-4};
-/// Instructions for each segment.
-constexpr std::uint32_t kJointEffort = 300;
+/// Of each segment: the differences at both of its ends.
+constexpr Operations kJointOperations = 16 * ops::kDot;
 
 /// True if `after` follows `before` without a jump.
 bool follows(const Sample& before, const Sample& after) noexcept;

@@ -5,6 +5,7 @@
 #ifndef TERN_PROVE_KEEP_OUT_HPP
 #define TERN_PROVE_KEEP_OUT_HPP
 
+#include "base/work.hpp"
 #include "prove/cut_off.hpp"
 #include "prove/solid.hpp"
 #include "tern/fence.hpp"
@@ -30,8 +31,8 @@ struct Apart {
 bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
                       const Apart& hull, FenceScratch& scratch) noexcept;
 
-/// Instructions of one call, at most (see Work).
-constexpr std::uint32_t kKeepOutEffort = 30000;
+/// Of one call: the corners of the part are those of all triples of planes.
+constexpr Operations kKeepOutOperations = 150 * ops::kPiece;
 
 }  // namespace tern
 

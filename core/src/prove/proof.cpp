@@ -18,9 +18,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a piece, besides its surroundings.
-constexpr std::uint32_t kPieceEffort = 1200;
-
 /// True if a piece in this box is so wide that it is halved before its surroundings are read.
 bool is_wide(const Box& box, double cell) {
   for (int a = 0; a < 3; ++a) {
@@ -93,6 +90,8 @@ Status Proof::begin(const Grid& grid, const Trajectory& trajectory, double from,
 /// Resets the report: nothing is proven, and there is nothing to do.
 void Proof::refuse(double from) noexcept {
   running_ = false;
+  slice_ = Work{};
+  spent_ = 0;
   report_ = ProofReport{};
   report_.until = from > 0.0 ? from : 0.0;
   report_.finding = Finding::kMalformed;
@@ -247,18 +246,18 @@ bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
     return false;
   }
   end = Finding::kObstacle;
-  if (hints_ != nullptr && cut_off(*grid_, piece.c, kControlPoints, hints(), distance_, effort_)) return true;
+  if (hints_ != nullptr && cut_off(*grid_, piece.c, kControlPoints, hints(), distance_, *work_)) return true;
   if (is_wide(box, spec.cell)) return false;
   const Pardon pardon{
       pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
   const Clearance clearance{distance_, has_left_ ? &left_ : nullptr, near_, pardon};
-  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, effort_);
+  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, *work_);
 }
 
 bool Proof::keeps_fences(const Piece& piece) noexcept {
   const FenceRule rule{grid_->spec().origin, distance_, outside_};
   for (int32_t k = 0; k < fence_count_; ++k) {
-    effort_ += fence_effort(fences_[k]);
+    work_->spend(fence_operations(fences_[k]));
     if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
     if (piece.depth == 0 && is_cut_off(k, piece)) continue;
     report_.fence = k;
@@ -270,7 +269,7 @@ bool Proof::keeps_fences(const Piece& piece) noexcept {
 /// True if the fence is a keep-out that is cut off along a hint.
 bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
   if (scratch_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
-  effort_ += kKeepOutEffort;
+  work_->spend(kKeepOutOperations);
   return keep_out_cut_off(*grid_, fences_, fence_count_, fence, hints(), {piece.c, kControlPoints, distance_},
                           *scratch_);
 }
@@ -328,8 +327,7 @@ void Proof::look_at_piece() noexcept {
   Piece& piece = stack_[height_ - 1];
   const int degree = kDegree - part_;
   Finding end = Finding::kPieces;
-  ++report_.work;
-  effort_ += kPieceEffort;
+  work_->spend(2 * ops::kCurve);
   if (is_full(pieces_++ == kProofPieces)) return lose(piece.begin, end);
   if (holds(piece, degree + 1, end)) {
     --height_;
@@ -377,17 +375,20 @@ void Proof::end_part() noexcept {
   enter_segment();
 }
 
-Status Proof::step(uint32_t work) noexcept {
+Status Proof::step(Work& work) noexcept {
   if (!running_ && trajectory_ == nullptr) return Status::kInvalidArgument;
-  for (uint32_t left = work; running_;) {
-    if (height_ == 0) {
-      end_part();
-      continue;
-    }
-    if (left-- == 0) return Status::kRunning;
-    look_at_piece();
-  }
-  return Status::kOk;
+  const Operations before = work.operations();
+  work_ = &work;
+  while (running_ && (height_ == 0 || work.left())) height_ == 0 ? end_part() : look_at_piece();
+  work_ = nullptr;
+  spent_ += before - work.operations();
+  report_.work = static_cast<uint32_t>((spent_ + kUnit - 1) / kUnit);
+  return running_ ? Status::kRunning : Status::kOk;
+}
+
+Status Proof::step(uint32_t work) noexcept {
+  slice_.add(work);
+  return step(slice_);
 }
 
 double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
@@ -395,7 +396,7 @@ double clear_until(const Grid& grid, const Trajectory& trajectory, double from, 
   Proof proof;
   const bool begun = proof.begin_accepted(grid, trajectory, from, limits, beyond, {}) == Status::kRunning;
   // A segment takes 4 * (kProofPieces + 1) pieces at most.
-  for (int i = 0; begun && i <= kMaxSegments && proof.step(5u * kProofPieces) == Status::kRunning; ++i) {
+  for (int i = 0; begun && i <= kMaxSegments && proof.step(~uint32_t{0}) == Status::kRunning; ++i) {
   }
   if (report != nullptr) *report = proof.report();
   return proof.report().until;

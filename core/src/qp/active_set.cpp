@@ -4,10 +4,10 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
-#include "qp/effort.hpp"
 #include "qp/factor.hpp"
 #include "qp/hessian.hpp"
 #include "qp/kkt.hpp"
+#include "qp/operations.hpp"
 
 namespace tern::qp {
 namespace {
@@ -92,7 +92,7 @@ Step partial_step(QpSolver& solver, const Limit& limit, bool dependent) {
 }  // namespace
 
 void enter(const QpProblem& problem, QpSolver& solver, const Candidate& candidate) {
-  solver.effort += unknowns_effort(solver);
+  solver.spent += band_operations(solver);
   const int begin = transform_row(problem.points[candidate.row.point], candidate.row.plane, solver);
   split_row(solver, begin);
   solver.entering = candidate.row;
@@ -102,7 +102,7 @@ void enter(const QpProblem& problem, QpSolver& solver, const Candidate& candidat
 
 Step step(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   const int k = solver.active_count;
-  solver.effort += triangle_effort(solver) + effort_of(12, k) + effort_of(4, solver.stride);
+  solver.spent += triangle_operations(solver) + ops::kTurn * k + 2 * ops::kElement * solver.stride;
   solve_triangle(solver, solver.projection, solver.ratio);
   const Limit limit = dual_limit(solver);
   const bool full_rank = k == solver.dimension;
@@ -119,7 +119,7 @@ Step step(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
 }
 
 void add_warm_row(const QpProblem& problem, QpSolver& solver, const QpRow& row) {
-  solver.effort += effort_of(8, problem.group_count);
+  solver.spent += ops::kTurn * problem.group_count;
   if (is_full(solver.active_count == kQpMaxRank) || !is_row(problem, row)) return;
   enter(problem, solver, {true, false, row, 0.0});
   if (solver.direction_squared > kWarmDependent * solver.entering_squared) add_row(solver, row, 0.0);
@@ -127,7 +127,7 @@ void add_warm_row(const QpProblem& problem, QpSolver& solver, const QpRow& row) 
 
 void solve_working_set(const QpProblem& problem, QpSolver& solver, const double* pull) {
   const int k = solver.active_count;
-  solver.effort += effort_of(kRowEffort, k) + triangle_effort(solver) + basis_effort(solver);
+  solver.spent += kRowOperations * k + triangle_operations(solver) + basis_operations(solver);
   for (int j = 0; j < k; ++j) solver.ratio[j] = -unit_violation(problem, solver, solver.active[j]);
   solve_transposed(solver, solver.ratio, solver.ratio);
   project(solver, 0, pull, solver.projection);
@@ -135,7 +135,7 @@ void solve_working_set(const QpProblem& problem, QpSolver& solver, const double*
 }
 
 void refine(const QpProblem& problem, QpSolver& solver) {
-  solver.effort += unknowns_effort(solver) + basis_effort(solver) + triangle_effort(solver);
+  solver.spent += band_operations(solver) + basis_operations(solver) + triangle_operations(solver);
   forward(solver, solver.row, solver.row);
   solve_working_set(problem, solver, solver.row);
   subtract(solver, solver.projection, solver.row);

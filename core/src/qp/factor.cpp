@@ -3,7 +3,7 @@
 #include "qp/factor.hpp"
 
 #include "base/math.hpp"
-#include "qp/effort.hpp"
+#include "qp/operations.hpp"
 
 namespace tern::qp {
 namespace {
@@ -172,14 +172,14 @@ void split_row(QpSolver& solver, int begin) {
   const int k = solver.active_count;
   for (int i = 0; i < solver.stride; ++i) solver.direction[i] = solver.row[i];
   solver.direction_squared = solver.entering_squared;
-  solver.effort += effort_of(4, solver.stride);
+  solver.spent += 2 * ops::kElement * solver.stride;
   if (k == 0) return;
-  solver.effort += 2 * basis_effort(solver);
+  solver.spent += 2 * basis_operations(solver);
   project(solver, begin, solver.row, solver.projection);
   subtract(solver, solver.projection, solver.direction);
   solver.direction_squared = inner(solver.direction, solver.direction, 0, solver.stride);
   if (solver.direction_squared >= kCancellation * solver.entering_squared) return;
-  solver.effort += 2 * basis_effort(solver);
+  solver.spent += 2 * basis_operations(solver);
   double* again = solver.ratio;
   project(solver, 0, solver.direction, again);
   subtract(solver, again, solver.direction);
@@ -229,7 +229,7 @@ void add_row(QpSolver& solver, const QpRow& row, double multiplier) {
 
 void drop_row(QpSolver& solver, int j, double* coordinates) {
   const int last = solver.active_count - 1;
-  solver.effort += rotation_effort(solver, j);
+  solver.spent += rotation_operations(solver, j);
   for (int c = j; c < last; ++c) shift_triangle_column(solver, j, c);
   rotate_coordinates(solver, j, last, coordinates);
   rotate_basis(solver, j, last);

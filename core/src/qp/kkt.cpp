@@ -3,8 +3,8 @@
 #include "qp/kkt.hpp"
 
 #include "base/linear.hpp"
-#include "qp/effort.hpp"
 #include "qp/hessian.hpp"
+#include "qp/operations.hpp"
 
 namespace tern::qp {
 namespace {
@@ -169,7 +169,7 @@ double certificate_residual(const QpProblem& problem, const QpSolver& solver, co
 }  // namespace
 
 void measure(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
-  solver.effort += measure_effort(solver);
+  solver.spent += measure_operations(solver);
   copy_unknowns(solver, solution);
   solution.active_count = 0;
   for (int j = 0; j < solver.active_count; ++j) append(problem, solver.active[j], solver.multiplier[j], solution);
@@ -189,7 +189,7 @@ bool accurate(const QpSolution& solution) {
 }
 
 bool prove_infeasible(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
-  solver.effort += measure_effort(solver);
+  solver.spent += measure_operations(solver);
   unknowns_from(solver, solver.z);
   measure(problem, solver, solution);
   solution.active_count = 0;

@@ -3,8 +3,8 @@
 #include "qp/pricing.hpp"
 
 #include "base/math.hpp"
-#include "qp/effort.hpp"
 #include "qp/hessian.hpp"
+#include "qp/operations.hpp"
 #include "qp/point_batch.hpp"
 
 namespace tern::qp {
@@ -84,8 +84,7 @@ void price_batch(const QpProblem& problem, QpSolver& solver, int group, int begi
   const int plane_end = problem.groups[group].plane_end;
   const int planes = plane_end - solver.screens[group].oblique;
   const bool alone = end - begin == 1;
-  solver.effort +=
-      alone ? kPointEffort + effort_of(kPointPlaneEffort, planes) : kBatchEffort + effort_of(kPlaneEffort, planes);
+  solver.spent += price_operations(alone, planes);
   if (!qp::scan(solver.planes, solver.screens[group], plane_end, end - begin, batch)) return;
   for (int point = begin; point < end; ++point) {
     const double violation = batch.worst[point - begin];
@@ -119,7 +118,7 @@ void scan_group(const QpProblem& problem, QpSolver& solver, int group, Scan& sca
 /// Prices the worst point of each promising batch again, and nothing else.
 void scan_promising(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   QpPrice unkept;
-  solver.effort += effort_of(kSkipEffort, solver.batches);
+  solver.spent += 2 * ops::kTurn * solver.batches;
   for (int t = 0; t < solver.batches; ++t) {
     const QpPrice& last = solver.prices[t];
     if (promising(solver, last)) price_batch(problem, solver, last.group, last.point, last.point + 1, scan, unkept);
@@ -129,7 +128,7 @@ void scan_promising(const QpProblem& problem, QpSolver& solver, Scan& scan) {
 void scan_rows(const QpProblem& problem, QpSolver& solver, Scan& scan) {
   scan.batches = 0;
   for (int g = 0; g < problem.group_count; ++g) scan_group(problem, solver, g, scan);
-  solver.effort += effort_of(kSkipEffort, scan.batches + problem.group_count);
+  solver.spent += 2 * ops::kTurn * (scan.batches + problem.group_count);
 }
 
 /// The plane that the point violates most; of equals, the first. A scan adds in a different order, so the violation
@@ -151,7 +150,7 @@ Candidate candidate_of(const QpProblem& problem, QpSolver& solver, const Scan& s
   solver.entered = scan.distance;
   if (scan.group < 0) return {};
   const QpGroup& group = problem.groups[scan.group];
-  solver.effort += kPointEffort + effort_of(kPointPlaneEffort, group.plane_end - group.plane_begin);
+  solver.spent += price_operations(true, group.plane_end - group.plane_begin);
   const int plane = violated_plane(problem, solver, group, scan.point);
   return {true, scan.constant, {scan.point, plane}, scan.violation};
 }

@@ -5,10 +5,10 @@
 #include "base/capacity.hpp"
 #include "base/math.hpp"
 #include "qp/active_set.hpp"
-#include "qp/effort.hpp"
 #include "qp/factor.hpp"
 #include "qp/hessian.hpp"
 #include "qp/kkt.hpp"
+#include "qp/operations.hpp"
 
 namespace tern {
 namespace {
@@ -68,7 +68,7 @@ void start(const QpProblem& problem, QpSolver& solver) {
 /// Computes the optimum of the working set, at x = 0 as solve_working_set() needs it. Its multipliers decide which rows
 /// stay.
 void solve_warm(const QpProblem& problem, QpSolver& solver) {
-  solver.effort += qp::triangle_effort(solver);
+  solver.spent += qp::triangle_operations(solver);
   qp::solve_working_set(problem, solver, solver.target);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
@@ -88,13 +88,13 @@ int most_negative(const QpSolver& solver) {
 
 void finish_warm(QpSolver& solver) {
   for (int i = 0; i < solver.stride; ++i) solver.z[i] = solver.target[i];
-  solver.effort += qp::basis_effort(solver);
+  solver.spent += qp::basis_operations(solver);
   qp::subtract(solver, solver.projection, solver.z);
   solver.phase = QpPhase::kPrice;
 }
 
 void drop_negative(QpSolver& solver) {
-  solver.effort += qp::triangle_effort(solver);
+  solver.spent += qp::triangle_operations(solver);
   qp::drop_row(solver, most_negative(solver), solver.projection);
   qp::solve_triangle(solver, solver.projection, solver.multiplier);
 }
@@ -117,7 +117,7 @@ void contradict(const QpProblem& problem, QpSolver& solver, const QpRow& row, Qp
 }
 
 void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
-  solver.effort += qp::unknowns_effort(solver);
+  solver.spent += qp::band_operations(solver);
   qp::unknowns_from(solver, solver.z);
   QpRow row;
   if (solver.contradictory && qp::find_contradiction(problem, row)) return contradict(problem, solver, row, solution);
@@ -128,7 +128,7 @@ void find_entering(const QpProblem& problem, QpSolver& solver, QpSolution& solut
   solver.phase = QpPhase::kStep;
 }
 
-/// Does everything between two units of work, which is at most a few scans of the rows.
+/// Does everything between two iterations, which is at most a few scans of the rows.
 void settle(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   if (solver.phase == QpPhase::kWarmRow && solver.warm_next == solver.warm_count) {
     solve_warm(problem, solver);
@@ -154,7 +154,7 @@ Status refuse(const QpSolver& solver, QpSolution& solution) {
 }
 
 void give_up(const QpProblem& problem, QpSolver& solver, Status status, QpSolution& solution) {
-  solver.effort += qp::unknowns_effort(solver);
+  solver.spent += qp::band_operations(solver);
   qp::unknowns_from(solver, solver.z);
   qp::measure(problem, solver, solution);
   end(solver, status);
@@ -179,7 +179,7 @@ void advance_step(const QpProblem& problem, QpSolver& solver, QpSolution& soluti
 
 void iterate(const QpProblem& problem, QpSolver& solver, QpSolution& solution) {
   ++solver.iterations;
-  solver.effort += qp::kIterationEffort;
+  solver.spent += 2 * ops::kPiece;
   if (solver.phase == QpPhase::kWarmRow) {
     qp::add_warm_row(problem, solver, solver.warm[solver.warm_next++]);
   } else if (solver.phase == QpPhase::kWarmSigns) {
@@ -199,7 +199,7 @@ void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int
   solver.warm_next = 0;
   solver.warm_count = warm == nullptr ? 0 : (warm_count < kMaxActive ? warm_count : kMaxActive);
   for (int j = 0; j < solver.warm_count; ++j) solver.warm[j] = warm[j];
-  solver.effort = qp::begin_effort(problem);
+  solver.spent = qp::begin_operations(problem);
   solver.usable = qp::factor_hessian(problem, solver);
   qp::forget_lengths(problem, solver);
   qp::prepare_points(problem, solver);
@@ -219,13 +219,20 @@ void qp_abandon(QpSolver& solver, const QpProblem& problem, QpSolution& solution
 
 namespace {
 
-Status advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) {
+/// Spends what was done since the last iteration.
+void settle_work(QpSolver& solver, Work& work) {
+  work.spend(solver.spent);
+  solver.spent = 0;
+}
+
+Status advance(QpSolver& solver, const QpProblem& problem, int most, Work& work, QpSolution& solution) {
   if (!solver.usable) return refuse(solver, solution);
-  for (int unit = 0; unit <= kMaxQpIterations; ++unit) {
+  for (int iteration = 0; iteration <= kMaxQpIterations; ++iteration) {
     settle(problem, solver, solution);
+    settle_work(solver, work);
     if (solver.phase == QpPhase::kDone) return solver.status;
     if (is_full(solver.iterations == kMaxQpIterations)) break;
-    if (!work.take()) return Status::kRunning;
+    if (iteration == most || !work.left()) return Status::kRunning;
     iterate(problem, solver, solution);
   }
   give_up(problem, solver, Status::kIterationLimit, solution);
@@ -234,10 +241,9 @@ Status advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolutio
 
 }  // namespace
 
-Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept {
-  const Status status = advance(solver, problem, work, solution);
-  work.effort += solver.effort;
-  solver.effort = 0;
+Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution, int most) noexcept {
+  const Status status = advance(solver, problem, most, work, solution);
+  settle_work(solver, work);
   return status;
 }
 

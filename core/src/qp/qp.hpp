@@ -86,7 +86,7 @@ struct QpSolution {
   double stationarity;                ///< max |Hx + f + A'y| over the largest of |Hx|, |f|, |A'y|, each over sqrt(H_ii)
   double violation;                   ///< max of 0 and a'x - b over all rows, in the rows' unit over |normal| (metres)
   double complementarity;  ///< max |y_i (a_i'x - b_i)| over the largest of f'H^-1 f, |x'Hx|, |f'x|, |y_i b_i|
-  int iterations;          ///< units of work: warm rows tried, rows entered, rows dropped
+  int iterations;          ///< warm rows tried, rows entered, rows dropped
   /// kInfeasible: multipliers y >= 0 of `active` with |A'y| ~ 0 and b'y < 0 (Farkas), scaled to max y = 1.
   double farkas_residual;  ///< max |A'y| over the largest |y_i a_i|, each over sqrt(H_ii)
   double farkas_gap;       ///< -b'y > 0
@@ -100,10 +100,11 @@ struct QpSolver;
 /// solver checks the numbers.
 void qp_begin(QpSolver& solver, const QpProblem& problem, const QpRow* warm, int warm_count) noexcept;
 
-/// Runs up to work.left iterations (one unit each). Returns kRunning until the end, then kOk, kInfeasible (proven),
-/// kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x is not feasible,
-/// because the method is dual. work.effort includes what qp_begin took.
-Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution) noexcept;
+/// Runs iterations, at most `most`; a piece of work is one of them. Returns kRunning until the end, then kOk,
+/// kInfeasible (proven), kIterationLimit, kWorkingSetFull or kNumerical. Fills `solution` at the end. Unless kOk, its x
+/// is not feasible, because the method is dual. The first call also spends what qp_begin took.
+Status qp_advance(QpSolver& solver, const QpProblem& problem, Work& work, QpSolution& solution,
+                  int most = kMaxQpIterations) noexcept;
 
 /// A lower bound during a solve: apart from rounding, no feasible x has an objective below it. It rises from step to
 /// step, without limit if the problem is infeasible. -kQpNoBound while a warm start is being built, and after the solve

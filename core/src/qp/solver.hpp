@@ -113,9 +113,9 @@ struct QpSolver {
   int warm_next;
   int iterations;
   int scans;
-  int batches;           ///< counted by the last scan
-  std::uint32_t effort;  ///< instructions since qp_advance last answered, see Work
-  int stalled;           ///< full steps in a row that raised the dual objective by no more than rounding
+  int batches;       ///< counted by the last scan
+  Operations spent;  ///< since the last iteration
+  int stalled;       ///< full steps in a row that raised the dual objective by no more than rounding
   int refinements;
   bool inverse_known;
   bool cautious;       ///< started over after a stall

@@ -50,10 +50,10 @@ constexpr std::size_t kLimitFields = 18;
 
 template <typename Words, typename AnyRequest>
 void list_settings(Words& words, AnyRequest& request) {
-  words(request.budget.expansions);
-  words(request.budget.sight_lines);
-  words(request.budget.planes);
-  words(request.budget.iterations);
+  words(request.budget.search);
+  words(request.budget.shortcut);
+  words(request.budget.corridor);
+  words(request.budget.trajectory);
   words(request.search);
   words(request.goal_mode);
   words(request.time_weight);

@@ -10,16 +10,11 @@
 namespace tern {
 namespace {
 
-/// Instructions of: a node that is reached; a scan along a line; a step of a sweep.
-constexpr std::uint32_t kReachEffort = 250;
-constexpr std::uint32_t kScanEffort = 300;
-constexpr std::uint32_t kSweepEffort = 200;
-
 /// Records a path of cost g that arrives at `voxel` by the move `arrival`; h is the voxel's heuristic. A better path
 /// replaces the known one. An equally good path adds its arrival. A worse path changes nothing.
 void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arrival) {
   Search& search = from.search;
-  search.effort += kReachEffort;
+  from.work.spend(ops::kNode);
   const std::uint32_t index = store_find_or_add(search.store, voxel);
   if (is_full(index == static_cast<std::uint32_t>(kMaxNodes))) {
     search.nodes_full = true;
@@ -43,9 +38,8 @@ void relax(const Expansion& from, const Voxel& voxel, Cost g, Cost h, int arriva
 template <int kAxis, bool kUp>
 void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   Search& search = from.search;
-  const std::uint32_t before = search.map->along[kAxis].effort;
-  const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor);
-  search.effort += kScanEffort + (search.map->along[kAxis].effort - before);
+  from.work.spend(ops::kNode);
+  const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor, from.work);
   if (stop == scan::kNowhere) return;
   Voxel found = cursor;
   axis(found, kAxis) = stop;
@@ -91,7 +85,7 @@ void sweep_plane(const Expansion& from, Voxel cursor, Cost g, int move) {
   for (int k = 1; k <= steps && walk.step(); ++k) {
     cursor = cursor + step;
     g += kPlaneDiagonalCost;
-    from.search.effort += kSweepEffort;
+    from.work.spend(ops::kNode);
     if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (walk.forced() || stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);
@@ -123,7 +117,7 @@ void sweep_space(const Expansion& from, int move, CellMask free) {
   for (int k = 1; legal_move(move, free); ++k) {
     cursor = cursor + step;
     g += kSpaceDiagonalCost;
-    from.search.effort += kSweepEffort;
+    from.work.spend(ops::kNode);
     if (dominated_else_record(from.search.dominance, from.grid, cursor, g)) return;
     const Cost h = octile(cursor, from.search.goal);
     if (stops_at(from, g, h, k)) return relax(from, cursor, g, h, move);

@@ -15,6 +15,7 @@ namespace tern {
 struct Expansion {
   Search& search;
   const Grid& grid;
+  Work& work;
   std::uint32_t node;
   Voxel at;
   Cost g;

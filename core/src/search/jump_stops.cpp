@@ -167,7 +167,6 @@ void transpose(std::uint64_t (&tile)[kSide]) {
 void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) noexcept {
   const Voxel& dims = grid.spec().dims;
   const std::int32_t thirds = axis_along == 2 ? dims.y : dims.z;
-  layer.effort = 0;
   layer.words = (axis(dims, axis_along) + kSide - 1) / kSide;
   layer.width = axis_along == 0 ? dims.y : dims.x;
   layer.blocks = (dims.x + kSide - 1) / kSide;

@@ -3,17 +3,13 @@
 #include "search/search.hpp"
 
 #include "base/capacity.hpp"
+#include "grid/bit_rows.hpp"
 #include "search/jump.hpp"
 #include "search/neighbourhood.hpp"
 #include "search/prune.hpp"
 
 namespace tern {
 namespace {
-
-/// Preparing the data that jumps read takes one instruction for every kVoxelsPerInstruction voxels of the grid, and
-/// kKnownEffort for each voxel that steps have reached.
-constexpr std::int64_t kVoxelsPerInstruction = 60;
-constexpr std::uint32_t kKnownEffort = 60;
 
 /// While the search makes progress, it goes on step by step, for up to this many times its least number of steps.
 constexpr std::uint32_t kMostSteps = 4;
@@ -29,11 +25,9 @@ bool steps_pay(const Search& search) {
 }
 
 /// Clears the data that jumps read, and enters the voxels that steps have reached.
-void begin_jumps(Search& search, const Grid& grid) {
-  const Voxel& dims = grid.spec().dims;
+void begin_jumps(Search& search, const Grid& grid, Work& work) {
   search.jumps = true;
-  search.effort += static_cast<std::uint32_t>(std::int64_t{dims.x} * dims.y * dims.z / kVoxelsPerInstruction);
-  search.effort += kKnownEffort * search.store.count;
+  work.spend(static_cast<Operations>(GridView::layer_words(grid)) + ops::kRow * search.store.count);
   scan_begin(*search.map, grid);
   dominance_reset(search.dominance, grid);
   for (std::uint32_t k = 0; k < search.store.count; ++k) {
@@ -91,10 +85,10 @@ void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& s
   open_put(search.open, search.store, node, open_key(0, search.least_h, search.store.nodes[node].voxel));
 }
 
-Status search_expand(Search& search, const Grid& grid) noexcept {
+Status search_expand(Search& search, const Grid& grid, Work& work) noexcept {
   if (is_full(search.units == kExpansionBound)) return Status::kNodesFull;
   ++search.units;
-  search.effort = 0;
+  work.spend(6 * ops::kNode);
   if (!open_ready(search.open, search.store, search.goal)) return end_or_running(search);
   Cost f = 0;
   const std::uint32_t index = open_take(search.open, search.store, f);
@@ -104,13 +98,13 @@ Status search_expand(Search& search, const Grid& grid) noexcept {
   const Voxel at = node.at();
   if (same(at, search.goal)) return Status::kOk;
   if (f - node.g < search.least_h) search.least_h = f - node.g;
-  if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid);
+  if (!search.jumps && !steps_pay(search)) begin_jumps(search, grid, work);
   if (search.jumps) ++search.jumped;
   if (search.jumps && dominated_else_record(search.dominance, grid, at, node.g)) return end_or_running(search);
   const CellMask free = free_cells(grid, at);
   const CellMask moves = moves_to_follow(node, free);
   node.followed |= moves;
-  const Expansion expansion{search, grid, index, at, node.g, f + sweep_slack(search)};
+  const Expansion expansion{search, grid, work, index, at, node.g, f + sweep_slack(search)};
   for (CellMask left = moves; left != 0; left &= left - 1) {
     const int move = __builtin_ctz(left);
     if (search.jumps) {

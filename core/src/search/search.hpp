@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "base/direction.hpp"
+#include "base/work.hpp"
 #include "search/dominance.hpp"
 #include "search/node_store.hpp"
 #include "search/open_list.hpp"
@@ -19,10 +20,10 @@
 
 namespace tern {
 
-/// Bound on the units of one search. Expansions alone stay below it. The heuristic is consistent, so the cost of a node
-/// is final when the node is first expanded. It is expanded again only after an arrival by another of the 26 moves.
-/// Outdated entries of the open list and the sorting of bins take units too, and have no such bound: a node may be
-/// improved many times before it is expanded. So search_expand counts its units, and gives up at the bound.
+/// Bound on the pieces of work of one search. Expansions alone stay below it. The heuristic is consistent, so the cost
+/// of a node is final when the node is first expanded. It is expanded again only after an arrival by another of the 26
+/// moves. Outdated entries of the open list and the sorting of bins are pieces too, and have no such bound: a node may
+/// be improved many times before it is expanded. So search_expand counts its pieces, and gives up at the bound.
 constexpr std::uint32_t kExpansionBound =
     static_cast<std::uint32_t>(kDirections) * static_cast<std::uint32_t>(kMaxNodes);
 
@@ -41,8 +42,7 @@ struct Search {
   std::uint32_t steps;     ///< least number of expansions that go step by step
   std::uint32_t expanded;  ///< nodes expanded so far
   std::uint32_t jumped;    ///< expanded nodes that jumped
-  std::uint32_t units;     ///< units of work so far; <= kExpansionBound
-  std::uint32_t effort;    ///< instructions of the last unit's jumps, see Work
+  std::uint32_t units;     ///< pieces of work so far; <= kExpansionBound
   Cost least_h;            ///< least h of the nodes expanded so far
   NodeStore store;
   OpenList open;
@@ -57,10 +57,10 @@ struct Search {
 void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
-/// Does one unit of the search: expands a node, skips an outdated entry of the open list, or sorts a part of the list.
-/// kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull. Also kNodesFull after kExpansionBound units: a larger
+/// Does one piece of the search: expands a node, skips an outdated entry of the open list, or sorts a part of the list.
+/// kRunning, or the end: kOk, kNoPath, kNodesFull, kOpenFull. Also kNodesFull after kExpansionBound pieces: a larger
 /// store has a larger bound. Must not be called after the end.
-Status search_expand(Search& search, const Grid& grid) noexcept;
+Status search_expand(Search& search, const Grid& grid, Work& work) noexcept;
 
 /// Appends the turning points of the path found, start and goal voxel included, as voxel centres to path.raw, and sets
 /// path.grid_length. Leaves room for `reserve` more points: kOk or kJumpPointsFull. Once, after kOk.

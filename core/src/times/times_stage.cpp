@@ -9,10 +9,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a segment, and of a piece of the earlier plan that is examined for it.
-constexpr std::uint32_t kSegmentEffort = 1500;
-constexpr std::uint32_t kPieceEffort = 700;
-
 /// Ratio of the first durations to those of the trapezoid. A curve of degree 7 needs a higher peak for the same way,
 /// and durations that are too short to be feasible cost more than durations that are too long.
 constexpr double kFirstSlack = 1.5;
@@ -220,7 +216,7 @@ double paced_time(TimesStage& stage, const Chain& chain, const Corridor& corrido
   const bool begins_beside = stage.beside;
   int pieces = 0;
   stage.beside = pace_to(stage.pace, next_joint(stage, chain, corridor, i), stage.walk, pieces) < kBeside;
-  work.effort += effort_of(kPieceEffort, pieces);
+  work.spend(ops::kCurve * pieces);
   if (!begins_beside || !stage.beside) return own;
   stage.paced = true;
   return larger(kMinDuration, clamp(kPaceSlack * (stage.walk.time - begin), kLeastPaced * own, own));
@@ -251,8 +247,8 @@ void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& 
 
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept {
   for (; stage.timed < chain.count; ++stage.timed) {
-    if (!work.take()) return Progress::kMore;
-    work.effort += kSegmentEffort;
+    if (!work.left()) return Progress::kMore;
+    work.spend(ops::kCurve + ops::kPiece);
     chain.duration[stage.timed] = paced_time(stage, chain, corridor, stage.timed, work);
   }
   return Progress::kDone;

@@ -19,7 +19,7 @@ namespace tern {
 /// The most segments that one polyhedron is split into.
 constexpr int kMaxSplit = 5;
 
-/// The most units of one run of the stage. A unit is one segment.
+/// The most segments of one run of the stage.
 constexpr std::uint32_t kTimesBound = static_cast<std::uint32_t>(kMaxSegments);
 
 /// Same frame as the corridor.
@@ -54,8 +54,8 @@ struct TimesStage {
 void times_begin(TimesStage& stage, const Corridor& corridor, const TimesQuery& query, Chain& chain) noexcept;
 
 /// If there is an earlier plan, a segment between two joints that it passes nearby gets the time that the plan takes
-/// from one to the other, within bounds (docs/times.md). One unit is one segment. kDone with all durations set; this
-/// stage cannot fail.
+/// from one to the other, within bounds (docs/times.md). A piece of work is one segment. kDone with all durations set;
+/// this stage cannot fail.
 Progress times_advance(TimesStage& stage, const Corridor& corridor, Work& work, Chain& chain) noexcept;
 
 }  // namespace tern

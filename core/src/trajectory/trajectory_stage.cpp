@@ -7,7 +7,7 @@
 #include "curve/rest.hpp"
 #include "times/time_unit.hpp"
 #include "trajectory/chain_ends.hpp"
-#include "trajectory/effort.hpp"
+#include "trajectory/operations.hpp"
 #include "trajectory/stop_and_go.hpp"
 #include "trajectory/time_prices.hpp"
 
@@ -21,7 +21,7 @@ constexpr int kPasses = 3 * kMaxQpSolves + 4;
 constexpr double kShortestPart = 1.0 / 16.0;
 
 /// The lower bound of a programme is examined each time after this many iterations.
-constexpr std::uint32_t kBoundStride = 4;
+constexpr int kBoundStride = 4;
 
 bool rests(const TrajectoryQuery& query) {
   return at_rest(query.start) && at_rest(query.goal);
@@ -68,11 +68,11 @@ void propose(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
     stage.phase = TrajectoryPhase::kFinish;
     return;
   }
-  work.effort += effort_of(kEndEffort, fit_ends(corridor, stage.query.limits, stage.chain));
+  work.spend(kEndOperations * fit_ends(corridor, stage.query.limits, stage.chain));
   if (stage.chain.via_joint_count > 0) even_out(stage.chain);
   assemble(stage.chain, corridor, stage.query.limits, stage.problem, stage.scale);
   stage.fixed_snap = fixed_snap(stage);
-  work.effort += assembly_effort(stage.chain, stage.problem);
+  work.spend(assembly_operations(stage.chain, stage.problem));
   qp_begin(stage.solver, stage.problem, stage.warm, stage.warm_count);
   stage.solve_begin = stage.iterations;
   ++stage.solves;
@@ -90,36 +90,28 @@ bool hopeless(const TrajectoryStage& stage) {
   return !improves(stage.refinement, offer);
 }
 
-void note_iterations(TrajectoryStage& stage, std::uint32_t used) {
-  stage.iterations += used;
+void note_iterations(TrajectoryStage& stage, int used) {
+  stage.iterations += static_cast<std::uint32_t>(used);
   stage.longest_solve = most(stage.longest_solve, static_cast<int>(stage.iterations - stage.solve_begin));
 }
 
 /// Runs the solver, at most until its bound is examined next. kRunning if the solver can go on; kIterationLimit if the
 /// programme is hopeless.
 Status solve_on(TrajectoryStage& stage, Work& work) {
-  const std::uint32_t stride = kBoundStride - (stage.iterations - stage.solve_begin) % kBoundStride;
-  const std::uint32_t allowed = stage.query.max_iterations - stage.iterations;
-  const std::uint32_t slice = least(least(work.left, allowed), stride);
-  Work inner{slice};
-  const Status status = qp_advance(stage.solver, stage.problem, inner, stage.solution);
-  work.left -= slice - inner.left;
-  work.effort += inner.effort;
-  note_iterations(stage, slice - inner.left);
-  if (status != Status::kRunning || slice < stride || !hopeless(stage)) return status;
+  const int before = stage.solver.iterations;
+  const int stride = kBoundStride - before % kBoundStride;
+  const Status status = qp_advance(stage.solver, stage.problem, work, stage.solution, stride);
+  const int used = stage.solver.iterations - before;
+  note_iterations(stage, used);
+  if (status != Status::kRunning || used < stride || !hopeless(stage)) return status;
   return Status::kIterationLimit;
 }
 
-/// Runs the solver within the slice and the plan's budget. False if the slice is used up.
+/// Runs the solver within the slice. False if the slice is used up.
 bool solve(TrajectoryStage& stage, Work& work) {
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
-    if (is_full(stage.iterations == stage.query.max_iterations)) {
-      stage.optimiser = Status::kBudgetOptimise;
-      stage.phase = TrajectoryPhase::kFinish;
-      return true;
-    }
-    if (work.left == 0) return false;
+    if (!work.left()) return false;
     status = solve_on(stage, work);
   }
   stage.solve_status = status;
@@ -140,7 +132,7 @@ void keep_best(TrajectoryStage& stage) {
 /// Makes the solution's plan the best one if it improves on that and passes all tests. A solution whose plan fails a
 /// test counts as none.
 void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
-  work.effort += points_effort(stage.chain);
+  work.spend(points_operations(stage.chain));
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   stage.warm_count = stage.solution.active_count;
   for (int i = 0; i < stage.warm_count; ++i) stage.warm[i] = stage.solution.active[i];
@@ -153,7 +145,7 @@ void accept(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   if (!via_joints) stage.solve_status = Status::kNumerical;
   round.better = better && via_joints;
   if (!round.better) return;
-  work.effort += prices_effort(stage.chain, stage.solution);
+  work.spend(prices_operations(stage.chain, stage.solution));
   keep_best(stage);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
@@ -168,7 +160,7 @@ Question question_of(const TrajectoryStage& stage, const Corridor& corridor) {
 void follow_fallback(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
   const TrajectoryQuery& query = stage.query;
   if (stage.best.found || stage.has_fallback || hurries(stage.chain)) return;
-  work.effort += rest_effort(corridor.count, rests(query));
+  work.spend(rest_operations(corridor.count, rests(query)));
   if (stop_and_go(corridor, query.start, query.goal, query.limits, stage.fallback) != Status::kOk) return;
   stage.has_fallback = true;
   stage.warm_count = 0;
@@ -197,13 +189,13 @@ void weigh_bound(TrajectoryStage& stage, Work& work) {
   if (!round.bounded) return;
   round.offer.snap = stage.scale.snap_per_cost * bound + stage.fixed_snap;
   qp_abandon(stage.solver, stage.problem, stage.solution);
-  work.effort += stage.solver.effort + points_effort(stage.chain) + prices_effort(stage.chain, stage.solution);
+  work.spend(stage.solver.spent + points_operations(stage.chain) + prices_operations(stage.chain, stage.solution));
   read_points(stage.chain, stage.scale, stage.solution, stage.points);
   time_prices(stage.chain, stage.problem, stage.solution, stage.scale, stage.points, round.prices);
 }
 
 void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
-  work.effort += kJudgementEffort;
+  work.spend(judgement_operations(stage.chain));
   if (stage.solve_status == Status::kNumerical && give_up_tolerances(stage)) {
     stage.phase = TrajectoryPhase::kPropose;
     return;
@@ -221,7 +213,7 @@ void judge(TrajectoryStage& stage, const Corridor& corridor, Work& work) {
 /// Falls back to stop-and-go, if there is no better plan.
 Progress fall_back(TrajectoryStage& stage, const Corridor& corridor, Trajectory& out, Work& work) {
   const TrajectoryQuery& query = stage.query;
-  work.effort += rest_effort(corridor.count, rests(query));
+  work.spend(rest_operations(corridor.count, rests(query)));
   const Status status =
       hurries(stage.chain) ? Status::kNoTrajectory : stop_and_go(corridor, query.start, query.goal, query.limits, out);
   stage.quality = status == Status::kOk ? Quality::kStopAndGo : Quality::kNone;
@@ -264,26 +256,28 @@ void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const Tr
   stage.phase = TrajectoryPhase::kFinish;
   stage.chain = chain;
   if (stays(corridor) && is_elastic(stage)) return;
-  if (is_full(query.max_iterations == 0)) {
-    stage.optimiser = Status::kBudgetOptimise;
-    return;
-  }
+  if (query.stop_and_go) return;
   refinement_begin(stage.refinement, stage.chain, question_of(stage, corridor));
   stage.phase = TrajectoryPhase::kPropose;
+}
+
+void trajectory_stop(TrajectoryStage& stage) noexcept {
+  stage.optimiser = Status::kBudgetOptimise;
+  stage.phase = TrajectoryPhase::kFinish;
 }
 
 Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept {
   for (int pass = 0; pass < kPasses && stage.phase != TrajectoryPhase::kFinish; ++pass) {
     switch (stage.phase) {
       case TrajectoryPhase::kPropose:
-        if (!work.take()) return Progress::kMore;
+        if (!work.left()) return Progress::kMore;
         propose(stage, corridor, work);
         break;
       case TrajectoryPhase::kSolve:
         if (!solve(stage, work)) return Progress::kMore;
         break;
       case TrajectoryPhase::kJudge:
-        if (!work.take()) return Progress::kMore;
+        if (!work.left()) return Progress::kMore;
         judge(stage, corridor, work);
         break;
       case TrajectoryPhase::kFinish:

@@ -31,12 +31,12 @@ struct TrajectoryQuery {
   State start;
   State goal;
   MotionLimits limits;
-  double time_weight;            ///< > 0; see Request::time_weight
-  std::uint32_t max_iterations;  ///< of all quadratic programmes together; 0: stop-and-go at once
-  bool paced = false;            ///< the chain has its durations from an earlier plan (times/pace.hpp)
+  double time_weight;        ///< > 0; see Request::time_weight
+  bool stop_and_go = false;  ///< no programme, but stop-and-go at once
+  bool paced = false;        ///< the chain has its durations from an earlier plan (times/pace.hpp)
 };
 
-/// Iterations that a plan may take, whatever its input.
+/// The most iterations of one run of the stage.
 constexpr std::uint32_t kTrajectoryBound =
     static_cast<std::uint32_t>(kMaxQpSolves) * static_cast<std::uint32_t>(kMaxQpIterations);
 
@@ -80,10 +80,14 @@ struct TrajectoryStage {
 void trajectory_begin(TrajectoryStage& stage, const Corridor& corridor, const TrajectoryQuery& query,
                       const Chain& chain) noexcept;
 
-/// Spends up to work.left units: an iteration of a quadratic programme, its assembly, or its judgement. kDone
-/// with count and segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory or kSegmentsFull with
-/// `out` untouched, only from a moving start, to a moving goal or past a via with a velocity. Segments name their
-/// polyhedron; there may be more segments than polyhedra.
+/// Ends the search for a better plan, because the budget is spent: trajectory_advance() then answers with the best plan
+/// so far, or with stop-and-go. `optimiser` is kBudgetOptimise.
+void trajectory_stop(TrajectoryStage& stage) noexcept;
+
+/// A piece of work is an iteration of a quadratic programme, its assembly, or its judgement. kDone with count and
+/// segments of `out` filled (the origin is the caller's). kFailed: kNoTrajectory or kSegmentsFull with `out` untouched,
+/// only from a moving start, to a moving goal or past a via with a velocity. Segments name their polyhedron; there may
+/// be more segments than polyhedra.
 Progress trajectory_advance(TrajectoryStage& stage, const Corridor& corridor, Work& work, Trajectory& out) noexcept;
 
 }  // namespace tern

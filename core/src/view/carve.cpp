@@ -9,14 +9,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of: choosing among eight cubes; choosing among eight voxels; deciding the chosen ones.
-constexpr std::uint32_t kChooseEffort = 750;
-constexpr std::uint32_t kLeastEffort = 300;
-constexpr std::uint32_t kDecideEffort = 850;
-/// Additional instructions of choosing, and of deciding, in the view of a scan.
-constexpr std::uint32_t kChooseAroundEffort = 250;
-constexpr std::uint32_t kDecideAroundEffort = 1500;
-
 /// A cube of voxels in a block; (x, y, z) is its lowest voxel within the block.
 struct Cube {
   std::int32_t x, y, z;
@@ -66,13 +58,13 @@ bool clear(const View& view, const Footprints& feet, int k) {
   return view.reach > 0.0 && pyramid.least_closely(box) >= feet.far[k / 4][k % 4];
 }
 
-/// Carves cubes of a block, and counts what that takes.
+/// Carves cubes of a block.
 struct Carver {
   const View& view;
   const Projector& projector;
   const BlockWords& wanted;
   BlockWords& free;
-  std::uint32_t effort;
+  Work& work;
 
   /// Of eight cubes, marks those that may have a wanted voxel that the view sees whole.
   template <std::int32_t kSize>
@@ -93,9 +85,9 @@ struct Carver {
   CubeBits decide(const Centers& centers, const Cube* cubes) {
     bool chosen[8];
     const bool around = view.reach > 0.0;
-    effort += kSize > 1 ? kChooseEffort + (around ? kChooseAroundEffort : 0) : kLeastEffort;
+    work.spend(choose_operations(kSize, around));
     if (!choose<kSize>(centers, cubes, chosen)) return 0;
-    effort += kDecideEffort + (around ? kDecideAroundEffort : 0);
+    work.spend(decide_operations(around));
     const Footprints feet = projector.footprints(centers, kSize);
     unsigned left = 0;
     for (int k = 0; k < 8; ++k) {
@@ -128,18 +120,17 @@ struct Carver {
 
 }  // namespace
 
-std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
-                    BlockWords& free, const CarvePart& part, CubeBits& left) noexcept {
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted, BlockWords& free,
+           const CarvePart& part, CubeBits& left, Work& work) noexcept {
   const Vec3 center = view.at(first.x + 32.0, first.y + 0.5 * kBlock, first.z + 0.5 * kBlock);
   const Centers centers =
       projector.row({static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(center.z)}, kBlock);
   Cube cubes[8];
   for (int k = 0; k < 8; ++k) cubes[k] = {kBlock * k, 0, 0};
-  Carver carver{view, projector, wanted, free, 0};
+  Carver carver{view, projector, wanted, free, work};
   if (part.begins) left = carver.decide<kBlock>(centers, cubes);
   carver.divide<kBlock>(centers, cubes, left & part.cubes);
   left = static_cast<CubeBits>(left & ~part.cubes);
-  return carver.effort;
 }
 
 }  // namespace tern

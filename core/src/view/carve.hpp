@@ -6,12 +6,29 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "view/projector.hpp"
 
 namespace tern {
 
 /// Rows and planes of a block. Along x, a block is one word long.
 constexpr std::int32_t kBlock = 8;
+
+/// Of choosing among eight cubes: their words, and unless they are voxels, a look at the pyramid for each; in the view
+/// of a scan, a wider one.
+constexpr Operations choose_operations(std::int32_t size, bool around) noexcept {
+  return 8 * (4 * ops::kWord + (size > 1 ? 3 * ops::kDot + (around ? 2 * ops::kDot : 0) : 0));
+}
+/// Of deciding eight cubes: their outlines and the pixels that cover them; in the view of a scan, more of both.
+constexpr Operations decide_operations(bool around) noexcept {
+  return 8 * (around ? 15 : 5) * ops::kDot;
+}
+/// The most of a whole block: cubes of 8, 4 and 2 voxels, and all voxels.
+constexpr Operations carve_operations(bool around) noexcept {
+  constexpr Operations kCubes = 1 + 8 + 64;
+  return kCubes * (choose_operations(2, around) + decide_operations(around)) +
+         8 * 64 * (choose_operations(1, around) + decide_operations(around));
+}
 
 /// A word for each row of a block: [plane][row].
 struct BlockWords {
@@ -30,9 +47,10 @@ struct CarvePart {
 
 /// Adds to `free` all wanted voxels that the view sees whole; it may add others that the view sees whole. `first` is
 /// the block's lowest voxel. Begins with cubes of 8 x 8 x 8 voxels and divides only those that cannot be decided as a
-/// whole. `left` becomes the cubes that another call must divide. Returns its cost, in instructions (see Work).
-std::uint32_t carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted,
-                    BlockWords& free, const CarvePart& part, CubeBits& left) noexcept;
+/// whole. `left` becomes the cubes that another call must divide. A piece of
+/// work.
+void carve(const View& view, const Projector& projector, const Voxel& first, const BlockWords& wanted, BlockWords& free,
+           const CarvePart& part, CubeBits& left, Work& work) noexcept;
 
 }  // namespace tern
 

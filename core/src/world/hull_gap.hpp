@@ -6,6 +6,7 @@
 #ifndef TERN_WORLD_HULL_GAP_HPP
 #define TERN_WORLD_HULL_GAP_HPP
 
+#include "base/work.hpp"
 #include "tern/halfspace.hpp"
 #include "tern/vec3.hpp"
 
@@ -33,6 +34,9 @@ double hull_reach(const Vec3& normal, const Hull& hull) noexcept;
 
 /// The widest gap, to within rounding. Computes at most kGapSteps supports of either hull.
 HullGap hull_gap(const Hull& first, const Hull& second) noexcept;
+/// Of a gap between hulls of eight points, in ten steps: each finds the extreme points of both, and tries all faces of
+/// a simplex.
+constexpr Operations kGapOperations = 10 * (2 * 8 + 24) * ops::kDot;
 constexpr int kGapSteps = 48;
 
 /// The widest gap between a segment and a hull; equal ends are a point.

@@ -14,14 +14,6 @@
 namespace tern {
 namespace {
 
-/// Instructions of a plane of voxels, of cutting a row of it short, and of a normal.
-constexpr std::uint32_t kPlaneEffort = 300;
-constexpr std::uint32_t kCutEffort = 70;
-constexpr std::uint32_t kNormalEffort = 250;
-/// Instructions of making a plane of voxels anew, besides its patch: of the stencil, and of a row.
-constexpr std::uint32_t kStencilEffort = 8000;
-constexpr std::uint32_t kRowEffort = 40;
-
 /// Blocks the voxels of a row that are in the range. An empty range blocks none.
 void block_run(SolidLayer& layer, const Grid& view, std::int32_t y, std::int32_t z, const IndexRange& run) {
   if (run.end <= run.begin) return;
@@ -98,20 +90,28 @@ IndexRange rows_near(const SolidLayer& layer, const Grid& view, int a) {
 }
 
 /// Makes plane z of the blocked layer from the obstacles, within the view's boundary.
-std::uint32_t make_plane(SolidLayer& layer, const Grid& view, std::int32_t z) {
+void make_plane(SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) {
   const Stencil stencil(view.spec());
   const PatchMaker maker(view, stencil, layer.words);
   const Voxel& dims = view.spec().dims;
   for (std::int32_t y = 0; y < dims.y; ++y) block_run(layer, view, y, z, {0, dims.x});
-  const std::uint32_t effort = kStencilEffort + effort_of(kRowEffort, dims.y);
-  if (!contains(maker.planes_inside(), z)) return effort;
+  work.spend(kStencilOperations + ops::kRow * dims.y);
+  if (!contains(maker.planes_inside(), z)) return;
   const IndexRange x = inside_boundary(view, 0);
   const Patch patch{z, maker.rows_inside(), {x.begin >> 6, words_for(x.end)}};
-  maker.make(patch);
-  return effort + maker.make_effort(patch);
+  maker.make(patch, work);
 }
 
 }  // namespace
+
+/// Each row of the ball around a voxel is added to each word of the plane.
+Operations solid_plane_operations(const GridSpec& spec) noexcept {
+  const Stencil stencil(spec);
+  const Operations ball = (stencil.gap_z() + 1) * (2 * Operations{spec.dims.y} + 1);
+  const Operations words = Operations{spec.dims.y} * words_for(spec.dims.x);
+  const Operations rounds = 3 + 2 * Operations{stencil.gap_x() + 1} * (stencil.gap_z() + 1);
+  return ops::kPiece + words * (ops::kWord * (3 + ball)) + (words / 64 + 1) * ops::kPiece * rounds;
+}
 
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
   const std::size_t words = GridView::layer_words(grid);
@@ -123,10 +123,11 @@ Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
   return Status::kOk;
 }
 
-std::uint32_t block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z) noexcept {
+void block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) noexcept {
   const Voxel& dims = view.spec().dims;
   const double cell = view.spec().cell;
-  const std::uint32_t made = layer.narrowed ? make_plane(layer, view, z) : 0;
+  work.spend(ops::kPiece + ops::kRow * dims.y * solids.wall_count);
+  if (layer.narrowed) make_plane(layer, view, z, work);
   for (std::int32_t y = 0; y < dims.y; ++y) {
     for (int p = 0; p < solids.wall_count; ++p) {
       const Halfspace& plane = solids.walls[p];
@@ -135,18 +136,18 @@ std::uint32_t block_outside(const Solids& solids, SolidLayer& layer, const Grid&
       block_run(layer, view, y, z, run);
     }
   }
-  return made + kPlaneEffort + effort_of(kCutEffort, dims.y * solids.wall_count);
 }
 
-std::uint32_t prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view) noexcept {
+void prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view, Work& work) noexcept {
   collect_normals(solid, view.spec().clearance(), layer);
   layer.planes = rows_near(layer, view, 2);
   layer.rows = rows_near(layer, view, 1);
-  return kPlaneEffort + effort_of(kNormalEffort, layer.clear_count);
+  work.spend(ops::kPiece + 12 * ops::kDot * layer.clear_count);
 }
 
-std::uint32_t block_solid(SolidLayer& layer, const Grid& view, std::int32_t z) noexcept {
-  if (!contains(layer.planes, z)) return kPlaneEffort;
+void block_solid(SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) noexcept {
+  work.spend(ops::kPiece);
+  if (!contains(layer.planes, z)) return;
   const double cell = view.spec().cell;
   int cuts = 0;
   for (std::int32_t y = layer.rows.begin; y < layer.rows.end; ++y) {
@@ -158,7 +159,7 @@ std::uint32_t block_solid(SolidLayer& layer, const Grid& view, std::int32_t z) n
     block_run(layer, view, y, z, run);
     cuts += k + 1;
   }
-  return kPlaneEffort + effort_of(kCutEffort, cuts);
+  work.spend(ops::kRow * cuts);
 }
 
 }  // namespace tern

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "base/work.hpp"
 #include "grid/lattice.hpp"
 #include "tern/grid.hpp"
 #include "tern/status.hpp"
@@ -32,16 +33,19 @@ struct SolidLayer {
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept;
 
 /// Blocks each voxel in plane z of the view whose closed cube is not inside all walls. In a view that was narrowed,
-/// first makes the plane anew within its boundary. Returns the instructions that it took (see Work).
-std::uint32_t block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z) noexcept;
+/// first makes the plane anew within its boundary. A piece of work.
+void block_outside(const Solids& solids, SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) noexcept;
 
 /// Blocks the voxels that the solid, grown by the radius, may reach: prepare_solid() once, then plane by plane. A voxel
 /// stays free if one plane cuts it off with the radius to spare. The normals of these planes are the coordinate axes,
 /// the normals of the faces, and the directions half way between two of these. The latter are needed because the grown
-/// solid is round at its edges. At a corner, a voxel too many may be blocked, but never one too few. Both functions
-/// return the instructions that they took.
-std::uint32_t prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view) noexcept;
-std::uint32_t block_solid(SolidLayer& layer, const Grid& view, std::int32_t z) noexcept;
+/// solid is round at its edges. At a corner, a voxel too many may be blocked, but never one too few. A plane is a piece
+/// of work.
+void prepare_solid(const ConvexSolid& solid, SolidLayer& layer, const Grid& view, Work& work) noexcept;
+void block_solid(SolidLayer& layer, const Grid& view, std::int32_t z, Work& work) noexcept;
+
+/// Of making a plane anew within a boundary, at most.
+Operations solid_plane_operations(const GridSpec& spec) noexcept;
 
 }  // namespace tern
 

@@ -7,12 +7,12 @@
 namespace tern {
 namespace {
 
-/// Blocks the voxels of plane z that the current step forbids. Returns the instructions that it took.
-std::uint32_t block_plane(WorldMemory& memory, std::int32_t z) {
-  if (memory.steps == 0) return block_outside(memory.solids, memory.layer, memory.view, z);
+/// Blocks the voxels of plane z that the current step forbids.
+void block_plane(WorldMemory& memory, std::int32_t z, Work& work) {
+  if (memory.steps == 0) return block_outside(memory.solids, memory.layer, memory.view, z, work);
   const ConvexSolid solid = solid_of(memory.solids, memory.solids.parts[memory.steps - 1]);
-  const std::uint32_t effort = z == 0 ? prepare_solid(solid, memory.layer, memory.view) : 0;
-  return effort + block_solid(memory.layer, memory.view, z);
+  if (z == 0) prepare_solid(solid, memory.layer, memory.view, work);
+  block_solid(memory.layer, memory.view, z, work);
 }
 
 }  // namespace
@@ -39,8 +39,8 @@ Progress world_advance(WorldMemory& memory, Work& work) noexcept {
   const std::int32_t planes = memory.view.spec().dims.z;
   for (; memory.steps <= memory.solids.solid_count; ++memory.steps) {
     for (; memory.plane < planes; ++memory.plane) {
-      if (!work.take()) return Progress::kMore;
-      work.effort += block_plane(memory, memory.plane);
+      if (!work.left()) return Progress::kMore;
+      block_plane(memory, memory.plane, work);
     }
     memory.plane = 0;
   }

@@ -15,9 +15,6 @@
 
 namespace tern {
 
-/// Most steps of world_advance.
-constexpr std::uint32_t kWorldBound = kMaxSolids + 1;
-
 /// Needs no initialisation before world_begin, and uses its larger part only for a request with solids.
 struct WorldMemory {
   const Grid* grid;  ///< the caller's
@@ -43,7 +40,7 @@ FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count)
 /// whole voxel. The grid must be inflated. kOk, or kFenceLayerFull.
 Status world_prepare(WorldMemory& memory) noexcept;
 
-/// After world_prepare: blocks what walls and solids take. A unit of work is one plane of voxels of a step.
+/// After world_prepare: blocks what walls and solids take. A piece of work is one plane of voxels of a step.
 Progress world_advance(WorldMemory& memory, Work& work) noexcept;
 
 }  // namespace tern

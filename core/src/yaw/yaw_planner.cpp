@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "base/work.hpp"
 #include "tern/yaw.hpp"
 #include "yaw/angle.hpp"
 #include "yaw/yaw_check.hpp"
@@ -10,10 +11,11 @@
 namespace tern {
 namespace {
 
-/// Instructions for a point of the spline, for an iteration, and for each piece in it.
-constexpr uint32_t kPointEffort = 2500;
-constexpr uint32_t kIterationEffort = 2000;
-constexpr uint32_t kPieceEffort = 1600;
+/// Of a point of the spline: a sample of the trajectory, its direction and its angle.
+constexpr Operations kPointOperations = 4 * ops::kCurve;
+/// Of a piece of the spline in an iteration: four passes over its two limits.
+constexpr Operations kPieceOperations = 4 * 2 * ops::kPiece;
+static_assert(kPointOperations <= 3 * kUnit && kPieceOperations <= 2 * kUnit, "kYawWorkBound counts with these");
 
 /// Pieces are this long, s, unless the plan then needs more than kMaxYawPieces.
 constexpr double kPiece = 0.1;
@@ -43,6 +45,7 @@ Status YawPlanner::begin(const Trajectory& trajectory, const YawRequest& request
   begin_lead();
   begin_spline();
   knot_ = 0;
+  slice_ = Work{};
   iterations_ = 0;
   phase_ = Phase::kWish;
   return Status::kRunning;
@@ -135,29 +138,33 @@ void YawPlanner::wish_next() noexcept {
   follower_ += clamp(turn, -most, most);
 }
 
-uint32_t YawPlanner::unit_effort() const noexcept {
-  const auto pieces = static_cast<uint32_t>(plan_.count);
-  const uint32_t iteration = kIterationEffort + kPieceEffort * pieces;
-  // The unit of the last point also begins the fit.
-  if (phase_ == Phase::kWish) return knot_ < plan_.count ? kPointEffort : kPointEffort + iteration;
-  return iteration;
+/// The next point of the spline. The last one also begins the fit.
+void YawPlanner::take_point(Work& work) noexcept {
+  work.spend(kPointOperations);
+  wish_next();
+  if (knot_++ < plan_.count) return;
+  work.spend(kPieceOperations * plan_.count);
+  Fit(*this).begin();
+  phase_ = Phase::kFit;
+}
+
+Status YawPlanner::step(Work& work) noexcept {
+  if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
+  while (phase_ != Phase::kDone) {
+    if (!work.left()) return Status::kRunning;
+    if (phase_ == Phase::kWish) {
+      take_point(work);
+      continue;
+    }
+    work.spend(kPieceOperations * plan_.count);
+    if (is_full(iterations_++ == kYawIterations) || !Fit(*this).iterate()) phase_ = Phase::kDone;
+  }
+  return Status::kOk;
 }
 
 Status YawPlanner::step(uint32_t work) noexcept {
-  if (phase_ == Phase::kIdle) return Status::kInvalidArgument;
-  Fit fit(*this);
-  for (uint32_t left = work; phase_ != Phase::kDone; --left) {
-    if (left == 0) return Status::kRunning;
-    if (phase_ == Phase::kWish) {
-      wish_next();
-      if (knot_++ < plan_.count) continue;
-      fit.begin();
-      phase_ = Phase::kFit;
-    } else if (is_full(iterations_++ == kYawIterations) || !fit.iterate()) {
-      phase_ = Phase::kDone;
-    }
-  }
-  return Status::kOk;
+  slice_.add(work);
+  return step(slice_);
 }
 
 Status YawPlanner::finish(YawPlan& plan) noexcept {

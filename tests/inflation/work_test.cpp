@@ -16,8 +16,8 @@ using tern::GridWords;
 using tern_test::OwnedGrid;
 using tern_test::whole_grid;
 
-/// Instructions of the piece with planes 8 to 11, each with 40 obstacles: in the same columns, or in others.
-double effort(bool same_columns) {
+/// Operations of the piece with planes 8 to 11, each with 40 obstacles: in the same columns, or in others.
+double operations(bool same_columns) {
   OwnedGrid owned(whole_grid({128, 64, 20}, 0.1, 0.5));
   for (int z = 0; z < 20; ++z) {
     tern_test::Random random(same_columns ? 61 : 61 + static_cast<std::uint64_t>(z));
@@ -26,11 +26,13 @@ double effort(bool same_columns) {
       owned.grid.mark_voxel({x, random.integer(0, 63), z});
     }
   }
-  return GridWords(owned.grid).inflate_piece(2);
+  tern::Work work;
+  GridWords(owned.grid).inflate_piece(2, work);
+  return static_cast<double>(-work.operations());
 }
 
-TEST(InflationEffort, PlanesLikeTheOneBelowAreCopied) {
-  EXPECT_LT(effort(true), 0.6 * effort(false));
+TEST(InflationWork, PlanesLikeTheOneBelowAreCopied) {
+  EXPECT_LT(operations(true), 0.6 * operations(false));
 }
 
 }  // namespace

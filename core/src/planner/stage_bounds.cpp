@@ -1,0 +1,153 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/stage_bounds.hpp"
+
+#include "corridor/corridor_stage.hpp"
+#include "corridor/hull_polyhedron.hpp"
+#include "grid/stencil.hpp"
+#include "path/reach_stage.hpp"
+#include "path/search_stage.hpp"
+#include "path/shortcut_stage.hpp"
+#include "planner/detour.hpp"
+#include "planner/end_stop.hpp"
+#include "planner/previous.hpp"
+#include "prove/check_stage.hpp"
+#include "qp/operations.hpp"
+#include "times/times_stage.hpp"
+#include "trajectory/operations.hpp"
+#include "trajectory/trajectory_stage.hpp"
+#include "world/solid_layer.hpp"
+
+namespace tern {
+namespace {
+
+Operations most(Operations a, Operations b) {
+  return a < b ? b : a;
+}
+
+Operations rows_of(const GridSpec& spec) {
+  return Operations{spec.dims.y} * spec.dims.z;
+}
+
+Operations row_words(const GridSpec& spec) {
+  return (spec.dims.x + 63) / 64;
+}
+
+/// Every row of the grid, and every word of each.
+Operations all_rows(const GridSpec& spec) {
+  return rows_of(spec) * (ops::kRow + ops::kWord * row_words(spec));
+}
+
+StageBound fences_bound(const GridSpec& spec) {
+  const Operations plane = 2 * ops::kPiece + kStencilOperations + 12 * ops::kDot * kMaxSolidNormals +
+                           (kMaxSolidNormals + 2) * ops::kRow * spec.dims.y + solid_plane_operations(spec);
+  return {std::uint64_t{kMaxFences + 1} * static_cast<std::uint64_t>(spec.dims.z), plane};
+}
+
+/// An expansion of the optimal search takes longest: each move sweeps, and scans from each step of each sweep. Each
+/// piece may also begin a search, and the last one writes the path.
+StageBound search_bound(const GridSpec& spec) {
+  const Operations scan = 2 * ops::kNode + row_words(spec) * kFillTileOperations;
+  const Operations plane = kSweepSteps * (2 * ops::kNode + 2 * scan);
+  const Operations space = kSweepSteps * (2 * ops::kNode + 3 * plane + 3 * scan);
+  const Operations ends = 2 * (2 * kSearchedOperations + ops::kTurn * kMaxJoins * kMaxJoins) + all_rows(spec);
+  const Operations path = ops::kNode * (kMaxJumpPoints + Operations{spec.dims.x} * rows_of(spec));
+  const Operations cells = Operations{spec.dims.x} * rows_of(spec) / kWordBits + ops::kRow * Operations{kMaxNodes};
+  return {std::uint64_t{kSearchBound} + kFinerHalvings * kJoinCells + kMaxDimension,
+          8 * space + 12 * plane + 6 * scan + ends + path + cells};
+}
+
+StageBound reach_bound(const GridSpec& spec) {
+  return {std::uint64_t{kReachBound} + 2 * kMaxDimension,
+          4 * ops::kPiece + kSearchedOperations + ops::kTurn * kMaxJoins * kMaxJoins + all_rows(spec)};
+}
+
+StageBound shortcut_bound(const GridSpec& spec) {
+  return {kShortcutBound, 8 * ops::kPiece + 2 * ops::kRow * (spec.dims.y + Operations{spec.dims.z})};
+}
+
+StageBound detour_bound(const GridSpec& spec) {
+  return {1, 2 * kBrakeShapes * ops::kCurve + Operations{kDetourLines} * (2 * ops::kPiece + 4 * all_rows(spec))};
+}
+
+/// The longest piece of extracting boxes or of fences, for a polyhedron around a leg or a hull.
+Operations room_piece(const GridSpec& spec) {
+  const Operations layer = ops::kPiece + 2 * ops::kWord * row_words(spec) * spec.dims.y +
+                           (ops::kRow + 8 * ops::kTurn * kMaxRowRuns) * spec.dims.y +
+                           16 * ops::kTurn * Operations{kMaxLocalBoxes};
+  const Operations fences = ops::kPiece * 8 + 8 * ops::kDot * kMaxFencePlanes + 4 * kGapOperations * kMaxFences;
+  const Operations contacts = 4 * kContactOperations + 2 * ops::kDot * Operations{kMaxLocalBoxes};
+  return most(most(layer, fences), contacts) + 32 * ops::kPiece * kMaxPlanes;
+}
+
+/// Of a polyhedron around a leg, the tangents take most pieces: a look for each box, for each half-space.
+StageBound corridor_bound(const GridSpec& spec) {
+  const std::uint64_t boxes = kMaxLocalBoxes;
+  const std::uint64_t tangents = boxes + std::uint64_t{kMaxPlanes} * (boxes + 2);
+  const std::uint64_t fit = 2 * (17 * boxes + 1) + boxes;
+  const std::uint64_t pieces = (1 + kImprovingRounds + kLeaveOuts) * tangents + fit + kMaxDimension + 4 * kMaxPlanes;
+  return {kCorridorTries * kBoxLevels * pieces, room_piece(spec)};
+}
+
+/// Of polyhedra around `hulls` hulls.
+StageBound hulls_bound(const GridSpec& spec, std::uint64_t hulls) {
+  return {hulls * (kMaxDimension + std::uint64_t{kMaxLocalBoxes} + kMaxFences + 2),
+          room_piece(spec) + kStopOperations + 4 * ops::kDot * kHullTests * kMaxPlanes + kGapOperations};
+}
+
+StageBound times_bound() {
+  return {kTimesBound, ops::kCurve * (2 + kMaxSegments) + ops::kPiece};
+}
+
+/// An iteration enters a row after pricing all points, drops one, and may measure the answer. Each also pays its share
+/// of the assembly and judgement of its programme.
+StageBound trajectory_bound() {
+  constexpr Operations kBand = ops::kMultiplyAdd * kQpAxes * (kQpBand + 1) * kQpMaxUnknowns;
+  constexpr Operations kBasis = ops::kPiece + ops::kElement * kQpMaxRank * Operations{kQpMaxDimension};
+  constexpr Operations kTriangle = (ops::kElement + ops::kTurn) * kQpMaxRank * (kQpMaxRank + 1);
+  constexpr Operations kRotations = 2 * ops::kElement * kQpMaxRank * Operations{kQpMaxDimension + kQpMaxRank};
+  constexpr Operations kPrice =
+      3 * kQpMaxBatches * (2 * ops::kPiece + kQpBatch * (qp::kPointOperations + ops::kElement * 3 * kMaxPlanes));
+  constexpr Operations kMeasure = 4 * kBand + 2 * qp::kRowOperations * (kQpMaxRank + 2);
+  constexpr Operations kIteration = 8 * kBasis + 4 * kTriangle + kRotations + 3 * (kPrice + kMeasure + 3 * kBand);
+  constexpr Operations kProgramme = 4 * kBand + 8 * ops::kDot * Operations{kQpMaxPoints} +
+                                    (3 * ops::kDot + ops::kPiece) * Operations{kQpMaxPlanes} +
+                                    40 * ops::kCurve * kMaxSegments + 400 * ops::kCurve;
+  constexpr Operations kJudgement = 2 * (16 * ops::kCurve * kMaxSegments + 2 * ops::kPiece * (kMaxActive + 1)) +
+                                    2 * ops::kCurve * (kMaxSegments + kBrakingsTried);
+  return {std::uint64_t{kTrajectoryBound} + 2 * kMaxQpSolves + 4, kIteration + kProgramme + kJudgement};
+}
+
+}  // namespace
+
+StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
+  switch (stage) {
+    case Stage::kFences:
+      return fences_bound(spec);
+    case Stage::kSearch:
+      return search_bound(spec);
+    case Stage::kShortcut:
+      return shortcut_bound(spec);
+    case Stage::kCorridor:
+      return corridor_bound(spec);
+    case Stage::kTimes:
+      return times_bound();
+    case Stage::kTrajectory:
+      return trajectory_bound();
+    case Stage::kCheck:
+      return {kCheckBound, check_piece_operations(spec)};
+    case Stage::kDetour:
+      return detour_bound(spec);
+    case Stage::kPrevious:
+      return hulls_bound(spec, 2 * 2 * kMaxSegments * (kTubeHalvings + 1));
+    case Stage::kEscape:
+      return hulls_bound(spec, (2 * kStoppingChoices + kArrivals) * 2 * kStopSegments * (kTubeHalvings + 1));
+    case Stage::kReach:
+      return reach_bound(spec);
+    case Stage::kRequest:
+      break;
+  }
+  return {0, 0};
+}
+
+}  // namespace tern
