@@ -1,8 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From the corridor to a trajectory: first durations, then the optimiser, or stop-and-go if the optimiser's plan was
-// refused.
+// From the path to a trajectory: the corridor, first durations, then the optimiser, or stop-and-go if the optimiser's
+// plan was refused.
 #ifndef TERN_PLANNER_CURVES_HPP
 #define TERN_PLANNER_CURVES_HPP
 
@@ -10,10 +10,12 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
+#include "corridor/corridor_stage.hpp"
 #include "planner/end_stop.hpp"
 #include "planner/problem.hpp"
 #include "planner/vias.hpp"
 #include "tern/corridor.hpp"
+#include "tern/path.hpp"
 #include "tern/report.hpp"
 #include "tern/status.hpp"
 #include "tern/trajectory.hpp"
@@ -23,6 +25,18 @@
 #include "trajectory/trajectory_stage.hpp"
 
 namespace tern {
+
+struct Rooms {
+  Status status;     ///< why there is no corridor; else kOk
+  std::int32_t via;  ///< the next via after the place where there was no room; kNoVia: the goal comes next
+  // Figures for the report.
+  std::int32_t planes_high;
+  std::int32_t local_boxes_high;
+};
+
+/// Builds the corridor that corridor_begin() has begun.
+Progress rooms_advance(const Problem& problem, const Path& path, CorridorStage& stage, Rooms& rooms, Corridor& corridor,
+                       Work& work) noexcept;
 
 /// The times stage and the trajectory stage, with their input.
 struct CurveMemory {

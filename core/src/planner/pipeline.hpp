@@ -16,7 +16,6 @@
 #include "planner/ledger.hpp"
 #include "planner/legs.hpp"
 #include "planner/problem.hpp"
-#include "planner/rooms.hpp"
 #include "prove/check_stage.hpp"
 #include "tern/report.hpp"
 #include "tern/status.hpp"
