@@ -29,8 +29,8 @@ void run(benchmark::State& state, const tern_host::Scenario& scenario, const Sta
     if (!result.ok()) state.SkipWithError(tern::status_name(result.report.status));
     state.SetIterationTime(1e-6 * row.time(result));
     if (row.work == nullptr) continue;
-    state.counters["work"] = row.work(result)->work;
-    state.counters["bound"] = row.work(result)->bound;
+    state.counters["work"] = static_cast<double>(row.work(result)->work);
+    state.counters["bound"] = static_cast<double>(row.work(result)->bound);
   }
 }
 

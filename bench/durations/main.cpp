@@ -55,7 +55,7 @@ struct Ladder {
 };
 
 struct Tally {
-  std::vector<double> seconds, snap, iterations, programmes;
+  std::vector<double> seconds, snap, units, programmes;
 };
 
 double mean(const std::vector<double>& values) {
@@ -88,7 +88,8 @@ class Bench {
     if (tally == nullptr) return seconds;
     tally->seconds.push_back(seconds);
     tally->snap.push_back(snap);
-    tally->iterations.push_back(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work);
+    tally->units.push_back(
+        static_cast<double>(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work));
     tally->programmes.push_back(result.report.diagnostics.high_water.qp_solves);
     return seconds;
   }
@@ -99,9 +100,9 @@ class Bench {
 };
 
 void print(const std::string& group, double weight, const Tally& tally, const Ladder& ladder) {
-  std::printf("%-10s %6g %4zu plans, %6.2f s median, %6.2f mean, snap %7.1f, iterations %4.0f (p99 %4.0f), ",
-              group.c_str(), weight, tally.seconds.size(), quantile(tally.seconds, 0.5), mean(tally.seconds),
-              quantile(tally.snap, 0.5), quantile(tally.iterations, 0.5), quantile(tally.iterations, 0.99));
+  std::printf("%-10s %6g %4zu plans, %6.2f s median, %6.2f mean, snap %7.1f, units %4.0f (p99 %4.0f), ", group.c_str(),
+              weight, tally.seconds.size(), quantile(tally.seconds, 0.5), mean(tally.seconds),
+              quantile(tally.snap, 0.5), quantile(tally.units, 0.5), quantile(tally.units, 0.99));
   std::printf("programmes %2.0f (%2.0f), %3d slower, the worst %+.2f %%\n", quantile(tally.programmes, 0.5),
               quantile(tally.programmes, 1.0), ladder.slower, 100.0 * (ladder.worst - 1.0));
 }
@@ -161,8 +162,8 @@ void over_least_time(Bench& bench, double weight) {
         ratio.push_back(bench.fly(scenario, &tally) / least_seconds(length, v, a));
       }
     }
-    std::printf("  %5g m: %.3f median, %.3f worst; iterations %.0f median, %.0f worst\n", length, quantile(ratio, 0.5),
-                quantile(ratio, 1.0), quantile(tally.iterations, 0.5), quantile(tally.iterations, 1.0));
+    std::printf("  %5g m: %.3f median, %.3f worst; units %.0f median, %.0f worst\n", length, quantile(ratio, 0.5),
+                quantile(ratio, 1.0), quantile(tally.units, 0.5), quantile(tally.units, 1.0));
   }
 }
 
@@ -235,9 +236,9 @@ struct Replans {
   void print(const std::string& group, double weight, const char* handed_over) const {
     std::printf(
         "%-10s %6g replans %-16s %4d, refused %d, later by 0.5 s %d, by 2 s %d; ratio %.4f mean, %.4f median, "
-        "%.4f p95, %.4f worst; %.0f iterations on average\n",
+        "%.4f p95, %.4f worst; %.0f units on average\n",
         group.c_str(), weight, handed_over, asked, refused, half_second, two_seconds, mean(ratio), quantile(ratio, 0.5),
-        quantile(ratio, 0.95), quantile(ratio, 1.0), mean(tally.iterations));
+        quantile(ratio, 0.95), quantile(ratio, 1.0), mean(tally.units));
   }
 };
 
@@ -281,7 +282,7 @@ int main(int argc, char** argv) {
   std::ofstream csv;
   if (!csv_path.empty()) csv.open(csv_path);
   csv.precision(9);
-  csv << "case,v_max,a_max,time_weight,duration_s,snap,iterations,programmes,quality\n";
+  csv << "case,v_max,a_max,time_weight,duration_s,snap,units,programmes,quality\n";
   Bench bench(csv);
   std::map<std::string, std::vector<std::string>> groups;
   for (const std::string& file : files) groups[group_of(file)].push_back(file);

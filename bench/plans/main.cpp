@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What plans are worth, over scenarios and three sets of limits: durations beside the trapezoid's, fallbacks,
-// programmes and iterations, and how much of each limit is used, in the plan and where a row binds. tools/bench plans
+// programmes and units, and how much of each limit is used, in the plan and where a row binds. tools/bench plans
 // runs it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -43,7 +43,7 @@ const Setting kSettings[] = {
 struct Tally {
   int planned = 0;
   int optimised = 0;
-  std::vector<double> duration, ratio, programmes, iterations, use;
+  std::vector<double> duration, ratio, programmes, units, use;
   std::map<std::string, std::vector<double>> rows;  ///< use where a row binds, by what it limits
 };
 
@@ -71,7 +71,8 @@ void fly(tern_host::Session& session, tern_bench::Prober& prober, tern_host::Sce
   tally.duration.push_back(seconds);
   tally.ratio.push_back(seconds / trapezoid(*result.corridor, scenario.limits));
   tally.programmes.push_back(result.report.diagnostics.high_water.qp_solves);
-  tally.iterations.push_back(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work);
+  tally.units.push_back(
+      static_cast<double>(result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work));
   tally.use.push_back(std::max(figures.v_use, figures.a_use));
   for (const LimitRow& row : prober.rows(*result.corridor, scenario.limits, scenario.time_weight)) {
     tally.rows[name_of(row)].push_back(row.use);
@@ -82,9 +83,9 @@ void print(const Setting& setting, std::size_t files, const Tally& tally) {
   std::printf("%-10s %3d of %3zu planned, %3d optimised; duration %.2f s (max %.2f), of the trapezoid's %.3f (%.3f); ",
               setting.name, tally.planned, files, tally.optimised, quantile(tally.duration, 0.5),
               quantile(tally.duration, 1.0), quantile(tally.ratio, 0.5), quantile(tally.ratio, 1.0));
-  std::printf("programmes %.0f (%.0f), iterations %.0f (%.0f); largest use of a limit: median %.3f, least %.3f\n",
-              quantile(tally.programmes, 0.5), quantile(tally.programmes, 1.0), quantile(tally.iterations, 0.5),
-              quantile(tally.iterations, 1.0), quantile(tally.use, 0.5), quantile(tally.use, 0.0));
+  std::printf("programmes %.0f (%.0f), units %.0f (%.0f); largest use of a limit: median %.3f, least %.3f\n",
+              quantile(tally.programmes, 0.5), quantile(tally.programmes, 1.0), quantile(tally.units, 0.5),
+              quantile(tally.units, 1.0), quantile(tally.use, 0.5), quantile(tally.use, 0.0));
   for (const auto& [name, use] : tally.rows) {
     std::printf("           %-13s %5zu rows bind; peak over limit: median %.3f, 5 %% below %.3f, least %.3f\n",
                 name.c_str(), use.size(), quantile(use, 0.5), quantile(use, 0.05), quantile(use, 0.0));
@@ -94,7 +95,7 @@ void print(const Setting& setting, std::size_t files, const Tally& tally) {
 void write(std::ofstream& csv, const Setting& setting, const Tally& tally) {
   for (const auto& [name, use] : tally.rows) {
     csv << setting.name << ",\"" << name << "\"," << tally.planned << ',' << quantile(tally.duration, 0.5) << ','
-        << quantile(tally.ratio, 0.5) << ',' << quantile(tally.iterations, 0.5) << ',' << use.size() << ','
+        << quantile(tally.ratio, 0.5) << ',' << quantile(tally.units, 0.5) << ',' << use.size() << ','
         << quantile(use, 0.5) << ',' << quantile(use, 0.05) << ',' << quantile(use, 0.0) << '\n';
   }
 }
@@ -102,7 +103,7 @@ void write(std::ofstream& csv, const Setting& setting, const Tally& tally) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Durations, fallbacks, iterations and limit use of plans");
+  CLI::App app("Durations, fallbacks, units and limit use of plans");
   std::vector<std::string> files;
   std::string csv_path;
   app.add_option("FILE", files, "Scenarios")->required()->check(CLI::ExistingFile);
@@ -110,7 +111,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   std::ofstream csv;
   if (!csv_path.empty()) csv.open(csv_path);
-  csv << "setting,limit,planned,duration_s,of_trapezoid,iterations,rows,use_median,use_p5,use_least\n";
+  csv << "setting,limit,planned,duration_s,of_trapezoid,units,rows,use_median,use_p5,use_least\n";
   tern_host::Session session;
   tern_bench::Prober prober;
   for (const Setting& setting : kSettings) {

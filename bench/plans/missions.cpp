@@ -42,8 +42,8 @@ struct Pair {
   double cruise = 0.0;  ///< of the path, at the speed limits all along
   double time = 0.0;    ///< of planning, microseconds
   double legs_time = 0.0;
-  int iterations = 0;
-  int legs_iterations = 0;
+  std::uint64_t units = 0;
+  std::uint64_t legs_units = 0;
   bool optimised = false;
 };
 
@@ -80,7 +80,7 @@ bool find_legs(Session& session, tern_test::Random& random, const Options& optio
     if (!plan.ok()) continue;
     pair.legs_duration += tern::duration(plan.trajectory);
     pair.legs_time += plan.timing.total() - plan.timing.inflate;
-    pair.legs_iterations += plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
+    pair.legs_units += plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
     if (last) return true;
     mission.vias.push_back({leg.goal.position, options.tolerance, false, false, {}});
     leg.start.position = leg.goal.position;
@@ -99,7 +99,7 @@ bool fly(Session& session, const std::string& file, const Options& options, std:
   pair.duration = tern::duration(plan.trajectory);
   if (plan.path != nullptr) pair.cruise = cruise(*plan.path, mission.limits);
   pair.time = plan.timing.total() - plan.timing.inflate;
-  pair.iterations = plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
+  pair.units = plan.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work;
   pair.optimised = plan.report.quality == tern::Quality::kOptimised;
   return true;
 }
@@ -146,12 +146,12 @@ int main(int argc, char** argv) {
   if (options.gates > 0) return measure_gates(options);
   std::ofstream csv;
   if (!options.csv.empty()) csv.open(options.csv);
-  csv << "scenario,status,duration_s,legs_s,us,legs_us,iterations,legs_iterations\n";
+  csv << "scenario,status,duration_s,legs_s,us,legs_us,units,legs_units\n";
   Session session;
   std::vector<double> ratios;
   std::vector<double> cruises;
   std::vector<double> times;
-  std::vector<double> iterations;
+  std::vector<double> units;
   int missions = 0;
   int optimised = 0;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
@@ -160,17 +160,17 @@ int main(int argc, char** argv) {
     ++missions;
     optimised += pair.optimised ? 1 : 0;
     csv << options.files[i] << ',' << pair.status << ',' << pair.duration << ',' << pair.legs_duration << ','
-        << pair.time << ',' << pair.legs_time << ',' << pair.iterations << ',' << pair.legs_iterations << '\n';
+        << pair.time << ',' << pair.legs_time << ',' << pair.units << ',' << pair.legs_units << '\n';
     if (pair.status != "ok") continue;
     ratios.push_back(pair.duration / pair.legs_duration);
     cruises.push_back(pair.cruise / pair.legs_duration);
     times.push_back(pair.time / pair.legs_time);
-    iterations.push_back(static_cast<double>(pair.iterations) / pair.legs_iterations);
+    units.push_back(static_cast<double>(pair.units) / static_cast<double>(pair.legs_units));
   }
   std::printf("%d missions, %zu planned, %d optimised\n", missions, ratios.size(), optimised);
   print("duration over that of the legs with stops", ratios);
   print("cruising along the path without turns, likewise", cruises);
   print("planning time over that of the legs", times);
-  print("iterations over those of the legs", iterations);
+  print("units of work over those of the legs", units);
   return 0;
 }

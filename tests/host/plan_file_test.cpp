@@ -112,9 +112,9 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["limits"]["v_max"], json({2.0, 2.0, 2.0}));
   EXPECT_EQ(plan["limits"]["v_min"], json({-2.0, -2.0, -2.0}));
   EXPECT_FALSE(plan["limits"].contains("v_horizontal"));
-  EXPECT_EQ(plan["search"]["expanded"], 4321);
+  EXPECT_EQ(plan["search"]["work"], 4321);
   EXPECT_EQ(plan["corridor"].size(), 1u);
-  EXPECT_EQ(plan["qp"]["iterations"], 17);
+  EXPECT_EQ(plan["qp"]["work"], 17);
   for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization", "check",
                             "fences", "detour", "previous", "escape", "reach"}) {
     EXPECT_TRUE(plan["timing_us"][stage].is_number()) << stage;

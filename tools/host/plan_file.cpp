@@ -56,7 +56,7 @@ Json search_json(const PlanResult& result) {
   const Vec3& origin = result.grid.origin;
   return {{"jps_path", points_json(path.raw, path.raw_count, origin)},
           {"jps_length", path.raw_length},
-          {"expanded", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work},
+          {"work", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kSearch)].work},
           {"path", points_json(path.points, path.count, origin)},
           {"length", path.length}};
 }
@@ -222,7 +222,7 @@ std::string plan_json(const PlanResult& result) {
     plan["origin"] = json(result.trajectory.origin);
     plan["segments"] = segments_json(result.trajectory);
     plan["cost"] = {{"snap", tern::snap_cost(result.trajectory)}};
-    plan["qp"] = {{"iterations", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work}};
+    plan["qp"] = {{"work", result.report.diagnostics.stages[static_cast<int>(tern::Stage::kTrajectory)].work}};
     if (result.yaw != nullptr) plan["yaw"] = yaw_json(scenario.yaw, *result.yaw);
   }
   if (result.report.check.finding != tern::Finding::kNone) plan["check"] = check_json(result.report.check);
