@@ -13,6 +13,7 @@
 #include "planner/previous.hpp"
 #include "prove/check_stage.hpp"
 #include "qp/operations.hpp"
+#include "times/pace.hpp"
 #include "times/times_stage.hpp"
 #include "trajectory/operations.hpp"
 #include "trajectory/trajectory_stage.hpp"
@@ -95,8 +96,9 @@ StageBound hulls_bound(const GridSpec& spec, std::uint64_t hulls) {
           room_piece(spec) + kStopOperations + 4 * ops::kDot * kHullTests * kMaxPlanes + kGapOperations};
 }
 
+/// A segment may look at all pieces of the plan that sets the pace.
 StageBound times_bound() {
-  return {kTimesBound, ops::kCurve * (2 + kMaxSegments) + ops::kPiece};
+  return {kTimesBound, ops::kCurve * (1 + kPacePieces * Operations{kMaxSegments}) + ops::kPiece};
 }
 
 /// An iteration enters a row after pricing all points, drops one, and may measure the answer. Each also pays its share
