@@ -40,8 +40,7 @@ struct Scans {
     step[kAxis] = kUp ? 1 : -1;
     const int move = tern::direction(step[0], step[1], step[2]);
     const int expected = slow_scan(grid, goal, from, move, kAxis);
-    tern::Work work;
-    const int found = tern::scan_straight<kAxis, kUp>(*map, grid, goal, from, work);
+    const int found = tern::scan_straight<kAxis, kUp>(*map, grid, goal, from);
     ASSERT_EQ(found, expected) << from.x << ' ' << from.y << ' ' << from.z << " along " << kAxis << (kUp ? '+' : '-');
     ++(expected == tern::scan::kNowhere ? nothing : something);
   }

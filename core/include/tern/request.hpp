@@ -71,9 +71,8 @@ constexpr double kMaxTimeWeight = 1e6;
 
 /// How much work a plan may spend in each stage, in units: about a thousand instructions each (tern/work.hpp). Work is
 /// counted, never timed (contract C7), so a budget gives the same plan on every machine. A piece of work may begin as
-/// long as a budget is not spent, so a stage may take one piece more. A planner keeps tables of the last map that it
-/// searched: the first search of a map spends more than later ones. By default, only the bounds of the stages apply
-/// (config.hpp). 0 is allowed.
+/// long as a budget is not spent, so a stage may take one piece more. What a planner learned about a map before changes
+/// no amount of work. By default, only the bounds of the stages apply (config.hpp). 0 is allowed.
 struct Budget {
   /// The search, and finding Report::reachable. Beyond it: kBudgetSearch.
   uint32_t search = 0xFFFFFFFFu;

@@ -136,9 +136,11 @@ bool segment_clear(const Grid& grid, const Vec3& a, const Vec3& b, double radius
 
 /// Without a radius, rows are read four times over: alone, and in blocks of two and four.
 Operations clear_operations(const GridSpec& spec, const Vec3& way, double radius) noexcept {
-  const Operations rows = static_cast<Operations>((absolute(way.y) + 2.0 * radius) / spec.cell) + 2;
-  const Operations planes = static_cast<Operations>((absolute(way.z) + 2.0 * radius) / spec.cell) + 2;
-  return (radius > 0.0 ? 1 : 4) * ops::kRow * rows * planes;
+  // A line may lead far out of the grid; only rows of the grid are read.
+  const auto crossed = [&](double along, std::int32_t count) {
+    return static_cast<Operations>(smaller((absolute(along) + 2.0 * radius) / spec.cell + 2.0, count));
+  };
+  return (radius > 0.0 ? 1 : 4) * ops::kRow * crossed(way.y, spec.dims.y) * crossed(way.z, spec.dims.z);
 }
 
 bool point_clear(const Grid& grid, const Vec3& local, double radius) noexcept {

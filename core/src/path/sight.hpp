@@ -24,8 +24,9 @@ bool line_of_sight(const Grid& grid, const Vec3& a, const Vec3& b, double margin
 
 /// Operations of a line of sight, which reads a word or two of each row along x that the line meets.
 inline Operations sight_operations(const Grid& grid, const Vec3& a, const Vec3& b) noexcept {
-  const double across = absolute(b.y - a.y) + absolute(b.z - a.z);
-  return ops::kPiece + 2 * ops::kTurn * static_cast<Operations>(across / grid.spec().cell);
+  const GridSpec& spec = grid.spec();
+  const double across = (absolute(b.y - a.y) + absolute(b.z - a.z)) / spec.cell;
+  return ops::kPiece + 2 * ops::kTurn * static_cast<Operations>(smaller(across, spec.dims.y + spec.dims.z));
 }
 
 }  // namespace tern

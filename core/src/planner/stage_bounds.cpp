@@ -48,7 +48,7 @@ StageBound fences_bound(const GridSpec& spec) {
 /// An expansion of the optimal search takes longest: each move sweeps, and scans from each step of each sweep. Each
 /// piece may also begin a search, and the last one writes the path.
 StageBound search_bound(const GridSpec& spec) {
-  const Operations scan = 2 * ops::kNode + row_words(spec) * kFillTileOperations;
+  const Operations scan = 2 * ops::kNode;
   const Operations plane = kSweepSteps * (2 * ops::kNode + 2 * scan);
   const Operations space = kSweepSteps * (2 * ops::kNode + 3 * plane + 3 * scan);
   const Operations ends = 2 * (2 * kSearchedOperations + ops::kTurn * kMaxJoins * kMaxJoins) + all_rows(spec);

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 
-#include "base/work.hpp"
 #include "tern/config.hpp"
 #include "tern/grid.hpp"
 
@@ -49,13 +48,11 @@ void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis, std::in
                        std::int32_t word) noexcept;
 
 /// Makes word `word` of the line along x at (y, z): from three words of each of nine rows, each combined four times.
-constexpr Operations kFillRowOperations = 4 * 27 * ops::kWord;
 void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,
                          std::int32_t word) noexcept;
 
 /// Makes word `word` of the lines along `axis` (1 or 2) at x = 64 block .. 64 block + 63 and `third` on the third axis:
 /// 64 times from the words of nine rows, then two transpositions in six rounds.
-constexpr Operations kFillTileOperations = 64 * (27 + 2 * 6) * ops::kWord;
 void jump_stops_fill_tile(JumpStopLayer& layer, const Grid& grid, int axis, std::int32_t block, std::int32_t third,
                           std::int32_t word) noexcept;
 

@@ -13,7 +13,7 @@ from tern.grid import Grid
 from tern.request import CRequest, End, Fence, Limits, Via, c_fences, c_vias, state
 from tern.trajectory import Trajectory
 
-STAGE = np.dtype([("work", "u4"), ("bound", "u4"), ("ticks", "u8")])
+STAGE = np.dtype([("work", "u8"), ("bound", "u8"), ("ticks", "u8")])
 _QUALITIES = ("none", "hover", "stop-and-go", "optimised", "previous plan")
 _GOAL_MODES = ("exact", "nearest")
 _SEARCHES = ("fast", "optimal")
