@@ -223,7 +223,7 @@ def main():
     pages = {name: folder / f"{name}.html" for name in ("plan", "maps", "flight", "both", "twelve")}
     tern(program, "plan", root / "docs/forest.txt", "--html", pages["plan"])
     tern(program, "table", *(root / f"bench/maps/map{i}.txt" for i in range(1, 7)), "--repeat", 1, "--html", pages["maps"])
-    tern(program, "fly", "P25:7", "--html", pages["flight"])
+    tern(program, "fly", "P25:8", "--html", pages["flight"])
     tern(program, "page", pages["plan"], pages["flight"], "--out", pages["both"])
     tern(program, "page", pages["maps"], pages["maps"], "--out", pages["twelve"])
     with browser.Browser(path) as tab:

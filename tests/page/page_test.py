@@ -178,7 +178,7 @@ def check_flight(tab, program, folder):
 def check_blocked(tab, program, folder):
     """What is in the way at the end of a flight has a mark that can be hidden."""
     page = folder / "blocked.html"
-    done = subprocess.run([program, "fly", "O:1", "--set", "time_limit=2", "--html", page],
+    done = subprocess.run([program, "fly", "O:2", "--set", "time_limit=2", "--html", page],
                           capture_output=True, text=True)
     words = re.search("in the way: .* at (.*)", done.stdout).group(1).split()
     look(tab, page, folder, "blocked", width=1280, height=800)

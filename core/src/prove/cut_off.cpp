@@ -27,15 +27,21 @@ IndexRange voxels_near(double lower, double upper, double distance, double cell,
   return range;
 }
 
+/// 0: voxels of a row count alike; 1 or 2: the plane cuts off voxels from the lower end of x, or from the upper end.
+int sign_of(const Grid& grid, const Vec3& n) {
+  const double row = grid.spec().dims.x * grid.spec().cell;
+  if (!(absolute(n.x) * row > kFlat)) return 0;
+  return n.x < 0.0 ? 1 : 2;
+}
+
 /// The plane through the hull's furthest point along the normal.
 PlaneCut cut_along(const Grid& grid, const Vec3& n, const Vec3* points, int count, double distance) {
   const GridSpec& spec = grid.spec();
-  const double row = spec.dims.x * spec.cell;
-  PlaneCut cut{n.y, n.z, n.y < 0.0 ? 1 : 0, n.z < 0.0 ? 1 : 0, support_of(n, points, count) + distance * length(n), 0};
-  if (absolute(n.x) * row > kFlat) {
+  PlaneCut cut{n.y, n.z, support_of(n, points, count) + distance * length(n), 0.0};
+  if (sign_of(grid, n) != 0) {
     cut.per_x = 1.0 / (n.x * spec.cell);
   } else {
-    cut.reach -= smaller(0.0, n.x * row);
+    cut.reach -= smaller(0.0, n.x * (spec.dims.x * spec.cell));
   }
   return cut;
 }
@@ -46,26 +52,16 @@ bool is_axis(const Vec3& n) {
   return most >= 1.0;
 }
 
-int sign_of(const PlaneCut& cut) {
-  return cut.per_x < 0.0 ? 1 : (cut.per_x > 0.0 ? 2 : 0);
-}
-
-PlaneCuts cuts_of(const Grid& grid, const Vec3* points, int count, const Hints& hints, double distance) {
-  PlaneCut all[kMaxPlanes];
-  int used = 0;
-  for (int p = 0; p < hints.count; ++p) {
-    const Vec3& normal = hints.planes[p].normal;
-    if (is_unit(normal) && !is_axis(normal)) all[used++] = cut_along(grid, normal, points, count, distance);
-  }
-  PlaneCuts cuts;
+void make_cuts(const Grid& grid, const Vec3* points, int count, const Hints& hints, double distance, PlaneCuts& cuts) {
   int sorted = 0;
   for (int sign = 0; sign < 3; ++sign) {
-    for (int p = 0; p < used; ++p) {
-      if (sign_of(all[p]) == sign) cuts.cut[sorted++] = all[p];
+    for (int p = 0; p < hints.count; ++p) {
+      const Vec3& normal = hints.planes[p].normal;
+      if (!is_unit(normal) || is_axis(normal) || sign_of(grid, normal) != sign) continue;
+      cuts.cut[sorted++] = cut_along(grid, normal, points, count, distance);
     }
     cuts.end[sign] = sorted;
   }
-  return cuts;
 }
 
 /// True if the row has an obstacle in the span.
@@ -111,14 +107,14 @@ bool block_clear(const Grid& grid, const PlaneCuts& cuts, const RowBlock& block,
   const RowSpan span = uncut(cell, cuts, block);
   work.spend(ops::kRow + 4 * ops::kMultiplyAdd * cuts.end[2]);
   if (span.begin >= span.end || !any_obstacle(obstacles, block, span)) return true;
-  const PlaneCuts few = cuts_within(cell, cuts, block, span);
+  const FewCuts few = cuts_within(cell, cuts, block, span);
   work.spend(2 * ops::kPiece + 8 * ops::kMultiplyAdd * cuts.end[2]);
   for (std::int32_t z = block.lo.z; z <= block.hi.z; ++z) {
     for (std::int32_t y = block.lo.y; y <= block.hi.y; ++y) {
       const std::uint64_t* const row = obstacles.row(y, z);
       if (!has_obstacle(row, span)) continue;
       work.spend(ops::kRow + 5 * ops::kMultiplyAdd * few.end[2]);
-      if (has_obstacle(row, uncut(cell, few, {{span.begin, y, z}, {span.end - 1, y, z}}))) return false;
+      if (has_obstacle(row, uncut(cell, cuts, few, {{span.begin, y, z}, {span.end - 1, y, z}}))) return false;
     }
   }
   return true;
@@ -165,7 +161,7 @@ bool cut_off(const Grid& grid, const Vec3* points, int count, const Hints& hints
       work.spend(ops::kRow);
       if (!any_obstacle(obstacles, block, {xs.begin, xs.end})) continue;
       if (!is_ready) {
-        cuts = cuts_of(grid, points, count, hints, distance);
+        make_cuts(grid, points, count, hints, distance, cuts);
         work.spend(6 * ops::kDot * hints.count);
         is_ready = true;
       }
