@@ -37,12 +37,6 @@ bool is_thin(const World& world, int a) {
   return axis(world.spec.boundary.upper, a) - axis(world.spec.boundary.lower, a) < 2.0 * world.spec.cell;
 }
 
-/// Coordinates there are rounded by more than the lattice forgives. A boundary's face is then on the lattice but for
-/// rounding, and a keep-in's is where it says.
-bool is_far(const World& world) {
-  return largest(point(world.spec.origin)) * kUlp > 1e-11L * world.spec.cell;
-}
-
 /// Makes the boundary thin on an axis, seldom on two.
 void flatten(Rng& rng, World& world) {
   tern::GridSpec& spec = world.spec;
@@ -71,15 +65,11 @@ void widen(Rng& rng, const World& thin, World& whole) {
   }
 }
 
-/// The thin boundary as a keep-in of the request; tilted about the start where `tilt` is not 0. Far from the world's
-/// origin only its planes across thin axes.
+/// The thin boundary as a keep-in of the request; tilted about the start where `tilt` is not 0.
 void keep_in(Rng& rng, const World& thin, double tilt, Ask& ask) {
   tern::Halfspace faces[tern::kBoxPlanes];
   tern::box_planes(thin.spec.boundary, faces);
-  std::vector<tern::Halfspace> planes;
-  for (int k = 0; k < tern::kBoxPlanes; ++k) {
-    if (is_thin(thin, k / 2) || !is_far(thin)) planes.push_back(faces[k]);
-  }
+  std::vector<tern::Halfspace> planes(faces, faces + tern::kBoxPlanes);
   const tern::Vec3& p = ask.request.start.position;
   for (tern::Halfspace& plane : planes) {
     const double size = std::ldexp(1.0, rng.integer(-10, 10));  // exact: rounded offsets may leave no point
@@ -122,14 +112,13 @@ void ask_fenced(Context& context, tern::Planner& planner, const World& thin, con
   } else if (!spoiled(out)) {
     report(context.findings, "touched", "keep-in: the output changed with %s", tern::status_name(found));
   }
-  if (!(tilt > 0.0) && !is_far(thin)) judge(context, thin, map, fenced, answer, found, "keep-in");
+  if (!(tilt > 0.0)) judge(context, thin, map, fenced, answer, found, "keep-in");
   if (context.rng.chance(0.1)) compare_slices(context, whole, fenced, found);
   const bool comparable = ask.rest_to_rest() && !ask.hurries() && ask.unlimited_search() && !(tilt > 0.0) &&
                           !is_capacity(status) && !is_capacity(found);
   const bool in_boundary = status == Status::kOk;
   const bool in_keep_in = found == Status::kOk;
-  // Far from the origin, the keep-in leaves more room along the other axes.
-  if (!comparable || in_boundary == in_keep_in || (in_keep_in && is_far(thin))) return;
+  if (!comparable || in_boundary == in_keep_in) return;
   report(context.findings, "flat_keep_in", "%s in a keep-in, %s in a boundary of its size", tern::status_name(found),
          tern::status_name(status));
 }

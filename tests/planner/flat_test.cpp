@@ -205,6 +205,52 @@ TEST(FlatKeepIn, BlocksWhatABoundaryOfItsSizeDoes) {
   EXPECT_GE(freed, scaled(200) * 20);
 }
 
+/// World coordinates there are rounded by more than kLatticeTolerance of a voxel. A keep-in of a whole number of voxels
+/// has them all; one of no height has the layers on both sides.
+TEST(FlatKeepIn, IsOnTheLatticeFarFromTheOriginToo) {
+  Random random(4024);
+  FencedLayer layer;
+  for (int i = 0; i < scaled(400); ++i) {
+    const auto any = [&] { return random.real(-1e7, 1e7); };
+    OwnedGrid owned(whole_grid({6, 6, 6}, 0.05, 0.0, {any(), any(), any()}));
+    owned.grid.inflate();
+    const int thin = random.integer(0, 2);
+    const int height = i % 4;
+    const int from = random.integer(1, 5 - height);
+    Vec3 normal{0.0, 0.0, 0.0};
+    tern::axis(normal, thin) = 1.0;
+    const double lower = tern::axis(owned.grid.spec().origin, thin) + from * 0.05;
+    const double upper = tern::axis(owned.grid.spec().origin, thin) + (from + height) * 0.05;
+    const tern::Halfspace planes[] = {{normal, upper}, {-1.0 * normal, -lower}};
+    layer.make(owned.grid, {{planes, 2, tern::FenceKind::kKeepIn}});
+    if (HasFatalFailure()) return;
+    int free = 0;
+    for_each_voxel({6, 6, 6}, [&](const Voxel& v) { free += layer.view.free(v) ? 1 : 0; });
+    ASSERT_EQ(free, 36 * (height == 0 ? 2 : height)) << i;
+  }
+}
+
+/// The plane that the flight keeps to is on the lattice but for rounding. The way is on one side of it.
+TEST_P(FlatPlans, FarFromTheOriginThereIsAWayOnBothSidesOfTheLattice) {
+  constexpr double kPlane = -9099245.5490231272;
+  for (const double beyond : {-0.05, 0.05}) {
+    tern::GridSpec spec = whole_grid({8, 31, 9}, 0.1, 0.0, {-9099245.8490231279, 0.0, 0.0});
+    if (GetParam() == ThinBy::kBoundary) spec.boundary.lower.x = spec.boundary.upper.x = kPlane;
+    OwnedGrid owned(spec);
+    owned.grid.mark_box({{kPlane + beyond, 0.0, 0.0}, {kPlane + beyond, 3.1, 0.9}});
+    owned.grid.inflate();
+    const tern::Halfspace planes[] = {{{64.0, 0.0, 0.0}, 64.0 * kPlane}, {{-128.0, 0.0, 0.0}, -128.0 * kPlane}};
+    const tern::Fence keep_in{planes, 2, tern::FenceKind::kKeepIn};
+    request_ = {};
+    request_.limits = {{2.0, 2.0, 1.0}, {4.0, 4.0, 2.0}};
+    request_.fences = &keep_in;
+    request_.fence_count = GetParam() == ThinBy::kKeepIn ? 1 : 0;
+    request_.start.position = {kPlane, 1.25, 0.25};
+    request_.goal.position = {kPlane, 0.75, 0.35};
+    EXPECT_EQ(planner_.plan(owned.grid, request_, plan_, report_), Status::kOk) << tern::status_name(report_.status);
+  }
+}
+
 /// A keep-out slants across a flat boundary, or a flat keep-in, with a gap at one end or none.
 TEST_P(FlatPlans, AKeepOutIsNoWayThroughWithoutARadius) {
   for (const double height : {0.0, 1e-10, 0.03}) {

@@ -85,12 +85,8 @@ std::size_t words_of_layer(const Voxel& dims) {
 /// One face of the boundary in the local frame: moved onto the lattice if it lies there but for rounding, and into the
 /// grid.
 double local_face(const GridSpec& spec, double world, int a) {
-  const std::int32_t count = axis(spec.dims, a);
-  const double local = world - axis(spec.origin, a);
-  const double cells = local / spec.cell;
-  const std::int32_t nearest = floor_index(cells + 0.5, 0, count);
-  if (absolute(cells - nearest) <= world_tolerance(spec, world)) return nearest * spec.cell;
-  return clamp(local, 0.0, count * spec.cell);
+  const double local = onto_lattice(spec, world - axis(spec.origin, a), a);
+  return clamp(local, 0.0, axis(spec.dims, a) * spec.cell);
 }
 
 Box boundary_in_grid(const GridSpec& spec) {

@@ -42,6 +42,14 @@ inline double world_tolerance(const GridSpec& spec, double world) {
   return kLatticeTolerance + absolute(world) * kWorldRounding / spec.cell;
 }
 
+/// A face's local coordinate: moved onto the lattice plane that its world coordinate stands for, if there is one.
+inline double onto_lattice(const GridSpec& spec, double local, int a) {
+  const double cells = local / spec.cell;
+  const std::int32_t nearest = floor_index(cells + 0.5, 0, axis(spec.dims, a));
+  const double plane = nearest * spec.cell;
+  return absolute(cells - nearest) <= world_tolerance(spec, axis(spec.origin, a) + plane) ? plane : local;
+}
+
 /// World coordinates must resolve this share of a cell. If they do not, "inside" has no meaning there.
 constexpr double kOriginResolution = 1e-3;
 

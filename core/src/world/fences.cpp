@@ -6,6 +6,7 @@
 #include "base/math.hpp"
 #include "grid/distance.hpp"
 #include "world/corners.hpp"
+#include "world/narrow_boundary.hpp"
 
 namespace tern {
 namespace {
@@ -25,7 +26,7 @@ Halfspace to_local_plane(const Grid& grid, const Halfspace& world) {
 void load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Solids& solids) {
   for (std::int32_t p = 0; p < from.count; ++p) {
     solids.wall_index[solids.wall_count] = index;
-    solids.walls[solids.wall_count++] = to_local_plane(grid, from.planes[p]);
+    solids.walls[solids.wall_count++] = wall_on_lattice(grid.spec(), to_local_plane(grid, from.planes[p]));
   }
 }
 

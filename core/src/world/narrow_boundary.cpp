@@ -34,6 +34,15 @@ bool drop_walls(Solids& solids, int a) {
 
 }  // namespace
 
+Halfspace wall_on_lattice(const GridSpec& spec, const Halfspace& plane) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    if (!stands_across(plane.normal, a)) continue;
+    const double sign = axis(plane.normal, a) > 0.0 ? 1.0 : -1.0;
+    return {plane.normal, sign * onto_lattice(spec, sign * plane.offset, a)};
+  }
+  return plane;
+}
+
 Box within_walls(const Solids& solids, const Box& boundary, int a) noexcept {
   Box left = boundary;
   double& lower = axis(left.lower, a);

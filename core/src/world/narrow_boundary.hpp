@@ -8,6 +8,10 @@
 
 namespace tern {
 
+/// A wall (local frame, unit normal) as a grid reads the faces of its boundary: moved onto the lattice if it stands
+/// across an axis and lies there but for rounding.
+Halfspace wall_on_lattice(const GridSpec& spec, const Halfspace& plane) noexcept;
+
 /// The boundary (local frame) within those walls that stand across axis `a`. A wall beyond the opposite face of the
 /// boundary counts as on it. Faces that rounding leaves in the wrong order meet.
 Box within_walls(const Solids& solids, const Box& boundary, int a) noexcept;
