@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Straight scans: from a voxel along one axis to the first jump point, 64 voxels a step. Callers spend the same for a
-// scan whether its stops are kept from an earlier search or made now, which takes 1 to 2 % of a search. So what a search
-// spends does not depend on what the planner did before.
+// scan whether its stops are kept from an earlier search or made now, which takes 1 to 2 % of a search. So what a
+// search spends does not depend on what the planner did before.
 #ifndef TERN_SEARCH_SCAN_HPP
 #define TERN_SEARCH_SCAN_HPP
 
@@ -47,7 +47,8 @@ std::int32_t stepwise(const Grid& grid, const Voxel& goal, const Voxel& from, in
 /// Walks through word k of the line: from `from`, or from the beginning of the word if `from` lies before it. Counts
 /// the steps through the tile. Returns the bit of the stop at which the walk ends; 0 if that lies beyond the word.
 template <int kAxis, bool kUp>
-std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& grid, Voxel from, std::int32_t k) noexcept {
+std::uint64_t walk_word(JumpStopLayer& layer, std::int32_t tile, const Grid& grid, Voxel from,
+                        std::int32_t k) noexcept {
   const std::int32_t count = axis(grid.spec().dims, kAxis);
   std::int32_t& at = axis(from, kAxis);
   if (kUp && at < k * 64) at = k * 64 - 1;
