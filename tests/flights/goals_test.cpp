@@ -115,7 +115,7 @@ TEST(FlightGoals, GoalsOutOfReachEndWithAReason) {
     settings.a = 8.0;
     Flown flown(Scene{}, settings);
     EXPECT_EQ(flown.flight.set_goal(goal), Status::kOk);
-    const FlightReason reason = flown.fly(150.0);
+    const FlightReason reason = flown.fly(60.0);
     EXPECT_TRUE(reason == FlightReason::kNoProgress || reason == FlightReason::kNearest) << story(flown);
     EXPECT_EQ(flown.flight.set_goal({8.0, -3.0, 1.5}), Status::kOk);
     EXPECT_EQ(flown.fly(30.0), FlightReason::kArrived) << story(flown);

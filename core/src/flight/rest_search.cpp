@@ -88,7 +88,7 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Iti
     if (sector_at(flight, nose, flight.time) <= kDirections + kStares) return FlightReason::kNone;
     is_looking = false;
     turned = true;
-    sought = 0;
+    sought &= kWentAway;
   }
   const bool is_before_goal = itinerary.is_right_before(flight);
   const bool is_nearest = (is_cut_off || is_before_goal) && !hemmed_in;
@@ -105,7 +105,7 @@ bool RestSearch::seek_lookout(const FlightFacts& flight, const Blockage& block, 
   seeks = false;
   if (!turned || hemmed_in || flight.is_stale() || !block.is_voxel() || lookouts >= kLookouts) return false;
   if ((sought & kAround) == kAround) {
-    if ((sought & kAway) != 0) return false;
+    if ((sought & (kAway | kWentAway)) != 0) return false;
     sought |= kAway;
   }
   seeks = true;
@@ -164,7 +164,8 @@ Vec3 RestSearch::lookout_place(const RollingMap& map, const Blockage& block, con
   return goes_away() ? place_away(map.safe(), block, start, work) : lookout.place;
 }
 
-/// A plan straight away is the first part of the way to a lookout.
+/// A plan straight away is the first part of the way to a lookout. If none is found there either, the vehicle comes
+/// back, and does not go away again.
 void RestSearch::note_commit(const Draft& draft, const Commitment& in_flight) noexcept {
   idle_cycles = 0;
   is_looking = false;
@@ -172,7 +173,7 @@ void RestSearch::note_commit(const Draft& draft, const Commitment& in_flight) no
   seeks = goes_away();
   ++lookouts;
   if (!seeks) return;
-  sought = 0;
+  sought = kWentAway;
   turned = false;
 }
 

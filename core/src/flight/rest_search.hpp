@@ -25,9 +25,11 @@ constexpr int kDirections = 8;
 /// After a look around, the vehicle looks at what ended the last proof for the time of this many directions: a noisy
 /// sensor needs some frames.
 constexpr int kStares = 5;
-/// Bits of RestSearch::sought: all directions of a full turn, and straight away from what is to be seen.
+/// Bits of RestSearch::sought: all directions of a full turn, straight away from what is to be seen, and that the
+/// vehicle flew straight away already.
 constexpr std::uint32_t kAround = (1u << kDirections) - 1;
 constexpr std::uint32_t kAway = 1u << kDirections;
+constexpr std::uint32_t kWentAway = kAway << 1;
 
 /// A place from where something may be seen.
 struct Lookout {
