@@ -224,13 +224,15 @@ def main():
     tern(program, "plan", root / "docs/forest.txt", "--html", pages["plan"])
     tern(program, "table", *(root / f"bench/maps/map{i}.txt" for i in range(1, 7)), "--repeat", 1, "--html", pages["maps"])
     tern(program, "fly", "P25:8", "--html", pages["flight"])
+    dropped = folder / "dropped.html"
+    tern(program, "fly", "P25@12:1", "--html", dropped)
     tern(program, "page", pages["plan"], pages["flight"], "--out", pages["both"])
     tern(program, "page", pages["maps"], pages["maps"], "--out", pages["twelve"])
     with browser.Browser(path) as tab:
         check_pages(tab, pages)
         check_ways(tab, pages["maps"])
         check_vehicle(tab, pages["flight"])
-        check_colours(tab, pages["flight"])
+        check_colours(tab, dropped)
         check_sensor(tab, pages["flight"])
         check(not tab.faults, f"errors in the browser: {tab.faults}")
     sys.exit(1 if failures else 0)
