@@ -225,7 +225,7 @@ def main():
     tern(program, "table", *(root / f"bench/maps/map{i}.txt" for i in range(1, 7)), "--repeat", 1, "--html", pages["maps"])
     tern(program, "fly", "P25:8", "--html", pages["flight"])
     dropped = folder / "dropped.html"
-    tern(program, "fly", "P25@12:1", "--html", dropped)
+    tern(program, "fly", "C@8:1", "--html", dropped)
     tern(program, "page", pages["plan"], pages["flight"], "--out", pages["both"])
     tern(program, "page", pages["maps"], pages["maps"], "--out", pages["twelve"])
     with browser.Browser(path) as tab:
