@@ -97,6 +97,8 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
   spent += operations;
   StageReport& entry = stages_[static_cast<int>(stage)];
   entry.work = static_cast<std::uint64_t>(spent + kUnit - 1) / kUnit;
+  if (is_bound_) return;
+  is_bound_ = true;
   const StageBound bound = stage_bound(stage, problem.grid->spec());
   entry.bound = bound.units(runs_of(stage, problem, searched_again ? 1 : 0));
   const std::uint32_t budget = account_of(stage, problem.asked.budget).budget;

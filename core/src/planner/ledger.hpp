@@ -18,7 +18,9 @@ class Ledger {
  public:
   /// Empties the ledger. `timed`: there is a clock.
   void clear(bool timed) noexcept;
-  /// A slice of the stage took `operations`.
+  /// A run of a stage begins.
+  void enter() noexcept { is_bound_ = false; }
+  /// A slice of the stage took `operations`. The first slice of a run makes the stage's bound.
   void count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept;
   /// A slice of the stage began and ended at these ticks of the clock.
   void count_ticks(Stage stage, std::uint64_t begin, std::uint64_t end) noexcept;
@@ -33,7 +35,8 @@ class Ledger {
  private:
   StageReport stages_[kStageCount];
   Operations spent_[kStageCount];
-  bool timed_;  // the clock ran so far
+  bool is_bound_;  // the bound of the current run is made
+  bool timed_;     // the clock ran so far
 };
 
 }  // namespace tern

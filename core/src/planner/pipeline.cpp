@@ -119,6 +119,7 @@ Progress Pipeline::advance(Work& work) noexcept {
 void Pipeline::enter(Stage stage) noexcept {
   Layout& m = *memory_;
   stage_ = stage;
+  ledger_.enter();
   switch (stage) {
     case Stage::kSearch:
       begun_ += leg_search_begin(problem_, m.ends, legs_, m.scans, m.stage.search);
