@@ -5,41 +5,13 @@
 #include "base/capacity.hpp"
 #include "base/fence_fault.hpp"
 #include "base/math.hpp"
-#include "grid/bit_rows.hpp"
+#include "base/work.hpp"
 #include "prove/allowed.hpp"
 #include "prove/bernstein.hpp"
-#include "prove/cut_off.hpp"
-#include "prove/fence_clear.hpp"
 #include "prove/grants.hpp"
-#include "prove/hull_clear.hpp"
-#include "prove/keep_out.hpp"
-#include "tern/corridor.hpp"
 
 namespace tern {
 namespace {
-
-/// True if a piece in this box is so wide that it is halved before its surroundings are read.
-bool is_wide(const Box& box, double cell) {
-  for (int a = 0; a < 3; ++a) {
-    if (axis(box.upper, a) - axis(box.lower, a) > kProofSpan * cell) return true;
-  }
-  return false;
-}
-
-/// True if the boxes are at least this far apart along some axis.
-bool are_apart(const Box& a, const Box& b, double distance) {
-  for (int k = 0; k < 3; ++k) {
-    if (axis(b.lower, k) - axis(a.upper, k) >= distance || axis(a.lower, k) - axis(b.upper, k) >= distance) return true;
-  }
-  return false;
-}
-
-bool is_inside(const Box& inner, const Box& outer) {
-  for (int a = 0; a < 3; ++a) {
-    if (!(axis(inner.lower, a) >= axis(outer.lower, a) && axis(inner.upper, a) <= axis(outer.upper, a))) return false;
-  }
-  return true;
-}
 
 constexpr Voxel kNoVoxel{-1, -1, -1};
 
@@ -62,16 +34,6 @@ std::int32_t behind_centre(double local, double cell, std::int32_t count) {
 Box grown(const Box& box, double by) {
   const Vec3 all{by, by, by};
   return {box.lower - all, box.upper + all};
-}
-
-/// By how much the point is outside the box, on the axis where that is most.
-Excess outside_by(const Box& box, const Vec3& point) {
-  Excess most{-1, 0.0};
-  for (int a = 0; a < 3; ++a) {
-    const double beyond = larger(axis(box.lower, a) - axis(point, a), axis(point, a) - axis(box.upper, a));
-    if (beyond > most.amount) most = {a, beyond};
-  }
-  return most;
 }
 
 }  // namespace
@@ -225,87 +187,6 @@ void Proof::enter_part(int part) noexcept {
   }
   for (int i = 0; i <= kDegree; ++i) piece.c[i] = piece.c[i] + place;
   height_ = 1;
-}
-
-/// The hints for the segment at hand.
-Hints Proof::hints() const noexcept {
-  const int index = trajectory_->segments[segment_].polyhedron;
-  if (hints_ == nullptr || index < 0 || index >= hints_->count || index >= kMaxSegments) return {nullptr, 0};
-  return hints_of(hints_->polyhedra[index]);
-}
-
-bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
-  const GridSpec& spec = grid_->spec();
-  const Box box = box_around(piece.c, kControlPoints);
-  end = Finding::kOutside;
-  if (!is_inside(box, boundary_)) return false;
-  if (has_added_ && are_apart(box, added_, spec.clearance())) return true;
-  end = Finding::kFence;
-  if (!keeps_fences(piece)) {
-    report_.voxel = kNoVoxel;
-    return false;
-  }
-  end = Finding::kObstacle;
-  if (hints_ != nullptr && cut_off(*grid_, piece.c, kControlPoints, hints(), distance_, *work_)) return true;
-  if (is_wide(box, spec.cell)) return false;
-  const Pardon pardon{
-      pardoned_, {pardon_begin_.x, pardon_end_.x}, {pardon_begin_.y, pardon_end_.y}, {pardon_begin_.z, pardon_end_.z}};
-  const Clearance clearance{distance_, has_left_ ? &left_ : nullptr, near_, pardon};
-  return hull_clear(*grid_, piece.c, kControlPoints, clearance, report_.voxel, *work_);
-}
-
-bool Proof::keeps_fences(const Piece& piece) noexcept {
-  const FenceRule rule{grid_->spec().origin, distance_, outside_};
-  for (int32_t k = 0; k < fence_count_; ++k) {
-    work_->spend(fence_operations(fences_[k]));
-    if (fence_clear(fences_[k], rule, piece.c, kControlPoints)) continue;
-    if (piece.depth == 0 && is_cut_off(k, piece)) continue;
-    report_.fence = k;
-    return false;
-  }
-  return true;
-}
-
-/// True if the fence is a keep-out that is cut off along a hint.
-bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
-  if (scratch_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
-  work_->spend(kKeepOutOperations);
-  return keep_out_cut_off(*grid_, fences_, fence_count_, fence, hints(), {piece.c, kControlPoints, distance_},
-                          *scratch_);
-}
-
-/// What the limits allow the part at hand.
-Allowed Proof::allowed() const noexcept {
-  const Segment& segment = trajectory_->segments[segment_];
-  const double rounding = is_cut_ ? derivative_rounding(segment, part_) : hodograph_rounding(segment, part_);
-  return allowed_by(limits_, part_, excess_, rounding);
-}
-
-bool Proof::holds(const Piece& piece, int count, Finding& end) noexcept {
-  if (part_ == kPosition) return keeps_clear(piece, end);
-  constexpr Finding kEnds[] = {Finding::kObstacle, Finding::kVelocity, Finding::kAcceleration, Finding::kJerk};
-  end = kEnds[part_];
-  return hull_allowed(allowed(), piece.c, count);
-}
-
-/// By how much a point of the curve, or of its derivative, is beyond what is granted.
-Excess Proof::excess_at(const Vec3& point, Finding end) const noexcept {
-  if (end == Finding::kOutside) return outside_by(boundary_, point);
-  if (end == Finding::kFence)
-    return {-1, fence_excess(fences_[report_.fence], {grid_->spec().origin, distance_, outside_}, point)};
-  if (part_ != kPosition) return excess_of(allowed(), point);
-  if (end != Finding::kObstacle || report_.voxel.x < 0) return {-1, 0.0};
-  return {-1, distance_ - distance_to_cube(*grid_, report_.voxel, point)};
-}
-
-/// Notes the worst excess at the ends of a piece that is not proven; both are points of the curve.
-void Proof::note_excess(const Piece& piece, int degree, Finding end) noexcept {
-  for (int i = 0; i <= degree; i += degree) {
-    const Excess excess = excess_at(piece.c[i], end);
-    if (!(excess.amount > worst_)) continue;
-    worst_ = excess.amount;
-    worst_axis_ = excess.axis;
-  }
 }
 
 /// Notes a loss. Of the losses in a segment's parts, the earliest counts.
