@@ -232,7 +232,7 @@ TEST(FlightBlocked, ProofThatEndsAtAFence) {
   state.draft.plan.planned = tern_test::polyline({room.start, {8.125, 0.125, 1.125}}, 4.0);
   ASSERT_EQ(state.draft.begin_proof(state.facts, state.draft.plan.planned, 0.0), Status::kRunning);
   Work work{100000};
-  ASSERT_EQ(tern::FlightWork::step(state.draft.proof, work), Progress::kDone);
+  ASSERT_EQ(state.draft.proof.step(work), Status::kOk);
   state.block.note_unproven(state.facts.map, state.draft);
   EXPECT_EQ(state.block.fence, 0);
   EXPECT_NEAR(state.block.at.x, 3.4, 0.1);

@@ -168,7 +168,7 @@ TEST(FlightLateBrakes, ContactBeforeTheTakeoverIsForgottenOnlyByAWholeProof) {
       state.watch.prove(state.facts, Watched::kBefore);
       ASSERT_TRUE(state.watch.is_running);
       Work work{4000};
-      ASSERT_EQ(tern::FlightWork::step(state.watch.proof, work), Progress::kDone);
+      ASSERT_EQ(state.watch.proof.step(work), Status::kOk);
       state.end_watched_part();
       EXPECT_EQ(state.watch.meets_before, met && added);
     }

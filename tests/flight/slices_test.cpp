@@ -99,7 +99,7 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
     state.run_watch(none);
     EXPECT_EQ(state.watch.part, Watched::kBefore);
     if (!is_before) {
-      EXPECT_EQ(tern::FlightWork::step(state.watch.proof, work), Progress::kDone);
+      EXPECT_EQ(state.watch.proof.step(work), Status::kOk);
       state.end_watched_part();
       EXPECT_EQ(state.watch.part, Watched::kLatest);
     }

@@ -238,7 +238,7 @@ class RollingMap {
   int32_t slack() const noexcept;
 
  private:
-  friend class FlightWork;  // lets the map take any time for its next frame
+  friend class FlightAccess;  // lets the map take any time for its next frame
 
   MapState* state_ = nullptr;
 };

@@ -102,8 +102,8 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
-  friend struct PlanProof;  // proves plans, with what the planner knows of them
-  friend class FlightWork;  // begins with fences that were checked before
+  friend struct PlanProof;    // proves plans, with what the planner knows of them
+  friend class FlightAccess;  // begins with fences that were checked before
   // clear_until() has no fences to check, and needs no stack for that.
   friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
 

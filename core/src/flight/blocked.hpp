@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "flight/aim.hpp"
-#include "flight/charge.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 #include "tern/flight.hpp"

@@ -35,7 +35,7 @@ Progress BranchSearch::advance(const FlightFacts& flight, const Vec3& start, Dra
       is_proving = make_candidate(flight, start, draft);
       continue;
     }
-    if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+    if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
     is_proving = false;
     if (draft.proof.report().finding == Finding::kNone) return Progress::kDone;
   }

@@ -8,7 +8,6 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "flight/branch.hpp"
-#include "flight/charge.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 

@@ -85,7 +85,7 @@ Progress Cycle::begin_remainder(const FlightFacts& flight, const Itinerary& itin
 
 Progress Cycle::prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft,
                                 Work& work) noexcept {
-  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   remainder_is_free =
       draft.proof.report().finding == Finding::kNone && flight.plans.in_flight.mission == itinerary.number;
   job = Job::kAim;

@@ -14,7 +14,6 @@
 #include "flight/aim.hpp"
 #include "flight/blocked.hpp"
 #include "flight/branch_search.hpp"
-#include "flight/charge.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 #include "flight/itinerary.hpp"

@@ -4,6 +4,7 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
+#include "flight/flight_access.hpp"
 #include "prove/joints.hpp"
 
 namespace tern {
@@ -96,25 +97,25 @@ bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed,
 
 bool Draft::prove_hover(const FlightFacts& flight) noexcept {
   const Commitment& hover = flight.plans.in_flight;
-  FlightWork::begin(proof, flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
-                    grounds_of(flight.spec, hover));
+  FlightAccess::begin(proof, flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
+                      grounds_of(flight.spec, hover));
   return proof.step(~std::uint32_t{0}) == Status::kOk && proof.report().finding == Finding::kNone;
 }
 
 Status Draft::begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept {
   proven_on = flight.map.safe().revision();
-  return FlightWork::begin(proof, flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,
-                           grounds_of(flight.spec, plan));
+  return FlightAccess::begin(proof, flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,
+                             grounds_of(flight.spec, plan));
 }
 
 Status Draft::begin_proof(const FlightFacts& flight, double from, Beyond beyond, const ProofGrounds& grounds) noexcept {
   proven_on = flight.map.safe().revision();
-  return FlightWork::begin(proof, flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
+  return FlightAccess::begin(proof, flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
 }
 
 Status Draft::begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept {
-  return FlightWork::begin(proof, copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
-                           {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
+  return FlightAccess::begin(proof, copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
+                             {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
 }
 
 double Draft::start_of_proof() const noexcept {

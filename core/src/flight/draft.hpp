@@ -9,7 +9,6 @@
 
 #include "curve/stopping.hpp"
 #include "flight/aim.hpp"
-#include "flight/charge.hpp"
 #include "flight/committed_plans.hpp"
 #include "flight/flight_facts.hpp"
 #include "tern/proof.hpp"

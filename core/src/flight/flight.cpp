@@ -5,6 +5,7 @@
 #include "tern/flight.hpp"
 
 #include "base/math.hpp"
+#include "flight/flight_access.hpp"
 #include "flight/flight_state.hpp"
 
 namespace tern {
@@ -61,7 +62,7 @@ Command Flight::command(int64_t t) const noexcept {
 Status Flight::set_clock(int64_t t) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   state_->facts.set_clock(t);
-  FlightWork::forget_time(state_->facts.map);
+  FlightAccess::forget_time(state_->facts.map);
   return Status::kOk;
 }
 

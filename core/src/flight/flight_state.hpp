@@ -12,7 +12,6 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "flight/blocked.hpp"
-#include "flight/charge.hpp"
 #include "flight/cycle.hpp"
 #include "flight/draft.hpp"
 #include "flight/evasion.hpp"

@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include "base/work.hpp"
-#include "flight/charge.hpp"
 #include "flight/flight_facts.hpp"
 #include "flight/itinerary.hpp"
 #include "tern/flight.hpp"

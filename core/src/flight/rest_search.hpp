@@ -11,7 +11,6 @@
 #include "base/progress.hpp"
 #include "base/work.hpp"
 #include "flight/blocked.hpp"
-#include "flight/charge.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
 #include "flight/itinerary.hpp"

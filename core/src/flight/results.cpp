@@ -32,8 +32,8 @@ Progress FlightState::run_job(Work& work) noexcept {
     case Job::kAim: return choose_aim();
     case Job::kAskRoute: return cycle.ask_route(facts, *planner, tick_work);
     case Job::kAskPlan: return cycle.ask_plan(facts, *planner, draft.takeover, tick_work);
-    case Job::kRoute: return FlightWork::run(*planner, work) == Progress::kMore ? Progress::kMore : end_route();
-    case Job::kPlan: return FlightWork::run(*planner, work) == Progress::kMore ? Progress::kMore : end_plan();
+    case Job::kRoute: return planner->step(work) == Status::kRunning ? Progress::kMore : end_route();
+    case Job::kPlan: return planner->step(work) == Status::kRunning ? Progress::kMore : end_plan();
     case Job::kWait: return or_fail(cycle.begin_reach(facts, draft));
     case Job::kReach: return run_reach(work);
     case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, work));
@@ -109,7 +109,7 @@ void FlightState::choose_draft(bool planned) noexcept {
 /// What ended the proof of the draft is what the sensor should see next. If the flight gave up, or something is too
 /// near to the resting vehicle, the report keeps that instead.
 Progress FlightState::run_reach(Work& work) noexcept {
-  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   const ProofReport& found = draft.proof.report();
   search.look_at_end(facts, draft, found.until);
   nose.note_view(facts.map, found);
@@ -128,7 +128,7 @@ Progress FlightState::run_reach(Work& work) noexcept {
 }
 
 Progress FlightState::run_confirm(Work& work) noexcept {
-  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   if (draft.proof.report().finding == Finding::kNone) {
     commit();
   } else {
@@ -155,7 +155,7 @@ bool FlightState::commit() noexcept {
 }
 
 /// Makes the draft a committed plan. New plans that do not lead nearer to the goal are counted, so that no vehicle
-/// flies to and fro for ever.
+/// flies back and forth without end.
 void FlightState::enter_draft() noexcept {
   if (!draft.extends && !evasion.is_running && !draft.plan.looks_out) {
     if (itinerary.count_plan(facts, cycle.aim.start.d[0])) search.forget_lookouts();

@@ -40,7 +40,7 @@ void FlightState::step_map(Work& work) noexcept {
 void FlightState::run_watch(Work& work) noexcept {
   if (!watch.is_running && !facts.map.busy()) watch.begin(facts, facts.map);
   for (int k = 0; k < kWatchedParts && watch.is_running; ++k) {
-    if (FlightWork::step(watch.proof, work) == Progress::kMore) return;
+    if (watch.proof.step(work) == Status::kRunning) return;
     end_watched_part();
   }
 }
@@ -101,7 +101,7 @@ void FlightState::prove_anew() noexcept {
 }
 
 Progress FlightState::run_evasion(Work& work) noexcept {
-  if (FlightWork::step(draft.proof, work) == Progress::kMore) return Progress::kMore;
+  if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   const EvasionResult result = evasion.judge(facts, itinerary, watch, draft, tick_work);
   if (result == EvasionResult::kProven) commit();
   if (result == EvasionResult::kOver) end_evasion();

@@ -3,7 +3,7 @@
 #include "flight/watch.hpp"
 
 #include "base/math.hpp"
-#include "flight/charge.hpp"
+#include "flight/flight_access.hpp"
 
 namespace tern {
 namespace {
@@ -43,7 +43,7 @@ void Watch::prove(const FlightFacts& flight, Watched which) noexcept {
   ProofGrounds grounds = grounds_of(flight.spec, plan);
   if (has_added && part != Watched::kAlarm) grounds.added = &added;
   if (part == Watched::kAlarm) grounds.alarm = &alarm;
-  is_running = FlightWork::begin(proof, flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
+  is_running = FlightAccess::begin(proof, flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
                Status::kRunning;
 }
 
