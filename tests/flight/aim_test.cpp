@@ -53,7 +53,7 @@ TEST(FlightAim, AimsAreWithinReachAndTheWindow) {
   EXPECT_TRUE(state.cycle.aim.at_target);
 }
 
-/// The window follows a vehicle that has left its middle, unless that would cut off the end of what is flown:
+/// The window follows a vehicle that has left its middle, unless that would cut off the end of the committed plan:
 /// of the 16 m on each side, 9.25 may be lost to whole words, and 0.75 are the radius and a voxel.
 TEST(FlightAim, TheWindowHoldsWhatIsFlown) {
   const auto follows = [](double at, double way) {

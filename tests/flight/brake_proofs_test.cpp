@@ -1,7 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What ends the proof of a brake, and what is proven anew of what is flown.
+// What ends the proof of a brake, and what is proven anew of the committed plan.
 #include <gtest/gtest.h>
 
 #include "support/flight_room.hpp"
@@ -100,7 +100,7 @@ TEST(FlightBrakeProofs, AllIsProvenAnewWhereThatIsAskedFor) {
 }
 
 /// Something appears where the vehicle is, and not in the way of what is about to take over, 6 m beside it. If that is
-/// a brake, it was proven, and answers for what is flown until then, whose contact is reported; a plan is dropped.
+/// a brake, it was proven, and answers for the committed plan until then, whose contact is reported; a plan is dropped.
 TEST(FlightBrakeProofs, BrakeThatTakesOverAnswersForWhatComesBefore) {
   for (const bool evades : {true, false}) {
     Flying room;

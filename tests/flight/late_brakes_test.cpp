@@ -15,7 +15,7 @@ using tern_test::kNothing;
 constexpr JudgedBrake kNoBrake{-1, 0.0, 0.0, false};
 constexpr JudgedBrake kBrake{0, 0.5, 1.0, true};
 
-/// Brakes are in work, and `tried` of them were tried when the time was up.
+/// Brakes are pending, and `tried` of them were tried when the time was up.
 struct TimeIsUp : Flying {
   TimeIsUp(int tried, bool threat, const JudgedBrake& best) {
     FlightState& s = state();

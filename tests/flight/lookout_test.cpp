@@ -128,7 +128,7 @@ TEST(FlightLookout, IsSoughtOnceTheMapIsThere) {
   expect_same(state.block.at, kHidden);
 }
 
-/// Plans that go on along what is flown, or to the same place, lead to no other lookout.
+/// Plans that go on along the committed plan, or to the same place, lead to no other lookout.
 TEST(FlightLookout, CountsOnceOnTheWayThere) {
   Stuck room;
   FlightState& state = room.state();

@@ -163,7 +163,7 @@ TEST(FlightNose, SlowNosesTakeAllPieces) {
 /// A quarter of 400 units for eight ticks pays for the points and a few iterations: it is flown as it is.
 TEST(FlightNose, YawPlanThatIsNotDoneInTimeIsFlownAsItIs) {
   FlightSpec spec = turning(2.5, 400);
-  spec.limits.v_max = {1.0, 1.0, 1.0};  // so that what is flown takes more than 4 s
+  spec.limits.v_max = {1.0, 1.0, 1.0};  // so that the committed plan takes more than 4 s
   FlightRoom room(spec);
   const FlightState& state = room.state();
   room.flight.set_goal({8.125, 0.125, 1.125});

@@ -114,7 +114,8 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
   }
 }
 
-/// A stop whose brakes are not proven in time: what is flown goes on, and they are tried again with twice the lead.
+/// A stop whose brakes are not proven in time: the committed plan goes on, and they are tried again with twice the
+/// lead.
 TEST(FlightSlices, BrakeThatIsNotDoneInTimeGetsMoreTime) {
   Flying room;
   FlightState& state = room.state();
@@ -183,7 +184,7 @@ TEST(FlightSlices, BrakesBeginWhileTheAlarmIsProven) {
     FlightState& state = room.state();
     const Vec3 p = room.position();
     room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
-    // Enough for the threat, and not for all of what is flown.
+    // Enough for the threat, and not for all of the committed plan.
     for (int k = 0; k < 1000 && !state.watch.threat; ++k) room.watch(6);
     ASSERT_TRUE(state.watch.threat);
     ASSERT_TRUE(state.watch.is_running);
@@ -266,7 +267,7 @@ TEST(FlightSlices, StopOnABrakeChangesNothing) {
   EXPECT_EQ(room.speed(), 0.0);
 }
 
-/// The rest of what is flown is chosen again and again, and changes nothing: that is no commit.
+/// The remainder of the committed plan is chosen again and again, and changes nothing: that is no commit.
 TEST(FlightSlices, PlanThatIsFlownIsNotCommittedAgain) {
   for (const double way : {0.0, 0.05, 4.0}) {
     FlightRoom room;

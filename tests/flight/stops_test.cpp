@@ -108,7 +108,7 @@ TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
   room.flight.stop();
   room.advance(tern_test::kNothing);
   ASSERT_TRUE(state.evasion.is_running);
-  room.flight.stop();  // once more: the brake in work is the one
+  room.flight.stop();  // once more: the pending brake is the one
   ASSERT_TRUE(state.evasion.is_running);
   room.time = state.draft.deadline;
   room.advance(tern_test::kNothing);

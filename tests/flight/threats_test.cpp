@@ -17,7 +17,7 @@ using tern_test::FlightRoom;
 using tern_test::Flying;
 using tern_test::kNothing;
 
-constexpr double kContact = 2.0;  ///< m/s, on what is flown
+constexpr double kContact = 2.0;  ///< m/s, on the committed plan
 
 /// A flight under a threat, all of whose brakes were tried.
 struct Threatened : Flying {
@@ -35,7 +35,7 @@ struct Threatened : Flying {
     s.evasion.along = kSlowDowns;
     s.evasion.number = kEvasions;
   }
-  /// Is this brake flown, where what is flown is clear of everything but the alarm or not?
+  /// Is this brake flown if the committed plan is clear of everything but the alarm, or if it is not?
   bool flies(const JudgedBrake& best, bool known) {
     state().evasion.best = best;
     state().watch.known = known;
@@ -55,7 +55,7 @@ TEST(FlightThreats, SlowerBrakesAreFlownUnlessTheyMayTouchMore) {
   EXPECT_FALSE(flies({0, 0.1, kFaster, true}, true));
   EXPECT_FALSE(flies({0, 0.1, kFaster, false}, true));
   EXPECT_FALSE(flies({0, 0.1, kFaster, false}, false));
-  EXPECT_TRUE(flies({0, 0.1, kFaster, true}, false));  // what is flown touches more than the alarm
+  EXPECT_TRUE(flies({0, 0.1, kFaster, true}, false));  // the committed plan touches more than the alarm
   EXPECT_FALSE(flies({-1, 0.1, kSlower, true}, false));
 }
 
@@ -149,7 +149,7 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
   EXPECT_GT(marked, 0);
 }
 
-/// Without a threat, what is flown is proven: a brake for stop() that is not is not flown.
+/// Without a threat, the committed plan is proven: a brake for stop() that is not is not flown.
 TEST(FlightThreats, UnprovenStopIsNotFlown) {
   Threatened room;
   room.state().watch.threat = false;
@@ -258,7 +258,7 @@ void wall_at(FlightRoom& room, double x) {
   room.mark({{x, -4.0, -2.0}, {x + 0.5, 4.0, 4.0}});
 }
 
-/// A contact is 1.9 s away, and a plan in work takes over in 0.1 s: from there, the vehicle may brake for 1.1 s, if it
+/// A contact is 1.9 s away, and a pending plan takes over in 0.1 s: from there, the vehicle may brake for 1.1 s, if it
 /// must. Where the contact is 0.7 s away, it brakes at once.
 TEST(FlightThreats, PlanInWorkGoesOnWhereItLeavesTimeToBrake) {
   for (const bool is_far : {true, false}) {

@@ -254,7 +254,7 @@ TEST(FlightContacts, NoFasterThanByAnImmediateBrakeWithLittleWork) {
   }
 }
 
-/// A brake that was at hand, and came too late, is tried again.
+/// A brake that was ready, but too late, is tried again.
 TEST(FlightContacts, TicksSkippedUnderAThreatOnlyDelayTheBrake) {
   FlightSettings settings = fast();
   settings.work_per_tick = 2000;

@@ -178,7 +178,7 @@ TEST(FlightFaults, TicksSkippedAfterAStopOnlyDelayTheBrake) {
   EXPECT_GT(missed, 0);
 }
 
-/// A plan is in work at rest. It must not be flown once the user says stop.
+/// A plan is pending at rest. It must not be flown once the user says stop.
 TEST(FlightFaults, AStopTakesBackThePlanInWork) {
   int planning = 0;
   for (int k = 0; k < tern_test::scaled(20) && !HasFatalFailure(); ++k) {
@@ -197,7 +197,7 @@ TEST(FlightFaults, AStopTakesBackThePlanInWork) {
   EXPECT_GT(planning, 0);
 }
 
-/// Whatever was in work when the goal moved: the vehicle arrives at the new one.
+/// Whatever was pending when the goal moved: the vehicle arrives at the new one.
 TEST(FlightFaults, APlanInWorkForTheOldGoalDoesNotReachTheNewOne) {
   for (int k = 0; k < tern_test::scaled(30) && !HasFatalFailure(); ++k) {
     FlightSettings settings = fast();

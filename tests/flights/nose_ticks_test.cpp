@@ -197,7 +197,7 @@ TEST(FlightNoseTicks, AngleCountsWholeTurns) {
   EXPECT_NEAR(room.flight.yaw(t).angle - first, kThirds * 2.0 * M_PI / 3.0, 0.2);  // a short plan ends a little off
 }
 
-/// A point that moves is told at every tick; plans in work go on all the same.
+/// A point that moves is told at every tick; pending plans go on all the same.
 TEST(FlightNoseTicks, WishThatChangesAtEveryTickIsFollowed) {
   FlightRoom room;
   FlightYaw yaw{};
