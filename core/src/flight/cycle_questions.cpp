@@ -14,6 +14,19 @@ constexpr std::uint32_t kOptimiserPart = 2;
 /// Of a plan or a route besides the planner: choosing an aim and a draft, and copies of trajectories.
 constexpr Operations kPlanOperations = kMaxSegments * ops::kCurve;
 
+/// From the start to the aim, at rest, through the points that are asked for.
+Request request_to(const Aim& aim, const FlightSpec& spec) {
+  Request request{};
+  request.start.position = aim.start.d[0];
+  request.goal.position = aim.place;
+  request.limits = spec.limits;
+  request.fences = spec.fences;
+  request.fence_count = spec.fence_count;
+  request.vias = aim.asked;
+  request.via_count = aim.asked_count;
+  return request;
+}
+
 /// True if the vehicle will rest, and the nearest free point to an aim in an obstacle, which is the aim now, is no
 /// nearer to the target than its own place.
 bool gets_no_nearer(const FlightFacts& flight, const Aim& aim, std::int64_t takeover) {
@@ -37,31 +50,17 @@ void Cycle::ask(const FlightFacts& flight) noexcept {
 }
 
 Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, Work& work) noexcept {
-  Request request{};
-  request.start.position = aim.start.d[0];
-  request.goal.position = aim.place;
-  request.limits = flight.spec.limits;
-  request.fences = flight.spec.fences;
-  request.fence_count = flight.spec.fence_count;
-  request.vias = aim.asked;
-  request.via_count = aim.asked_count;
-  planner.begin_route(route.grid(), request);
+  planner.begin_route(route.grid(), request_to(aim, flight.spec));
   work.spend(kPlanOperations);
   job = Job::kRoute;
   return Progress::kDone;
 }
 
 Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, Work& work) noexcept {
-  Request request{};
+  Request request = request_to(aim, flight.spec);
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
-  request.goal.position = aim.place;
-  request.limits = flight.spec.limits;
   request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
-  request.fences = flight.spec.fences;
-  request.fence_count = flight.spec.fence_count;
-  request.vias = aim.asked;
-  request.via_count = aim.asked_count;
   const Commitment& in_flight = flight.plans.in_flight;
   const double from = seconds_between(in_flight.begin, takeover);
   if (from >= 0.0 && from < in_flight.branch) {

@@ -91,34 +91,19 @@ JointState joint_behind(const Trajectory& plan, int segment) {
   return longer_follows ? state_at(plan.segments[segment + 1], 0.0) : state_at(plan.segments[segment], 1.0);
 }
 
-/// Appends the segments of the rest one after another. Each is placed by how far it moves, so that its rounding does
-/// not depend on where in the plan it lies.
-class Moves {
- public:
-  /// From the requested start, which is the origin of the rest.
-  Moves(const Sample& start, Previous& rest)
-      : rest_(rest), from_{{kZero, start.velocity, start.acceleration, start.jerk}} {}
-
-  void append_move(const Vec3& move, JointState to, double duration) {
-    to.d[0] = from_.d[0] + move;
-    append(from_, to, duration, rest_);
-    from_ = to;
-  }
-
- private:
-  Previous& rest_;
-  JointState from_;
-};
-
-/// Appends what is left of the plan. If the rest ends at the goal, its end has the requested motion of the goal.
+/// Appends what is left of the plan, from the requested start, which is its origin. Each segment is placed by how far
+/// it moves, so that its rounding does not depend on where in the plan it lies. If the last one ends at the goal, it
+/// has the requested motion of the goal there.
 void append_moves(const Cut& cut, const State& goal, Previous& rest) {
   const Trajectory& plan = rest.plan;
-  Moves moves(cut.now, rest);
+  JointState from{{kZero, cut.now.velocity, cut.now.acceleration, cut.now.jerk}};
   for (int i = cut.segment; i < plan.count; ++i) {
     const double left = i == cut.segment ? cut.left : plan.segments[i].duration;
-    JointState end = joint_behind(plan, i);
-    if (i + 1 == plan.count && rest.meets_goal) end = as_asked(goal, end);
-    moves.append_move(last_move(plan.segments[i], left), end, left);
+    JointState to = joint_behind(plan, i);
+    if (i + 1 == plan.count && rest.meets_goal) to = as_asked(goal, to);
+    to.d[0] = from.d[0] + last_move(plan.segments[i], left);
+    append(from, to, left, rest);
+    from = to;
   }
 }
 
