@@ -23,7 +23,7 @@ static tern::Status look_ahead(tern::Flight& flight) {
   tern::FlightYaw yaw{};
   yaw.mode = tern::FlightYawMode::kTowardsUnseen;
   yaw.acceleration_max = 8.0;  // rad/s^2; the limit on the rate is FlightSpec::yaw_rate
-  yaw.view = 1.57;             // the camera's horizontal field of view, rad
+  yaw.field_of_view = 1.57;    // the camera's horizontal field of view, rad
   yaw.start = {1.0, 0.0};
   return flight.set_yaw(yaw);
 }

@@ -84,16 +84,16 @@ Status plan_with_vias(int count) {
 }
 
 std::vector<Exceeded> request_capacities() {
-  return {{"TERN_MAX_FENCES", Status::kFencesFull, [] { return plan_with_fences(tern::kMaxFences, 1) == Status::kOk; },
-           [] { return plan_with_fences(tern::kMaxFences + 1, 1); }},
-          {"TERN_MAX_FENCE_PLANES", Status::kFencePlanesFull,
-           [] { return plan_with_fences(1, tern::kMaxFencePlanes) != Status::kFencePlanesFull; },
-           [] { return plan_with_fences(1, tern::kMaxFencePlanes + 1); }},
-          {"TERN_MAX_FENCE_WORDS", Status::kFenceLayerFull,
-           [] { return plan_on_words(tern::kMaxFenceWords) == Status::kOk; },
-           [] { return plan_on_words(tern::kMaxFenceWords + 64); }},
-          {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
-           [] { return plan_with_vias(tern::kMaxVias + 1); }}};
+  return {
+      {"TERN_MAX_FENCES", Status::kFencesFull, [] { return plan_with_fences(tern::kMaxFences, 1) == Status::kOk; },
+       [] { return plan_with_fences(tern::kMaxFences + 1, 1); }},
+      {"TERN_MAX_FENCE_PLANES", Status::kFencePlanesFull,
+       [] { return plan_with_fences(1, tern::kMaxFencePlanes) != Status::kFencePlanesFull; },
+       [] { return plan_with_fences(1, tern::kMaxFencePlanes + 1); }},
+      {"TERN_MAX_WORLD_WORDS", Status::kWorldFull, [] { return plan_on_words(tern::kMaxWorldWords) == Status::kOk; },
+       [] { return plan_on_words(tern::kMaxWorldWords + 64); }},
+      {"TERN_MAX_VIAS", Status::kViasFull, [] { return plan_with_vias(tern::kMaxVias) == Status::kOk; },
+       [] { return plan_with_vias(tern::kMaxVias + 1); }}};
 }
 
 // ---- maps and yaws

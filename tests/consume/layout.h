@@ -78,11 +78,11 @@
   FIELD(tern_flight_report, asked) FIELD(tern_flight_report, committed) FIELD(tern_flight_report, dropped)           \
   FIELD(tern_flight_report, failed) FIELD(tern_flight_report, work) FIELD(tern_flight_report, contact_time)          \
   FIELD(tern_flight_report, contact_speed) FIELD(tern_flight_report, leg) FIELD(tern_flight_report, passed)          \
-  FIELD(tern_flight_report, skipped) FIELD(tern_flight_report, waits_for_view)                                       \
+  FIELD(tern_flight_report, skipped) FIELD(tern_flight_report, waits_for_nose)                                       \
   FIELD(tern_flight_report, map_stale) FIELD(tern_flight_report, frame_age)                                          \
   FIELD(tern_flight_report, blocked_by) FIELD(tern_flight_report, blocked_at)                                         \
   FIELD(tern_flight_report, blocked_fence)                                                                            \
-  FIELD(tern_flight_yaw, mode) FIELD(tern_flight_yaw, acceleration_max) FIELD(tern_flight_yaw, view)                 \
+  FIELD(tern_flight_yaw, mode) FIELD(tern_flight_yaw, acceleration_max) FIELD(tern_flight_yaw, field_of_view)        \
   FIELD(tern_flight_yaw, start) FIELD(tern_flight_yaw, heading) FIELD(tern_flight_yaw, point)                        \
   FIELD(tern_flight_yaw, headings) FIELD(tern_flight_yaw, heading_count)                                             \
   FIELD(tern_command, sample) FIELD(tern_command, look_at)

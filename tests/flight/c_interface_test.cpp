@@ -214,7 +214,7 @@ TEST(FlightC, YawPlansAreChecked) {
   EXPECT_EQ(set([](tern_flight_yaw& y) { y.start.cosine = NAN; }), Status::kNonFiniteInput);
   EXPECT_EQ(set([](tern_flight_yaw&) {}), Status::kOk);
   EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = NAN; }), Status::kNonFiniteInput);
-  EXPECT_EQ(set([](tern_flight_yaw& y) { y.view = NAN; }), Status::kNonFiniteInput);
+  EXPECT_EQ(set([](tern_flight_yaw& y) { y.field_of_view = NAN; }), Status::kNonFiniteInput);
   EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = 1e-3; }), Status::kLimitsInvalid);
   EXPECT_EQ(set([](tern_flight_yaw& y) { y.acceleration_max = 1e4; }), Status::kLimitsInvalid);
   EXPECT_EQ(set([](tern_flight_yaw& y) { y.start = {0.0, 0.0}; }), Status::kOk);  // it is read once

@@ -92,9 +92,9 @@ TEST(FlightNose, FieldsOfViewAreAtMostAFullTurn) {
   FlightRoom room;
   for (const double view : {-0.01, 6.2832}) {
     FlightYaw yaw = yaw_of(FlightYawMode::kFixed);
-    yaw.view = view;
+    yaw.field_of_view = view;
     EXPECT_EQ(room.flight.set_yaw(yaw), Status::kInvalidArgument) << view;
-    yaw.view = 6.2831;
+    yaw.field_of_view = 6.2831;
     EXPECT_EQ(room.flight.set_yaw(yaw), Status::kOk);
   }
 }
@@ -228,27 +228,27 @@ TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
   state.nose.has_unseen = true;
   const Vec3 p = room.position();
   state.nose.unseen = {p.x - 2.0, p.y, p.z};
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));  // no yaw is planned
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));  // no yaw is planned
   FlightYaw yaw = yaw_of(FlightYawMode::kTowardsUnseen);
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));  // no field of view
-  yaw.view = 0.5 * M_PI;
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));  // no field of view
+  yaw.field_of_view = 0.5 * M_PI;
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.nose.unseen = {p.x + 2.0, p.y + 1.9, p.z};
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.nose.unseen = {p.x + 2.0, p.y + 2.1, p.z};
-  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.nose.has_unseen = false;
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.nose.has_unseen = true;
   state.itinerary.parked = true;
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.itinerary.parked = false;
   state.itinerary.has_goal = false;
-  EXPECT_FALSE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
   state.itinerary.has_goal = true;
-  EXPECT_TRUE(state.nose.waits_for_view(state.facts, state.itinerary));
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
 }
 
 /// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.

@@ -131,7 +131,7 @@ TEST(FlightThreats, BoxMarkedDuringAProofStaysAThreat) {
     tern_test::Flying room;
     FlightState& state = room.state();
     const auto proves = [&] {
-      return state.cycle.job == Job::kReach || state.cycle.job == Job::kBranch || state.cycle.job == Job::kConfirm;
+      return state.cycle.job == Job::kProve || state.cycle.job == Job::kBranch || state.cycle.job == Job::kConfirm;
     };
     for (int k = 0; k < 100000 && !proves(); ++k) room.advance(1);
     ASSERT_TRUE(proves());

@@ -115,7 +115,7 @@ FlightYaw any_wish(Random& random, double acceleration, Headings& kept) {
   FlightYaw yaw{};
   yaw.mode = static_cast<FlightYawMode>(random.integer(0, 4));
   yaw.acceleration_max = acceleration;
-  yaw.view = random.chance(0.5) ? 1.5 : 0.0;
+  yaw.field_of_view = random.chance(0.5) ? 1.5 : 0.0;
   yaw.start = heading();
   yaw.heading = heading();
   yaw.point = {random.real(-4.0, 4.0), random.real(-4.0, 4.0), 1.0};

@@ -25,7 +25,7 @@ FlightYaw yaw_of(FlightYawMode mode) {
   FlightYaw yaw{};
   yaw.mode = mode;
   yaw.acceleration_max = kMost;
-  yaw.view = 0.5 * M_PI;
+  yaw.field_of_view = 0.5 * M_PI;
   yaw.start = {1.0, 0.0};
   yaw.heading = {0.0, 1.0};
   yaw.point = {10.0, 4.0, 0.0};
@@ -48,7 +48,7 @@ struct Turned {
       flown.tick();
       check_same(ahead, flown.flight.yaw(flown.time));
       for (std::int64_t t = from; t < flown.time; t += 2000000) check_limits(flown.flight.yaw(t));
-      waits += flown.report.waits_for_view ? 1 : 0;
+      waits += flown.report.waits_for_nose ? 1 : 0;
       if (flown.report.mode == FlightMode::kRest && flown.report.reason != FlightReason::kNone) break;
     }
     return flown.report.reason;
@@ -171,9 +171,9 @@ TEST(FlightYaw, WrongRequestsAreRefused) {
   bad.acceleration_max = 0.0;
   EXPECT_EQ(flown.flight.set_yaw(bad), Status::kLimitsInvalid);
   bad = good;
-  bad.view = std::numeric_limits<double>::infinity();
+  bad.field_of_view = std::numeric_limits<double>::infinity();
   EXPECT_EQ(flown.flight.set_yaw(bad), Status::kNonFiniteInput);
-  bad.view = 7.0;
+  bad.field_of_view = 7.0;
   EXPECT_EQ(flown.flight.set_yaw(bad), Status::kInvalidArgument);
   bad = good;
   bad.start = {0.0, 0.0};

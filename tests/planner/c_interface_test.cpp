@@ -87,7 +87,7 @@ TEST(CInterface, EveryByteHasNames) {
   EXPECT_STREQ(tern_field_name(200), "unknown");
   EXPECT_STREQ(tern_finding_name(200), "unknown");
   EXPECT_STREQ(tern_stage_name(1), "search");
-  EXPECT_STREQ(tern_stage_name(10), "escape");
+  EXPECT_STREQ(tern_stage_name(10), "stop_first");
   EXPECT_STREQ(tern_finding_name(2), "obstacle");
   EXPECT_STREQ(tern_field_name(static_cast<std::uint8_t>(Field::kSearch)), "search");
 }
@@ -135,7 +135,7 @@ TEST(CInterface, EveryStatusHasItsConstant) {
       {TERN_ITERATION_LIMIT, "iteration_limit"},
       {TERN_FENCES_FULL, "fences_full"},
       {TERN_FENCE_PLANES_FULL, "fence_planes_full"},
-      {TERN_FENCE_LAYER_FULL, "fence_layer_full"},
+      {TERN_WORLD_FULL, "world_full"},
       {TERN_VIAS_FULL, "vias_full"},
       {TERN_PIXELS_FULL, "pixels_full"},
       {TERN_PRIOR_FULL, "prior_full"},

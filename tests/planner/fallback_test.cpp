@@ -130,13 +130,13 @@ TEST_F(EscapedFallback, ComesToRestElsewhere) {
   ASSERT_EQ(run(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kOptimised);
   ASSERT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
-  const std::uint32_t escaped = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work;
+  const std::uint32_t stopped = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kStopFirst)].work;
   begin();
   spoil();
   ASSERT_EQ(run(), Status::kOk);
   EXPECT_EQ(world_.report.quality, Quality::kOptimised);
   EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
-  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, escaped);
+  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kStopFirst)].work, stopped);
 }
 
 TEST_F(EscapedFallback, EndsAsTheRequestDidWhereNoneHolds) {

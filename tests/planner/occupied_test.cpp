@@ -33,7 +33,7 @@ class OccupiedEnds : public testing::Test {
     EXPECT_EQ(report().raw_occupied, raw);
     EXPECT_EQ(report().finer_cell, 0.0) << "occupied, or so narrow that no grid that fine fits";
     EXPECT_TRUE(report().has_nearest_free);
-    EXPECT_EQ(report().diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+    EXPECT_EQ(report().diagnostics.stages[static_cast<int>(tern::Stage::kStopFirst)].work, 0u);
     EXPECT_TRUE(world_.trajectory_untouched());
   }
 
@@ -102,7 +102,7 @@ TEST_F(OccupiedEnds, AStartDeepInTheTunnelIsRefusedAfterItsEscapes) {
   world_.from(inside_);
   start().velocity = along_;
   EXPECT_EQ(world_.plan(), Status::kStartTooNarrow);
-  EXPECT_GT(report().diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+  EXPECT_GT(report().diagnostics.stages[static_cast<int>(tern::Stage::kStopFirst)].work, 0u);
 }
 
 /// The way to a via where the plan starts is no way at all, and the next leg finds no voxel to begin in.

@@ -138,7 +138,7 @@ TEST_F(PreviousPlan, IsNotReturnedToWithoutTheWorkForIt) {
   ASSERT_EQ(world_.replan(), Status::kOk);
   ASSERT_EQ(world_.report.quality, Quality::kPrevious);
   std::uint64_t needed = 0;
-  for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kEscape}) {
+  for (const tern::Stage stage : {tern::Stage::kCorridor, tern::Stage::kPrevious, tern::Stage::kStopFirst}) {
     needed += world_.report.diagnostics.stages[static_cast<int>(stage)].work;
   }
   world_.request.budget.corridor = static_cast<std::uint32_t>(needed);

@@ -108,7 +108,7 @@ TEST(RestInATunnel, LeadsOutBeforeTheGoalsOwnEscape) {
   ASSERT_EQ(world.replan(), Status::kOk);
   EXPECT_EQ(world.report.diagnostics.detours, tern::detours_of(tern::Attempt::kFollow));
   EXPECT_GT(stage(world, Stage::kPrevious).work, 0u);
-  EXPECT_GT(stage(world, Stage::kEscape).work, 0u);
+  EXPECT_GT(stage(world, Stage::kStopFirst).work, 0u);
   const double end = tern::duration(first) - 0.01;
   EXPECT_LE(tern::distance(tern::evaluate(world.trajectory, end).position, {5.0, 1.0, 1.0}), 1e-9);
   const tern::Segment& last = world.trajectory.segments[world.trajectory.count - 1];

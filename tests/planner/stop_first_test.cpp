@@ -39,7 +39,7 @@ class StopFirstPlan : public testing::Test {
   void expect_stopped_first() {
     ASSERT_EQ(world_.plan(), Status::kOk);
     EXPECT_EQ(world_.report.diagnostics.detours, tern::detours_of(tern::Attempt::kStopFirst));
-    EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kEscape)].work, 0u);
+    EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kStopFirst)].work, 0u);
     for (const tern::StageReport& stage : world_.report.diagnostics.stages) EXPECT_LE(stage.work, stage.bound);
     const double end = tern::duration(world_.trajectory);
     const int steps = 4000;
@@ -88,7 +88,7 @@ TEST_F(StopFirstPlan, ThePlannerSaysItsStage) {
   }
   EXPECT_EQ(status, Status::kOk);
   world_.planner.finish(world_.trajectory, world_.report);
-  const int stop = static_cast<int>(tern::Stage::kEscape);
+  const int stop = static_cast<int>(tern::Stage::kStopFirst);
   EXPECT_GT(units[stop], 0u);
   EXPECT_GT(world_.report.diagnostics.stages[stop].work, 0u);
   EXPECT_EQ(world_.planner.stage(), tern::Stage::kCheck);

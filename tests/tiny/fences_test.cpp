@@ -37,7 +37,7 @@ TEST(TinyFences, ANarrowGridNeedsMoreWordsThanVoxels) {
   world.from({0.05, 0.25, 0.25}).to({0.05, 0.85, 0.45});
   const Halfspace far{{0.0, 1.0, 0.0}, 5.0};
   EXPECT_EQ(plan(world, {}), Status::kOk);
-  EXPECT_EQ(plan(world, {{&far, 1, FenceKind::kKeepIn}}), Status::kFenceLayerFull);
+  EXPECT_EQ(plan(world, {{&far, 1, FenceKind::kKeepIn}}), Status::kWorldFull);
   EXPECT_EQ(world.report.field, tern::Field::kFences);
   const Halfspace short_of_goal{{0.0, 1.0, 0.0}, 0.5};
   EXPECT_EQ(plan(world, {{&short_of_goal, 1, FenceKind::kKeepIn}}), Status::kGoalFenced);
@@ -51,7 +51,7 @@ TEST(TinyFences, AGoalAsNearAsPossibleNeedsALayerToo) {
   EXPECT_EQ(world.plan(), Status::kNoPath);
   EXPECT_FALSE(world.report.has_reachable);
   world.request.goal_mode = tern::GoalMode::kNearest;
-  EXPECT_EQ(world.plan(), Status::kFenceLayerFull);
+  EXPECT_EQ(world.plan(), Status::kWorldFull);
   EXPECT_EQ(world.report.stage, tern::Stage::kReach);
 }
 

@@ -126,7 +126,7 @@ Json timing_json(const Timing& timing) {
           {"fences", timing.of(tern::Stage::kFences)},
           {"detour", timing.of(tern::Stage::kDetour)},
           {"previous", timing.of(tern::Stage::kPrevious)},
-          {"escape", timing.of(tern::Stage::kEscape)},
+          {"stop_first", timing.of(tern::Stage::kStopFirst)},
           {"reach", timing.of(tern::Stage::kReach)},
           {"total", timing.total()}};
 }

@@ -115,10 +115,11 @@
 #define TERN_MAX_FENCE_PLANES TERN_DEFAULT(14, 16, 48, 64)
 #endif
 
-/// Words of the blocked layer, for a grid that is planned on with fences, 8 bytes each. A word holds 64 voxels of a row
-/// along x, and each row begins with a new word. 1 is enough if no request has fences. Beyond it: kFenceLayerFull.
-#ifndef TERN_MAX_FENCE_WORDS
-#define TERN_MAX_FENCE_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
+/// Words of the blocked layer of a plan's world, if that is not the grid's own: with fences, and for the flood from the
+/// start if the goal cannot be reached. 8 bytes each. A word holds 64 voxels of a row along x, and each row begins with
+/// a new word. 1 is enough if no request has fences or GoalMode::kNearest. Beyond it: kWorldFull.
+#ifndef TERN_MAX_WORLD_WORDS
+#define TERN_MAX_WORLD_WORDS TERN_DEFAULT(1024, 1536, 48 * 1024, 2 * 1024 * 1024)
 #endif
 
 /// Pixels of the images that a rolling map takes (MapSpec::pixels), 4 bytes each in the map's words. Beyond it:
@@ -162,7 +163,7 @@ constexpr int kMaxQpSolves = TERN_MAX_QP_SOLVES;
 constexpr int kMaxFences = TERN_MAX_FENCES;
 constexpr int kMaxFencePlanes = TERN_MAX_FENCE_PLANES;
 constexpr int32_t kMaxVias = TERN_MAX_VIAS;
-constexpr int64_t kMaxFenceWords = TERN_MAX_FENCE_WORDS;
+constexpr int64_t kMaxWorldWords = TERN_MAX_WORLD_WORDS;
 constexpr int32_t kMaxPixels = TERN_MAX_PIXELS;
 constexpr int32_t kMaxPriorBoxes = TERN_MAX_PRIOR_BOXES;
 constexpr int32_t kMaxYawPieces = TERN_MAX_YAW_PIECES;
@@ -178,7 +179,7 @@ constexpr double kSightMargin = 0.05;
 static_assert(kMaxCells <= int64_t{1} << 27 && kMaxDimension <= 2048, "a path cost is 64-bit fixed point");
 static_assert(kMaxPlanes >= 8, "six box faces and two obstacles at least");
 static_assert(kMaxSegments >= 2 && kMaxSegments <= 1024, "segment indices are small");
-static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxFenceWords >= 1,
+static_assert(kMaxFences >= 1 && kMaxFencePlanes >= 6 && kMaxFencePlanes <= 96 && kMaxWorldWords >= 1,
               "a fence that is a box; facets of fences live on the stack");
 static_assert(kMaxVias >= 1 && kMaxVias <= 1024, "sizes of reports are small");
 static_assert(kMaxPixels >= 64 && kMaxPixels <= (1 << 26) && kMaxPriorBoxes >= 1, "sizes of images are 32 bits");

@@ -147,8 +147,8 @@ struct FlightYaw {
   FlightYawMode mode;
   /// Limit on the angular acceleration, rad/s^2, 0.01 .. 1000.
   double acceleration_max;
-  /// The sensor's horizontal field of view, rad, 0 .. 2 pi; 0 if FlightReport::waits_for_view does not matter.
-  double view;
+  /// The sensor's horizontal field of view, rad, 0 .. 2 pi; 0 if FlightReport::waits_for_nose does not matter.
+  double field_of_view;
   /// The heading at rest; only the first set_yaw() after start() reads it.
   Heading start;
   Heading heading;  ///< for kFixed
@@ -173,9 +173,9 @@ struct FlightReport {
   double contact_speed;
   /// The mission's next point, and how many were passed and skipped. Flight::point_state() says which.
   int32_t leg, passed, skipped;
-  /// True if the next thing to see is outside the sensor's field of view (FlightYaw::view): the limits on the yaw slow
-  /// the flight.
-  bool waits_for_view;
+  /// True if the next thing to see is outside the sensor's field of view (FlightYaw::field_of_view): the limits on the
+  /// yaw slow the flight.
+  bool waits_for_nose;
   /// True if no frame was entered into the map for longer than FlightSpec::stale_after. The committed plan is as safe
   /// as ever, but ends where the known space ends.
   bool map_stale;
@@ -235,8 +235,8 @@ class Flight {
   /// From now on, plans yaws beside the committed plans. Without this call, yaw() is 0. May be called again at any
   /// time: the nose goes on from where it is, though an acceleration beyond a new, lower limit steps down to it. kOk;
   /// or a refusal, which changes nothing: kNonFiniteInput; kLimitsInvalid; kInvalidArgument (before start(), a mode
-  /// that is none, a heading without direction, too many headings or none, view out of range). Fields that the mode
-  /// does not read may hold anything.
+  /// that is none, a heading without direction, too many headings or none, a field of view out of range). Fields that
+  /// the mode does not read may hold anything.
   Status set_yaw(const FlightYaw& yaw) noexcept;
   /// Where the nose points at time `t`, with rate and acceleration: all three are continuous, however ticks come. The
   /// angle begins within half a turn of 0 and counts whole turns from there. Every time has an answer, as for

@@ -50,7 +50,7 @@ struct ProofGrounds {
   const Box* added = nullptr;
   /// A place to get away from, for a vehicle at rest with something within its radius. The trajectory may come as near
   /// to an obstacle as this place is, even if that is less than the radius, but no nearer.
-  const Vec3* left = nullptr;
+  const Vec3* departed = nullptr;
   /// Obstacles of this alarm do not count.
   const Alarm* alarm = nullptr;
   /// Fences that the trajectory must respect, `fence_count` of them, valid as for a Request. They must stay until the
@@ -155,8 +155,8 @@ class Proof {
   FenceScratch* scratch_ = nullptr;
   bool has_added_ = false;
   Box added_{};  // local frame
-  bool has_left_ = false;
-  Vec3 left_{};  // local frame
+  bool has_departed_ = false;
+  Vec3 departed_{};  // local frame
   const uint64_t* pardoned_ = nullptr;
   Voxel pardon_begin_{};  // voxels whose obstacles need not count
   Voxel pardon_end_{};

@@ -55,7 +55,7 @@ struct Report {
   bool has_nearest_free;
   /// True if reachable has a value: the goal is occupied or fenced, or no path leads to it, or the search had no room
   /// to find one (kNodesFull, kOpenFull). False if the start joins no free voxel, if Budget::search did not last,
-  /// or if the grid is too large (TERN_MAX_FENCE_WORDS).
+  /// or if the grid is too large (TERN_MAX_WORLD_WORDS).
   bool has_reachable;
   /// What kind of plan the trajectory is; kNone unless `status` is kOk.
   Quality quality;

@@ -113,7 +113,7 @@ enum class Status : uint8_t {
   kIterationLimit = 57,
   kFencesFull = 58,       ///< TERN_MAX_FENCES: the request has more fences
   kFencePlanesFull = 59,  ///< TERN_MAX_FENCE_PLANES: the fences have more half-spaces or corners
-  kFenceLayerFull = 60,  ///< TERN_MAX_FENCE_WORDS: the grid is too large to be planned on with fences, or with kNearest
+  kWorldFull = 60,  ///< TERN_MAX_WORLD_WORDS: the grid is too large to be planned on with fences, or with kNearest
 
   kViasFull = 61,  ///< TERN_MAX_VIAS: the request has more vias
 
@@ -157,7 +157,7 @@ enum class Stage : uint8_t {
   kFences,       ///< entering the request's fences into the grid, before the search
   kDetour,       ///< leading the path along the motion of its ends, if a moving end has no room
   kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
-  kEscape,       ///< finding ways to come to rest first, if a moving end has no other way
+  kStopFirst,    ///< finding ways to come to rest first, if a moving end has no other way
   kReach,        ///< finding the point nearest to the goal that a path leads to, if none leads to the goal
 };
 constexpr int kStageCount = 12;

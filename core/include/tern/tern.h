@@ -141,7 +141,7 @@ typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
 typedef struct {
-  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, escape, reach */
+  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, stop_first, reach */
   tern_stage_report stages[12];
   bool timing_known; /* the ticks were measured */
   tern_high_water high_water;
@@ -221,7 +221,7 @@ typedef enum {
   TERN_ITERATION_LIMIT = 57,
   TERN_FENCES_FULL = 58,
   TERN_FENCE_PLANES_FULL = 59,
-  TERN_FENCE_LAYER_FULL = 60,
+  TERN_WORLD_FULL = 60,
   TERN_VIAS_FULL = 61,
   TERN_PIXELS_FULL = 63,
   TERN_PRIOR_FULL = 64,
@@ -315,7 +315,7 @@ static inline uint64_t tern_header_hash(void) {
   const uint64_t values[] = {TERN_MAX_CELLS,        TERN_MAX_DIMENSION,     TERN_MAX_NODES,       TERN_MAX_OPEN,
                              TERN_MAX_JUMP_POINTS,  TERN_MAX_SEGMENTS,      TERN_MAX_PLANES,      TERN_MAX_LOCAL_BOXES,
                              TERN_MAX_ACTIVE,       TERN_MAX_QP_ITERATIONS, TERN_MAX_QP_SOLVES,   TERN_MAX_FENCES,
-                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_FENCE_WORDS, TERN_MAX_PIXELS,
+                             TERN_MAX_FENCE_PLANES, TERN_MAX_VIAS,          TERN_MAX_WORLD_WORDS, TERN_MAX_PIXELS,
                              TERN_MAX_PRIOR_BOXES,  TERN_MAX_YAW_PIECES,    0x112e0be826d695u,    0x1999999999999au};
   uint64_t hash = 0xCBF29CE484222325u;
   for (size_t i = 0; i < sizeof values / sizeof *values; ++i) hash = (hash ^ values[i]) * 0x100000001B3u;

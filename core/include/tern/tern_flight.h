@@ -43,14 +43,14 @@ typedef struct {
   uint32_t asked, committed, dropped, failed, work;
   int64_t contact_time; double contact_speed;
   int32_t leg, passed, skipped;
-  bool waits_for_view, map_stale; int64_t frame_age;
+  bool waits_for_nose, map_stale; int64_t frame_age;
   uint8_t blocked_by; /* TERN_BLOCKED_BY_... */
   tern_vec3 blocked_at; int32_t blocked_fence;
 } tern_flight_report;
 /* How to turn the nose: tern::FlightYaw. rad, rad/s^2, m. */
 typedef struct {
   uint8_t mode; /* TERN_FLIGHT_YAW_... */
-  double acceleration_max, view;
+  double acceleration_max, field_of_view;
   tern_heading start, heading; tern_vec3 point;
   const tern_heading* headings; int32_t heading_count;
 } tern_flight_yaw;

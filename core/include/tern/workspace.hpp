@@ -33,14 +33,14 @@ constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 /// The search: nodes with their hash slots, the open list, and a dominance record for each 64 voxels.
 constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
 /// The flood of the voxels that the start can reach: a layer, and a queue of its rows.
-constexpr size_t kReach = static_cast<size_t>(kMaxFenceWords) * 12 + static_cast<size_t>(kMaxFenceWords) / 8 + 4096;
+constexpr size_t kReach = static_cast<size_t>(kMaxWorldWords) * 12 + static_cast<size_t>(kMaxWorldWords) / 8 + 4096;
 /// What the planner remembers about a map between plans: the jump stops (for each of six directions, one bit per
 /// voxel), how far they are known, and which map they belong to.
 constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
 /// Fences: as they were given, as the stages use them, and the blocked layer of a grid with fences.
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
-    kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxFenceWords) * 8 + 1024;
+    kFencePlanes * (160 + 16 * kFencePlanes) + kMaxFences * 256 + static_cast<size_t>(kMaxWorldWords) * 8 + 1024;
 /// The corridor: the solid boxes around one segment, and the scratch memory to merge and measure them.
 constexpr size_t kCorridor = kBoxes * 88 + 4096;
 /// The trajectory: points and planes of the quadratic programme, and the dense factor of its active set.

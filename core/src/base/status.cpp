@@ -45,7 +45,7 @@ const char* status_name(Status status) noexcept {
     case Status::kObstaclesFull: return "obstacles_full";
     case Status::kFencesFull: return "fences_full";
     case Status::kFencePlanesFull: return "fence_planes_full";
-    case Status::kFenceLayerFull: return "fence_layer_full";
+    case Status::kWorldFull: return "world_full";
     case Status::kViasFull: return "vias_full";
     case Status::kPixelsFull: return "pixels_full";
     case Status::kPriorFull: return "prior_full";
@@ -102,7 +102,7 @@ const char* status_meaning(Status status) noexcept {
     case Status::kGoalFenced: return "the goal is outside a keep-in, or nearer than the radius to a keep-out";
     case Status::kFencesFull: return "too many geofences: raise TERN_MAX_FENCES";
     case Status::kFencePlanesFull: return "too many half-spaces in geofences: raise TERN_MAX_FENCE_PLANES";
-    case Status::kFenceLayerFull: return "the grid is too large for geofences, or for a goal as near as possible: raise TERN_MAX_FENCE_WORDS";
+    case Status::kWorldFull: return "the grid is too large for geofences, or for a goal as near as possible: raise TERN_MAX_WORLD_WORDS";
     case Status::kViasFull: return "too many vias: raise TERN_MAX_VIAS";
     case Status::kPixelsFull: return "too many pixels for the map: raise MapSpec::pixels or TERN_MAX_PIXELS";
     case Status::kPriorFull: return "too many boxes known beforehand: raise TERN_MAX_PRIOR_BOXES";
@@ -134,7 +134,7 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kFences: return "fences";
     case Stage::kDetour: return "detour";
     case Stage::kPrevious: return "previous";
-    case Stage::kEscape: return "escape";
+    case Stage::kStopFirst: return "stop_first";
     case Stage::kReach: return "reach";
   }
   return "unknown";

@@ -81,11 +81,11 @@ void Aim::choose_way_out(const FlightFacts& flight) noexcept {
   const GridSpec& window = safe.spec();
   const Vec3 local = safe.to_local(from);
   const Voxel at = safe.voxel_of(local);
-  const std::int32_t reach = ceil_index(window.clearance() / window.cell, 0, kMaxWayOut);
+  const std::int32_t extent = ceil_index(window.clearance() / window.cell, 0, kMaxWayOut);
   Vec3 away = kZero;
-  for (std::int32_t z = at.z - reach; z <= at.z + reach; ++z) {
-    for (std::int32_t y = at.y - reach; y <= at.y + reach; ++y) {
-      for (std::int32_t x = at.x - reach; x <= at.x + reach; ++x) {
+  for (std::int32_t z = at.z - extent; z <= at.z + extent; ++z) {
+    for (std::int32_t y = at.y - extent; y <= at.y + extent; ++y) {
+      for (std::int32_t x = at.x - extent; x <= at.x + extent; ++x) {
         if (safe.obstacle({x, y, z})) away = away + (local - safe.center({x, y, z}));
       }
     }

@@ -18,9 +18,9 @@ double gap(double at, std::int32_t index, double cell) {
   return larger(0.0, larger(index * cell - at, at - (index + 1) * cell));
 }
 
-/// The voxels along an axis that are less than `reach` from a coordinate.
-IndexRange indices_around(double at, double reach, double cell, std::int32_t count) {
-  return {floor_index((at - reach) / cell, 0, count), ceil_index((at + reach) / cell, 0, count)};
+/// The voxels along an axis that are less than `most` from a coordinate.
+IndexRange indices_around(double at, double most, double cell, std::int32_t count) {
+  return {floor_index((at - most) / cell, 0, count), ceil_index((at + most) / cell, 0, count)};
 }
 
 /// Updates `best` with the marked voxels of a row within a range. In each word, only the last marked voxel before the
@@ -51,12 +51,12 @@ void look_at_row(const Grid& grid, const Vec3& local, const IndexRange& range, c
 
 }  // namespace
 
-NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) noexcept {
+NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double most) noexcept {
   const GridSpec& spec = grid.spec();
-  NearestSolid best{false, {-1, -1, -1}, reach, 0};
-  const IndexRange along = indices_around(local.x, reach, spec.cell, spec.dims.x);
-  const IndexRange rows = indices_around(local.y, reach, spec.cell, spec.dims.y);
-  const IndexRange planes = indices_around(local.z, reach, spec.cell, spec.dims.z);
+  NearestSolid best{false, {-1, -1, -1}, most, 0};
+  const IndexRange along = indices_around(local.x, most, spec.cell, spec.dims.x);
+  const IndexRange rows = indices_around(local.y, most, spec.cell, spec.dims.y);
+  const IndexRange planes = indices_around(local.z, most, spec.cell, spec.dims.z);
   const std::int32_t at = floor_index(local.x / spec.cell, 0, spec.dims.x);
   for (std::int32_t z = planes.begin; z < planes.end; ++z) {
     for (std::int32_t y = rows.begin; y < rows.end; ++y) {
@@ -83,8 +83,8 @@ void Blockage::clear() noexcept {
 double Blockage::note_near(const RollingMap& map, const Vec3& place, const Grid& grid, Work& work) noexcept {
   if (!grid.bound()) return kAnywhere;
   const GridSpec& window = grid.spec();
-  const double reach = window.clearance() + kBeyondRadius * window.cell;
-  const NearestSolid solid = nearest_solid(grid, grid.to_local(place), reach);
+  const double most = window.clearance() + kBeyondRadius * window.cell;
+  const NearestSolid solid = nearest_solid(grid, grid.to_local(place), most);
   work.spend(8 * ops::kWord * solid.words);
   if (solid.found) *this = block_at(map, solid.voxel);
   return solid.distance;

@@ -23,9 +23,9 @@ struct NearestSolid {
   std::uint32_t words;  ///< words of the obstacle layer that were read, plus rows
 };
 
-/// The marked voxel whose cube is nearest to a place of the local frame, of those less than `reach` away. Of equal
-/// ones, the one with the least z, then y. Reads the rows within the reach.
-NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double reach) noexcept;
+/// The marked voxel whose cube is nearest to a place of the local frame, of those less than `most` away. Of equal
+/// ones, the one with the least z, then y. Reads the rows within that distance.
+NearestSolid nearest_solid(const Grid& grid, const Vec3& local, double most) noexcept;
 
 /// What is in the way, and where, world frame.
 struct Blockage {

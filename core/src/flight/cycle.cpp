@@ -148,9 +148,9 @@ bool Cycle::choose_draft(const FlightFacts& flight, const Itinerary& itinerary, 
 }
 
 /// The map's words are true in the middle of a frame, but not in the middle of a slide.
-Progress Cycle::begin_reach(const FlightFacts& flight, Draft& draft) noexcept {
+Progress Cycle::begin_proof(const FlightFacts& flight, Draft& draft) noexcept {
   if (!flight.map.safe().bound()) return Progress::kMore;
-  job = Job::kReach;
+  job = Job::kProve;
   const bool begun = draft.begin_proof(flight, draft.plan.planned, draft.start_of_proof()) == Status::kRunning;
   return begun ? Progress::kDone : Progress::kFailed;
 }
@@ -169,7 +169,7 @@ Progress Cycle::find_branch(const FlightFacts& flight, Draft& draft, Work& work)
 }
 
 void Cycle::prove_anew() noexcept {
-  const bool proves_draft = job == Job::kReach || job == Job::kBranch || job == Job::kConfirm;
+  const bool proves_draft = job == Job::kProve || job == Job::kBranch || job == Job::kConfirm;
   if (proves_draft) job = Job::kWait;
 }
 

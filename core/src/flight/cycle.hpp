@@ -36,7 +36,7 @@ enum class Job : std::uint8_t {
   kAskPlan,    ///< asks the planner for a plan to the aim
   kPlan,       ///< finds it
   kWait,       ///< waits until the window has slid
-  kReach,      ///< finds until when the draft is proven
+  kProve,      ///< finds until when the draft is proven
   kBranch,     ///< finds a proven brake that leaves the draft there or earlier
   kConfirm,    ///< proves the draft with its brake as a whole
 };
@@ -105,7 +105,7 @@ struct Cycle {
                     Draft& draft) noexcept;
   /// Waits for the end of a slide, then begins to prove the draft. From here on the map stands still. kFailed if the
   /// draft cannot be proven.
-  Progress begin_reach(const FlightFacts& flight, Draft& draft) noexcept;
+  Progress begin_proof(const FlightFacts& flight, Draft& draft) noexcept;
   /// The draft is proven until then, in seconds since its beginning: looks for a branch there or earlier.
   void begin_branch(double until) noexcept;
   /// Finds a proven branch, then begins to prove the draft as a whole. kFailed if there is no branch.

@@ -14,7 +14,7 @@ namespace tern {
 constexpr std::int64_t kFarthest = std::int64_t{1} << 61;
 
 /// The time, or the nearest one that is at most kFarthest from the start.
-inline std::int64_t within_reach(std::int64_t time) noexcept {
+inline std::int64_t within_farthest(std::int64_t time) noexcept {
   if (time > kFarthest) return kFarthest;
   return time < -kFarthest ? -kFarthest : time;
 }
@@ -24,7 +24,7 @@ class FlightClock {
   /// From now on the clock shows `shown` at `time`.
   void set(std::int64_t shown, std::int64_t time) noexcept {
     shown_ = shown;
-    time_ = within_reach(time);
+    time_ = within_farthest(time);
   }
 
   /// The flight's time when the clock shows `shown`.
@@ -35,7 +35,7 @@ class FlightClock {
     const auto b = static_cast<std::uint64_t>(shown_);
     const std::uint64_t apart = is_later ? a - b : b - a;
     const std::int64_t part = apart < std::uint64_t{kFarthest} ? static_cast<std::int64_t>(apart) : kFarthest;
-    return within_reach(is_later ? time_ + part : time_ - part);
+    return within_farthest(is_later ? time_ + part : time_ - part);
   }
 
   /// What the clock shows at `time`, or the nearest number that 64 bits can hold.

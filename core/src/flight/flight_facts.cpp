@@ -14,17 +14,17 @@ Vec3 offset_after_move(const RollingMap& map) {
 }
 
 /// How far a plan leads away from `center` along an axis, from time `t` on.
-double reach_along(const Trajectory& plan, double t, const Vec3& center, int a) {
-  double reach = 0.0;
+double extent_along(const Trajectory& plan, double t, const Vec3& center, int a) {
+  double extent = 0.0;
   double end = 0.0;
   for (int i = 0; i < plan.count; ++i) {
     end += plan.segments[i].duration;
     if (end < t && i + 1 < plan.count) continue;
     for (const Vec3& point : plan.segments[i].points) {
-      reach = larger(reach, absolute(axis(plan.origin, a) + axis(point, a) - axis(center, a)));
+      extent = larger(extent, absolute(axis(plan.origin, a) + axis(point, a) - axis(center, a)));
     }
   }
-  return reach;
+  return extent;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void FlightFacts::follow_vehicle() noexcept {
     const double spare = larger(0.0, half - axis(offset, a) - needed);
     axis(center, a) = clamp(axis(center, a), axis(at, a) - spare, axis(at, a) + spare);
     const double room = half - axis(offset, a) - window.clearance() - window.cell;
-    if (reach_along(commitment.trajectory, seconds_between(commitment.begin, time), center, a) > room) return;
+    if (extent_along(commitment.trajectory, seconds_between(commitment.begin, time), center, a) > room) return;
   }
   map.follow(center);
 }

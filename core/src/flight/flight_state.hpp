@@ -67,7 +67,7 @@ class FlightState {
   void end_without_plan(const Report& found) noexcept;
   bool note_fault(const Report& found) noexcept;
   void choose_draft(bool planned) noexcept;
-  Progress run_reach(Work& work) noexcept;
+  Progress run_proof(Work& work) noexcept;
   Progress run_confirm(Work& work) noexcept;
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;

@@ -16,14 +16,14 @@ constexpr double kNoseAhead = 4.0;
 constexpr std::uint32_t kNoseShare = 4;
 /// How long a yaw plan is flown before the next one takes over, nanoseconds. A yaw plan first brings the acceleration
 /// of its start to 0, so plans that followed each other faster would never turn the nose.
-constexpr std::int64_t kNoseHold = 400000000;
+constexpr std::int64_t kLeastTurn = 400000000;
 /// A longer gap between ticks counts as this, nanoseconds: no yaw plan waits longer for a tick.
 constexpr std::int64_t kLongestGap = std::int64_t{10} * 1000000000;
 /// The committed plan ends soon if its end is less than this part of the horizon away.
 constexpr double kSeekPart = 0.5;
 /// A point that moved by less than this counts as the same, metres.
 constexpr double kSameWish = 0.1;
-/// A direction of a look around is held this much longer than the turn takes, seconds: frames are late.
+/// A look around stays this much longer in each direction than the turn takes, seconds: frames are late.
 constexpr double kLookTime = 0.3;
 constexpr double kEighthTurn = 0.78539816339744831;  // pi / 4
 /// No plan was made for a wish after so many commits.
@@ -88,9 +88,9 @@ std::int64_t soonest_turn(const FlightFacts& flight) {
 }  // namespace
 
 Status Nose::check(const FlightSpec& spec, const FlightYaw& wanted) const noexcept {
-  if (!finite(wanted.acceleration_max) || !finite(wanted.view)) return Status::kNonFiniteInput;
+  if (!finite(wanted.acceleration_max) || !finite(wanted.field_of_view)) return Status::kNonFiniteInput;
   if (!yaw_limits_valid(spec.yaw_rate, wanted.acceleration_max)) return Status::kLimitsInvalid;
-  if (wanted.view < 0.0 || wanted.view > 2.0 * kPi) return Status::kInvalidArgument;
+  if (wanted.field_of_view < 0.0 || wanted.field_of_view > 2.0 * kPi) return Status::kInvalidArgument;
   const Status start_fits = is_planned ? Status::kOk : check_heading(wanted.start);
   return start_fits != Status::kOk ? start_fits : check_mode(wanted);
 }
@@ -100,7 +100,7 @@ Status Nose::check(const FlightSpec& spec, const FlightYaw& wanted) const noexce
 void Nose::set(const FlightFacts& flight, const FlightYaw& wanted) noexcept {
   if (!is_planned) {
     in_flight.plan = at_rest(wanted.start);
-    in_flight.begin = flight.time - kNoseHold;  // the first plan may take over at once
+    in_flight.begin = flight.time - kLeastTurn;  // the first plan may take over at once
   }
   is_pending = is_pending && wanted.acceleration_max >= yaw.acceleration_max;
   is_planned = true;
@@ -108,7 +108,7 @@ void Nose::set(const FlightFacts& flight, const FlightYaw& wanted) noexcept {
   const std::int32_t count = wanted.mode == FlightYawMode::kAtPoints ? wanted.heading_count : 0;
   for (std::int32_t i = 0; i < count; ++i) headings[i] = wanted.headings[i];
   yaw.headings = nullptr;
-  least_cosine = heading_of(0.5 * wanted.view).cosine;
+  least_cosine = heading_of(0.5 * wanted.field_of_view).cosine;
   wish.commits = kNoCommits;
 }
 
@@ -126,7 +126,7 @@ NoseWish Nose::wish_of(const FlightFacts& flight, const Itinerary& itinerary, co
   NoseWish wanted{yaw.mode, yaw.point, yaw.heading, commits};
   const CommittedPlans& plans = flight.plans;
   const bool ends_soon = distance(flight.position(), plans.latest().end()) < kSeekPart * flight.spec.horizon;
-  const bool looks = flight.rests() || plans.latest().looks_out || (ends_soon && waits_for_view(flight, itinerary));
+  const bool looks = flight.rests() || plans.latest().looks_out || (ends_soon && waits_for_nose(flight, itinerary));
   const bool turns_there =
       itinerary.has_goal && !itinerary.parked && !itinerary.is_reached_by(plans.in_flight) && looks;
   if (!turns_there && wanted.mode != FlightYawMode::kTowardsUnseen) return wanted;
@@ -144,7 +144,7 @@ void Nose::turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec
     has_waiting = false;
   }
   drop_late(flight);
-  const bool is_due = !is_pending && !has_waiting && soonest_turn(flight) >= in_flight.begin + kNoseHold;
+  const bool is_due = !is_pending && !has_waiting && soonest_turn(flight) >= in_flight.begin + kLeastTurn;
   if (is_due) {
     const NoseWish wanted = wish_of(flight, itinerary, look_at, commits);
     if (!same_wish(wanted, wish)) begin(flight, itinerary, wanted);
@@ -220,8 +220,8 @@ void Nose::note_view(const RollingMap& map, const ProofReport& found) noexcept {
   if (has_unseen) unseen = safe.spec().origin + safe.center(found.voxel);
 }
 
-bool Nose::waits_for_view(const FlightFacts& flight, const Itinerary& itinerary) const noexcept {
-  const bool needs_view = is_planned && yaw.view > 0.0 && has_unseen;
+bool Nose::waits_for_nose(const FlightFacts& flight, const Itinerary& itinerary) const noexcept {
+  const bool needs_view = is_planned && yaw.field_of_view > 0.0 && has_unseen;
   if (!needs_view || !itinerary.has_goal || itinerary.parked) return false;
   const Vec3 direction = unseen - flight.position();
   const YawSample now = at(flight.time);
@@ -231,9 +231,9 @@ bool Nose::waits_for_view(const FlightFacts& flight, const Itinerary& itinerary)
 
 /// A planned turn begins late, and takes time to speed up and to slow down.
 double Nose::seconds_per_direction(const FlightSpec& spec) const noexcept {
-  double held = kEighthTurn / spec.yaw_rate + kLookTime;
-  if (is_planned) held += spec.yaw_rate / yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
-  return held;
+  double seconds = kEighthTurn / spec.yaw_rate + kLookTime;
+  if (is_planned) seconds += spec.yaw_rate / yaw.acceleration_max + 1e-9 * kNoseTicks * static_cast<double>(spec.tick);
+  return seconds;
 }
 
 }  // namespace tern

@@ -72,7 +72,7 @@ struct Nose {
   NoseWish wish_of(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at,
                    std::uint32_t commits) const noexcept;
   /// The next thing to see is outside the field of view: the flight goes on once the nose has turned.
-  bool waits_for_view(const FlightFacts& flight, const Itinerary& itinerary) const noexcept;
+  bool waits_for_nose(const FlightFacts& flight, const Itinerary& itinerary) const noexcept;
   /// How long a look around takes to turn to the next direction and see there, seconds.
   double seconds_per_direction(const FlightSpec& spec) const noexcept;
   /// Asks for the heading of each point that the committed plan passes, at its time. If it passes none, asks for the

@@ -33,7 +33,7 @@ void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode_of(facts, watch, search);
   report.reason = itinerary.reason;
   report.work = spent;
-  report.waits_for_view = nose.waits_for_view(facts, itinerary);
+  report.waits_for_nose = nose.waits_for_nose(facts, itinerary);
   report.map_stale = facts.is_stale();
   report.frame_age = facts.time - facts.frame_time;
   report.leg = itinerary.leg;

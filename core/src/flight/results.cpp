@@ -34,8 +34,8 @@ Progress FlightState::run_job(Work& work) noexcept {
     case Job::kAskPlan: return cycle.ask_plan(facts, *planner, draft.takeover, tick_work);
     case Job::kRoute: return planner->step(work) == Status::kRunning ? Progress::kMore : end_route();
     case Job::kPlan: return planner->step(work) == Status::kRunning ? Progress::kMore : end_plan();
-    case Job::kWait: return or_fail(cycle.begin_reach(facts, draft));
-    case Job::kReach: return run_reach(work);
+    case Job::kWait: return or_fail(cycle.begin_proof(facts, draft));
+    case Job::kProve: return run_proof(work);
     case Job::kBranch: return or_fail(cycle.find_branch(facts, draft, work));
     case Job::kConfirm: return run_confirm(work);
   }
@@ -108,7 +108,7 @@ void FlightState::choose_draft(bool planned) noexcept {
 
 /// What ended the proof of the draft is what the sensor should see next. If the flight gave up, or something is too
 /// near to the resting vehicle, the report keeps that instead.
-Progress FlightState::run_reach(Work& work) noexcept {
+Progress FlightState::run_proof(Work& work) noexcept {
   if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   const ProofReport& found = draft.proof.report();
   search.look_at_end(facts, draft, found.until);

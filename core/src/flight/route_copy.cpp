@@ -20,10 +20,10 @@ std::int32_t rows_of_piece(std::int32_t row_words) {
   return row_words < kCopiedWords ? kCopiedWords / row_words : 1;
 }
 
-/// The voxels within `reach` of `center` along one axis, both in voxels; none for a reach of 0.
-IndexRange voxels_around(double center, double reach, std::int32_t count) {
-  if (!(reach > 0.0)) return kNone;
-  return {floor_index(center - reach, 0, count), ceil_index(center + reach, 0, count)};
+/// The voxels within `radius` of `center` along one axis, both in voxels; none for a radius of 0.
+IndexRange voxels_around(double center, double radius, std::int32_t count) {
+  if (!(radius > 0.0)) return kNone;
+  return {floor_index(center - radius, 0, count), ceil_index(center + radius, 0, count)};
 }
 
 }  // namespace

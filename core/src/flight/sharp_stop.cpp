@@ -13,20 +13,20 @@ constexpr int kRampHalvings = 20;
 constexpr double kLeastJerk = 1e-6;  ///< m/s^3
 constexpr double kEndless = 1e300;
 
-/// A ramp, a hold that may be missing, and another ramp.
+/// A ramp, a steady part that may be missing, and another ramp.
 struct Ramps {
   double ramp;
-  double hold;
+  double steady;
   Vec3 deceleration;
 };
 
 /// The brake with ramps of this length, seconds. The first ramp undoes the acceleration. The deceleration, over one
-/// ramp and the hold, takes the speed that is left then.
+/// ramp and the steady part, takes the speed that is left then.
 Ramps ramps_of(const JointState& from, const MotionLimits& limits, double ramp) {
   const Vec3 excess = from.d[1] + (0.5 * ramp) * from.d[2];
   const double needed = gauge(limits.acceleration, kZero - excess) - ramp;
-  const double hold = needed > 0.0 ? larger(needed, kMinDuration) : 0.0;
-  return {ramp, hold, (-1.0 / (ramp + hold)) * excess};
+  const double steady = needed > 0.0 ? larger(needed, kMinDuration) : 0.0;
+  return {ramp, steady, (-1.0 / (ramp + steady)) * excess};
 }
 
 /// The jerk of a ramp is at most kSmoothStepPeak times the change of acceleration over its length.
@@ -36,7 +36,8 @@ bool keeps_jerk(const JointState& from, const MotionLimits& limits, const Ramps&
   return kSmoothStepPeak * larger(first, second) <= (1.0 - kJerkMargin) * ramps.ramp;
 }
 
-/// Finds the shortest ramps by bisection. The longest ones lose all the speed at the limit of jerk, without a hold.
+/// Finds the shortest ramps by bisection. The longest ones lose all the speed at the limit of jerk, without a steady
+/// part.
 Ramps shortest_ramps(const JointState& from, const MotionLimits& limits) {
   Ramps best = ramps_of(from, limits, kMinDuration);
   if (keeps_jerk(from, limits, best)) return best;
@@ -55,13 +56,13 @@ Ramps shortest_ramps(const JointState& from, const MotionLimits& limits) {
 }
 
 bool append_ramps(const JointState& from, const Ramps& ramps, Trajectory& out) {
-  const JointState steady = after_ramp(from, ramps.deceleration, ramps.ramp);
-  const bool holds = ramps.hold > 0.0;
-  const JointState last = holds ? after_ramp(steady, ramps.deceleration, ramps.hold) : steady;
+  const JointState second = after_ramp(from, ramps.deceleration, ramps.ramp);
+  const bool is_steady = ramps.steady > 0.0;
+  const JointState last = is_steady ? after_ramp(second, ramps.deceleration, ramps.steady) : second;
   JointState rest = after_ramp(last, kZero, ramps.ramp);
   rest.d[1] = kZero;
-  return append_between(from, steady, ramps.ramp, out) && (!holds || append_between(steady, last, ramps.hold, out)) &&
-         append_between(last, rest, ramps.ramp, out);
+  return append_between(from, second, ramps.ramp, out) &&
+         (!is_steady || append_between(second, last, ramps.steady, out)) && append_between(last, rest, ramps.ramp, out);
 }
 
 bool keeps_limits(const Trajectory& plan, int first, const MotionLimits& limits) {

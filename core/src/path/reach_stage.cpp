@@ -75,7 +75,7 @@ bool searches(const ReachStage& stage) {
 
 void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query) noexcept {
   const bool fits = !is_full(!flood_begin(stage.flood, world.voxels()));
-  stage.status = fits ? Status::kOk : Status::kFenceLayerFull;
+  stage.status = fits ? Status::kOk : Status::kWorldFull;
   stage.joined = false;
   stage.phase = fits ? ReachPhase::kClear : ReachPhase::kEnd;
   stage.query = query;

@@ -57,7 +57,7 @@ void reach_begin(ReachStage& stage, const World& world, const ReachQuery& query)
 
 /// A piece of work is one row of the flood, one line that joins the start to the grid, kClearedWords cleared before
 /// that, or a piece of nearest_advance. kDone: `nearest` is the result. Ties go to the least z, then y, then x.
-/// kFailed: kStartOccupied (the start joins no voxel), or kFenceLayerFull (the grid is too large).
+/// kFailed: kStartOccupied (the start joins no voxel), or kWorldFull (the grid is too large).
 Progress reach_advance(ReachStage& stage, const World& world, Work& work) noexcept;
 
 }  // namespace tern

@@ -10,7 +10,7 @@
 #include "planner/detour.hpp"
 #include "planner/follow.hpp"
 #include "planner/legs.hpp"
-#include "planner/reach.hpp"
+#include "planner/nearest_point.hpp"
 #include "planner/stop_first.hpp"
 #include "tern/status.hpp"
 
@@ -33,7 +33,7 @@ struct Attempts {
   Detour detour;
   Follow follow;
   StopFirst stop_first;
-  Reach reach;
+  NearestPoint nearest;
 };
 
 /// Why there is no plan.

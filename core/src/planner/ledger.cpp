@@ -46,7 +46,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
     case Stage::kRequest:
     case Stage::kDetour:
     case Stage::kPrevious:
-    case Stage::kEscape:
+    case Stage::kStopFirst:
       break;
   }
   return times.goals;
@@ -72,8 +72,8 @@ Account account_of(Stage stage, const Budget& budget) {
       return {budget.shortcut, {Stage::kShortcut, Stage::kDetour, Stage::kRequest}};
     case Stage::kCorridor:
     case Stage::kPrevious:
-    case Stage::kEscape:
-      return {budget.corridor, {Stage::kCorridor, Stage::kPrevious, Stage::kEscape}};
+    case Stage::kStopFirst:
+      return {budget.corridor, {Stage::kCorridor, Stage::kPrevious, Stage::kStopFirst}};
     case Stage::kTrajectory:
       return {budget.trajectory, {Stage::kTrajectory, Stage::kRequest, Stage::kRequest}};
     case Stage::kRequest:

@@ -83,10 +83,10 @@ void Pipeline::go_on(bool done) noexcept {
       return enter(Stage::kCorridor);
     case Stage::kPrevious:
       return go_on_from_previous(done);
-    case Stage::kEscape:
-      return go_on_from_escape(done);
+    case Stage::kStopFirst:
+      return go_on_from_stop(done);
     case Stage::kReach:
-      return go_on_from_reach(done);
+      return go_on_from_nearest(done);
     case Stage::kRequest:
       break;
   }
@@ -160,13 +160,13 @@ void Pipeline::go_on_from_previous(bool done) noexcept {
     }
     return fail(first.stage, first.status);
   }
-  if (!previous.meets_goal) return enter(Stage::kEscape);
+  if (!previous.meets_goal) return enter(Stage::kStopFirst);
   results_.path = false;
   check_as_is(Quality::kPrevious, Attempt::kFollow);
 }
 
 /// Once each end in motion has a stop, the plan begins again between the places of rest.
-void Pipeline::go_on_from_escape(bool done) noexcept {
+void Pipeline::go_on_from_stop(bool done) noexcept {
   if (!done) return give_up();
   if (attempts_.stop_first.arrived) {
     optimiser_ = Status::kOk;  // the optimiser's status belongs to another corridor
@@ -177,13 +177,13 @@ void Pipeline::go_on_from_escape(bool done) noexcept {
   begin_way();
 }
 
-void Pipeline::go_on_from_reach(bool done) noexcept {
-  const Reach& reach = attempts_.reach;
+void Pipeline::go_on_from_nearest(bool done) noexcept {
+  const NearestPoint& nearest = attempts_.nearest;
   if (!done) {
-    const bool lacks_more = problem_.asked.goal_mode == GoalMode::kNearest && reach.status != Status::kStartOccupied;
-    end(lacks_more ? Stage::kReach : failure_.stage, lacks_more ? reach.status : failure_.status);
-  } else if (leads_to_reachable(problem_, memory_->stage.reach, failure_.status)) {
-    make_reachable_the_goal(failure_.status, attempts_.reach, problem_);
+    const bool lacks_more = problem_.asked.goal_mode == GoalMode::kNearest && nearest.status != Status::kStartOccupied;
+    end(lacks_more ? Stage::kReach : failure_.stage, lacks_more ? nearest.status : failure_.status);
+  } else if (leads_to_nearest(problem_, memory_->stage.reach, failure_.status)) {
+    make_nearest_the_goal(failure_.status, attempts_.nearest, problem_);
     begin_goal();
     begin_attempts();
   } else {
@@ -227,7 +227,7 @@ void Pipeline::fail(Stage stage, Status status) noexcept {
   } else if (follow_may_help(problem_, memory_->previous, status)) {
     enter(Stage::kPrevious);
   } else if (stop_first_may_help(problem_, attempts_.stop_first, stage, status)) {
-    enter(Stage::kEscape);
+    enter(Stage::kStopFirst);
   } else {
     give_up();
   }
@@ -235,7 +235,7 @@ void Pipeline::fail(Stage stage, Status status) noexcept {
 
 /// Nothing else is left to try for the goal.
 void Pipeline::give_up() noexcept {
-  if (reach_may_help(attempts_.reach, failure_.status)) return enter(Stage::kReach);
+  if (nearest_point_may_help(attempts_.nearest, failure_.status)) return enter(Stage::kReach);
   end(failure_.stage, failure_.status);
 }
 

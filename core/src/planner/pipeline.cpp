@@ -140,11 +140,11 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kPrevious:
       reset_counters(m.stage.corridor.grow);
       return follow_begin(attempts_.follow, m.previous);
-    case Stage::kEscape:
+    case Stage::kStopFirst:
       reset_counters(m.stage.corridor.grow);
       return stop_first_begin(problem_, attempts_.stop_first, m.stops);
     case Stage::kReach:
-      return reach_attempt_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
+      return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kRequest:
     case Stage::kFences:
       break;
@@ -175,11 +175,11 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kPrevious:
       return follow_advance(problem_, m.ends, attempts_.follow, m.previous, m.stage.corridor.grow, m.stops[0],
                             m.corridor, m.trajectory, work);
-    case Stage::kEscape:
+    case Stage::kStopFirst:
       return stop_first_advance(problem_, attempts_.stop_first, m.stops, m.stage.corridor.grow, m.ends, m.corridor,
                                 m.trajectory, work);
     case Stage::kReach:
-      return reach_attempt_advance(problem_, m.stage.reach, attempts_.reach, work);
+      return nearest_point_advance(problem_, m.stage.reach, attempts_.nearest, work);
     case Stage::kRequest:
       break;
   }
@@ -208,14 +208,14 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
       m.previous.enclosure.status = Status::kBudgetCorridor;
       break;
     case Stage::kReach:
-      attempts_.reach.status = Status::kBudgetSearch;
+      attempts_.nearest.status = Status::kBudgetSearch;
       break;
     case Stage::kRequest:
     case Stage::kFences:
     case Stage::kTimes:
     case Stage::kCheck:
     case Stage::kDetour:
-    case Stage::kEscape:
+    case Stage::kStopFirst:
       break;
   }
   return Progress::kFailed;

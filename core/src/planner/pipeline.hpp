@@ -83,8 +83,8 @@ class Pipeline {
   void go_on_from_trajectory(bool done) noexcept;
   void go_on_from_check(bool done) noexcept;
   void go_on_from_previous(bool done) noexcept;
-  void go_on_from_escape(bool done) noexcept;
-  void go_on_from_reach(bool done) noexcept;
+  void go_on_from_stop(bool done) noexcept;
+  void go_on_from_nearest(bool done) noexcept;
   void end_trial(bool holds) noexcept;
   void check_as_is(Quality quality, Attempt attempt) noexcept;
   void stop_at_waypoints(Status why) noexcept;

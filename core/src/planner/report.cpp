@@ -43,9 +43,9 @@ void Pipeline::write(Report& report) const noexcept {
   if (planned) write_passages(problem_, memory_->vias, memory_->trajectory, report.vias);
   report.optimiser = optimiser_;
   if (status_ == Status::kCheckFailed || optimiser_ == Status::kCheckFailed) report.check = refused_;
-  report.has_reachable = attempts_.reach.has_point;
-  report.reachable = attempts_.reach.point;
-  report.goal_missed = attempts_.reach.goal_missed;
+  report.has_reachable = attempts_.nearest.has_point;
+  report.reachable = attempts_.nearest.point;
+  report.goal_missed = attempts_.nearest.goal_missed;
   write_diagnostics(report.diagnostics);
 }
 

@@ -142,7 +142,7 @@ StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
       return detour_bound(spec);
     case Stage::kPrevious:
       return hulls_bound(spec, 2 * 2 * kMaxSegments * (kTubeHalvings + 1));
-    case Stage::kEscape:
+    case Stage::kStopFirst:
       return hulls_bound(spec, (2 * kStoppingChoices + kArrivals) * 2 * kStopSegments * (kTubeHalvings + 1));
     case Stage::kReach:
       return reach_bound(spec);

@@ -11,7 +11,7 @@ namespace {
 
 /// Half the edge of the cube that fits into the ball of a via's tolerance, less a reserve: the solver may leave the
 /// cube by a nanometre.
-double reach_of(const Via& via) {
+double half_edge_of(const Via& via) {
   constexpr double kRootThree = 1.7320508075688774;
   constexpr double kSolverReserve = 2e-9;
   return via.tolerance < kLeastTolerance ? 0.0 : via.tolerance / kRootThree - kSolverReserve;
@@ -49,7 +49,7 @@ ViaJoints make_via_joints(const Problem& problem, ViaMemory& memory) noexcept {
     memory.via_joints[v] = {memory.marks.polyhedron[v],
                             0,
                             via.position - problem.asked.start.position,
-                            free ? reach_of(via) : 0.0,
+                            free ? half_edge_of(via) : 0.0,
                             via.stop,
                             via.has_velocity,
                             via.velocity};

@@ -96,18 +96,18 @@ struct Hull {
   int count;
   Box box;
   Clearance keeps;
-  IndexRange alone;  ///< voxels along x that may be near clearance.left
+  IndexRange alone;  ///< voxels along x that may be near clearance.departed
 };
 
 /// The distance that the hull must keep from one box of obstacles.
 double distance_from(const Hull& hull, const Box& box) {
-  if (hull.keeps.left == nullptr) return hull.keeps.distance;
-  const Vec3& place = *hull.keeps.left;
+  if (hull.keeps.departed == nullptr) return hull.keeps.distance;
+  const Vec3& place = *hull.keeps.departed;
   return smaller(hull.keeps.distance, length(place - nearest_in(box, place)) - hull.keeps.tolerance);
 }
 
 /// The end of the box of obstacles that begins at x. Obstacles that touch along x form one box: its distance is the
-/// least of theirs. But near the place Clearance::left, the hull must keep another distance from each obstacle.
+/// least of theirs. But near the place Clearance::departed, the hull must keep another distance from each obstacle.
 std::int32_t end_of_box(const Row& row, const IndexRange& xs, const IndexRange& alone, std::int32_t x) {
   if (x >= alone.begin && x < alone.end) return x + 1;
   const std::int32_t end = find_bit(row, {x, xs.end}, false);
@@ -131,7 +131,7 @@ bool row_clear(const Grid& grid, const Hull& hull, const IndexRange& xs, std::in
     const std::int32_t end = end_of_box(row, xs, hull.alone, x);
     const Box box{{x * cell, y * cell, z * cell}, {end * cell, (y + 1) * cell, (z + 1) * cell}};
     const double distance = distance_from(hull, box);
-    const bool may_touch = hull.keeps.left != nullptr && !(distance > 0.0);
+    const bool may_touch = hull.keeps.departed != nullptr && !(distance > 0.0);
     bool apart = may_touch || boxes_apart(hull.box, box, distance);
     work.spend(8 * ops::kDot + (apart ? 0 : 3 * hull.count * ops::kDot));
     apart = apart || plane_between(hull.points, hull.count, box, distance);
@@ -180,8 +180,8 @@ bool hull_clear(const Grid& grid, const Vec3* points, int count, const Clearance
   const GridSpec& spec = grid.spec();
   const double distance = clearance.distance;
   Hull hull{points, count, box_around(points, count), clearance, {0, 0}};
-  if (clearance.left != nullptr) {
-    hull.alone = voxels_within(clearance.left->x, clearance.left->x, distance, spec.cell, spec.dims.x);
+  if (clearance.departed != nullptr) {
+    hull.alone = voxels_within(clearance.departed->x, clearance.departed->x, distance, spec.cell, spec.dims.x);
   }
   const Vec3& lower = hull.box.lower;
   const Vec3& upper = hull.box.upper;

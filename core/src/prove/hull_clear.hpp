@@ -32,10 +32,10 @@ struct Pardon {
 
 /// What a hull keeps from obstacles.
 struct Clearance {
-  double distance;   ///< if it is negative, the hull may be inside an obstacle by so much
-  const Vec3* left;  ///< null, or a place that is left: an obstacle nearer to it than `distance` may be as near to the
-                     ///< hull as to the place
-  double tolerance;  ///< metres by which it may be nearer to the hull than to the place
+  double distance;       ///< if it is negative, the hull may be inside an obstacle by so much
+  const Vec3* departed;  ///< null, or a place that is left: an obstacle nearer to it than `distance` may be as near to
+                         ///< the hull as to the place
+  double tolerance;      ///< metres by which it may be nearer to the hull than to the place
   Pardon pardon;
 };
 

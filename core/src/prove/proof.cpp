@@ -72,8 +72,8 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   if (has_limits_) limits_ = *limits;
   has_added_ = grounds.added != nullptr;
   if (has_added_) added_ = {grid.to_local(grounds.added->lower), grid.to_local(grounds.added->upper)};
-  has_left_ = grounds.left != nullptr;
-  if (has_left_) left_ = grid.to_local(*grounds.left);
+  has_departed_ = grounds.departed != nullptr;
+  if (has_departed_) departed_ = grid.to_local(*grounds.departed);
   fences_ = grounds.fences;
   fence_count_ = grounds.fence_count;
   pardoned_ = nullptr;

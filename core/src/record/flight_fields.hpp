@@ -123,7 +123,7 @@ template <typename Words, typename Yaw>
 void list_flight_yaw(Words& words, Yaw& yaw) {
   words(yaw.mode);
   words(yaw.acceleration_max);
-  words(yaw.view);
+  words(yaw.field_of_view);
   list_heading(words, yaw.start);
   list_heading(words, yaw.heading);
   words(yaw.point);
@@ -166,7 +166,7 @@ void list_flight_report(Words& words, Report& report) {
   words(report.leg);
   words(report.passed);
   words(report.skipped);
-  words(report.waits_for_view);
+  words(report.waits_for_nose);
   words(report.map_stale);
   words(report.frame_age);
 }

@@ -29,7 +29,7 @@ struct SolidLayer {
   IndexRange rows;                    ///< rows that the current solid reaches
 };
 
-/// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kFenceLayerFull.
+/// Makes `view` a view of the inflated `grid` whose blocked layer is a copy in `layer`. kOk, or kWorldFull.
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept;
 
 /// Blocks each voxel in plane z of the view whose closed cube is not inside all walls. In a view that was narrowed,

@@ -21,7 +21,7 @@ constexpr int kMaxSolidFaces = kMaxFencePlanes;
 /// A polyhedron with n faces has at most 2 n - 4 corners. Each solid has six more faces from the box that cuts it.
 constexpr int kMaxSolidCorners = 2 * kMaxSolidFaces + 8 * kMaxSolids;
 /// Words of a layer of voxels that a plan has for itself.
-constexpr std::int64_t kMaxLayerWords = kMaxFenceWords;
+constexpr std::int64_t kMaxLayerWords = kMaxWorldWords;
 
 /// A convex solid that the centre keeps its clearance from. The functions below are all that the stages ask of its
 /// shape.

@@ -37,7 +37,7 @@ void world_begin(WorldMemory& memory, const Grid& grid) noexcept;
 FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept;
 
 /// After world_add: gives the world a blocked layer of its own, and thin boundaries in place of walls that leave no
-/// whole voxel. The grid must be inflated. kOk, or kFenceLayerFull.
+/// whole voxel. The grid must be inflated. kOk, or kWorldFull.
 Status world_prepare(WorldMemory& memory) noexcept;
 
 /// After world_prepare: blocks what walls and solids take. A piece of work is one plane of voxels of a step.

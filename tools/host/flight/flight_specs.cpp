@@ -79,7 +79,7 @@ tern::FlightYaw flight_yaw_of(const FlightSettings& s, double start) {
   if (s.yaw == "point") yaw.mode = tern::FlightYawMode::kTowardsPoint;
   if (s.yaw == "heading") yaw.mode = tern::FlightYawMode::kFixed;
   yaw.acceleration_max = s.yaw_acceleration;
-  yaw.view = s.fov_horizontal;
+  yaw.field_of_view = s.fov_horizontal;
   yaw.start = {std::cos(start), std::sin(start)};
   yaw.heading = {std::cos(s.yaw_heading), std::sin(s.yaw_heading)};
   yaw.point = s.yaw_point;

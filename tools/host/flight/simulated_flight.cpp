@@ -160,7 +160,7 @@ class Simulation {
     recorder_.note(time_, command, *vehicle_, yaw(), report_, skipped);
     if (onlooker_) tell(command);
     if (!plans_yaw_) gimbal_.turn_to(command);
-    if (report_.waits_for_view) ++view_waits_;
+    if (report_.waits_for_nose) ++view_waits_;
     if (errors().pose_exceeded()) forget_world();
     if (touches()) return contact();
     return skipped ? FlightEnding{} : judge();

@@ -3,8 +3,8 @@
 //
 // The attempt that remains if no plan leads to the goal: finds the nearest point that a plan can lead to, for the
 // report or as the new goal.
-#ifndef TERN_PLANNER_REACH_HPP
-#define TERN_PLANNER_REACH_HPP
+#ifndef TERN_PLANNER_NEAREST_POINT_HPP
+#define TERN_PLANNER_NEAREST_POINT_HPP
 
 #include <cstdint>
 
@@ -17,7 +17,7 @@
 
 namespace tern {
 
-struct Reach {
+struct NearestPoint {
   bool has_point;
   Vec3 point;          ///< the reachable point, world frame
   Status goal_missed;  ///< why the plan leads there; kOk if it does not
@@ -25,19 +25,19 @@ struct Reach {
 };
 
 /// True if the plan misses the goal whatever its limits and budget, and nothing is known yet of how near it can come.
-bool reach_may_help(const Reach& reach, Status failure) noexcept;
+bool nearest_point_may_help(const NearestPoint& nearest, Status failure) noexcept;
 
 /// Looks for the point nearest to `target` (local frame).
-void reach_attempt_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept;
-/// The pieces of work are those of reach_advance. kDone: reach.point is known.
-Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept;
+void nearest_point_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept;
+/// The pieces of work are those of reach_advance. kDone: nearest.point is known.
+Progress nearest_point_advance(const Problem& problem, ReachStage& stage, NearestPoint& nearest, Work& work) noexcept;
 
 /// True if the plan should lead to the point that was found. It should not if that is the goal's own voxel, which the
 /// search could not tell for lack of memory.
-bool leads_to_reachable(const Problem& problem, const ReachStage& stage, Status failure) noexcept;
+bool leads_to_nearest(const Problem& problem, const ReachStage& stage, Status failure) noexcept;
 
 /// Makes the reachable point the goal. `failure` says why.
-void make_reachable_the_goal(Status failure, Reach& reach, Problem& problem) noexcept;
+void make_nearest_the_goal(Status failure, NearestPoint& nearest, Problem& problem) noexcept;
 
 }  // namespace tern
 

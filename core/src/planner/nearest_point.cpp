@@ -1,6 +1,6 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planner/reach.hpp"
+#include "planner/nearest_point.hpp"
 
 #include "base/direction.hpp"
 #include "base/math.hpp"
@@ -33,32 +33,32 @@ Vec3 reachable_point(const Problem& problem, const Voxel& voxel) {
 
 }  // namespace
 
-bool reach_may_help(const Reach& reach, Status failure) noexcept {
-  return !reach.has_point && misses_goal(failure);
+bool nearest_point_may_help(const NearestPoint& nearest, Status failure) noexcept {
+  return !nearest.has_point && misses_goal(failure);
 }
 
-void reach_attempt_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept {
+void nearest_point_begin(const Problem& problem, const Vec3& target, ReachStage& stage) noexcept {
   const State& start = problem.asked.start;
   reach_begin(stage, world_of(problem), {to_local(voxels_of(problem), start.position), target, !at_rest(start)});
 }
 
-Progress reach_attempt_advance(const Problem& problem, ReachStage& stage, Reach& reach, Work& work) noexcept {
+Progress nearest_point_advance(const Problem& problem, ReachStage& stage, NearestPoint& nearest, Work& work) noexcept {
   const Progress progress = reach_advance(stage, world_of(problem), work);
-  reach.status = stage.status;
+  nearest.status = stage.status;
   if (progress != Progress::kDone) return progress;
-  reach.has_point = true;
-  reach.point = reachable_point(problem, stage.nearest);
+  nearest.has_point = true;
+  nearest.point = reachable_point(problem, stage.nearest);
   return progress;
 }
 
-bool leads_to_reachable(const Problem& problem, const ReachStage& stage, Status failure) noexcept {
+bool leads_to_nearest(const Problem& problem, const ReachStage& stage, Status failure) noexcept {
   if (problem.asked.goal_mode != GoalMode::kNearest) return false;
   return !same(voxels_of(problem).voxel_of(stage.query.goal), stage.nearest) || !lacks_nodes(failure);
 }
 
-void make_reachable_the_goal(Status failure, Reach& reach, Problem& problem) noexcept {
-  reach.goal_missed = failure;
-  problem.asked.goal = {reach.point, kZero, kZero};
+void make_nearest_the_goal(Status failure, NearestPoint& nearest, Problem& problem) noexcept {
+  nearest.goal_missed = failure;
+  problem.asked.goal = {nearest.point, kZero, kZero};
 }
 
 }  // namespace tern
