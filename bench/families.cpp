@@ -78,7 +78,6 @@ class Planning {
 
   Sample once(const tern::Grid& world, const Query& query) {
     copy_obstacles(world);
-    planner_.forget_map();
     Sample sample;
     const std::uint64_t begin = now(nullptr);
     grid_.inflate();

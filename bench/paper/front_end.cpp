@@ -107,10 +107,7 @@ TimedRoute paper_astar(const PaperMap& map, const tern_host::Scenario& scenario,
 }
 
 TernFrontEnd::TernFrontEnd()
-    : search_(new tern::SearchStage),
-      shortcut_(new tern::ShortcutStage),
-      scans_(new tern::ScanMap),
-      path_(new tern::Path) {}
+    : search_(new tern::SearchStage), shortcut_(new tern::ShortcutStage), path_(new tern::Path) {}
 
 TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenario& scenario, int repetitions) {
   TernRoutes routes;
@@ -121,9 +118,7 @@ TernRoutes TernFrontEnd::run(const ScenarioGrid& world, const tern_host::Scenari
   for (int k = 0; k < repetitions; ++k) {
     tern::Work work{kNoBudget};
     const double begin = thread_time();
-    // Each repetition finds the map new, as the peers do.
-    tern::scan_forget(*scans_);
-    tern::search_begin(*search_, *scans_, tern::World(grid), query);
+    tern::search_begin(*search_, tern::World(grid), query);
     const tern::Progress searched = tern::search_advance(*search_, tern::World(grid), work, *path_);
     const double between = thread_time();
     routes.status = search_->status;

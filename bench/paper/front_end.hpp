@@ -50,7 +50,6 @@ class TernFrontEnd {
  private:
   std::unique_ptr<tern::SearchStage> search_;
   std::unique_ptr<tern::ShortcutStage> shortcut_;
-  std::unique_ptr<tern::ScanMap> scans_;
   std::unique_ptr<tern::Path> path_;
 };
 

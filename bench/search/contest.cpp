@@ -34,18 +34,16 @@ double timed(Run run) {
   return now() - begin;
 }
 
-tern::Status run_tern(tern::Search& search, tern::ScanMap& scans, const tern::Grid& grid, const Query& query) {
-  tern::search_begin(search, scans, grid, query.start, query.goal);
+tern::Status run_tern(tern::Search& search, const tern::Grid& grid, const Query& query) {
+  tern::search_begin(search, grid, query.start, query.goal);
   tern::Status status = tern::Status::kRunning;
   tern::Work work;
   while (status == tern::Status::kRunning) status = tern::search_expand(search, grid, work);
   return status;
 }
 
-tern::Status run_fast(tern::VoxelSearch& search, tern::ScanMap& scans, const tern::Grid& grid, const Query& query,
-                      tern::Path& path) {
-  tern::scan_forget(scans);
-  tern::voxel_search_begin(search, scans, grid, query.start, query.goal, tern::SearchMode::kFast);
+tern::Status run_fast(tern::VoxelSearch& search, const tern::Grid& grid, const Query& query, tern::Path& path) {
+  tern::voxel_search_begin(search, grid, query.start, query.goal, tern::SearchMode::kFast);
   tern::Work work{0xFFFFFFFFu};
   const tern::Status status = tern::voxel_search_advance(search, grid, work);
   path.raw_count = 0;
@@ -55,18 +53,10 @@ tern::Status run_fast(tern::VoxelSearch& search, tern::ScanMap& scans, const ter
 }  // namespace
 
 Contest::Contest(std::string set, int repetitions)
-    : repetitions_(repetitions),
-      search_(new tern::Search),
-      scans_(new tern::ScanMap),
-      fast_(new tern::VoxelSearch),
-      fast_scans_(new tern::ScanMap),
-      path_(new tern::Path) {
+    : repetitions_(repetitions), search_(new tern::Search), fast_(new tern::VoxelSearch), path_(new tern::Path) {
   // A planner's memory is there before its first query, like the arrays of the A*: no query pays for its pages.
   std::memset(static_cast<void*>(search_.get()), 0xA5, sizeof(tern::Search));
-  std::memset(static_cast<void*>(scans_.get()), 0xA5, sizeof(tern::ScanMap));
   std::memset(static_cast<void*>(fast_.get()), 0xA5, sizeof(tern::VoxelSearch));
-  std::memset(static_cast<void*>(fast_scans_.get()), 0xA5, sizeof(tern::ScanMap));
-  tern::scan_forget(*scans_);
   outcome_.set = std::move(set);
   outcome_.least_ratio = std::numeric_limits<double>::infinity();
 }
@@ -80,7 +70,7 @@ void Contest::add_fast(const tern::Grid& grid, const Query& query, bool found, t
   double time = std::numeric_limits<double>::infinity();
   tern::Status status = tern::Status::kOk;
   for (int k = 0; k < repetitions_; ++k) {
-    time = std::min(time, timed([&] { status = run_fast(*fast_, *fast_scans_, grid, query, *path_); }));
+    time = std::min(time, timed([&] { status = run_fast(*fast_, grid, query, *path_); }));
   }
   if (status != (found ? tern::Status::kOk : tern::Status::kNoPath)) ++outcome_.wrong;
   if (!found) return;
@@ -101,7 +91,7 @@ void Contest::add_query(const tern::Grid& grid, PlainAStar& astar, const Query& 
   // The two take turns, so that neither has the quieter machine.
   for (int k = 0; k < repetitions_ && (k < kLongRepetitions || astar_time < kLongQuery); ++k) {
     astar_time = std::min(astar_time, timed([&] { found = astar.run(query.start, query.goal); }));
-    const double tern_once = timed([&] { status = run_tern(*search_, *scans_, grid, query); });
+    const double tern_once = timed([&] { status = run_tern(*search_, grid, query); });
     tern_time = std::min(tern_time, tern_once);
     if (k == 0) tern_first = tern_once;
   }

@@ -56,9 +56,7 @@ class Contest {
   int repetitions_;
   Outcome outcome_;
   std::unique_ptr<tern::Search> search_;
-  std::unique_ptr<tern::ScanMap> scans_;
   std::unique_ptr<tern::VoxelSearch> fast_;
-  std::unique_ptr<tern::ScanMap> fast_scans_;
   std::unique_ptr<tern::Path> path_;
 };
 

@@ -30,7 +30,6 @@ struct Series {
 };
 
 PlanResult plan_once(tern_host::Session& session, const tern_host::Scenario& scenario) {
-  session.forget_map();
   PlanResult result = session.plan(scenario);
   if (!result.ok()) throw std::runtime_error(scenario.name + ": no plan: " + tern::status_name(result.report.status));
   return result;

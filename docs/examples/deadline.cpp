@@ -8,7 +8,7 @@
 #include "tern_port/port.hpp"
 
 static tern::Workspace workspace;
-static std::uint64_t words[10409];
+static std::uint64_t words[10329];
 
 static tern::Status plan_until(std::uint64_t deadline, tern::Planner& planner, const tern::Grid& grid,
                                const tern::Request& request, tern::Trajectory& trajectory, tern::Report& report) {
@@ -22,7 +22,7 @@ static tern::Status plan_until(std::uint64_t deadline, tern::Planner& planner, c
 
 int main() {
   tern::Grid grid;
-  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0}, words, 10409);
+  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0}, words, 10329);
   grid.inflate();
   tern::Request request;
   request.start.position = {1, 1, 1};

@@ -7,11 +7,11 @@
 #include "tern/tern.hpp"
 
 static tern::Workspace workspace;  // all the memory that planning takes
-static uint64_t words[9849];       // the grid's: tern::grid_words({100, 80, 30})
+static uint64_t words[9729];       // the grid's: tern::grid_words({100, 80, 30})
 
 int main() {
   tern::Grid grid;  // 10 x 8 x 3 m in voxels of 0.1 m; the robot's radius is 0.3 m
-  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3, 0}, words, 9849);
+  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3, 0}, words, 9729);
   grid.mark_box({{4, 0, 0}, {5, 6, 3}});  // a wall with a gap at one end
   grid.inflate();
   tern::Request request;

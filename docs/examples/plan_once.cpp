@@ -7,7 +7,7 @@
 #include "tern/tern.hpp"
 
 static tern::Workspace workspace;   // .bss, or a linker section of your own
-static std::uint64_t words[10409];  // grid_words({100, 64, 40})
+static std::uint64_t words[10329];  // grid_words({100, 64, 40})
 
 bool plan_once(tern::Trajectory& trajectory) {
   tern::Grid grid;

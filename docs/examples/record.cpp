@@ -11,7 +11,7 @@
 #include "tern/tern.hpp"
 
 static tern::Workspace workspace;
-static std::uint64_t words[9849];  // grid_words({100, 80, 30})
+static std::uint64_t words[9729];  // grid_words({100, 80, 30})
 static std::uint8_t bytes[200000];
 static std::uint8_t saved[sizeof bytes];
 static tern::PlanRecord record;

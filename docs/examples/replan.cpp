@@ -12,7 +12,7 @@ namespace {
 constexpr double kCycle = 0.1;  // seconds
 
 tern::Workspace workspace;
-std::uint64_t words[9849];
+std::uint64_t words[9729];
 
 /// Stands for a sensor: a pillar in the way comes into sight bit by bit. True where there is something new.
 bool look_around(tern::Grid& grid, const tern::Vec3& from) {
@@ -60,7 +60,7 @@ void fly(tern::Planner& planner, tern::Grid& grid, tern::Request request, tern::
 
 int main() {
   tern::Grid grid;
-  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3, 0}, words, 9849);
+  grid.bind({{0, 0, 0}, 0.1, {100, 80, 30}, {{0, 0, 0}, {10, 8, 3}}, 0.3, 0}, words, 9729);
   grid.inflate();
   tern::Request request;
   request.start.position = {1, 1, 1};

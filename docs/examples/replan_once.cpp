@@ -7,7 +7,7 @@
 #include "tern/tern.hpp"
 
 static tern::Workspace workspace;
-static std::uint64_t words[10409];
+static std::uint64_t words[10329];
 
 /// Replaces `plan` by a new one that begins when your clock shows `begin`, in nanoseconds. False: `plan` is as it was.
 static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request& request, std::int64_t begin,
@@ -24,7 +24,7 @@ static bool replan(tern::Planner& planner, const tern::Grid& grid, tern::Request
 
 int main() {
   tern::Grid grid;
-  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0}, words, 10409);
+  grid.bind({{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0}, words, 10329);
   grid.inflate();
   tern::Request request;
   request.start.position = {1, 1, 1};

@@ -6,7 +6,7 @@
 
 #include "tern/tern.h"
 
-static uint64_t words[10409]; /* tern_grid_words((tern_voxel){100, 64, 40}) */
+static uint64_t words[10329]; /* tern_grid_words((tern_voxel){100, 64, 40}) */
 
 static int make_map(tern_grid* grid) {
   const tern_grid_spec spec = {{0, 0, 0}, 0.1, {100, 64, 40}, {{0, 0, 0}, {10, 6.4, 4}}, 0.25, 0};

@@ -49,11 +49,11 @@ GridSpec good() {
 }
 
 TEST(GridWords, CountsBothLayersAndWhatChanged) {
-  // Two layers; for each region of 64 rows a word for what changed and one for its content; a bit a plane.
-  EXPECT_EQ(tern::grid_words({1, 1, 1}), 8u + 2u + 2u * 1u + 1u);
-  EXPECT_EQ(tern::grid_words({64, 3, 2}), 8u + 12u + 2u * 2u + 1u);
-  EXPECT_EQ(tern::grid_words({65, 3, 2}), 8u + 24u + 2u * 4u + 1u);
-  EXPECT_EQ(tern::grid_words({200, 200, 40}), 8u + 2u * 4u * 200u * 40u + 2u * 4u * 4u * 40u + 1u);
+  // Two layers; for each word of a strip of 64 rows a word for what changed; a bit a plane.
+  EXPECT_EQ(tern::grid_words({1, 1, 1}), 8u + 2u + 1u + 1u);
+  EXPECT_EQ(tern::grid_words({64, 3, 2}), 8u + 12u + 2u + 1u);
+  EXPECT_EQ(tern::grid_words({65, 3, 2}), 8u + 24u + 4u + 1u);
+  EXPECT_EQ(tern::grid_words({200, 200, 40}), 8u + 2u * 4u * 200u * 40u + 4u * 4u * 40u + 1u);
 }
 
 TEST(GridWords, IsZeroForDimensionsThatDoNotFit) {

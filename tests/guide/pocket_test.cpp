@@ -84,11 +84,9 @@ VoxelWorld shell_about(const Voxel& from, std::int32_t inside) {
 
 /// Entries that a fast search takes between the voxels, in slices; it must find that there is no path.
 std::uint32_t units_of(const VoxelWorld& world, const Voxel& start, const Voxel& goal, std::uint32_t slice) {
-  static const std::unique_ptr<tern::ScanMap> map(new tern::ScanMap);
   static const std::unique_ptr<tern::VoxelSearch> search(new tern::VoxelSearch);
-  std::memset(static_cast<void*>(map.get()), 0xA5, sizeof *map);
-  scan_forget(*map);
-  voxel_search_begin(*search, *map, world.grid, start, goal, tern::SearchMode::kFast);
+  std::memset(static_cast<void*>(search.get()), 0xA5, sizeof *search);
+  voxel_search_begin(*search, world.grid, start, goal, tern::SearchMode::kFast);
   Status status = Status::kRunning;
   while (status == Status::kRunning) {
     tern::Work work{slice};

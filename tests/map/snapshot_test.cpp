@@ -118,7 +118,6 @@ TEST(MapSnapshot, PlansOnItWhileFramesAndSlidesGoOn) {
     }
     finish(map);
     sliced.planner.finish(sliced.trajectory, sliced.report);
-    whole.planner.forget_map();
     ASSERT_EQ(whole.planner.plan(anew.grid, request, whole.trajectory, whole.report), status);
     if (status != Status::kOk) continue;
     ++plans;

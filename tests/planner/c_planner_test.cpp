@@ -197,7 +197,6 @@ TEST(CPlanner, AnswersWithoutMemory) {
   EXPECT_EQ(tern_planner_set_clock(&c.planner, ticks, nullptr), kOk);
   EXPECT_EQ(tern_plan_step(&c.planner, 1), kInvalid);
   tern::Planner planner(nullptr, 0);
-  planner.forget_map();
   EXPECT_EQ(planner.path(), nullptr);
   EXPECT_EQ(planner.corridor(), nullptr);
 }

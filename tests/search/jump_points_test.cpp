@@ -66,7 +66,6 @@ TEST(PathSearch, CostEqualsPlainAStarOnRandomGrids) {
 TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
   const std::unique_ptr<tern::Search> search(new tern::Search);
   std::memset(static_cast<void*>(search.get()), 0xA5, sizeof(tern::Search));
-  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
   Random random(5);
   int jumped = 0;
   for (int k = 0; k < scaled(12000); ++k) {
@@ -75,7 +74,7 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
     Voxel goal{};
     if (!random_ends(world.grid, random, start, goal)) continue;
     const double optimum = ReferenceSearch(world.grid).cost(start, goal);
-    tern::search_begin(*search, *scans, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
+    tern::search_begin(*search, world.grid, start, goal, k % 2 == 0 ? 0 : 10);
     Status status = Status::kRunning;
     tern::Work work;
     while (status == Status::kRunning) status = tern::search_expand(*search, world.grid, work);
@@ -92,7 +91,6 @@ TEST(PathSearch, JumpsCostWhatPlainAStarDoes) {
 /// The longer a search lasts the farther its sweeps go, up to a bound: here it lasts that long.
 TEST(PathSearch, ALongSearchCostsWhatPlainAStarDoes) {
   const std::unique_ptr<tern::Search> search(new tern::Search);
-  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
   Random random(6);
   VoxelWorld world({500, 500, 1});
   for (int k = 0; k < 100000; ++k) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
@@ -100,7 +98,7 @@ TEST(PathSearch, ALongSearchCostsWhatPlainAStarDoes) {
   const Voxel goal{499, 499, 0};
   for (const Voxel& end : {start, goal}) world.grid.clear_voxel(end);
   world.grid.inflate();
-  tern::search_begin(*search, *scans, world.grid, start, goal);
+  tern::search_begin(*search, world.grid, start, goal);
   Status status = Status::kRunning;
   tern::Work work;
   while (status == Status::kRunning) status = tern::search_expand(*search, world.grid, work);

@@ -40,7 +40,7 @@ struct Scans {
     step[kAxis] = kUp ? 1 : -1;
     const int move = tern::direction(step[0], step[1], step[2]);
     const int expected = slow_scan(grid, goal, from, move, kAxis);
-    const int found = tern::scan_straight<kAxis, kUp>(*map, grid, goal, from);
+    const int found = tern::scan_straight<kAxis, kUp>(stops[kAxis], grid, goal, from);
     ASSERT_EQ(found, expected) << from.x << ' ' << from.y << ' ' << from.z << " along " << kAxis << (kUp ? '+' : '-');
     ++(expected == tern::scan::kNowhere ? nothing : something);
   }
@@ -53,7 +53,13 @@ struct Scans {
     expect_equal<2, false>(grid, goal, from);
   }
 
-  std::unique_ptr<tern::ScanMap> map = tern_test::garbage_scans();
+  /// Prepares layers whose memory starts as garbage.
+  void begin(const tern::Grid& grid) {
+    std::memset(static_cast<void*>(stops.get()), 0xA5, 3 * sizeof stops[0]);
+    for (int a = 0; a < 3; ++a) tern::jump_stops_reset(stops[a], grid, a);
+  }
+
+  std::unique_ptr<tern::JumpStopLayer[]> stops{new tern::JumpStopLayer[3]};
   int something = 0;
   int nothing = 0;
 };
@@ -65,7 +71,7 @@ TEST(PathStops, ScansStopWhereTheRuleSays) {
     const VoxelWorld world = random_world(random);
     Voxel goal{};
     if (!random_free(world.grid, random, goal)) continue;
-    tern::scan_begin(*scans.map, world.grid);
+    scans.begin(world.grid);
     // So many that tiles are walked at first and made on the way.
     for (int m = 0; m < 60; ++m) {
       Voxel from{};
@@ -88,81 +94,29 @@ TEST(PathStops, LinesAreRightAcrossWordsAndFaces) {
       world.grid.mark_voxel(random_voxel(random, dims));
     }
     world.grid.inflate();
-    tern::scan_begin(*scans.map, world.grid);
+    scans.begin(world.grid);
     for (int m = 0; m < scaled(6000); ++m) {
       Voxel from{};
       if (!random_free(world.grid, random, from)) break;
       ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, from)) << dims.x << 'x' << dims.y;
     }
-    tiles_made +=
-        __builtin_popcountll(scans.map->along[1].ready[0]) + __builtin_popcountll(scans.map->along[2].ready[0]);
+    tiles_made += __builtin_popcountll(scans.stops[1].ready[0]) + __builtin_popcountll(scans.stops[2].ready[0]);
   }
   EXPECT_GT(tiles_made, 0) << "the walks never turned into tiles";
 }
 
-/// What is kept of a map serves as long as the map does: after each change scans go by the new map.
-TEST(PathStops, KeptStopsFollowTheMap) {
-  Scans scans;
-  Random random(73);
-  VoxelWorld world({130, 70, 66});
-  for (int m = 0; m < 20000; ++m) world.grid.mark_voxel(random_voxel(random, world.grid.spec().dims));
-  int kept = 0;
-  for (int round = 0; round < scaled(60); ++round) {
-    for (int m = 0; m < 3; ++m) {
-      const Voxel at = random_voxel(random, world.grid.spec().dims);
-      if (random.chance(0.5)) {
-        world.grid.mark_voxel(at);
-      } else {
-        world.grid.clear_voxel(at);
-      }
-    }
-    world.grid.inflate();
-    tern::scan_begin(*scans.map, world.grid);
-    for (const tern::JumpStopLayer& layer : scans.map->along) kept += layer.ready[0] != 0 ? 1 : 0;
-    for (int m = 0; m < 600; ++m) {
-      Voxel from{};
-      if (!random_free(world.grid, random, from)) break;
-      ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, from)) << "round " << round;
-    }
-  }
-  EXPECT_GT(kept, 0) << "nothing was ever kept";
-}
-
-/// A flat map has more lines across it than a layer holds: there scans go step by step, after a change, too.
-TEST(PathStops, LayersThatDoNotFitForgetNothing) {
+/// A flat map has more lines across it than a layer holds: there scans go step by step.
+TEST(PathStops, LayersThatDoNotFitAreNotUsed) {
   static_assert(1100 * 1100 > tern::kJumpStopWords, "the map must not fit");
   Scans scans;
   VoxelWorld world({1, 1100, 1100});
-  tern::scan_begin(*scans.map, world.grid);
-  EXPECT_EQ(scans.map->along[0].words, 0);
-  const Voxel from[] = {{0, 40, 40}, {0, 1080, 40}, {0, 1090, 1090}, {0, 40, 1090}};
-  // In a block of rows within the map, and in the last one, which ends with it.
-  for (const Voxel& change : {Voxel{0, 41, 60}, Voxel{0, 1099, 41}, Voxel{0, 1050, 1089}}) {
-    for (int m = 0; m < 80; ++m) {
-      for (const Voxel& at : from) ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, at));
-    }
-    world.block(change);
-    tern::scan_begin(*scans.map, world.grid);
+  for (const Voxel& blocked : {Voxel{0, 41, 60}, Voxel{0, 1099, 41}, Voxel{0, 1050, 1089}}) world.block(blocked);
+  scans.begin(world.grid);
+  EXPECT_EQ(scans.stops[0].words, 0);
+  for (const Voxel& from : {Voxel{0, 40, 40}, Voxel{0, 1080, 40}, Voxel{0, 1090, 1090}, Voxel{0, 40, 1090}}) {
+    ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, from));
   }
-  for (const Voxel& at : from) ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world.grid, {0, 0, 0}, at));
   EXPECT_GT(scans.something, 0);
-}
-
-/// Another grid with as many changes, over the same memory, is another map.
-TEST(PathStops, AnotherMapOfThatShapeIsNotTakenForTheOldOne) {
-  Scans scans;
-  VoxelWorld first({64, 64, 64});
-  VoxelWorld second({64, 64, 64});
-  first.block(Voxel{20, 20, 20});
-  second.block(Voxel{20, 20, 21});
-  for (VoxelWorld* world : {&first, &second, &first}) {
-    tern::scan_begin(*scans.map, world->grid);
-    for (int m = 0; m < 400; ++m) {
-      for (const Voxel& from : {Voxel{20, 19, 1}, Voxel{19, 1, 21}, Voxel{1, 20, 19}, Voxel{20, 20, 1}}) {
-        ASSERT_NO_FATAL_FAILURE(scans.expect_all_equal(world->grid, {0, 0, 0}, from));
-      }
-    }
-  }
 }
 
 }  // namespace

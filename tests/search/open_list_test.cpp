@@ -251,9 +251,8 @@ TEST(PathCost, OctileIsConsistentAndExact) {
 TEST(SearchBound, EndsTheSearchWithoutAnAnswer) {
   const tern_test::VoxelWorld world({40, 1, 1});
   const std::unique_ptr<tern::Search> search(new tern::Search);
-  const std::unique_ptr<tern::ScanMap> scans = tern_test::garbage_scans();
   const auto end = [&](std::uint32_t units_left) {
-    tern::search_begin(*search, *scans, world.grid, {0, 0, 0}, {5, 0, 0});
+    tern::search_begin(*search, world.grid, {0, 0, 0}, {5, 0, 0});
     search->units = tern::kExpansionBound - units_left;
     tern::Status status = tern::Status::kRunning;
     tern::Work work;

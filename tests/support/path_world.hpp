@@ -51,14 +51,6 @@ class VoxelWorld {
   std::vector<std::uint64_t> words_;
 };
 
-/// A scan map whose memory starts as garbage.
-inline std::unique_ptr<tern::ScanMap> garbage_scans(unsigned char byte = 0xA5) {
-  std::unique_ptr<tern::ScanMap> scans(new tern::ScanMap);
-  std::memset(static_cast<void*>(scans.get()), byte, sizeof *scans);
-  tern::scan_forget(*scans);
-  return scans;
-}
-
 /// What a path is asked for: the search stage's query.
 struct PathQuery {
   tern::Vec3 start;
@@ -79,14 +71,13 @@ class PathRunner {
     std::memset(static_cast<void*>(search_.get()), byte, sizeof *search_);
     std::memset(static_cast<void*>(shortcut_.get()), byte, sizeof *shortcut_);
     std::memset(static_cast<void*>(path_.get()), byte, sizeof *path_);
-    scans_ = garbage_scans(byte);
   }
 
   /// Runs a query to its end in slices of `slice` units.
   tern::Status run(const tern::Grid& grid, const PathQuery& query, std::uint32_t slice = 0xFFFFFFFFu) {
     last_ = tern::Stage::kSearch;
     shortcut_->pieces = 0;  // stays so where the search fails
-    tern::search_begin(*search_, *scans_, tern::World(grid),
+    tern::search_begin(*search_, tern::World(grid),
                        {query.start, query.goal, query.start_moves, query.goal_moves, query.search});
     const auto search = [&](tern::Work& work) {
       return tern::search_advance(*search_, tern::World(grid), work, *path_);
@@ -127,7 +118,6 @@ class PathRunner {
   std::unique_ptr<tern::SearchStage> search_;
   std::unique_ptr<tern::ShortcutStage> shortcut_;
   std::unique_ptr<tern::Path> path_;
-  std::unique_ptr<tern::ScanMap> scans_;
 };
 
 /// Distance of two points, apart from the core's own.

@@ -64,9 +64,7 @@ VoxelWorld staircase_in_noise(Random& random) {
 bool guided_path_is_full(const tern::Grid& grid, const PathQuery& query) {
   const auto search = std::make_unique<tern::VoxelSearch>();
   const auto path = std::make_unique<tern::Path>();
-  const auto scans = tern_test::garbage_scans();
-  tern::voxel_search_begin(*search, *scans, grid, grid.voxel_of(query.start), grid.voxel_of(query.goal),
-                           SearchMode::kFast);
+  tern::voxel_search_begin(*search, grid, grid.voxel_of(query.start), grid.voxel_of(query.goal), SearchMode::kFast);
   tern::Work work{0xFFFFFFFFu};
   if (tern::voxel_search_advance(*search, grid, work) != Status::kOk) return false;
   path->raw_count = 0;

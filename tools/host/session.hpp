@@ -62,9 +62,6 @@ class Session {
   /// The record of the last plan (tern/record.hpp). Its grid must have been bound.
   std::string record(const PlanResult& result) const;
 
-  /// The next plan takes as long as a first one on its map: Planner::forget_map.
-  void forget_map() { planner_.forget_map(); }
-
  private:
   tern::Status build_grid(PlanResult& result);
   double microseconds(std::uint64_t ticks) const;

@@ -178,7 +178,7 @@ class Grid {
            static_cast<size_t>(row_words_);
   }
   void begin_header() noexcept;
-  void inflate_planes(int32_t begin, int32_t end, int32_t first_block, int32_t end_block, Work& work) noexcept;
+  void inflate_planes(int32_t begin, int32_t end, int32_t first_strip, int32_t end_strip, Work& work) noexcept;
   Status set_box(const Box& world, bool value) noexcept;
   Status set_voxel(const Voxel& voxel, bool value) noexcept;
   void set_voxels(const Voxel& begin, const Voxel& end, bool value) noexcept;
@@ -196,7 +196,6 @@ class Grid {
   uint64_t* obstacles_ = nullptr;
   uint64_t* blocked_ = nullptr;
   uint64_t* changes_ = nullptr;
-  uint64_t* contents_ = nullptr;  // numbers that tell the content of the blocked layer's regions
 };
 
 }  // namespace tern

@@ -48,10 +48,6 @@ class Planner {
   /// gets `context`, which belongs to the caller. A clock that stands still or runs backwards does no harm.
   void set_clock(ClockFn clock, void* context) noexcept;
 
-  /// Makes the planner forget what it learned about maps. It changes no result. Use it to measure how long the first
-  /// plan on a map takes.
-  void forget_map() noexcept;
-
   /// Plans in one call. The grid must be inflated. With kOk, `trajectory` is the plan, which passed the check. With any
   /// other answer, `trajectory` is unchanged, so you can go on flying the plan in it. `report` is always filled in.
   Status plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept;

@@ -30,13 +30,12 @@ constexpr size_t larger(size_t a, size_t b) {
 
 constexpr size_t kDimension = static_cast<size_t>(kMaxDimension);
 
-/// The search: nodes with their hash slots, the open list, and a dominance record for each 64 voxels.
-constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + 16384;
+/// The jump stops of the search: for each of six directions, one bit a voxel, and how far they are known.
+constexpr size_t kJumpStops = kCells * 6 / 8 + kCells / 16;
+/// The search: nodes with their hash slots, the open list, a dominance record for each 64 voxels, and the jump stops.
+constexpr size_t kSearch = kNodes * 48 + kHeap * 24 + kDimension * 320 + kCells / 8 + kCells / 256 + kJumpStops + 16384;
 /// The flood of the voxels that the start can reach: a layer, and a queue of its rows.
 constexpr size_t kReach = static_cast<size_t>(kMaxWorldWords) * 12 + static_cast<size_t>(kMaxWorldWords) / 8 + 4096;
-/// What the planner remembers about a map between plans: the jump stops (for each of six directions, one bit per
-/// voxel), how far they are known, and which map they belong to.
-constexpr size_t kScans = kCells * 6 / 8 + kCells / 16 + kCells / 128 + 1024;
 /// Fences: as they were given, as the stages use them, and the blocked layer of a grid with fences.
 constexpr size_t kFencePlanes = kMaxFencePlanes;
 constexpr size_t kFences =
@@ -52,17 +51,16 @@ constexpr size_t kResults =
 
 }  // namespace workspace
 
-/// Bytes that a planner needs: 131 kB for the profile tiny, 360 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
+/// Bytes that a planner needs: 119 kB for the profile tiny, 355 kB for fmu, 5.1 MB for mcu, 119 MB for companion.
 /// Search, corridor and trajectory share one part of it, one after the other. If the core's assertion fails for
 /// capacities of your own, define TERN_WORKSPACE_BYTES to a larger number, for the core and for your program.
 #ifdef TERN_WORKSPACE_BYTES
 constexpr size_t kWorkspaceBytes = TERN_WORKSPACE_BYTES;
 #else
-constexpr size_t kWorkspaceBytes =
-    (workspace::larger(workspace::larger(workspace::kSearch, workspace::kReach),
-                       workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
-     workspace::kScans + workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
-    kWorkspaceAlignment * kWorkspaceAlignment;
+constexpr size_t kWorkspaceBytes = (workspace::larger(workspace::larger(workspace::kSearch, workspace::kReach),
+                                                      workspace::larger(workspace::kCorridor, workspace::kTrajectory)) +
+                                    workspace::kResults + workspace::kFences + 2 * kWorkspaceAlignment - 1) /
+                                   kWorkspaceAlignment * kWorkspaceAlignment;
 #endif
 
 /// Memory of the right size. Make it static, or place it in a linker section or an arena: it is too large for a stack.

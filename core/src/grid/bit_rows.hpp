@@ -109,15 +109,10 @@ struct GridView {
     return static_cast<std::size_t>(obstacles(grid).index(0, grid.spec_.dims.z));
   }
 
-  /// A number for each region of the blocked layer (grid/regions.hpp). Regions with equal numbers are equal, in one
-  /// grid at two times or in two grids. inflate() writes them. Null if with_blocked() made the grid.
-  static const std::uint64_t* contents(const Grid& grid) noexcept { return grid.contents_; }
-
   /// The grid with another blocked layer: `words`, layer_words() of them, used as they are.
   static Grid with_blocked(const Grid& grid, std::uint64_t* words) noexcept {
     Grid view = grid;
     view.blocked_ = words;
-    view.contents_ = nullptr;
     return view;
   }
 

@@ -14,26 +14,26 @@ void hold(IndexRange& range, std::int32_t index) {
 }  // namespace
 
 std::size_t Changes::words(const Voxel& dims) noexcept {
-  return static_cast<std::size_t>(words_for(dims.z) + Regions(dims).count());
+  return static_cast<std::size_t>(words_for(dims.z) + words_for(dims.x) * words_for(dims.y) * dims.z);
 }
 
 bool Changes::any() const noexcept {
-  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) {
+  for (std::int32_t k = 0; k < words_for(planes_); ++k) {
     if (summary_[k] != 0) return true;
   }
   return false;
 }
 
 ChangeExtent Changes::extent(const IndexRange& planes) const noexcept {
-  ChangeExtent extent{{planes.end, planes.begin}, {regions_.words, 0}, {}};
+  ChangeExtent extent{{planes.end, planes.begin}, {row_words_, 0}, {}};
   for (std::int32_t z = planes.begin; z < planes.end; ++z) {
     if (!plane(z)) continue;
     hold(extent.planes, z);
-    for (std::int32_t block = 0; block < regions_.blocks; ++block) {
-      for (std::int32_t k = 0; k < regions_.words; ++k) {
-        const std::uint64_t rows = bits_[at(z, block, k)];
+    for (std::int32_t strip = 0; strip < strips_; ++strip) {
+      for (std::int32_t k = 0; k < row_words_; ++k) {
+        const std::uint64_t rows = bits_[at(z, strip, k)];
         if (rows == 0) continue;
-        extent.rows[block] |= rows;
+        extent.rows[strip] |= rows;
         hold(extent.words, k);
       }
     }
@@ -43,19 +43,19 @@ ChangeExtent Changes::extent(const IndexRange& planes) const noexcept {
 
 void Changes::set_plane(std::int32_t z, std::uint64_t value) noexcept {
   std::uint64_t* words = bits_ + at(z, 0, 0);
-  for (std::int32_t k = 0; k < regions_.blocks * regions_.words; ++k) words[k] = value;
+  for (std::int32_t k = 0; k < strips_ * row_words_; ++k) words[k] = value;
 }
 
 void Changes::note_all() noexcept {
-  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) summary_[k] = kAllBits;
-  for (std::int32_t z = 0; z < regions_.planes; ++z) set_plane(z, kAllBits);
+  for (std::int32_t k = 0; k < words_for(planes_); ++k) summary_[k] = kAllBits;
+  for (std::int32_t z = 0; z < planes_; ++z) set_plane(z, kAllBits);
 }
 
 void Changes::clear() noexcept {
-  for (std::int32_t z = 0; z < regions_.planes; ++z) {
+  for (std::int32_t z = 0; z < planes_; ++z) {
     if (plane(z)) set_plane(z, 0);
   }
-  for (std::int32_t k = 0; k < words_for(regions_.planes); ++k) summary_[k] = 0;
+  for (std::int32_t k = 0; k < words_for(planes_); ++k) summary_[k] = 0;
 }
 
 }  // namespace tern

@@ -9,7 +9,6 @@
 #include "grid/changes.hpp"
 #include "grid/distance.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 #include "grid/stencil.hpp"
 
 namespace tern {
@@ -20,10 +19,6 @@ constexpr std::size_t kHeaderWords = 8;
 
 /// First word of a storage that has been bound before.
 constexpr std::uint64_t kHeaderTag = 0x7465726E2D677264u;
-
-/// The number of the change from an empty grid to one whose blocked layer has not been made yet. Marks have other
-/// numbers.
-constexpr std::uint64_t kUnmade = ~std::uint64_t{0};
 
 /// Each bind begins with the next multiple of this as its revision. That is later than any revision that the grid had
 /// before, even those counted through copies of it in storage that is gone.
@@ -141,8 +136,7 @@ std::size_t grid_words(const Voxel& dims) noexcept {
     if (axis(dims, a) < 1 || axis(dims, a) > kMaxDimension) return 0;
   }
   if (std::int64_t{dims.x} * dims.y * dims.z > kMaxCells) return 0;
-  return kHeaderWords + 2 * words_of_layer(dims) + Changes::words(dims) +
-         static_cast<std::size_t>(Regions(dims).count());
+  return kHeaderWords + 2 * words_of_layer(dims) + Changes::words(dims);
 }
 
 Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_count, Field* field) noexcept {
@@ -160,14 +154,10 @@ Status Grid::bind(const GridSpec& spec, std::uint64_t* words, std::size_t word_c
   obstacles_ = words + kHeaderWords;
   blocked_ = obstacles_ + layer;
   changes_ = blocked_ + layer;
-  contents_ = changes_ + Changes::words(spec.dims);
   for (std::size_t k = 0; k < layer; ++k) obstacles_[k] = 0;
   for (std::size_t k = 0; k < layer; ++k) blocked_[k] = ~std::uint64_t{0};
   Changes(spec.dims, changes_).note_all();
   begin_header();
-  // Nothing is free yet, so the regions differ from those that inflation will make.
-  const std::uint64_t unmade = content_after(words_[kContent], kUnmade);
-  for (std::int32_t k = 0; k < Regions(spec.dims).count(); ++k) contents_[k] = unmade;
   return Status::kOk;
 }
 

@@ -6,7 +6,6 @@
 #include "grid/changes.hpp"
 #include "grid/cylinder.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
@@ -53,7 +52,7 @@ Voxel past(const Voxel& voxel) {
   return {voxel.x + 1, voxel.y + 1, voxel.z + 1};
 }
 
-/// The content number after the voxels [begin, end) were set or cleared (grid/regions.hpp).
+/// The content number after the voxels [begin, end) were set or cleared.
 std::uint64_t content_with(std::uint64_t content, const Voxel& begin, const Voxel& end, bool value) {
   const auto bits = [](std::int32_t first, std::int32_t last) {
     return static_cast<std::uint64_t>(first) | static_cast<std::uint64_t>(last) << 12;

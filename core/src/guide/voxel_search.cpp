@@ -15,7 +15,7 @@ void raise_high_water(VoxelSearch& search) {
 
 void begin_optimal(VoxelSearch& search, const Grid& grid) {
   search.method = SearchMethod::kOptimal;
-  search_begin(search.optimal, *search.map, grid, search.start, search.goal);
+  search_begin(search.optimal, grid, search.start, search.goal);
 }
 
 /// Begins the guided search after the first expansions. The least f of the open list is a lower bound for the cost of
@@ -114,9 +114,8 @@ Status advance_guided(VoxelSearch& search, const Grid& grid, Work& work) {
 
 }  // namespace
 
-void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+void voxel_search_begin(VoxelSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept {
-  search.map = &map;
   search.start = start;
   search.goal = goal;
   search.least = octile(start, goal);

@@ -41,7 +41,6 @@ struct VoxelSearch {
   std::uint32_t entries;    ///< entries taken off open lists, and sorting steps; <= kVoxelSearchBound
   std::int32_t nodes_high;  ///< the most nodes of the optimal search
   std::int32_t open_high;
-  ScanMap* map;
   union {
     Search optimal;
     GuidedSearch guided;  ///< valid if the method is neither kFirst nor kOptimal
@@ -49,9 +48,8 @@ struct VoxelSearch {
 };
 static_assert(sizeof(GuidedSearch) <= sizeof(Search), "the guided search takes no memory of its own");
 
-/// Both voxels must be free in the grid's blocked layer, which must not change until the search ends. `map` as in
-/// search_begin.
-void voxel_search_begin(VoxelSearch& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+/// Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
+void voxel_search_begin(VoxelSearch& search, const Grid& grid, const Voxel& start, const Voxel& goal,
                         SearchMode mode) noexcept;
 
 /// A piece of work is an entry taken off an open list, or a sorting step. kRunning if nothing is left; at the end:

@@ -14,37 +14,37 @@
 namespace tern {
 namespace {
 
-/// The rows of a block that changed in either of two planes, word by word.
+/// The rows of a strip that changed in either of two planes, word by word.
 struct ChangedRows {
   const std::uint64_t* below;
   const std::uint64_t* above;
 
-  ChangedRows(const Changes& changes, std::int32_t z_below, std::int32_t z_above, std::int32_t block)
-      : below(changes.words_of(z_below, block)), above(changes.words_of(z_above, block)) {}
+  ChangedRows(const Changes& changes, std::int32_t z_below, std::int32_t z_above, std::int32_t strip)
+      : below(changes.words_of(z_below, strip)), above(changes.words_of(z_above, strip)) {}
   std::uint64_t at(std::int32_t k) const { return below[k] | above[k]; }
 };
 
-/// Adds to reached[k] the rows of the block that changes in planes `below` and `above` can affect in word k. If the
-/// reach is more than 64 rows, whole blocks count as reached.
-void add_reached(const Changes& changes, std::int32_t below, std::int32_t above, std::int32_t block, std::int32_t reach,
+/// Adds to reached[k] the rows of the strip that changes in planes `below` and `above` can affect in word k. If the
+/// reach is more than 64 rows, whole strips count as reached.
+void add_reached(const Changes& changes, std::int32_t below, std::int32_t above, std::int32_t strip, std::int32_t reach,
                  const IndexRange& words, std::uint64_t* reached) {
   if (!changes.plane(below) && !changes.plane(above)) return;
   const std::int32_t far = words_for(reach);
-  for (std::int32_t b = block - far; b <= block + far && reach >= kBlockRows; ++b) {
+  for (std::int32_t b = strip - far; b <= strip + far && reach >= kStripRows; ++b) {
     const ChangedRows rows(changes, below, above, b);
     for (std::int32_t k = words.begin; k < words.end; ++k) reached[k - words.begin] |= rows.at(k) != 0 ? kAllBits : 0;
   }
-  if (reach >= kBlockRows) return;
-  const ChangedRows before(changes, below, above, block - 1);
-  const ChangedRows own(changes, below, above, block);
-  const ChangedRows after(changes, below, above, block + 1);
+  if (reach >= kStripRows) return;
+  const ChangedRows before(changes, below, above, strip - 1);
+  const ChangedRows own(changes, below, above, strip);
+  const ChangedRows after(changes, below, above, strip + 1);
   for (std::int32_t k = words.begin; k < words.end; ++k) {
     if ((before.at(k) | own.at(k) | after.at(k)) == 0) continue;
     reached[k - words.begin] |= spread_bits(before.at(k), own.at(k), after.at(k), reach);
   }
 }
 
-/// Marked rows of a block, for each word of a window.
+/// Marked rows of a strip, for each word of a window.
 struct WindowRows {
   std::uint64_t words[kStepWords];
 
@@ -79,7 +79,7 @@ std::uint64_t without_gaps(std::uint64_t rows) {
 
 /// Number of rows from the first to the last one that is set.
 std::int32_t extent_of(std::uint64_t rows) {
-  return rows == 0 ? 0 : kBlockRows - __builtin_clzll(rows) - __builtin_ctzll(rows);
+  return rows == 0 ? 0 : kStripRows - __builtin_clzll(rows) - __builtin_ctzll(rows);
 }
 
 /// Prepares the rows so that their patches cost as little as possible. Closes small gaps. Gives all words the same rows
@@ -103,7 +103,7 @@ void merge(WindowRows& rows, std::int32_t count) {
 Patch take_patch(WindowRows& rows, std::int32_t count, std::int32_t k) {
   const std::int32_t begin = __builtin_ctzll(rows.words[k]);
   const std::uint64_t gaps = ~(rows.words[k] >> begin);
-  const std::int32_t length = gaps == 0 ? kBlockRows : __builtin_ctzll(gaps);
+  const std::int32_t length = gaps == 0 ? kStripRows : __builtin_ctzll(gaps);
   const std::uint64_t run = bits_met({begin, begin + length}, 0);
   Patch patch{0, {begin, begin + length}, {k, k}};
   while (patch.words.end < count && (rows.words[patch.words.end] & run) == run) rows.words[patch.words.end++] &= ~run;
@@ -120,32 +120,28 @@ struct Inflation {
   const Changes& changes;
   const Stencil& stencil;
   const PatchMaker& maker;
-  const Regions regions;
-  const std::uint64_t content;  ///< content number of the obstacle layer
-  std::uint64_t* const
-      contents;  ///< for each region of the blocked layer, the obstacles' `content` when it was last made
   Work& work;
 
   /// The rows of the window that changes can affect in plane z.
-  WindowRows find_reached(const BlockWindow& window, std::int32_t z) const {
+  WindowRows find_reached(const StripWindow& window, std::int32_t z) const {
     WindowRows reached{};
     const std::int32_t count = window.words.end - window.words.begin;
     const std::int32_t reach = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
-    add_reached(changes, z, z, window.block, reach, window.words, reached.words);
+    add_reached(changes, z, z, window.strip, reach, window.words, reached.words);
     for (std::int32_t gap = 0; gap <= stencil.gap_z() && reached.all(count) != kAllBits; ++gap) {
       const std::int32_t reach_there = stencil.reach(gap, 0);
-      add_reached(changes, z - gap - 1, z + gap + 1, window.block, reach_there, window.words, reached.words);
+      add_reached(changes, z - gap - 1, z + gap + 1, window.strip, reach_there, window.words, reached.words);
     }
-    const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
+    const std::uint64_t inside = bits_met(maker.rows_inside(), window.strip);
     for (std::int32_t k = 0; k < count; ++k) reached.words[k] &= inside;
     return reached;
   }
 
   /// Calls `visit` with patches that cover these rows of a plane, and removes them.
   template <typename Visit>
-  static void for_each_patch(const BlockWindow& window, std::int32_t z, WindowRows& rows, Visit visit) {
+  static void for_each_patch(const StripWindow& window, std::int32_t z, WindowRows& rows, Visit visit) {
     const std::int32_t count = window.words.end - window.words.begin;
-    const std::int32_t first = window.block * kBlockRows;
+    const std::int32_t first = window.strip * kStripRows;
     for (std::int32_t k = 0; k < count; ++k) {
       while (rows.words[k] != 0) {
         const Patch patch = take_patch(rows, count, k);
@@ -156,10 +152,10 @@ struct Inflation {
     }
   }
 
-  void make_all(const BlockWindow& window, std::int32_t z, WindowRows& rows) const {
+  void make_all(const StripWindow& window, std::int32_t z, WindowRows& rows) const {
     const std::int32_t count = window.words.end - window.words.begin;
     merge(rows, count);
-    const std::uint64_t inside = bits_met(maker.rows_inside(), window.block);
+    const std::uint64_t inside = bits_met(maker.rows_inside(), window.strip);
     for (std::int32_t k = 0; k < count; ++k) rows.words[k] &= inside;
     for_each_patch(window, z, rows, [this](const Patch& patch) { maker.make(patch, work); });
   }
@@ -173,7 +169,7 @@ struct Inflation {
 
   /// Makes the rows of `reached` by copying the plane below and making the differences, and removes them from
   /// `reached`. If it is cheaper to make all rows from obstacles, does nothing and returns false.
-  bool make_from_below(const BlockWindow& window, std::int32_t z, const PlaneSteps& steps, WindowRows& reached) const {
+  bool make_from_below(const StripWindow& window, std::int32_t z, const PlaneSteps& steps, WindowRows& reached) const {
     if (!steps.known()) return false;
     const std::int32_t count = window.words.end - window.words.begin;
     WindowRows differing = reached;
@@ -193,15 +189,12 @@ struct Inflation {
   }
 
   /// Makes the rows of one window that changes can affect, plane by plane.
-  void make_window(const BlockWindow& window, const IndexRange& planes, PlaneSteps& steps) const {
+  void make_window(const StripWindow& window, const IndexRange& planes, PlaneSteps& steps) const {
     const std::int32_t count = window.words.end - window.words.begin;
     bool follows = false;
     for (std::int32_t z = planes.begin; z < planes.end; ++z) {
       WindowRows reached = find_reached(window, z);
       work.spend(2 * ops::kPiece + 10 * ops::kWord * count);
-      for (std::int32_t k = 0; k < count; ++k) {
-        if (reached.words[k] != 0) contents[regions.at(z, window.block, window.words.begin + k)] = content;
-      }
       const bool any = reached.any(count) != 0;
       if (any) work.spend(steps.operations(window, follows));
       if (any && follows) steps.advance();
@@ -214,31 +207,31 @@ struct Inflation {
     }
   }
 
-  /// The rows of the block that changes in the extent's rows can affect.
-  static std::uint64_t rows_reached(const ChangeExtent& extent, std::int32_t block, std::int32_t reach) {
+  /// The rows of the strip that changes in the extent's rows can affect.
+  static std::uint64_t rows_reached(const ChangeExtent& extent, std::int32_t strip, std::int32_t reach) {
     const std::int32_t far = words_for(reach);
-    const auto rows = [&extent](std::int32_t b) { return b >= 0 && b < kMaxBlocks ? extent.rows[b] : 0; };
-    if (reach < kBlockRows) return spread_bits(rows(block - 1), rows(block), rows(block + 1), reach);
+    const auto rows = [&extent](std::int32_t b) { return b >= 0 && b < kMaxStrips ? extent.rows[b] : 0; };
+    if (reach < kStripRows) return spread_bits(rows(strip - 1), rows(strip), rows(strip + 1), reach);
     std::uint64_t any = 0;
-    for (std::int32_t b = block - far; b <= block + far; ++b) any |= rows(b);
+    for (std::int32_t b = strip - far; b <= strip + far; ++b) any |= rows(b);
     return any != 0 ? kAllBits : 0;
   }
 
-  /// Makes the part of the blocked layer that changes can affect, in the planes `wanted` and these blocks.
-  void run(PlaneSteps& steps, const IndexRange& wanted, const IndexRange& blocks) const {
+  /// Makes the part of the blocked layer that changes can affect, in the planes `wanted` and these strips.
+  void run(PlaneSteps& steps, const IndexRange& wanted, const IndexRange& strips) const {
     const std::int32_t far_z = stencil.gap_z() + 1;
     const std::int32_t far_y = stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0);
     const ChangeExtent extent =
-        changes.extent(overlap({0, regions.planes}, {wanted.begin - far_z, wanted.end + far_z}));
+        changes.extent(overlap({0, changes.planes()}, {wanted.begin - far_z, wanted.end + far_z}));
     const IndexRange reached = overlap(maker.planes_inside(), {extent.planes.begin - far_z, extent.planes.end + far_z});
     const IndexRange planes = overlap(reached, wanted);
-    work.spend(ops::kWord * (wanted.end - wanted.begin + 2 * far_z) * regions.blocks * regions.words);
-    for (std::int32_t block = blocks.begin; block < blocks.end; ++block) {
-      const std::uint64_t any = rows_reached(extent, block, far_y);
+    work.spend(ops::kWord * (wanted.end - wanted.begin + 2 * far_z) * changes.strips() * changes.row_words());
+    for (std::int32_t strip = strips.begin; strip < strips.end; ++strip) {
+      const std::uint64_t any = rows_reached(extent, strip, far_y);
       if (any == 0) continue;
-      const IndexRange rows{__builtin_ctzll(any), kBlockRows - __builtin_clzll(any)};
+      const IndexRange rows{__builtin_ctzll(any), kStripRows - __builtin_clzll(any)};
       for (std::int32_t k = extent.words.begin; k < extent.words.end; k += kStepWords) {
-        make_window({block, rows, overlap(extent.words, {k, k + kStepWords})}, planes, steps);
+        make_window({strip, rows, overlap(extent.words, {k, k + kStepWords})}, planes, steps);
       }
     }
   }
@@ -246,7 +239,7 @@ struct Inflation {
 
 }  // namespace
 
-void Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t first_block, std::int32_t end_block,
+void Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t first_strip, std::int32_t end_strip,
                           Work& work) noexcept {
   const Changes changes(spec_.dims, changes_);
   work.spend(ops::kPiece);
@@ -255,28 +248,27 @@ void Grid::inflate_planes(std::int32_t begin, std::int32_t end, std::int32_t fir
   const Stencil stencil(spec_);
   const PatchMaker maker(*this, stencil, blocked_);
   PlaneSteps steps(*this, stencil);
-  Inflation{changes, stencil, maker, Regions(spec_.dims), words_[kContent], contents_, work}.run(
-      steps, {begin, end}, {first_block, end_block});
+  Inflation{changes, stencil, maker, work}.run(steps, {begin, end}, {first_strip, end_strip});
 }
 
 Operations inflation_operations(const Grid& grid) noexcept {
   const Stencil stencil(grid.spec());
   const PatchMaker maker(grid, stencil, nullptr);
   const PlaneSteps steps(grid, stencil);
-  const Regions regions(grid.spec().dims);
-  const BlockWindow widest{0, {0, kBlockRows}, {0, kStepWords}};
+  const Voxel& dims = grid.spec().dims;
+  const std::int32_t strips = words_for(dims.y);
+  const StripWindow widest{0, {0, kStripRows}, {0, kStepWords}};
   const Operations window =
       2 * ops::kPiece + steps.operations(widest, false) + kStepWords * (10 * ops::kWord + maker.most_operations());
   const Operations piece = ops::kPiece + kStencilOperations +
-                           ops::kWord * (kBlockRows + 2 * (stencil.gap_z() + 1)) * regions.blocks * regions.words;
-  return (piece + window * words_for(regions.words * kWordBits / kStepWords + kWordBits)) * regions.blocks *
-         regions.planes;
+                           ops::kWord * (kStripRows + 2 * (stencil.gap_z() + 1)) * strips * words_for(dims.x);
+  return (piece + window * words_for(words_for(dims.x) * kWordBits / kStepWords + kWordBits)) * strips * dims.z;
 }
 
 void Grid::inflate() noexcept {
   if (!bound()) return;
   Work work;
-  inflate_planes(0, spec_.dims.z, 0, Regions(spec_.dims).blocks, work);
+  inflate_planes(0, spec_.dims.z, 0, words_for(spec_.dims.y), work);
   Changes changes(spec_.dims, changes_);
   if (changes.any()) changes.clear();
   words_[kInflated] = words_[kRevision];

@@ -3,8 +3,8 @@
 #include "inflation/patch_maker.hpp"
 
 #include "base/work.hpp"
+#include "grid/changes.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 #include "inflation/inflation_tile.hpp"
 
 namespace tern {
@@ -52,8 +52,8 @@ Operations PatchMaker::make_operations(const Patch& patch) const noexcept {
 Operations PatchMaker::most_operations() const noexcept {
   constexpr Operations kRuns = 8;
   const Operations width = 1 + 2 * words_for(reach_x_);
-  const Operations tiles = kRuns + kBlockRows * width / kTileWords + 1;
-  return 2 * kRuns * ops::kPiece + tiles * tile_operations_ + kBlockRows * (width * word_operations_ + 7 * ops::kWord);
+  const Operations tiles = kRuns + kStripRows * width / kTileWords + 1;
+  return 2 * kRuns * ops::kPiece + tiles * tile_operations_ + kStripRows * (width * word_operations_ + 7 * ops::kWord);
 }
 
 /// Rows do not spread into each other if each ends in enough padding, or if the window has a halo on both sides.

@@ -29,7 +29,7 @@ class PatchMaker {
   const IndexRange& rows_inside() const noexcept { return rows_inside_; }
   const IndexRange& planes_inside() const noexcept { return planes_inside_; }
 
-  /// The most that copying and making the rows of one word of a block takes, in all its patches.
+  /// The most that copying and making the rows of one word of a strip takes, in all its patches.
   Operations most_operations() const noexcept;
   /// Makes the patch from the obstacles around it.
   void make(const Patch& patch, Work& work) const noexcept;
@@ -60,7 +60,7 @@ class PatchMaker {
   Operations word_operations_;
 };
 
-/// The most that an inflation of the whole grid takes, in pieces of one plane of one block or larger.
+/// The most that an inflation of the whole grid takes, in pieces of one plane of one strip or larger.
 Operations inflation_operations(const Grid& grid) noexcept;
 
 }  // namespace tern

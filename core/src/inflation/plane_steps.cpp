@@ -3,7 +3,7 @@
 #include "inflation/plane_steps.hpp"
 
 #include "base/work.hpp"
-#include "grid/regions.hpp"
+#include "grid/changes.hpp"
 
 namespace tern {
 namespace {
@@ -38,7 +38,7 @@ PlaneSteps::PlaneSteps(const Grid& grid, const Stencil& stencil)
       reach_y_(stencil.gap_z() < 0 ? 0 : stencil.reach(0, 0)),
       reach_z_(stencil.gap_z() + 1) {}
 
-void PlaneSteps::begin(const BlockWindow& window, std::int32_t z) {
+void PlaneSteps::begin(const StripWindow& window, std::int32_t z) {
   window_ = window;
   z_ = z;
   known_ = false;
@@ -58,7 +58,7 @@ void PlaneSteps::advance() {
   if (known_) take(z_ + reach_z_);
 }
 
-Operations PlaneSteps::operations(const BlockWindow& window, bool follows) const {
+Operations PlaneSteps::operations(const StripWindow& window, bool follows) const {
   const int words = (window.rows.end - window.rows.begin + 2 * reach_y_) * (window.words.end - window.words.begin + 2);
   return (2 * ops::kPiece + 2 * ops::kWord * words) * (follows ? 1 : 2 * reach_z_);
 }
@@ -88,7 +88,7 @@ bool PlaneSteps::rows_differ(const IndexRange& rows, std::int32_t step) const {
 /// outermost one, whose obstacles are nearer.
 void PlaneSteps::take(std::int32_t step) {
   if (step < 1 || step >= dims_.z) return;
-  const std::int32_t first = window_.block * kBlockRows;
+  const std::int32_t first = window_.strip * kStripRows;
   const IndexRange rows =
       overlap({0, dims_.y}, {first + window_.rows.begin - reach_y_, first + window_.rows.end + reach_y_});
   if (!rows_differ(rows, step)) return;
@@ -105,11 +105,11 @@ void PlaneSteps::take(std::int32_t step) {
   mark_planes(step + 1, step + reach_z_ + 1, vanishing);
 }
 
-/// Adds the differences in one row, for all rows of the block that they can affect.
+/// Adds the differences in one row, for all rows of the strip that they can affect.
 void PlaneSteps::add_row(const std::uint64_t* row, std::int32_t y, Differences& appearing,
                          Differences& vanishing) const {
   const std::uint64_t* below = row - obstacles_.index(0, 1);
-  const std::int32_t at = y - window_.block * kBlockRows;
+  const std::int32_t at = y - window_.strip * kStripRows;
   const std::int32_t first = window_.words.begin - 1;
   const IndexRange words = overlap({0, obstacles_.row_words}, {first, window_.words.end + 1});
   std::uint64_t rows = 0;

@@ -22,14 +22,14 @@ constexpr std::int32_t kRestPlanes = 32;
 /// Words of a row that are compared together.
 constexpr std::int32_t kStepWords = 8;
 
-/// A range of words of the rows of one block.
-struct BlockWindow {
-  std::int32_t block;
-  IndexRange rows;   ///< rows of the block; others do not matter
+/// A range of words of the rows of one strip.
+struct StripWindow {
+  std::int32_t strip;
+  IndexRange rows;   ///< rows of the strip; others do not matter
   IndexRange words;  ///< at most kStepWords
 };
 
-/// The voxels that may differ, in one word of the rows of a block: each of them is in one of `rows` and at one of
+/// The voxels that may differ, in one word of the rows of a strip: each of them is in one of `rows` and at one of
 /// `bits`.
 struct WordMark {
   std::uint64_t rows;
@@ -46,11 +46,11 @@ class PlaneSteps {
   PlaneSteps(const Grid& grid, const Stencil& stencil);
 
   /// Begins at blocked plane z, for which nothing is known.
-  void begin(const BlockWindow& window, std::int32_t z);
+  void begin(const StripWindow& window, std::int32_t z);
   /// Goes on to the next plane.
   void advance();
   /// Of advance() if `follows`, else of begin().
-  Operations operations(const BlockWindow& window, bool follows) const;
+  Operations operations(const StripWindow& window, bool follows) const;
   /// Notes whether the marks were of use for this plane. If they were of no use for many planes in a row, comparing is
   /// switched off for kRestPlanes planes.
   void judge(bool useful);
@@ -86,7 +86,7 @@ class PlaneSteps {
   std::int32_t reach_x_;
   std::int32_t reach_y_;
   std::int32_t reach_z_;
-  BlockWindow window_{};
+  StripWindow window_{};
   std::int32_t z_ = 0;
   bool known_ = false;
   std::int32_t useless_ = 0;  ///< planes in a row whose marks were of no use

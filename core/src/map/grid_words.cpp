@@ -5,7 +5,6 @@
 #include "base/math.hpp"
 #include "grid/changes.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 #include "map/map_state.hpp"
 
 namespace tern {
@@ -34,15 +33,15 @@ void GridWords::note(std::int32_t y, std::int32_t z, std::int32_t first, std::in
 }
 
 std::int32_t GridWords::inflation_pieces(const Voxel& dims) noexcept {
-  return (dims.z + kInflatedPlanes - 1) / kInflatedPlanes * Regions(dims).blocks;
+  return (dims.z + kInflatedPlanes - 1) / kInflatedPlanes * words_for(dims.y);
 }
 
 void GridWords::inflate_piece(std::int32_t piece, Work& work) const noexcept {
   const Voxel& dims = grid_.spec_.dims;
-  const std::int32_t blocks = Regions(dims).blocks;
-  const std::int32_t begin = piece / blocks * kInflatedPlanes;
+  const std::int32_t strips = words_for(dims.y);
+  const std::int32_t begin = piece / strips * kInflatedPlanes;
   const std::int32_t end = begin + kInflatedPlanes < dims.z ? begin + kInflatedPlanes : dims.z;
-  grid_.inflate_planes(begin, end, piece % blocks, piece % blocks + 1, work);
+  grid_.inflate_planes(begin, end, piece % strips, piece % strips + 1, work);
   if (piece + 1 == inflation_pieces(dims)) finish_inflation();
 }
 
@@ -66,7 +65,6 @@ void GridWords::copy_planes(const Grid& from, std::int32_t begin, std::int32_t e
 }
 
 void GridWords::end_copy(const Grid& from) const noexcept {
-  for (std::int32_t k = 0; k < Regions(from.spec_.dims).count(); ++k) grid_.contents_[k] = from.contents_[k];
   grid_.words_[Grid::kContent] = from.words_[Grid::kContent];
   finish_inflation();
   grid_.words_[Grid::kBinding] = grid_.binding_;
@@ -88,7 +86,6 @@ void GridWords::end_shift(const Voxel& by) const noexcept {
   std::uint64_t content = content_after(header[Grid::kContent], kShifted);
   for (int a = 0; a < 3; ++a) content = content_after(content, static_cast<std::uint64_t>(std::int64_t{axis(by, a)}));
   header[Grid::kContent] = content;
-  for (std::int32_t k = 0; k < Regions(grid_.spec_.dims).count(); ++k) grid_.contents_[k] = content;
   grid_.binding_ = content_after(grid_.binding_, content ^ header[Grid::kRevision]);
   header[Grid::kBinding] = grid_.binding_;
 }

@@ -48,7 +48,7 @@ class GridWords {
   void begin_copy(const Grid& from) const noexcept;
   /// Copies both layers of planes begin .. end - 1.
   void copy_planes(const Grid& from, std::int32_t begin, std::int32_t end) const noexcept;
-  /// Ends the copy: this view is bound again, and inflated. Each region gets the number that it has in `from`.
+  /// Ends the copy: this view is bound again, and inflated.
   void end_copy(const Grid& from) const noexcept;
 
   /// Begins to move the content of an inflated grid: no view of it is bound until end_shift().
@@ -58,8 +58,8 @@ class GridWords {
   void note(std::int32_t y, std::int32_t z, std::int32_t first, std::int32_t last) const noexcept;
   /// Moves the lattice's lower corner, and the boundary with it, to another place in the world.
   void move_to(const Vec3& origin) const noexcept;
-  /// Ends the move: voxel v now holds what v + by held before. Only this view is bound again. All regions get new
-  /// numbers, and the noted words wait for inflation.
+  /// Ends the move: voxel v now holds what v + by held before. Only this view is bound again. The
+  /// noted words wait for inflation.
   void end_shift(const Voxel& by) const noexcept;
 
  private:

@@ -3,7 +3,6 @@
 //
 // A map's jobs, task by task and piece by piece.
 #include "base/math.hpp"
-#include "grid/regions.hpp"
 #include "inflation/patch_maker.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
@@ -68,7 +67,7 @@ Operations slide_operations(const MapState& state) {
   const Operations words = static_cast<Operations>(state.row(0, 1));
   const Operations plane = state.moved_operations(false) + (ops::kPiece + kMarkOperations * words) * prior +
                            state.renewed_operations() * spec.dims.y;
-  return plane * spec.dims.z + ops::kWord * Regions(spec.dims).count();
+  return plane * spec.dims.z;
 }
 
 std::uint32_t units(Operations operations) {

@@ -4,7 +4,6 @@
 // A slide of the window. All layers move in place, plane by plane, by whole words, rows and planes.
 #include "base/math.hpp"
 #include "base/work.hpp"
-#include "grid/regions.hpp"
 #include "map/grid_words.hpp"
 #include "map/map_state.hpp"
 
@@ -170,7 +169,6 @@ void MapState::slide_plane(std::int32_t index, Work& work) noexcept {
   if (index + 1 < dims.z) return;
   GridWords(route).end_shift(slide.by);
   GridWords(safe).end_shift(slide.by);
-  work.spend(ops::kWord * Regions(dims).count());
 }
 
 void MapState::move_origin() noexcept {

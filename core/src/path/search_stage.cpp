@@ -146,7 +146,7 @@ Progress advance_once(SearchStage& stage, const World& world, Work& work, Path& 
     const Progress joined = advance_join(stage, world, work, stage.goal, stage.query.goal);
     if (joined != Progress::kDone) return joined;
     work.spend(kEndsOperations);
-    voxel_search_begin(stage.search, *stage.map, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
+    voxel_search_begin(stage.search, grid, stage.start.voxel, stage.goal.voxel, stage.query.mode);
     stage.phase = SearchPhase::kSearch;
   }
   return expand(stage, grid, work, out);
@@ -154,10 +154,9 @@ Progress advance_once(SearchStage& stage, const World& world, Work& work, Path& 
 
 }  // namespace
 
-void search_begin(SearchStage& stage, ScanMap& map, const World& world, const SearchQuery& query) noexcept {
+void search_begin(SearchStage& stage, const World& world, const SearchQuery& query) noexcept {
   const Grid& grid = world.voxels();
   stage.status = Status::kOk;
-  stage.map = &map;
   stage.pieces = 0;
   stage.nodes_high = 0;
   stage.open_high = 0;

@@ -64,7 +64,6 @@ struct SearchStage {
   SearchPhase phase;
   SearchQuery query;
   std::uint32_t failed;  ///< searches that found no path
-  ScanMap* map;
   Join start;
   Join goal;
   NearestFree nearest;
@@ -72,9 +71,8 @@ struct SearchStage {
   VoxelSearch search;
 };
 
-/// The grid must be inflated, and the world must not change until the stage ends. `map` is passed on to the search over
-/// voxels.
-void search_begin(SearchStage& stage, ScanMap& map, const World& world, const SearchQuery& query) noexcept;
+/// The grid must be inflated, and the world must not change until the stage ends.
+void search_begin(SearchStage& stage, const World& world, const SearchQuery& query) noexcept;
 
 /// A piece of work is one entry taken off an open list, or one line that joins an end to the grid. kDone: the raw path
 /// is in `out`, and each of its points sees the next. kFailed: kStartOccupied, kGoalOccupied,

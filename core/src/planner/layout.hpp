@@ -18,8 +18,8 @@
 
 namespace tern {
 
-/// The content of the workspace. The results of the stages outlive them, and so do the jump stops in `scans`. The
-/// stages' own states are never needed at the same time, so they share memory.
+/// The content of the workspace. The results of the stages outlive them. The stages' own states are never needed at the
+/// same time, so they share memory.
 struct Layout {
   Plan plan;
   Path path;
@@ -31,7 +31,6 @@ struct Layout {
   Previous previous;
   AskedFences asked_fences;  ///< the fences as the caller gave them, for the check
   WorldMemory world;
-  ScanMap scans;  ///< jump stops, which are kept for the next search
   union {
     SearchStage search;
     ReachStage reach;

@@ -84,13 +84,12 @@ Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept {
   return to_local(voxels_of(problem), target);
 }
 
-Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, ScanMap& scans,
-                            SearchStage& stage) noexcept {
+Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, SearchStage& stage) noexcept {
   const SearchQuery query{leg_begin(problem, ends, legs),
                           is_last_leg(problem, legs) ? ends.goal_in_grid : leg_target(problem, legs),
                           legs.leg == 0 && !at_rest(ends.start), is_last_leg(problem, legs) && !at_rest(ends.goal),
                           legs.searched_again ? SearchMode::kOptimal : problem.asked.search};
-  search_begin(stage, scans, world_of(problem), query);
+  search_begin(stage, world_of(problem), query);
   return join_operations(stage.start) + join_operations(stage.goal);
 }
 

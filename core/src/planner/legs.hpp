@@ -61,8 +61,7 @@ Vec3 leg_target(const Problem& problem, const Legs& legs) noexcept;
 
 /// Searches for the current leg. leg_search_begin() returns the operations that it took. If the search fails,
 /// legs.status, via and fault say why.
-Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, ScanMap& scans,
-                            SearchStage& stage) noexcept;
+Operations leg_search_begin(const Problem& problem, const Ends& ends, const Legs& legs, SearchStage& stage) noexcept;
 Progress leg_search_advance(const Problem& problem, SearchStage& stage, Legs& legs, WayMemory way, Work& work) noexcept;
 /// The search ends here, for lack of work.
 void leg_search_stop(const Problem& problem, SearchStage& stage, Legs& legs) noexcept;

@@ -122,7 +122,7 @@ void Pipeline::enter(Stage stage) noexcept {
   ledger_.enter();
   switch (stage) {
     case Stage::kSearch:
-      begun_ += leg_search_begin(problem_, m.ends, legs_, m.scans, m.stage.search);
+      begun_ += leg_search_begin(problem_, m.ends, legs_, m.stage.search);
       return;
     case Stage::kShortcut:
       return leg_shortcut_begin(problem_, way_of(m), m.stage.shortcut);

@@ -28,7 +28,6 @@ Planner::Planner(void* memory, std::size_t bytes, std::uint64_t configuration) n
       same_configuration_(configuration == kConfigurationHash) {
   if (workspace_ == nullptr) return;
   new (&current_plan()) Plan(layout(workspace_));
-  forget_map();
 }
 
 const Plan& Planner::current_plan() const noexcept {
@@ -37,10 +36,6 @@ const Plan& Planner::current_plan() const noexcept {
 
 Plan& Planner::current_plan() noexcept {
   return layout(workspace_).plan;
-}
-
-void Planner::forget_map() noexcept {
-  if (workspace_ != nullptr) scan_forget(layout(workspace_).scans);
 }
 
 void Planner::set_clock(ClockFn clock, void* context) noexcept {

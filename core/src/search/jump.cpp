@@ -39,7 +39,7 @@ template <int kAxis, bool kUp>
 void scan_line(const Expansion& from, const Voxel& cursor, Cost g) {
   Search& search = from.search;
   from.work.spend(ops::kNode);
-  const std::int32_t stop = scan_straight<kAxis, kUp>(*search.map, from.grid, search.goal, cursor);
+  const std::int32_t stop = scan_straight<kAxis, kUp>(search.stops[kAxis], from.grid, search.goal, cursor);
   if (stop == scan::kNowhere) return;
   Voxel found = cursor;
   axis(found, kAxis) = stop;

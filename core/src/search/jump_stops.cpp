@@ -11,7 +11,6 @@
 
 #include "base/capacity.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 
 namespace tern {
 namespace {
@@ -21,28 +20,6 @@ constexpr std::uint64_t kAllBlocked = ~std::uint64_t{0};
 
 void mark_ready(JumpStopLayer& layer, std::int32_t index) {
   layer.ready[index >> 6] |= std::uint64_t{1} << (index & 63);
-}
-
-void mark_unmade(JumpStopLayer& layer, std::int32_t index) {
-  layer.ready[index >> 6] &= ~(std::uint64_t{1} << (index & 63));
-}
-
-/// `range` and one more to either side, within 0 .. count - 1.
-IndexRange with_neighbours(std::int32_t begin, std::int32_t end, std::int32_t count) {
-  return {begin > 0 ? begin - 1 : 0, end < count ? end + 1 : count};
-}
-
-/// Forgets the tiles in these ranges: of the third axis, of blocks along x, and of words along the tiles' own axis.
-void forget_tiles(JumpStopLayer& layer, const IndexRange& third, const IndexRange& block, const IndexRange& word) {
-  for (std::int32_t t = third.begin; t < third.end; ++t) {
-    for (std::int32_t b = block.begin; b < block.end; ++b) {
-      for (std::int32_t w = word.begin; w < word.end; ++w) {
-        const std::int32_t tile = (t * layer.blocks + b) * layer.words + w;
-        mark_unmade(layer, tile);
-        layer.walked[tile] = 0;
-      }
-    }
-  }
 }
 
 /// A word of a blocked row with the words before and after it. Everything past the grid's faces counts as blocked.
@@ -178,26 +155,6 @@ void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis_along) no
   for (std::int32_t k = 0; k <= bits / 64; ++k) layer.ready[k] = 0;
   if (axis_along == 0) return;
   for (std::int32_t k = 0; k < bits; ++k) layer.walked[k] = 0;
-}
-
-// A stop depends on voxels up to one step away on every axis.
-void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis_along, std::int32_t z, std::int32_t block,
-                       std::int32_t word) noexcept {
-  if (layer.words == 0) return;
-  const Voxel& dims = grid.spec().dims;
-  const Regions regions(dims);
-  const IndexRange planes = with_neighbours(z, z + 1, dims.z);
-  const IndexRange words = with_neighbours(word, word + 1, regions.words);
-  const std::int32_t last_row = (block + 1) * kBlockRows;
-  const IndexRange rows = with_neighbours(block * kBlockRows, last_row < dims.y ? last_row : dims.y, dims.y);
-  if (axis_along == 1) return forget_tiles(layer, planes, words, with_neighbours(block, block + 1, regions.blocks));
-  if (axis_along == 2) return forget_tiles(layer, rows, words, {planes.begin >> 6, ((planes.end - 1) >> 6) + 1});
-  for (std::int32_t p = planes.begin; p < planes.end; ++p) {
-    for (std::int32_t y = rows.begin; y < rows.end; ++y) {
-      for (std::int32_t w = words.begin; w < words.end; ++w)
-        mark_unmade(layer, (y + layer.width * p) * layer.words + w);
-    }
-  }
 }
 
 void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,

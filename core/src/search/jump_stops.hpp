@@ -43,10 +43,6 @@ constexpr std::uint8_t kWalkFirst = 64;
 /// Prepares the layer of an axis, with nothing made yet: clears one bit for each word or tile.
 void jump_stops_reset(JumpStopLayer& layer, const Grid& grid, int axis) noexcept;
 
-/// Forgets what depends on a region of the blocked layer (grid/regions.hpp).
-void jump_stops_forget(JumpStopLayer& layer, const Grid& grid, int axis, std::int32_t z, std::int32_t block,
-                       std::int32_t word) noexcept;
-
 /// Makes word `word` of the line along x at (y, z): from three words of each of nine rows, each combined four times.
 void jump_stops_fill_row(JumpStopLayer& layer, const Grid& grid, std::int32_t y, std::int32_t z,
                          std::int32_t word) noexcept;

@@ -9,32 +9,11 @@
 
 #include "base/direction.hpp"
 #include "grid/lattice.hpp"
-#include "grid/regions.hpp"
 #include "search/jump_stops.hpp"
 #include "search/line_walk.hpp"
 #include "tern/grid.hpp"
 
 namespace tern {
-
-/// Regions of the largest map whose stops are kept from one search to the next.
-constexpr std::int32_t kStopRegions = static_cast<std::int32_t>((kMaxCells + 1023) / 1024);
-
-/// The data that scans read. It outlives a search: stops stay as long as the map around them stays the same.
-struct ScanMap {
-  bool kept;   ///< the stops belong to a map whose regions had the numbers in `contents`
-  Voxel dims;  ///< dimensions of that map
-  std::uint64_t contents[kStopRegions];
-  JumpStopLayer along[3];
-};
-
-/// To be called once before the first scan_begin, on memory with any content.
-inline void scan_forget(ScanMap& map) noexcept {
-  map.kept = false;
-}
-
-/// Prepares scans of a grid, which must not change until they end. Forgets the stops near regions that have changed
-/// since the last call. Forgets all stops if many regions have changed, or if the changes are not known.
-void scan_begin(ScanMap& map, const Grid& grid) noexcept;
 
 namespace scan {
 
@@ -109,9 +88,8 @@ bool meets_goal(const Voxel& goal, const Voxel& from, std::int32_t stop) noexcep
 /// first voxel that is the goal or has a forced neighbour; scan::kNowhere if an obstacle or the grid's face comes
 /// first. The goal must be free.
 template <int kAxis, bool kUp>
-std::int32_t scan_straight(ScanMap& map, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
+std::int32_t scan_straight(JumpStopLayer& layer, const Grid& grid, const Voxel& goal, const Voxel& from) noexcept {
   constexpr int kStep = kUp ? 1 : -1;
-  JumpStopLayer& layer = map.along[kAxis];
   if (layer.words == 0) {
     return scan::stepwise(grid, goal, from,
                           direction(kAxis == 0 ? kStep : 0, kAxis == 1 ? kStep : 0, kAxis == 2 ? kStep : 0));

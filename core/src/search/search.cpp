@@ -28,7 +28,7 @@ bool steps_pay(const Search& search) {
 void begin_jumps(Search& search, const Grid& grid, Work& work) {
   search.jumps = true;
   work.spend(static_cast<Operations>(GridView::layer_words(grid)) + ops::kRow * search.store.count);
-  scan_begin(*search.map, grid);
+  for (int a = 0; a < 3; ++a) jump_stops_reset(search.stops[a], grid, a);
   dominance_reset(search.dominance, grid);
   for (std::uint32_t k = 0; k < search.store.count; ++k) {
     const SearchNode& node = search.store.nodes[k];
@@ -65,9 +65,8 @@ Status end_or_running(const Search& search) {
 
 }  // namespace
 
-void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps) noexcept {
-  search.map = &map;
   search.start = start;
   search.goal = goal;
   search.nodes_full = false;

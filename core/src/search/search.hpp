@@ -46,15 +46,14 @@ struct Search {
   Cost least_h;            ///< least h of the nodes expanded so far
   NodeStore store;
   OpenList open;
-  ScanMap* map;  ///< outlives the search
+  JumpStopLayer stops[3];  ///< by axis; valid once the search jumps
   DominanceMap dominance;
 };
 
 /// Opens the start. Both voxels must be free in the grid's blocked layer, which must not change until the search ends.
-/// `map` holds what earlier searches have found out about this map or another, or has been reset by scan_forget(). It
-/// changes the cost of the search, but never its result. `steps`, at most 2^24, changes the cost of the search, and
-/// which of the cheapest paths it finds; with 0, the search jumps at once.
-void search_begin(Search& search, ScanMap& map, const Grid& grid, const Voxel& start, const Voxel& goal,
+/// `steps`, at most 2^24, changes the cost of the search, and which of the cheapest paths it finds; with 0, the search
+/// jumps at once.
+void search_begin(Search& search, const Grid& grid, const Voxel& start, const Voxel& goal,
                   std::uint32_t steps = kLeastSteps) noexcept;
 
 /// Does one piece of the search: expands a node, skips an outdated entry of the open list, or sorts a part of the list.
