@@ -21,7 +21,7 @@ int main() {
         sizeof Layout::path + sizeof Layout::vias + sizeof Layout::corridor + sizeof Layout::trajectory);
   print("`plan`, `ends`, `stops`, `previous`",
         sizeof Layout::plan + sizeof Layout::ends + sizeof Layout::stops + sizeof Layout::previous);
-  print("`asked_fences`, `world`", sizeof Layout::asked_fences + sizeof Layout::world);
+  print("`asked`, `world`", sizeof Layout::asked + sizeof Layout::world);
   print("`scans`", sizeof Layout::scans);
   print("`stage.search`", sizeof Layout::stage.search);
   print("`stage.reach`", sizeof Layout::stage.reach);

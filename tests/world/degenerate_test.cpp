@@ -9,8 +9,7 @@
 #include <memory>
 
 #include "base/math.hpp"
-#include "prove/asked_fences.hpp"
-#include "prove/keep_out.hpp"
+#include "prove/fences.hpp"
 #include "support/degenerate_fence.hpp"
 #include "support/world.hpp"
 #include "world/fences.hpp"
@@ -93,7 +92,7 @@ struct Case {
 
 /// True if the keep-out is proven to lie beyond the plane normal . x = offset, by `distance`: the hull is a square in
 /// that plane, so wide that no other plane cuts it off.
-bool proven_beyond(const tern::Grid& grid, const tern::AskedFences& asked, const Vec3& normal, double offset,
+bool proven_beyond(const tern::Grid& grid, const tern::AskedWorld& asked, const Vec3& normal, double offset,
                    double distance, tern::FenceScratch& scratch) {
   constexpr double kWide = 1e3;
   const Vec3 side = tern::perpendicular(normal);
@@ -110,7 +109,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
   if (!long_double_is_longer()) GTEST_SKIP() << "the reference needs a long double that is longer than a double";
   Random random(41);
   const auto solids = std::make_unique<tern::Solids>();
-  const auto asked = std::make_unique<tern::AskedFences>();
+  const auto asked = std::make_unique<tern::AskedWorld>();
   const auto scratch = std::make_unique<tern::FenceScratch>();
   int refused = 0;
   for (int i = 0; i < scaled(1500); ++i) {
@@ -123,7 +122,7 @@ TEST(FencesDegenerate, TheHullHoldsTheKeepOutAndTheCheckAgrees) {
       continue;
     }
     ASSERT_EQ(status, Status::kOk);
-    ASSERT_TRUE(copy_fences(&c.fence, 1, *asked));
+    ASSERT_TRUE(copy_asked(&c.fence, 1, *asked));
     if (solids->solid_count == 0) {
       ASSERT_TRUE(c.corners.empty()) << "case " << i;
       ASSERT_TRUE(proven_beyond(grid, *asked, {1.0, 0.0, 0.0}, 1e3, radius, *scratch)) << "case " << i;

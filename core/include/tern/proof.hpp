@@ -20,6 +20,7 @@
 namespace tern {
 
 struct Allowed;
+struct AskedWorld;
 struct Corridor;
 struct Excess;
 struct FenceScratch;
@@ -118,8 +119,8 @@ class Proof {
   void refuse(double from) noexcept;
   Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                         Beyond beyond, const ProofGrounds& grounds) noexcept;
-  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const Fence* fences,
-                  int32_t fence_count, const Corridor& hints, FenceScratch& scratch) noexcept;
+  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
+                  const Corridor& hints, FenceScratch& scratch) noexcept;
   void take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept;
   void pardon(const Alarm& alarm) noexcept;
   void enter(const Trajectory& trajectory) noexcept;

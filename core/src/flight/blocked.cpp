@@ -5,7 +5,7 @@
 #include "base/math.hpp"
 #include "grid/bit_rows.hpp"
 #include "grid/lattice.hpp"
-#include "prove/fence_clear.hpp"
+#include "prove/fences.hpp"
 
 namespace tern {
 namespace {

@@ -29,7 +29,7 @@ struct Layout {
   Ends ends;
   EndStop stops[2];  ///< the start's and the goal's
   Previous previous;
-  AskedFences asked_fences;  ///< the fences as the caller gave them, for the check
+  AskedWorld asked;  ///< what the request adds to the world, for the check
   WorldMemory world;
   union {
     SearchStage search;

@@ -30,7 +30,7 @@ Pace pace_of(const Problem& problem, const Curves& curves, const Layout& memory)
 
 CheckQuery check_query(const Problem& problem, const Follow& follow, const Layout& memory) {
   const Request& asked = problem.asked;
-  CheckQuery query{asked.start, asked.goal, asked.limits, memory.world.has_solids ? &memory.asked_fences : nullptr};
+  CheckQuery query{asked.start, asked.goal, asked.limits, memory.world.has_solids ? &memory.asked : nullptr};
   query.start.jerk = start_jerk(problem, follow, memory.previous);
   query.vias = problem.vias;
   query.joints = memory.vias.joint;
@@ -93,7 +93,7 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   if (request.fence_count == 0) return Status::kRunning;
-  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked_fences, begun_);
+  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked, begun_);
   if (fault_.status != Status::kOk) return refuse(fault_);
   take_ends(problem_, memory.ends);
   return Status::kRunning;

@@ -42,10 +42,10 @@ void take_ends(const Problem& problem, Ends& ends) noexcept {
 }
 
 RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedFences& asked, Operations& spent) noexcept {
+                         AskedWorld& asked, Operations& spent) noexcept {
   const FenceFault added = world_add(world, request.fences, request.fence_count);
   if (added.status != Status::kOk) return {added.status, Field::kFences, added.fence};
-  if (!copy_fences(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
+  if (!copy_asked(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
   RequestFault fault = find_fenced_point(problem, ends);
   if (fault.status != Status::kOk) return fault;
   fault.fence = world_of(problem).first_broken(ends.goal_in_grid, ends.goal_in_grid);

@@ -9,7 +9,7 @@
 
 #include "base/bounds.hpp"
 #include "base/work.hpp"
-#include "prove/asked_fences.hpp"
+#include "prove/fences.hpp"
 #include "tern/grid.hpp"
 #include "tern/request.hpp"
 #include "tern/status.hpp"
@@ -72,7 +72,7 @@ void take_ends(const Problem& problem, Ends& ends) noexcept;
 /// vias and goal with them. Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
 /// with a goal that breaks a fence. `spent` grows by the operations that it took.
 RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedFences& asked, Operations& spent) noexcept;
+                         AskedWorld& asked, Operations& spent) noexcept;
 
 /// Both requested ends are at rest.
 bool rests(const Problem& problem) noexcept;

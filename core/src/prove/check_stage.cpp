@@ -43,10 +43,8 @@ bool joint_holds(const Grid& grid, const Trajectory& trajectory, int index, cons
 struct PlanProof {
   static void begin(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                     const CheckQuery& query) {
-    const bool fenced = query.fences != nullptr;
     Proof* const proof = new (&stage.proof) Proof;
-    proof->begin_plan(grid, trajectory, query.limits, fenced ? query.fences->fence : nullptr,
-                      fenced ? query.fences->count : 0, corridor, stage.scratch);
+    proof->begin_plan(grid, trajectory, query.limits, query.world, corridor, stage.scratch);
     stage.phase = CheckPhase::kCurve;
   }
 };
@@ -56,9 +54,7 @@ Operations check_piece_operations(const GridSpec& spec) noexcept {
   const Operations rows = Operations{spec.dims.y} * spec.dims.z;
   const Operations cuts = 4 * ops::kRow + 18 * ops::kMultiplyAdd * kMaxPlanes;
   const Operations boxes = 2 * ops::kRow + (spec.dims.x / 2 + 1) * (8 + 3 * kControlPoints) * ops::kDot;
-  const Operations faces = kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2;
-  const Operations fences = kMaxFences * (kKeepOutOperations + ops::kPiece + 16 * ops::kDot * faces);
-  return kEndOperations + 12 * ops::kPiece + 6 * ops::kDot * kMaxPlanes + fences +
+  return kEndOperations + 12 * ops::kPiece + 6 * ops::kDot * kMaxPlanes + kAskedOperations +
          rows * (cuts + 2 * ops::kPiece + boxes);
 }
 

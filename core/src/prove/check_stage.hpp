@@ -11,8 +11,7 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
-#include "prove/asked_fences.hpp"
-#include "prove/keep_out.hpp"
+#include "prove/fences.hpp"
 #include "tern/corridor.hpp"
 #include "tern/grid.hpp"
 #include "tern/proof.hpp"
@@ -33,7 +32,7 @@ struct CheckQuery {
   State start;  ///< with the jerk that the plan was made to begin with
   State goal;
   Limits limits;
-  const AskedFences* fences = nullptr;  ///< null: none
+  const AskedWorld* world = nullptr;  ///< null: nothing but voxels
   const Via* vias = nullptr;
   const std::int32_t* joints = nullptr;  ///< for each via, the segment that begins where the plan passes it, or the
                                          ///< number of segments

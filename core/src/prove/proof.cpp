@@ -8,6 +8,7 @@
 #include "base/work.hpp"
 #include "prove/allowed.hpp"
 #include "prove/bernstein.hpp"
+#include "prove/fences.hpp"
 #include "prove/grants.hpp"
 
 namespace tern {
@@ -83,8 +84,8 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
 }
 
 /// Begins the proof of a whole plan, of which `hints` may know what cuts obstacles and fences off.
-void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const Fence* fences,
-                       std::int32_t fence_count, const Corridor& hints, FenceScratch& scratch) noexcept {
+void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
+                       const Corridor& hints, FenceScratch& scratch) noexcept {
   refuse(0.0);
   trajectory_ = &trajectory;
   hints_ = &hints;
@@ -92,8 +93,8 @@ void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Lim
   take_grant(grid, grant_to_plan(grid, trajectory), Beyond::kEmpty);
   has_limits_ = true;
   limits_ = limits;
-  fences_ = fences;
-  fence_count_ = fence_count;
+  fences_ = world != nullptr ? world->fence : nullptr;
+  fence_count_ = world != nullptr ? world->count : 0;
   if (trajectory.count >= 1 && trajectory.count <= kMaxSegments) enter(trajectory);
 }
 

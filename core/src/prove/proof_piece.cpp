@@ -5,10 +5,9 @@
 #include "base/math.hpp"
 #include "prove/allowed.hpp"
 #include "prove/cut_off.hpp"
-#include "prove/fence_clear.hpp"
+#include "prove/fences.hpp"
 #include "prove/grants.hpp"
 #include "prove/hull_clear.hpp"
-#include "prove/keep_out.hpp"
 #include "tern/corridor.hpp"
 #include "tern/proof.hpp"
 

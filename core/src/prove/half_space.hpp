@@ -1,9 +1,9 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A fence's half-spaces as the certifier reads them: exactly, however far from the world's origin.
-#ifndef TERN_PROVE_FENCE_PLANE_HPP
-#define TERN_PROVE_FENCE_PLANE_HPP
+// A half-space as the certifier reads it: exactly, however far from the world's origin.
+#ifndef TERN_PROVE_HALF_SPACE_HPP
+#define TERN_PROVE_HALF_SPACE_HPP
 
 #include "base/double_double.hpp"
 #include "base/math.hpp"

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Fences: each way of breaking one is found, to what is granted.
+#include "prove/fences.hpp"
+
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "prove/fence_clear.hpp"
 #include "support/check_world.hpp"
 
 namespace tern_test {
@@ -19,10 +20,10 @@ using tern::Status;
 
 class ProveFences : public CheckWorld {
  protected:
-  ProveFences() : fences_(new tern::AskedFences) { query_.fences = fences_.get(); }
+  ProveFences() : fences_(new tern::AskedWorld) { query_.world = fences_.get(); }
 
   void ask(const std::vector<tern::Fence>& list) {
-    ASSERT_TRUE(copy_fences(list.data(), static_cast<std::int32_t>(list.size()), *fences_));
+    ASSERT_TRUE(copy_asked(list.data(), static_cast<std::int32_t>(list.size()), *fences_));
   }
   void ask_keep_out(const std::vector<Halfspace>& planes) {
     ask({{planes.data(), static_cast<std::int32_t>(planes.size()), tern::FenceKind::kKeepOut}});
@@ -44,7 +45,7 @@ class ProveFences : public CheckWorld {
     return cut_off_from({0.0, 1.2, 0.0}, {4.0, 2.0, 2.0}, 0.2 - grant().near, index);
   }
 
-  std::unique_ptr<tern::AskedFences> fences_;
+  std::unique_ptr<tern::AskedWorld> fences_;
 };
 
 TEST_F(ProveFences, PlanWithinTheRadiusOfAKeepOut) {
@@ -214,9 +215,9 @@ TEST_F(ProveFences, KeepInsHoldToTheToleranceHoweverFarAway) {
 TEST_F(ProveFences, MoreFencesThanFitAreRefused) {
   const std::vector<Halfspace> planes(tern::kMaxFencePlanes + 1, {{1.0, 0.0, 0.0}, 1.0});
   const tern::Fence large{planes.data(), tern::kMaxFencePlanes + 1, tern::FenceKind::kKeepIn};
-  EXPECT_FALSE(copy_fences(&large, 1, *fences_));
+  EXPECT_FALSE(copy_asked(&large, 1, *fences_));
   const std::vector<tern::Fence> many(tern::kMaxFences + 1, {planes.data(), 1, tern::FenceKind::kKeepIn});
-  EXPECT_FALSE(copy_fences(many.data(), tern::kMaxFences + 1, *fences_));
+  EXPECT_FALSE(copy_asked(many.data(), tern::kMaxFences + 1, *fences_));
   EXPECT_EQ(fences_->count, 0);
 }
 

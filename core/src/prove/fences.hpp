@@ -1,0 +1,77 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fences in proofs: what a request asks for, and whether the hull of a few points respects it. Reads the caller's own
+// half-spaces.
+#ifndef TERN_PROVE_FENCES_HPP
+#define TERN_PROVE_FENCES_HPP
+
+#include <cstdint>
+
+#include "base/work.hpp"
+#include "prove/cut_off.hpp"
+#include "prove/solid.hpp"
+#include "tern/config.hpp"
+#include "tern/fence.hpp"
+#include "tern/grid.hpp"
+#include "tern/vec3.hpp"
+
+namespace tern {
+
+/// What a request adds to the world, as the caller gave it: world frame, normals of any length. The fences point into
+/// `planes`, so they may not move.
+struct AskedWorld {
+  std::int32_t count;
+  Fence fence[kMaxFences];
+  Halfspace planes[kMaxFencePlanes];
+};
+
+/// Copies the caller's fences, which find_fence_fault() has accepted. False if they are too many.
+bool copy_asked(const Fence* list, std::int32_t count, AskedWorld& asked) noexcept;
+
+/// What a hull keeps from fences.
+struct FenceRule {
+  Vec3 frame;        ///< of the points, in the world, metres
+  double distance;   ///< from keep-outs, metres
+  double tolerance;  ///< by which points may lie outside a keep-in, metres, >= 0
+};
+
+/// True only if the hull of the points lies in the keep-in, or a face, an edge or a corner of the keep-out cuts it off
+/// by the distance. For a keep-out, the answer may be false although the hull keeps the distance, but hardly ever if
+/// the points are close together.
+bool fence_clear(const Fence& fence, const FenceRule& rule, const Vec3* points, int count) noexcept;
+
+/// By how many metres too much a point is outside the keep-in, or too near to the keep-out as far as its faces tell.
+double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point) noexcept;
+
+/// Memory for one keep-out at a time, relative to the centre of the box around the boundary.
+struct FenceScratch {
+  Solid<DoubleDouble> exact;
+  Solid<double> quick;  ///< the same, rounded
+};
+
+/// A hull that keeps a distance. Local frame, metres.
+struct Apart {
+  const Vec3* points;
+  int count;
+  double distance;
+};
+
+/// True only if fence `index`, a keep-out of any shape, however thin or pointed, is cut off from the hull by the
+/// distance, along the normal of a hint or of one of its own faces. Only the part of it within the radius of the
+/// boundary and of all keep-ins counts.
+bool keep_out_cut_off(const Grid& grid, const Fence* fences, int count, int index, const Hints& hints,
+                      const Apart& hull, FenceScratch& scratch) noexcept;
+
+/// Of one call of fence_clear: each face, and each edge of a keep-out, against eight points.
+Operations fence_operations(const Fence& fence) noexcept;
+/// Of one call of keep_out_cut_off: the corners of the part are those of all triples of planes.
+constexpr Operations kKeepOutOperations = 150 * ops::kPiece;
+/// Of both calls for each of the most fences.
+constexpr Operations kAskedOperations =
+    kMaxFences * (kKeepOutOperations + ops::kPiece +
+                  16 * ops::kDot * (kMaxFencePlanes + Operations{kMaxFencePlanes} * kMaxFencePlanes / 2));
+
+}  // namespace tern
+
+#endif
