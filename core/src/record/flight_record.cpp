@@ -5,7 +5,7 @@
 #include "tern/flight_record.hpp"
 
 #include "base/capacity.hpp"
-#include "record/fence_words.hpp"
+#include "record/fences.hpp"
 #include "record/flight_event.hpp"
 
 namespace tern {

@@ -1,8 +1,7 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/capacity.hpp"
 #include "record/envelope.hpp"
-#include "record/fence_words.hpp"
+#include "record/fences.hpp"
 #include "record/fields.hpp"
 #include "record/obstacles.hpp"
 #include "tern/record.hpp"
@@ -12,9 +11,7 @@ namespace {
 
 constexpr std::size_t kTrajectoryFields = 5 + kSegmentFields * static_cast<std::size_t>(kMaxSegments);
 
-constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettingFields + 1 +
-                                       2 * static_cast<std::size_t>(kMaxFences) +
-                                       kPlaneFields * static_cast<std::size_t>(kMaxFencePlanes) + 1 +
+constexpr std::size_t kRequestFields = 2 * kStateFields + kLimitFields + kSettingFields + kFencesFields + 1 +
                                        kViaFields * static_cast<std::size_t>(kMaxVias) + 1 + kTrajectoryFields;
 /// The most words of a record without the obstacles. The status and the plan are last of them.
 constexpr std::size_t kFields = kEnvelopeWords + kGridFields + kRequestFields + 1 + kTrajectoryFields;
@@ -47,16 +44,6 @@ void write_request(const Request& request, WordWriter& words) {
   if (request.previous != nullptr) write_trajectory(*request.previous, words);
 }
 
-/// Reads a count that is at most `most`; answers `full` if it is more. No count is trusted, because a record may have
-/// been altered and given a new checksum.
-Status read_count(WordReader& words, std::int32_t most, Status full, std::int32_t& count) {
-  const std::uint64_t read = words.word();
-  if (read > words.left()) return Status::kRecordDamaged;
-  if (is_full(read > static_cast<std::uint64_t>(most))) return full;
-  count = static_cast<std::int32_t>(read);
-  return Status::kOk;
-}
-
 Status read_trajectory(WordReader& words, Trajectory& trajectory) {
   trajectory = Trajectory{};
   std::int32_t count = 0;
@@ -67,22 +54,6 @@ Status read_trajectory(WordReader& words, Trajectory& trajectory) {
   words(trajectory.origin);
   for (int i = 0; i < count; ++i) list_segment(words, trajectory.segments[i]);
   return Status::kOk;
-}
-
-Status read_fences(WordReader& words, PlanRecord& record) {
-  std::int32_t planes = 0;
-  Status status = read_count(words, kMaxFences, Status::kFencesFull, record.request.fence_count);
-  record.request.fences = record.fences;
-  for (std::int32_t f = 0; status == Status::kOk && f < record.request.fence_count; ++f) {
-    Fence& fence = record.fences[f];
-    words(fence.kind);
-    status = read_count(words, kMaxFencePlanes - planes, Status::kFencePlanesFull, fence.count);
-    if (status != Status::kOk) break;
-    fence.planes = record.planes + planes;
-    for (std::int32_t p = 0; p < fence.count; ++p) list_plane(words, record.planes[planes + p]);
-    planes += fence.count;
-  }
-  return status;
 }
 
 Status read_vias(WordReader& words, PlanRecord& record) {
@@ -106,7 +77,8 @@ Status read_request(WordReader& words, PlanRecord& record) {
   list_state(words, record.request.goal);
   list_limits(words, record.request.limits);
   list_settings(words, record.request);
-  Status status = read_fences(words, record);
+  record.request.fences = record.fences;
+  Status status = read_fences(words, record.fences, record.planes, record.request.fence_count);
   if (status == Status::kOk) status = read_vias(words, record);
   if (status == Status::kOk) status = read_previous(words, record);
   return status;

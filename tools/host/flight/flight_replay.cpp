@@ -11,6 +11,7 @@
 #include "host/flight/flight_events.hpp"
 #include "record/depth_runs.hpp"
 #include "record/envelope.hpp"
+#include "record/fences.hpp"
 #include "record/flight_fields.hpp"
 #include "tern/flight.hpp"
 #include "tern/flight_record.hpp"
@@ -181,17 +182,13 @@ class Player {
   }
 
   void read_fences(FlightEvent& event) {
-    fences_.resize(events_.count(event, tern::kMaxFences));
+    fences_.resize(tern::kMaxFences);
     planes_.resize(tern::kMaxFencePlanes);
-    std::size_t used = 0;
-    for (tern::Fence& fence : fences_) {
-      event.words(fence.kind);
-      const std::size_t count = events_.count(event, planes_.size() - used);
-      fence.count = static_cast<std::int32_t>(count);
-      fence.planes = planes_.data() + used;
-      for (std::size_t p = 0; p < count; ++p) list_plane(event.words, planes_[used + p]);
-      used += count;
+    std::int32_t count = 0;
+    if (tern::read_fences(event.words, fences_.data(), planes_.data(), count) != Status::kOk) {
+      events_.refuse(event, "has a count that is out of range");
     }
+    fences_.resize(static_cast<std::size_t>(count));
   }
 
   Status set_mission(FlightEvent& event) {
