@@ -22,11 +22,11 @@ UNIT_BAND = (400, 1500)
 LEAST_UNITS = 100
 # Below this a count is mostly the reading of the counter; it has a budget but no warning.
 SMALL = 10000
-STAGES = ["grid", "mark", "inflate", "fences", "search", "shortcut", "corridor", "times", "trajectory", "check",
+STAGES = ["grid", "mark", "inflate", "world", "search", "shortcut", "corridor", "times", "trajectory", "check",
           "detour", "previous", "stop_first", "plan"]
 TICKS = ["rest tick", "look tick", "fly tick", "stop tick", "threat tick", "commit tick"]
 UNITS = ["path unit", "corridor unit", "trajectory unit", "unit"]
-COUNTED = ["fences", "search", "shortcut", "corridor", "times", "trajectory", "check", "previous", "stop_first", "reach",
+COUNTED = ["world", "search", "shortcut", "corridor", "times", "trajectory", "check", "previous", "stop_first", "reach",
            "first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "fixed", "motion", "point", "timed"]
 MAP_JOBS = ["first frame", "frame", "scan", "slide x", "slide y", "slide z", "snapshot", "map unit"]
 

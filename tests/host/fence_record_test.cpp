@@ -42,10 +42,10 @@ std::string fence_error(const std::string& line) {
 
 TEST(FenceRecord, ABoxHasSixPlanes) {
   const FenceRecord fence = fence_of("keepout -1 -2 0 1 2 3");
-  EXPECT_EQ(fence.kind, FenceKind::kKeepOut);
+  EXPECT_EQ(fence.fence.kind, FenceKind::kKeepOut);
   EXPECT_EQ(fence.planes.size(), 6u);
-  EXPECT_EQ(fence_of("keepin -1 -2 0 1 2 3").kind, FenceKind::kKeepIn);
-  EXPECT_EQ(fence_of("keepin_halfspaces 1 0 0 2").kind, FenceKind::kKeepIn);
+  EXPECT_EQ(fence_of("keepin -1 -2 0 1 2 3").fence.kind, FenceKind::kKeepIn);
+  EXPECT_EQ(fence_of("keepin_halfspaces 1 0 0 2").fence.kind, FenceKind::kKeepIn);
   EXPECT_EQ(fence_of("keepout_halfspaces 1 0 0 2 0 1 0 3").planes.size(), 2u);
 }
 

@@ -116,7 +116,7 @@ TEST(PlanFile, HasEveryPartOfTheFormat) {
   EXPECT_EQ(plan["corridor"].size(), 1u);
   EXPECT_EQ(plan["qp"]["work"], 17);
   for (const char* stage : {"inflate", "search", "shortcut", "corridor", "time_allocation", "optimization", "check",
-                            "fences", "detour", "previous", "stop_first", "reach"}) {
+                            "world", "detour", "previous", "stop_first", "reach"}) {
     EXPECT_TRUE(plan["timing_us"][stage].is_number()) << stage;
   }
   EXPECT_EQ(plan["timing_us"]["total"], 3.75);

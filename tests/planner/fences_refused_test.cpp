@@ -90,7 +90,7 @@ TEST_F(FencesFault, AFenceInTheWayIsFlownAround) {
   box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
   ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}}), Status::kOk);
   EXPECT_GT(world_.trajectory.count, 1);
-  const tern::StageReport& fences = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kFences)];
+  const tern::StageReport& fences = world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kWorld)];
   EXPECT_GT(fences.work, 0u);
   EXPECT_LE(fences.work, fences.bound);
 }
@@ -205,7 +205,7 @@ TEST_F(FencesFault, SlicesGiveTheSameBits) {
   box_planes({{1.8, 1.5, 0.0}, {2.2, 2.6, 2.0}}, pillar);
   const Halfspace ceiling{{0.1, 0.0, 1.0}, 1.9};
   ASSERT_EQ(plan({{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}}), Status::kOk);
-  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kFences)].work, 0u);
+  EXPECT_GT(world_.report.diagnostics.stages[static_cast<int>(tern::Stage::kWorld)].work, 0u);
   const tern::Trajectory whole = world_.trajectory;
   const std::vector<Fence> fences{{pillar, 6, FenceKind::kKeepOut}, {&ceiling, 1, FenceKind::kKeepIn}};
   world_.request.fences = fences.data();

@@ -11,7 +11,7 @@
 
 #include "support/slab.hpp"
 #include "tern/tern.hpp"
-#include "world/world_memory.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {

@@ -12,7 +12,7 @@
 #include "grid/lattice.hpp"
 #include "support/corridor_reference.hpp"
 #include "support/random.hpp"
-#include "world/world_memory.hpp"
+#include "world/fences.hpp"
 
 namespace tern_test {
 namespace {
@@ -58,7 +58,7 @@ TEST(World, OfVoxelsAloneIsTheCallersGrid) {
   EXPECT_EQ(&world.voxels(), &marked.grid);
   EXPECT_FALSE(world.has_solids());
   EXPECT_EQ(world.wall_count() + world.solid_count(), 0);
-  EXPECT_EQ(world.first_broken({-1.0, 9.0, 0.0}, {4.0, 4.0, 4.0}), tern::kNoFence);
+  EXPECT_EQ(world.first_broken({-1.0, 9.0, 0.0}, {4.0, 4.0, 4.0}), tern::kNoSolid);
   EXPECT_TRUE(world.line_clear({0.0, 0.0, 0.0}, {3.0, 3.0, 2.0}));
   EXPECT_FALSE(world.line_clear({0.0, 0.0, 0.0}, {3.0, 3.0, 2.1})) << "beyond the boundary";
 }
@@ -67,7 +67,7 @@ TEST(World, NamesTheFirstThatAPointBreaks) {
   Random random(31);
   const FencedWorld fenced(random);
   const tern::World world = fenced.world();
-  EXPECT_EQ(world.first_broken({1.5, 1.5, 1.0}, {1.5, 1.5, 1.0}), tern::kNoFence);
+  EXPECT_EQ(world.first_broken({1.5, 1.5, 1.0}, {1.5, 1.5, 1.0}), tern::kNoSolid);
   EXPECT_EQ(world.first_broken({0.7, 0.8, 1.0}, {0.7, 0.8, 1.0}), 1);
   EXPECT_EQ(world.first_broken({2.2, 2.1, 0.6}, {2.2, 2.1, 0.6}), 2);
   EXPECT_EQ(world.first_broken({0.7, 0.8, 1.0}, {9.0, 9.0, 9.0}), 0) << "walls come first";
@@ -84,7 +84,7 @@ TEST(World, BlocksWhatCubesBreak) {
     for (int k = 0; k < 2000; ++k) {
       const Voxel v{random.integer(0, 29), random.integer(0, 29), random.integer(0, 19)};
       const std::int32_t over = world.first_over(cube_of(world.voxels(), v));
-      if (over == tern::kNoFence) {
+      if (over == tern::kNoSolid) {
         ASSERT_EQ(world.voxels().free(v), fenced.marked.grid.free(v));
       }
       if (over == 0) {

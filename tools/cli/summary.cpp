@@ -59,7 +59,7 @@ std::string corridor_line(const PlanResult& result) {
 std::string timing_line(const tern_host::Timing& timing) {
   const auto entry = [](const char* name, double us) { return std::string(name) + " " + fixed(us, 0) + "  "; };
   std::string others;
-  for (const Stage stage : {Stage::kFences, Stage::kDetour, Stage::kPrevious, Stage::kStopFirst, Stage::kReach}) {
+  for (const Stage stage : {Stage::kWorld, Stage::kDetour, Stage::kPrevious, Stage::kStopFirst, Stage::kReach}) {
     if (timing.of(stage) > 0.0) others += entry(tern::stage_name(stage), timing.of(stage));
   }
   return "  time (us)   " + entry("inflate", timing.inflate) + entry("search", timing.of(Stage::kSearch)) +

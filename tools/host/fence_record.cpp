@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "base/fence_fault.hpp"
 #include "host/number.hpp"
@@ -94,8 +95,8 @@ bool is_fence(const std::string& key) {
 
 void add_fence(const Words& words, const Place& place, std::vector<FenceRecord>& fences) {
   const bool keeps_out = words.front().rfind("keepout", 0) == 0;
-  FenceRecord fence{keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn, planes_of(words, place),
-                    words.front(), place};
+  FenceRecord fence{{}, planes_of(words, place), words.front(), place};
+  fence.fence.kind = keeps_out ? tern::FenceKind::kKeepOut : tern::FenceKind::kKeepIn;
   std::size_t planes = fence.planes.size();
   for (const FenceRecord& other : fences) planes += other.planes.size();
   if (planes > static_cast<std::size_t>(tern::kMaxFencePlanes)) {
@@ -115,13 +116,11 @@ bool misses(const FenceRecord& fence, const tern::GridSpec& map) {
   const double by = map.radius;
   const tern::Box room{{map.boundary.lower.x - by, map.boundary.lower.y - by, map.boundary.lower.z - by},
                        {map.boundary.upper.x + by, map.boundary.upper.y + by, map.boundary.upper.z + by}};
-  std::vector<Halfspace> planes = fence.planes;
-  planes.resize(planes.size() + tern::kBoxPlanes);
+  std::vector<FenceRecord> within{fence};
   Halfspace faces[tern::kBoxPlanes];
   tern::box_planes(room, faces);
-  std::copy(faces, faces + tern::kBoxPlanes, planes.end() - tern::kBoxPlanes);
-  const tern::Fence within{planes.data(), static_cast<std::int32_t>(planes.size()), fence.kind};
-  return tern::find_fence_fault(&within, 1, map).status == tern::Status::kFenceEmpty;
+  within.front().planes.insert(within.front().planes.end(), faces, faces + tern::kBoxPlanes);
+  return tern::find_fence_fault(fences_of(within).data(), 1, map).status == tern::Status::kFenceEmpty;
 }
 
 /// Half-spaces that miss the map are most likely a slip of a sign, and then nothing is kept out.
@@ -143,28 +142,38 @@ void refuse_empty_fences(const std::vector<FenceRecord>& fences, const tern::Box
   const tern::FenceFault fault = tern::find_fence_fault(list.data(), static_cast<std::int32_t>(list.size()), map);
   if (fault.status != tern::Status::kFenceEmpty) return refuse_keepouts_elsewhere(fences, map);
   const FenceRecord& empty = fences[static_cast<std::size_t>(fault.fence)];
-  const bool keeps_in = empty.kind == tern::FenceKind::kKeepIn;
+  const bool keeps_in = empty.fence.kind == tern::FenceKind::kKeepIn;
   const std::string others = keeps_in ? " with those of the keep-ins before it" : "";
   throw RecordError(empty.place, "'" + empty.key + "' is empty: its half-spaces have no common point" + others +
                                      "; is one of them, or the order of the polygon, reversed?");
 }
 
 bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind) {
-  return std::any_of(fences.begin(), fences.end(), [kind](const FenceRecord& fence) { return fence.kind == kind; });
+  return std::any_of(fences.begin(), fences.end(),
+                     [kind](const FenceRecord& fence) { return fence.fence.kind == kind; });
 }
 
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records) {
   std::vector<tern::Fence> fences;
-  for (const FenceRecord& fence : records) {
-    fences.push_back({fence.planes.data(), static_cast<std::int32_t>(fence.planes.size()), fence.kind});
+  for (const FenceRecord& record : records) {
+    fences.push_back(record.fence);
+    fences.back().planes = record.planes.data();
+    fences.back().count = static_cast<std::int32_t>(record.planes.size());
   }
   return fences;
+}
+
+nlohmann::ordered_json fence_json(const FenceRecord& fence) {
+  nlohmann::ordered_json planes = nlohmann::ordered_json::array();
+  for (const Halfspace& p : fence.planes) planes.push_back({p.normal.x, p.normal.y, p.normal.z, p.offset});
+  const bool keeps_in = fence.fence.kind == tern::FenceKind::kKeepIn;
+  return {{"kind", keeps_in ? "keep_in" : "keep_out"}, {"half_spaces", planes}};
 }
 
 double fence_gap(const FenceRecord& fence, const Vec3& point) {
   double most = -std::numeric_limits<double>::infinity();
   for (const Halfspace& plane : fence.planes) most = std::max(most, beyond(plane, point));
-  if (fence.kind == tern::FenceKind::kKeepIn) return -most;
+  if (fence.fence.kind == tern::FenceKind::kKeepIn) return -most;
   return most > 0.0 ? distance_from(fence.planes, point) : most;
 }
 

@@ -1,10 +1,11 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Geofences as records of a file: keepin, keepout, keepin_halfspaces and keepout_halfspaces.
+// Geofences as records of files: keepin, keepout, keepin_halfspaces and keepout_halfspaces; and in logs of flights.
 #ifndef TERN_HOST_FENCE_RECORD_HPP
 #define TERN_HOST_FENCE_RECORD_HPP
 
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "host/text_records.hpp"
@@ -15,7 +16,7 @@ namespace tern_host {
 
 /// A convex geofence; world frame, metres.
 struct FenceRecord {
-  tern::FenceKind kind;
+  tern::Fence fence;  ///< but for its half-spaces
   std::vector<tern::Halfspace> planes;
   std::string key = "fence";  ///< of its record, for messages
   Place place{};
@@ -41,6 +42,9 @@ bool has_fence(const std::vector<FenceRecord>& fences, tern::FenceKind kind);
 
 /// The fences as the core takes them: views of these.
 std::vector<tern::Fence> fences_of(const std::vector<FenceRecord>& records);
+
+/// As a log of a flight says it (docs/formats.md).
+nlohmann::ordered_json fence_json(const FenceRecord& fence);
 
 /// How far the point is inside a keep-in or outside a keep-out, metres; negative where it breaks the fence.
 double fence_gap(const FenceRecord& fence, const tern::Vec3& point);

@@ -123,7 +123,7 @@ Json timing_json(const Timing& timing) {
           {"time_allocation", timing.of(tern::Stage::kTimes)},
           {"optimization", timing.of(tern::Stage::kTrajectory)},
           {"check", timing.of(tern::Stage::kCheck)},
-          {"fences", timing.of(tern::Stage::kFences)},
+          {"world", timing.of(tern::Stage::kWorld)},
           {"detour", timing.of(tern::Stage::kDetour)},
           {"previous", timing.of(tern::Stage::kPrevious)},
           {"stop_first", timing.of(tern::Stage::kStopFirst)},

@@ -1,8 +1,13 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Geofences of a plan: each segment is inside the keep-ins, and a plane parts it from each keep-out.
+// Fences are proven by directions: a hull has as much room as any direction proves for all its points. Of a plan, each
+// segment is one hull, and the corridor may know the direction. Of a flight's commits, curves are halved, and doubles
+// guess directions.
+#include "verify/fences.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "verify/polyhedron.hpp"
@@ -11,32 +16,47 @@
 namespace tern_verify {
 namespace {
 
+/// Halvings after which a piece counts with what is proven of it.
+constexpr int kMostCuts = 60;
+/// Rounds of alternating projections; where they have not converged, only a guess is worse.
+constexpr int kProjections = 100;
+
+/// Over the length of a normal, rounded down.
+Rational over_length(const Rational& room, const Point& normal) {
+  const Rational square = dot(normal, normal);
+  return room / (room < 0 ? root_below(square) : root_above(square));
+}
+
+/// Of all points of a hull in a keep-in, metres from below.
+Rational room_inside(const Fence& keep_in, const Polygon<3>& hull) {
+  std::optional<Rational> least;
+  for (const HalfSpace& plane : keep_in.planes) {
+    for (const Point& point : hull) {
+      const Rational room = over_length(plane.offset - dot(plane.normal, point), plane.normal);
+      if (!least || room < *least) least = room;
+    }
+  }
+  return *least;
+}
+
+/// Of all points of a hull before a keep-out, metres from below, by a direction along which the keep-out is no less
+/// than `least`.
+Rational room_along(const Fence& keep_out, const Polygon<3>& hull, const Point& n, const Rational& least) {
+  Rational most = dot(n, hull.front());
+  for (const Point& point : hull) most = std::max<Rational>(most, dot(n, point));
+  return over_length(least - most, n) - keep_out.distance;
+}
+
+void raise(std::optional<Rational>& best, const Rational& room) {
+  if (!best || room > *best) best = room;
+}
+
 /// The directions that may part a segment from a keep-out: away from its faces, then the corridor's.
 std::vector<Point> directions_of(const Fence& fence, const std::vector<HalfSpace>& polyhedron) {
   std::vector<Point> directions;
   for (const HalfSpace& plane : fence.planes) directions.push_back(-1 * plane.normal);
   for (const HalfSpace& plane : polyhedron) directions.push_back(plane.normal);
   return directions;
-}
-
-/// Metres, from below, between a hull and a keep-out along the direction that parts them best, less the clearance. Any
-/// that leaves more than `enough` will do.
-Rational keep_out_margin(const Polygon<3>& hull, const std::vector<HalfSpace>& planes,
-                         const std::vector<Point>& directions, const Rational& clearance, const Tightest& tightest,
-                         const Rational& tolerance) {
-  std::optional<Rational> best;
-  for (const Point& n : directions) {
-    const std::optional<Rational> least = least_along(n, planes);
-    if (!least) continue;
-    Rational most = dot(n, hull.front());
-    for (const Point& point : hull) most = std::max<Rational>(most, dot(n, point));
-    const Rational gap = *least - most;
-    const Rational square = dot(n, n);
-    const Rational margin = gap / (gap < 0 ? root_below(square) : root_above(square)) - clearance;
-    if (!best || margin > *best) best = margin;
-    if (*best >= 0 && tightest.is_above(*best, tolerance)) break;
-  }
-  return best ? *best : Rational(-clearance - 1);
 }
 
 /// The half-space cuts the box if its normal is along an axis; else false.
@@ -54,7 +74,7 @@ bool cut_box(const HalfSpace& plane, Box& box) {
 /// at least: in a flat boundary without a radius, a keep-out would have no inside, and the way through it would touch
 /// it.
 std::vector<HalfSpace> part_that_matters(const Problem& problem, const Fence& keep_out) {
-  const Rational reach = std::max<Rational>(problem.clearance, problem.cell);
+  const Rational reach = std::max<Rational>(keep_out.distance, problem.cell);
   Box box = problem.boundary;
   std::vector<HalfSpace> planes = keep_out.planes;
   for (const Fence& fence : problem.fences) {
@@ -68,45 +88,159 @@ std::vector<HalfSpace> part_that_matters(const Problem& problem, const Fence& ke
   return cut_to(box, reach, planes);
 }
 
-void prove_keep_in(const Subject& subject, const Fence& fence, Tightest& tightest) {
+/// By the direction that proves most. Any that proves more than the tightest room will do.
+Rational room_before(const Fence& keep_out, const Polygon<3>& hull, const std::vector<HalfSpace>& part,
+                     const std::vector<Point>& directions, const Tightest& tightest, const Rational& tolerance) {
+  std::optional<Rational> best;
+  for (const Point& n : directions) {
+    const std::optional<Rational> least = least_along(n, part);
+    if (!least) continue;
+    raise(best, room_along(keep_out, hull, n, *least));
+    if (*best >= 0 && tightest.is_above(*best, tolerance)) break;
+  }
+  return best ? *best : Rational(-keep_out.distance - 1);
+}
+
+void prove_fence(const Subject& subject, const Fence& fence, Tightest& tightest) {
+  const Rational tolerance = subject.tolerance.fence + (fence.keep_in ? Rational(0) : subject.tolerance.point);
+  const std::vector<HalfSpace> part =
+      fence.keep_in ? std::vector<HalfSpace>() : part_that_matters(subject.problem, fence);
   for (std::size_t s = 0; s < subject.plan.segments.size(); ++s) {
-    for (const Point& point : subject.world_points(s)) {
-      for (const HalfSpace& plane : fence.planes) {
-        const Rational inside = plane.offset - dot(plane.normal, point);
-        const Rational square = dot(plane.normal, plane.normal);
-        tightest.note(inside / (inside < 0 ? root_below(square) : root_above(square)), subject.tolerance.fence,
-                      [&] { return "segment " + std::to_string(s); });
-      }
-    }
+    const std::vector<HalfSpace>& polyhedron = subject.plan.corridor[subject.plan.segments[s].polyhedron];
+    const Polygon<3> hull = subject.world_points(s);
+    const Rational room = fence.keep_in
+                              ? room_inside(fence, hull)
+                              : room_before(fence, hull, part, directions_of(fence, polyhedron), tightest, tolerance);
+    tightest.note(room, tolerance, [&] { return "segment " + std::to_string(s); });
   }
 }
 
-void prove_keep_out(const Subject& subject, const Fence& fence, Tightest& tightest) {
-  const Rational tolerance = subject.tolerance.fence + subject.tolerance.point;
-  const Rational& clearance = subject.problem.clearance;
-  const std::vector<HalfSpace> planes = part_that_matters(subject.problem, fence);
-  for (std::size_t s = 0; s < subject.plan.segments.size(); ++s) {
-    const std::vector<HalfSpace>& polyhedron = subject.plan.corridor[subject.plan.segments[s].polyhedron];
-    const std::vector<Point> directions = directions_of(fence, polyhedron);
-    const Polygon<3> hull = subject.world_points(s);
-    tightest.note(keep_out_margin(hull, planes, directions, clearance, tightest, tolerance), tolerance,
-                  [&] { return "segment " + std::to_string(s); });
+/// One fence, and the room that it leaves the hull of some points.
+class Room {
+ public:
+  Room(const Fence& fence, const Box& boundary) : fence_(fence) {
+    if (fence.keep_in) return;
+    planes_ = cut_to(boundary, fence.distance, fence.planes);
+    for (const HalfSpace& plane : fence.planes) faces_.push_back({-1 * plane.normal, -plane.offset});
+    for (const HalfSpace& plane : planes_) guesses_.push_back(unit(plane));
   }
-}
+
+  /// Of all points of the hull, from below. Stops trying once there is more than `enough`.
+  Rational of(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    return fence_.keep_in ? room_inside(fence_, hull) : beyond(hull, enough);
+  }
+
+ private:
+  struct Unit {
+    Guess normal;
+    double offset;
+  };
+
+  static Unit unit(const HalfSpace& plane) {
+    const Guess n = guess(plane.normal);
+    const double length = std::hypot(n[0], std::hypot(n[1], n[2]));
+    return {{n[0] / length, n[1] / length, n[2] / length}, plane.offset.convert_to<double>() / length};
+  }
+
+  Rational beyond(const Polygon<3>& hull, const std::optional<Rational>& enough) const {
+    std::optional<Rational> best;
+    // The keep-out has n . p >= offset for each of its faces, seen from outside.
+    for (const HalfSpace& face : faces_) raise(best, room_along(fence_, hull, face.normal, face.offset));
+    if (enough && *best >= *enough) return *best;
+    const Point direction = towards(hull);
+    const std::optional<Rational> least = least_along(direction, planes_);
+    if (least && dot(direction, direction) > 0) raise(best, room_along(fence_, hull, direction, *least));
+    return *best;
+  }
+
+  /// From the middle of the hull to the nearest point of the keep-out, by Dykstra's alternating projections.
+  Point towards(const Polygon<3>& hull) const {
+    Guess middle{0.0, 0.0, 0.0};
+    for (const Point& point : hull) {
+      const Guess p = guess(point);
+      for (std::size_t a = 0; a < 3; ++a) middle[a] += p[a] / static_cast<double>(hull.size());
+    }
+    Guess at = middle;
+    std::vector<double> pushed(guesses_.size(), 0.0);
+    for (int round = 0; round < kProjections; ++round) {
+      for (std::size_t k = 0; k < guesses_.size(); ++k) {
+        const Guess& n = guesses_[k].normal;
+        const double before = pushed[k];
+        pushed[k] = std::max(0.0, n[0] * at[0] + n[1] * at[1] + n[2] * at[2] - guesses_[k].offset + before);
+        for (std::size_t a = 0; a < 3; ++a) at[a] += (before - pushed[k]) * n[a];
+      }
+    }
+    // Single precision is short to multiply with, and guess enough.
+    Point direction;
+    for (std::size_t a = 0; a < 3; ++a) direction[a] = static_cast<float>(at[a] - middle[a]);
+    return direction;
+  }
+
+  const Fence& fence_;
+  std::vector<HalfSpace> planes_, faces_;
+  std::vector<Unit> guesses_;
+};
+
+class RoomSearch {
+ public:
+  RoomSearch(const std::vector<Polygon<3>>& curves, const Room& room) : curves_(curves), room_(room) {
+    for (curve_ = 0; curve_ < curves.size(); ++curve_) {
+      reach(curves[curve_].front(), 0);
+      reach(curves[curve_].back(), 1);
+    }
+  }
+
+  FenceRoom run() {
+    proven_ = found_.most - close_;
+    for (curve_ = 0; curve_ < curves_.size(); ++curve_) search(curves_[curve_], 0, 1, 0);
+    found_.least = std::min<Rational>(proven_, found_.most - close_);
+    return found_;
+  }
+
+ private:
+  void reach(const Point& point, const Rational& u) {
+    const Rational room = room_.of({point}, std::nullopt);
+    if (begun_ && room >= found_.most) return;
+    begun_ = true;
+    found_ = {0, room, curve_, u};
+  }
+
+  void search(const Polygon<3>& piece, const Rational& u, const Rational& width, int halvings) {
+    const Rational enough = found_.most - close_;
+    const Rational room = room_.of(piece, enough);
+    if (room >= enough) return;
+    if (halvings == kMostCuts) {
+      proven_ = std::min(proven_, room);
+      return;
+    }
+    const Halves<3> halves = halves_of(piece);
+    reach(halves.right.front(), u + width / 2);
+    search(halves.left, u, width / 2, halvings + 1);
+    search(halves.right, u + width / 2, width / 2, halvings + 1);
+  }
+
+  const std::vector<Polygon<3>>& curves_;
+  const Room& room_;
+  const Rational close_ = decimal(1, 10);
+  FenceRoom found_{};
+  Rational proven_ = 0;
+  std::size_t curve_ = 0;
+  bool begun_ = false;
+};
 
 }  // namespace
 
 void prove_fences(const Subject& subject, Claims& claims) {
   for (std::size_t f = 0; f < subject.problem.fences.size(); ++f) {
-    const Fence& fence = subject.problem.fences[f];
     Tightest tightest("fence " + std::to_string(f + 1), "m");
-    if (fence.keep_in) {
-      prove_keep_in(subject, fence, tightest);
-    } else {
-      prove_keep_out(subject, fence, tightest);
-    }
+    prove_fence(subject, subject.problem.fences[f], tightest);
     claims.push_back(tightest.claim());
   }
+}
+
+FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary) {
+  const Room room(fence, boundary);
+  return RoomSearch(curves, room).run();
 }
 
 }  // namespace tern_verify

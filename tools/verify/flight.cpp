@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "verify/course.hpp"
-#include "verify/fence_room.hpp"
+#include "verify/fence_records.hpp"
+#include "verify/fences.hpp"
 #include "verify/proofs.hpp"
 
 namespace tern_verify {
@@ -20,12 +21,16 @@ struct Demands {
       : solids(solids_of(world)),
         bounds(bounds_of(world)),
         radius(world.setting("body_radius") + world.setting("pose_margin") + world.setting("tracking_margin")),
-        tolerance(decimal(4, 9) * std::max<Rational>(1, world.setting("cell"))) {}
+        tolerance(decimal(4, 9) * std::max<Rational>(1, world.setting("cell"))),
+        fences(world.fences) {
+    keep_distance(radius, fences);
+  }
 
   std::vector<Solid> solids;
   std::vector<Bound> bounds;
   Rational radius;     ///< that curves keep
   Rational tolerance;  ///< that the flight's proof grants them (docs/flight.md)
+  std::vector<Fence> fences;
 };
 
 /// In the world frame.
@@ -44,10 +49,10 @@ void prove_clearance(const Demands& demands, const Commit& commit, Claims& claim
                     demands.tolerance, place_of(commit.segments, nearest.curve, nearest.u)});
 }
 
-void prove_fences(const World& world, const Demands& demands, const Commit& commit, Claims& claims) {
+void prove_fences(const Box& boundary, const Demands& demands, const Commit& commit, Claims& claims) {
   const std::vector<Polygon<3>> curves = curves_of(commit);
-  for (std::size_t f = 0; f < world.fences.size(); ++f) {
-    const FenceRoom room = fence_room(curves, world.fences[f], world.boundary, demands.radius);
+  for (std::size_t f = 0; f < demands.fences.size(); ++f) {
+    const FenceRoom room = fence_room(curves, demands.fences[f], boundary);
     claims.push_back({"fence " + std::to_string(f + 1), "m", room.least, room.most, demands.tolerance,
                       place_of(commit.segments, room.curve, room.u)});
   }
@@ -73,7 +78,7 @@ Claims claims_of(const Flight& flight, const Demands& demands, std::size_t numbe
   if (!claims.empty()) claims.front().tolerance += kCut;
   prove_rest(commit, claims);
   prove_bounds(commit.segments, demands.bounds, claims);
-  prove_fences(flight.world, demands, commit, claims);
+  prove_fences(flight.world.boundary, demands, commit, claims);
   prove_clearance(demands, commit, claims);
   prove_takeover(flight, number, claims);
   return claims;

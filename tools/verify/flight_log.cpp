@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "verify/emptiness.hpp"
+#include "verify/fence_records.hpp"
 #include "verify/flight.hpp"
-#include "verify/json.hpp"
 
 namespace tern_verify {
 namespace {
@@ -20,13 +20,6 @@ Box box_of(const Json& json) {
 Solid cylinder_of(const Json& json) {
   const Rational x = number_of(json.at(0)), y = number_of(json.at(1));
   return {{{x, y, number_of(json.at(2))}, {x, y, number_of(json.at(3))}}, number_of(json.at(4))};
-}
-
-Fence fence_of(const Json& json) {
-  Fence fence{json.at("kind").get<std::string>() == "keep_in", {}};
-  for (const Json& plane : json.at("half_spaces")) fence.planes.push_back({point_of(plane), number_of(plane.at(3))});
-  if (fence.planes.empty()) throw InputError("a fence has no half-spaces");
-  return fence;
 }
 
 World world_of(const Json& json) {

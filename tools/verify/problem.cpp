@@ -7,7 +7,7 @@
 #include <iterator>
 #include <set>
 
-#include "verify/records.hpp"
+#include "verify/fence_records.hpp"
 
 namespace tern_verify {
 namespace {
@@ -57,6 +57,7 @@ void apply(const Settings& settings, Problem& problem) {
   // The planner adds doubles; a rounding of the sum is no part of what was asked for.
   problem.clearance = problem.radius + problem.tracking_margin;
   if (problem.clearance <= decimal(1, 9)) problem.clearance = 0;
+  keep_distance(problem.clearance, problem.fences);
   problem.may_end_near = settings.word("goal_mode") == "nearest";
   if (problem.cell <= 0) throw InputError(problem.name + ": 'resolution' must be more than 0");
 }
@@ -86,7 +87,7 @@ void add(const Record& record, Problem& problem, Settings& settings) {
   const std::string& key = record.key();
   if (key == "block" || key == "keepout") {
     problem.blocks.push_back(block_from(record));
-  } else if (key == "keepin" || key == "keepin_halfspaces" || key == "keepout_halfspaces") {
+  } else if (is_fence(key)) {
     problem.fences.push_back(fence_from(record));
   } else if (key == "via") {
     problem.vias.push_back(via_from(record));

@@ -34,6 +34,7 @@ struct HalfSpace {
 struct Fence {
   bool keep_in;
   std::vector<HalfSpace> planes;
+  Rational distance = 0;  ///< that the centre keeps from a keep-out, metres
 };
 
 /// Position and its derivatives up to the jerk.

@@ -7,26 +7,7 @@
 #include <locale>
 #include <sstream>
 
-#include "verify/emptiness.hpp"
-
 namespace tern_verify {
-namespace {
-
-/// The six faces of a box.
-std::vector<HalfSpace> faces_of(const Box& box) {
-  std::vector<HalfSpace> faces;
-  for (std::size_t a = 0; a < 3; ++a) {
-    Point axis{0, 0, 0};
-    axis[a] = 1;
-    faces.push_back({axis, box.upper[a]});
-    axis[a] = -1;
-    faces.push_back({axis, -box.lower[a]});
-  }
-  return faces;
-}
-
-}  // namespace
-
 void Record::refuse(const std::string& reason) const {
   throw InputError(file + ":" + std::to_string(line) + ": " + reason);
 }
@@ -80,27 +61,6 @@ Box block_from(const Record& record) {
     record.refuse("'" + record.key() + "' needs 6 numbers");
   }
   return box_from(record, v);
-}
-
-void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary) {
-  const std::optional<std::size_t> empty = empty_fence(fences, boundary);
-  if (empty) records[*empty].refuse("'" + records[*empty].key() + "': " + empty_text(fences[*empty]));
-}
-
-Fence fence_from(const Record& record) {
-  const std::string& key = record.key();
-  Fence result{key.rfind("keepout", 0) != 0, {}};
-  if (key == "keepin" || key == "keepout") {
-    result.planes = faces_of(box_from(record, record.numbers(1, 6)));
-    return result;
-  }
-  const std::vector<Rational> v = record.numbers();
-  if (v.empty() || v.size() % 4 != 0) record.refuse("'" + key + "' needs 4 numbers a half-space");
-  for (std::size_t i = 0; i < v.size(); i += 4) {
-    result.planes.push_back({point_from(v, i), v[i + 3]});
-    if (dot(result.planes.back().normal, result.planes.back().normal) == 0) record.refuse("a normal is no direction");
-  }
-  return result;
 }
 
 Via via_from(const Record& record) {

@@ -35,10 +35,6 @@ Point point_from(const std::vector<Rational>& v, std::size_t first = 0);
 Box box_from(const Record& record, const std::vector<Rational>& v);
 /// `block`, with or without a colour.
 Box block_from(const Record& record);
-/// `keepin`, `keepout` and both with half-spaces.
-Fence fence_from(const Record& record);
-/// Throws InputError with the place of a fence without a point; fence k comes from record k.
-void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary);
 Via via_from(const Record& record);
 
 /// What records of one value each say; each may be given once.

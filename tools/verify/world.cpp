@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "verify/records.hpp"
+#include "verify/fence_records.hpp"
 
 namespace tern_verify {
 namespace {
@@ -61,7 +61,7 @@ void add(const Record& record, Point& goal, World& world) {
     world.blocks.push_back(block_from(record));
   } else if (key == "cylinder") {
     world.cylinders.push_back(cylinder_from(record));
-  } else if (key == "keepin" || key == "keepout" || key == "keepin_halfspaces" || key == "keepout_halfspaces") {
+  } else if (is_fence(key)) {
     world.fences.push_back(fence_from(record));
   } else if (key == "start") {
     world.start = point_from(record.numbers(1, 3));
@@ -115,19 +115,9 @@ bool same(const Solid& a, const Solid& b) {
   return same(a.box, b.box) && a.radius == b.radius;
 }
 
-bool same(const HalfSpace& a, const HalfSpace& b) {
-  return std::tie(a.normal, a.offset) == std::tie(b.normal, b.offset);
-}
-
-bool same(const Fence& a, const Fence& b);
-
 template <typename T>
 bool all_alike(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const T& x, const T& y) { return same(x, y); });
-}
-
-bool same(const Fence& a, const Fence& b) {
-  return a.keep_in == b.keep_in && all_alike(a.planes, b.planes);
 }
 
 }  // namespace

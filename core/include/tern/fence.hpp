@@ -31,7 +31,7 @@ enum class FenceKind : uint8_t {
 /// them.
 struct Fence {
   /// `count` half-spaces. The caller owns them. They are read only while a plan begins. Each normal has a length within
-  /// [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale.
+  /// [kMinFenceNormal, kMaxFenceNormal]; the offset is in the same scale. box_planes() writes those of a box.
   const Halfspace* planes;
   /// At least 1, and at most kMaxFencePlanes for all fences of a request together.
   int32_t count;

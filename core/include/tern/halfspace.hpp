@@ -21,7 +21,7 @@ struct Halfspace {
 constexpr int kBoxPlanes = 6;
 
 /// Writes the six half-spaces of `box` to `out`, in the frame of `box`: upper and lower face of x, then of y, then of
-/// z. The normals have length 1. Use them to make a fence from a box.
+/// z. The normals have length 1.
 void box_planes(const Box& box, Halfspace (&out)[kBoxPlanes]) noexcept;
 
 }  // namespace tern

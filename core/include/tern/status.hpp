@@ -154,7 +154,7 @@ enum class Stage : uint8_t {
   kTimes,        ///< first durations by trapezoidal profiles (Section 3.3.2)
   kTrajectory,   ///< minimum snap by quadratic programmes (Section 3.4)
   kCheck,        ///< the independent check of the finished plan (contract C4)
-  kFences,       ///< entering the request's fences into the grid, before the search
+  kWorld,        ///< entering what the request adds to the world (fences) into the grid, before the search
   kDetour,       ///< leading the path along the motion of its ends, if a moving end has no room
   kPrevious,     ///< proving the rest of Request::previous anew, if nothing new was found
   kStopFirst,    ///< finding ways to come to rest first, if a moving end has no other way

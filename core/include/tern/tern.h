@@ -141,7 +141,7 @@ typedef struct {
   int32_t nodes, open, jump_points, segments, planes, local_boxes, active, qp_iterations, qp_solves;
 } tern_high_water;
 typedef struct {
-  /* request, search, shortcut, corridor, times, trajectory, check, fences, detour, previous, stop_first, reach */
+  /* request, search, shortcut, corridor, times, trajectory, check, world, detour, previous, stop_first, reach */
   tern_stage_report stages[12];
   bool timing_known; /* the ticks were measured */
   tern_high_water high_water;

@@ -131,7 +131,7 @@ const char* stage_name(Stage stage) noexcept {
     case Stage::kTimes: return "times";
     case Stage::kTrajectory: return "trajectory";
     case Stage::kCheck: return "check";
-    case Stage::kFences: return "fences";
+    case Stage::kWorld: return "world";
     case Stage::kDetour: return "detour";
     case Stage::kPrevious: return "previous";
     case Stage::kStopFirst: return "stop_first";

@@ -13,7 +13,7 @@ namespace tern {
 /// Alone in a flight, it is a friend of theirs.
 class FlightAccess {
  public:
-  /// Begins a proof whose fences were checked at the flight's start.
+  /// Begins a proof whose grounds were checked at the flight's start.
   static Status begin(Proof& proof, const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                       Beyond beyond, const ProofGrounds& grounds) noexcept {
     return proof.begin_accepted(grid, trajectory, from, limits, beyond, grounds);

@@ -94,10 +94,10 @@ void Itinerary::clear_suspicion(const FlightFacts& flight) noexcept {
   if (suspicions > 0 && flight.map.route().bound() && !is_blocked(flight, suspect)) suspicions = 0;
 }
 
-bool Itinerary::suspect_point(std::int32_t point, bool is_fenced) noexcept {
+bool Itinerary::suspect_point(std::int32_t point, bool lasts) noexcept {
   suspicions = suspect == point ? suspicions + 1 : 1;
   suspect = point;
-  return is_fenced || suspicions >= kBlockedPlans;
+  return lasts || suspicions >= kBlockedPlans;
 }
 
 LeftOut Itinerary::leave_out(std::int32_t point, FlightReason why) noexcept {

@@ -60,8 +60,8 @@ struct Itinerary {
   void go_on_from(std::int32_t point) noexcept { leg = after(point); }
   /// The suspect may be clear on the map as it is now.
   void clear_suspicion(const FlightFacts& flight) noexcept;
-  /// A plan found the point blocked. True if that makes it unreachable.
-  bool suspect_point(std::int32_t point, bool is_fenced) noexcept;
+  /// A plan found the point blocked, by what `lasts` or may go away. True if that makes it unreachable.
+  bool suspect_point(std::int32_t point, bool lasts) noexcept;
   /// Leaves out a point as the mission's policy says. The mission ends only if the point is the next one.
   LeftOut leave_out(std::int32_t point, FlightReason why) noexcept;
   /// Counts a new plan from this place that is about to be committed. True if it comes nearer to the next point.

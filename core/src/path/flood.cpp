@@ -77,7 +77,7 @@ void spread(Flood& flood, const BitRows& blocked, const std::uint64_t* from, std
 
 bool flood_begin(Flood& flood, const Grid& grid) noexcept {
   flood.words = GridView::layer_words(grid);
-  if (flood.words > static_cast<std::size_t>(kMaxLayerWords)) return false;
+  if (flood.words > static_cast<std::size_t>(kMaxWorldWords)) return false;
   flood.cleared = 0;
   flood.rows = static_cast<std::uint32_t>(grid.spec().dims.y * grid.spec().dims.z);
   flood.first = flood.count = 0;

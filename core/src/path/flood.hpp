@@ -19,13 +19,13 @@ constexpr std::uint32_t kFloodBound = static_cast<std::uint32_t>(kMaxCells);
 
 /// The words that one call of flood_clear clears, and the most calls of it.
 constexpr std::size_t kClearedWords = 1024;
-constexpr std::uint32_t kClearBound = static_cast<std::uint32_t>(kMaxLayerWords / kClearedWords) + 1u;
+constexpr std::uint32_t kClearBound = static_cast<std::uint32_t>(kMaxWorldWords / kClearedWords) + 1u;
 
 /// Plain data; needs no initialisation before flood_begin. Rows have numbers y + dims.y z.
 struct Flood {
-  std::uint64_t dry[kMaxLayerWords];  ///< rows like those of the grid; a bit is 0 if its voxel has been reached
-  std::uint64_t waiting[kMaxLayerWords / 64 + 1];  ///< one bit for each row: it is in the queue
-  std::uint32_t queue[kMaxLayerWords];  ///< rows in which new voxels have been reached, first come, first served
+  std::uint64_t dry[kMaxWorldWords];  ///< rows like those of the grid; a bit is 0 if its voxel has been reached
+  std::uint64_t waiting[kMaxWorldWords / 64 + 1];  ///< one bit for each row: it is in the queue
+  std::uint32_t queue[kMaxWorldWords];  ///< rows in which new voxels have been reached, first come, first served
   std::size_t words;                    ///< words of a layer of the grid
   std::size_t cleared;                  ///< how many of these words have been cleared
   std::uint32_t rows;                   ///< rows of the grid
@@ -34,7 +34,7 @@ struct Flood {
 };
 
 /// The grid must be inflated and must not change until the flood ends. False if its layers have more than
-/// kMaxLayerWords words.
+/// kMaxWorldWords words.
 bool flood_begin(Flood& flood, const Grid& grid) noexcept;
 
 /// Clears a part of the flood's layers. True once all is clear: nothing is reached.

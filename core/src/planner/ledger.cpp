@@ -40,7 +40,7 @@ std::uint64_t runs_of(Stage stage, const Problem& problem, std::uint32_t searche
       return times.corridors + times.goals;
     case Stage::kCheck:
       return times.checks;
-    case Stage::kFences:
+    case Stage::kWorld:
     case Stage::kReach:
       return 1;
     case Stage::kRequest:
@@ -77,7 +77,7 @@ Account account_of(Stage stage, const Budget& budget) {
     case Stage::kTrajectory:
       return {budget.trajectory, {Stage::kTrajectory, Stage::kRequest, Stage::kRequest}};
     case Stage::kRequest:
-    case Stage::kFences:
+    case Stage::kWorld:
     case Stage::kTimes:
     case Stage::kCheck:
       break;

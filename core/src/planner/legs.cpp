@@ -37,15 +37,15 @@ Status status_of_leg(const Problem& problem, const Legs& legs, Status status) {
   return is_too_narrow(status) ? Status::kViaTooNarrow : Status::kViaOccupied;
 }
 
-/// If an end has room but no free voxel, that is the resolution at which it would have one, and the fence that takes
-/// its own voxel if obstacles and boundary leave it free.
+/// If an end has room but no free voxel, that is the resolution at which it would have one, and what takes its
+/// own voxel if obstacles and boundary leave it free.
 EndFault fault_of(const Problem& problem, const SearchStage& stage) {
-  EndFault fault{stage.raw_occupied, stage.has_nearest_free, kZero, 0.0, kNoFence};
+  EndFault fault{stage.raw_occupied, stage.has_nearest_free, kZero, 0.0, kNoSolid};
   if (stage.has_nearest_free) fault.nearest_free = stage.nearest_free + voxels_of(problem).spec().origin;
   if (!is_too_narrow(stage.status)) return fault;
   fault.finer_cell = stage.finer.cell;
   const Voxel home = voxels_of(problem).voxel_of(stage.finer.point);
-  if (problem.grid->free(home)) fault.fence = world_of(problem).first_over(cube_of(*problem.grid, home));
+  if (problem.grid->free(home)) fault.solid = world_of(problem).first_over(cube_of(*problem.grid, home));
   return fault;
 }
 

@@ -26,7 +26,7 @@ struct EndFault {
   bool has_nearest_free;
   Vec3 nearest_free;   ///< world frame
   double finer_cell;   ///< a resolution at which an end that is too narrow would have a voxel; 0: none
-  std::int32_t fence;  ///< that takes such an end's voxel, although obstacles and boundary leave it; else kNoFence
+  std::int32_t solid;  ///< or wall, that takes such an end's voxel, although obstacles leave it; else kNoSolid
 };
 
 struct Legs {

@@ -58,10 +58,10 @@ void Pipeline::begin_way() noexcept {
 /// Enters what follows the current stage, which is done or has failed.
 void Pipeline::go_on(bool done) noexcept {
   switch (stage_) {
-    case Stage::kFences:
-      if (!problem_.goal_fenced) return begin_attempts();
+    case Stage::kWorld:
+      if (problem_.goal_fault == Status::kOk) return begin_attempts();
       // Only the nearest point that can be reached is left to look for.
-      failure_.status = Status::kGoalFenced;
+      failure_.status = problem_.goal_fault;
       legs_.leg = problem_.via_count;
       return give_up();
     case Stage::kSearch:

@@ -9,9 +9,8 @@
 namespace tern {
 namespace {
 
-/// Of begin() and finish() together, and of each fence that is read: its corners are those of all triples of faces.
+/// Of begin() and finish() together.
 constexpr Operations kBeginOperations = 20 * ops::kCurve;
-constexpr Operations kFenceOperations = 200 * ops::kPiece;
 
 WayMemory way_of(Layout& memory) {
   return {memory.path, memory.vias.leg, memory.vias.marks};
@@ -61,12 +60,12 @@ Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode&
   problem_.grid = &grid;
   problem_.world = &memory->world;
   world_begin(memory->world, grid);
-  begun_ = kBeginOperations + kFenceOperations * (request.fence_count > 0 ? request.fence_count : 0);
+  begun_ = kBeginOperations;
   if (!grid.inflated()) return refuse({Status::kInvalidArgument, grid.bound() ? Field::kNotInflated : Field::kStorage});
   const Status status = read(request, mode);
   if (status != Status::kRunning) return status;
   status_ = Status::kRunning;
-  memory->world.has_solids ? enter(Stage::kFences) : begin_attempts();
+  memory->world.has_solids ? enter(Stage::kWorld) : begin_attempts();
   return status_;
 }
 
@@ -80,7 +79,7 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   }
   RequestFault fault{};
   const Verdict vias = validate_vias(*problem_.grid, request, problem_.limits, fault.via);
-  if (vias.status != Status::kOk) return refuse({vias.status, vias.field, kNoFence, fault.via});
+  if (vias.status != Status::kOk) return refuse({vias.status, vias.field, kNoSolid, fault.via});
   for (std::int32_t v = 0; v < request.via_count; ++v) memory.vias.vias[v] = request.vias[v];
   memory.vias.marks.count = request.via_count;
   problem_.vias = memory.vias.vias;
@@ -92,8 +91,7 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   begin_goal();
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
-  if (request.fence_count == 0) return Status::kRunning;
-  fault_ = read_fences(request, memory.ends, problem_, memory.world, memory.asked, begun_);
+  fault_ = read_world(request, memory.ends, problem_, memory.world, memory.asked, begun_);
   if (fault_.status != Status::kOk) return refuse(fault_);
   take_ends(problem_, memory.ends);
   return Status::kRunning;
@@ -146,7 +144,7 @@ void Pipeline::enter(Stage stage) noexcept {
     case Stage::kReach:
       return nearest_point_begin(problem_, leg_target(problem_, legs_), m.stage.reach);
     case Stage::kRequest:
-    case Stage::kFences:
+    case Stage::kWorld:
       break;
   }
 }
@@ -155,7 +153,7 @@ void Pipeline::enter(Stage stage) noexcept {
 Progress Pipeline::run(Work& work) noexcept {
   Layout& m = *memory_;
   switch (stage_) {
-    case Stage::kFences:
+    case Stage::kWorld:
       return world_advance(m.world, work);
     case Stage::kSearch:
       return leg_search_advance(problem_, m.stage.search, legs_, way_of(m), work);
@@ -211,7 +209,7 @@ Progress Pipeline::end_for_budget(Work& work) noexcept {
       attempts_.nearest.status = Status::kBudgetSearch;
       break;
     case Stage::kRequest:
-    case Stage::kFences:
+    case Stage::kWorld:
     case Stage::kTimes:
     case Stage::kCheck:
     case Stage::kDetour:

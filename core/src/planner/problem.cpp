@@ -6,19 +6,23 @@
 #include "curve/rest.hpp"
 #include "grid/bit_rows.hpp"
 #include "planner/validate.hpp"
+#include "world/fences.hpp"
 
 namespace tern {
 namespace {
 
-/// Compares start and vias with the fences.
-RequestFault find_fenced_point(const Problem& problem, const Ends& ends) {
+/// Of each fence that is read: its corners are those of all triples of faces.
+constexpr Operations kFenceOperations = 200 * ops::kPiece;
+
+/// Compares start and vias with walls and solids.
+RequestFault find_broken_point(const Problem& problem, const Ends& ends) {
   const World world = world_of(problem);
   const std::int32_t at_start = world.first_broken(ends.start_in_grid, ends.start_in_grid);
-  if (at_start != kNoFence) return {Status::kStartFenced, Field::kStartPosition, at_start};
+  if (at_start != kNoSolid) return {Status::kStartFenced, Field::kStartPosition, at_start};
   for (std::int32_t v = 0; v < problem.via_count; ++v) {
     const Vec3 via = to_local(*problem.grid, problem.vias[v].position);
     const std::int32_t at_via = world.first_broken(via, via);
-    if (at_via != kNoFence) return {Status::kViaFenced, Field::kVias, at_via, v};
+    if (at_via != kNoSolid) return {Status::kViaFenced, Field::kVias, at_via, v};
   }
   return {Status::kOk, Field::kNone};
 }
@@ -41,18 +45,21 @@ void take_ends(const Problem& problem, Ends& ends) noexcept {
   ends.origin_in_grid = ends.start_in_grid;
 }
 
-RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedWorld& asked, Operations& spent) noexcept {
+RequestFault read_world(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
+                        AskedWorld& asked, Operations& spent) noexcept {
+  if (request.fence_count == 0) return {Status::kOk, Field::kNone};
   const FenceFault added = world_add(world, request.fences, request.fence_count);
   if (added.status != Status::kOk) return {added.status, Field::kFences, added.fence};
   if (!copy_asked(request.fences, request.fence_count, asked)) return {Status::kFencePlanesFull, Field::kFences};
-  RequestFault fault = find_fenced_point(problem, ends);
+  RequestFault fault = find_broken_point(problem, ends);
   if (fault.status != Status::kOk) return fault;
   fault.fence = world_of(problem).first_broken(ends.goal_in_grid, ends.goal_in_grid);
-  problem.goal_fenced = fault.fence != kNoFence;
-  const bool lacks_goal = problem.goal_fenced && request.goal_mode == GoalMode::kExact;
+  const bool is_fenced = fault.fence != kNoSolid;
+  if (is_fenced) problem.goal_fault = Status::kGoalFenced;
+  const bool lacks_goal = is_fenced && request.goal_mode == GoalMode::kExact;
   if (lacks_goal) fault.field = Field::kGoalPosition;
-  spent += ops::kElement * static_cast<Operations>(GridView::layer_words(*problem.grid));
+  spent += kFenceOperations * request.fence_count +
+           ops::kElement * static_cast<Operations>(GridView::layer_words(*problem.grid));
   const Status prepared = world_prepare(world);
   if (prepared == Status::kOk) return fault;
   if (lacks_goal) return {Status::kGoalFenced, Field::kGoalPosition, fault.fence};

@@ -27,8 +27,8 @@ struct Problem {
   const Via* vias;           ///< world frame
   std::int32_t via_count;
   MotionLimits limits;
-  Request asked;       ///< the request; its fences and vias are not read again
-  bool goal_fenced;    ///< the goal breaks a fence: only the reachable point is left to look for
+  Request asked;       ///< the request; what it points to is not read again
+  Status goal_fault;   ///< kGoalFenced: only the reachable point is left to look for; else kOk
   bool given_at_rest;  ///< both ends were given at rest
   bool has_pace;       ///< Previous::plan passes the start, `pace_from` seconds after its beginning
   double pace_from;
@@ -57,7 +57,7 @@ inline World world_of(const Problem& problem) noexcept {
   return world_of(*problem.world);
 }
 
-/// The world's voxels, which the stages search: the caller's grid, or a copy in which the fences are blocked.
+/// The world's voxels, which the stages search: the caller's grid, or a copy in which walls and solids are blocked.
 inline const Grid& voxels_of(const Problem& problem) noexcept {
   return world_of(problem).voxels();
 }
@@ -68,11 +68,11 @@ State asked_end(const Problem& problem, int end) noexcept;
 /// The request's ends.
 void take_ends(const Problem& problem, Ends& ends) noexcept;
 
-/// Reads the request's fences, of which there is at least one, into the world and for the check, and compares start,
-/// vias and goal with them. Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
+/// Reads what the request adds to the world, for planning and for the check, and compares start, vias and goal with it.
+/// Answers kOk or the first thing that is wrong. The field and the fence are also set for kOk
 /// with a goal that breaks a fence. `spent` grows by the operations that it took.
-RequestFault read_fences(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
-                         AskedWorld& asked, Operations& spent) noexcept;
+RequestFault read_world(const Request& request, const Ends& ends, Problem& problem, WorldMemory& world,
+                        AskedWorld& asked, Operations& spent) noexcept;
 
 /// Both requested ends are at rest.
 bool rests(const Problem& problem) noexcept;

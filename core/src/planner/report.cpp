@@ -26,7 +26,7 @@ void write_failure(const Failure& failure, Status status, Report& report) {
   report.nearest_free = failure.end.nearest_free;
   if (!narrow) return;
   report.finer_cell = failure.end.finer_cell;
-  report.fence = failure.end.fence;
+  report.fence = failure.end.solid;
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ Operations all_rows(const GridSpec& spec) {
   return rows_of(spec) * (ops::kRow + ops::kWord * row_words(spec));
 }
 
-StageBound fences_bound(const GridSpec& spec) {
+StageBound world_bound(const GridSpec& spec) {
   const Operations plane = 2 * ops::kPiece + kStencilOperations + 12 * ops::kDot * kMaxSolidNormals +
                            (kMaxSolidNormals + 2) * ops::kRow * spec.dims.y + solid_plane_operations(spec);
-  return {std::uint64_t{kMaxFences + 1} * static_cast<std::uint64_t>(spec.dims.z), plane};
+  return {std::uint64_t{kMaxSolids + 1} * static_cast<std::uint64_t>(spec.dims.z), plane};
 }
 
 /// An expansion of the optimal search takes longest: each move sweeps, and scans from each step of each sweep. Each
@@ -71,14 +71,14 @@ StageBound detour_bound(const GridSpec& spec) {
   return {1, 2 * kBrakeShapes * ops::kCurve + Operations{kDetourLines} * (2 * ops::kPiece + 4 * all_rows(spec))};
 }
 
-/// The longest piece of extracting boxes or of fences, for a polyhedron around a leg or a hull.
+/// The longest piece of extracting boxes or of walls and solids, for a polyhedron around a leg or a hull.
 Operations room_piece(const GridSpec& spec) {
   const Operations layer = ops::kPiece + 2 * ops::kWord * row_words(spec) * spec.dims.y +
                            (ops::kRow + 8 * ops::kTurn * kMaxRowRuns) * spec.dims.y +
                            16 * ops::kTurn * Operations{kMaxLocalBoxes};
-  const Operations fences = ops::kPiece * 8 + 8 * ops::kDot * kMaxFencePlanes + 4 * kGapOperations * kMaxFences;
+  const Operations solids = ops::kPiece * 8 + 8 * ops::kDot * kMaxWalls + 4 * kGapOperations * kMaxSolids;
   const Operations contacts = 4 * kContactOperations + 2 * ops::kDot * Operations{kMaxLocalBoxes};
-  return most(most(layer, fences), contacts) + 32 * ops::kPiece * kMaxPlanes;
+  return most(most(layer, solids), contacts) + 32 * ops::kPiece * kMaxPlanes;
 }
 
 /// Of a polyhedron around a leg, the tangents take most pieces: a look for each box, for each half-space.
@@ -92,7 +92,7 @@ StageBound corridor_bound(const GridSpec& spec) {
 
 /// Of polyhedra around `hulls` hulls.
 StageBound hulls_bound(const GridSpec& spec, std::uint64_t hulls) {
-  return {hulls * (kMaxDimension + std::uint64_t{kMaxLocalBoxes} + kMaxFences + 2),
+  return {hulls * (kMaxDimension + std::uint64_t{kMaxLocalBoxes} + kMaxSolids + 2),
           room_piece(spec) + kStopOperations + 4 * ops::kDot * kHullTests * kMaxPlanes + kGapOperations};
 }
 
@@ -124,8 +124,8 @@ StageBound trajectory_bound() {
 
 StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept {
   switch (stage) {
-    case Stage::kFences:
-      return fences_bound(spec);
+    case Stage::kWorld:
+      return world_bound(spec);
     case Stage::kSearch:
       return search_bound(spec);
     case Stage::kShortcut:

@@ -45,15 +45,16 @@ struct Fineness {
   double spare;
 };
 
-Status add_corners(const Facet& facet, const Vicinity& around, double same, Solids& solids, SolidParts& parts) {
+/// False if they do not fit.
+bool add_corners(const Facet& facet, const Vicinity& around, double same, Solids& solids, SolidParts& parts) {
   for (int k = 0; k < facet.count; ++k) {
     const Vec3 corner = ((facet.foot + facet.corner[k][0] * facet.u) + facet.corner[k][1] * facet.v) + around.center;
     if (known_corner(solids, parts, corner, same)) continue;
-    if (is_full(solids.corner_count == kMaxSolidCorners)) return Status::kFencePlanesFull;
+    if (is_full(solids.corner_count == kMaxSolidCorners)) return false;
     solids.corners[solids.corner_count++] = corner;
     ++parts.corners;
   }
-  return Status::kOk;
+  return true;
 }
 
 /// Half-space `index` of the solid's faces followed by those of the vicinity. It is relative to the centre of the
@@ -65,8 +66,8 @@ Halfspace plane_about(const Solids& solids, const SolidParts& parts, const Vicin
   return {plane.normal, offset + out};
 }
 
-/// Adds the corners of all facets.
-Status add_all_corners(const Vicinity& around, const Fineness& fine, Solids& solids, SolidParts& parts) {
+/// Adds the corners of all facets. False if they do not fit.
+bool add_all_corners(const Vicinity& around, const Fineness& fine, Solids& solids, SolidParts& parts) {
   const int count = parts.faces + kBoxPlanes;
   for (int i = 0; i < count; ++i) {
     const Halfspace plane = plane_about(solids, parts, around, i, fine.hair);
@@ -76,17 +77,15 @@ Status add_all_corners(const Vicinity& around, const Fineness& fine, Solids& sol
     for (int j = 0; j < count && left; ++j) {
       if (j != i) left = cut(plane_about(solids, parts, around, j, fine.hair + fine.spare), facet, fine.spare);
     }
-    const Status status = left ? add_corners(facet, around, fine.same, solids, parts) : Status::kOk;
-    if (status != Status::kOk) return status;
+    if (left && !add_corners(facet, around, fine.same, solids, parts)) return false;
   }
-  return Status::kOk;
+  return true;
 }
 
 }  // namespace
 
-Vicinity vicinity_of(const Grid& grid, const Solids& solids) noexcept {
+Vicinity vicinity_of(const Grid& grid, const Solids& solids, double all_round) noexcept {
   const GridSpec& spec = grid.spec();
-  const double all_round = larger(spec.clearance(), spec.cell);
   const Box whole =
       grown({{0.0, 0.0, 0.0}, {spec.dims.x * spec.cell, spec.dims.y * spec.cell, spec.dims.z * spec.cell}}, all_round);
   Box box = grid.local_boundary();
@@ -102,17 +101,16 @@ double corner_tolerance(const Vicinity& around) noexcept {
   return kHair * around.scale;
 }
 
-Status find_corners(const Vicinity& around, Solids& solids, SolidParts& parts) noexcept {
+bool find_corners(const Vicinity& around, Solids& solids, SolidParts& parts) noexcept {
   Fineness fine{kHair * around.scale, kSame * around.scale, kSpare * around.scale};
-  Status status = Status::kFencePlanesFull;
-  for (int trial = 0; trial < kTrials && status == Status::kFencePlanesFull; ++trial) {
+  for (int trial = 0; trial < kTrials; ++trial) {
     solids.corner_count = parts.first_corner;
     parts.corners = 0;
-    status = add_all_corners(around, fine, solids, parts);
+    if (add_all_corners(around, fine, solids, parts)) return true;
     fine.hair *= kCoarser;
     fine.same *= kCoarser;
   }
-  return status;
+  return false;
 }
 
 }  // namespace tern

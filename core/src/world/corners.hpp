@@ -7,15 +7,12 @@
 
 #include "tern/grid.hpp"
 #include "tern/halfspace.hpp"
-#include "tern/status.hpp"
 #include "world/solids.hpp"
 
 namespace tern {
 
-/// The region where the robot's centre may be, grown by the radius: the boundary within the walls along the axes.
-/// Nothing beyond it matters. A wall therefore cuts solids short just as a boundary of its size does. The region grows
-/// by a voxel at least: in a region without height, a solid would have no inside, and a path through the solid would
-/// only touch it.
+/// The region where the robot's centre may be, grown: the boundary within the walls along the axes. Nothing beyond it
+/// matters. A wall therefore cuts solids short just as a boundary of its size does.
 struct Vicinity {
   Vec3 center;
   double reach;  ///< radius of a ball about the centre that contains the box
@@ -23,16 +20,16 @@ struct Vicinity {
   Halfspace faces[kBoxPlanes];
 };
 
-/// All walls must be known.
-Vicinity vicinity_of(const Grid& grid, const Solids& solids) noexcept;
+/// All walls must be known. `all_round`: by how much it grows, metres.
+Vicinity vicinity_of(const Grid& grid, const Solids& solids, double all_round) noexcept;
 
 /// Metres by which the hull of a solid's corners may reach further out than the solid.
 double corner_tolerance(const Vicinity& around) noexcept;
 
 /// Appends the corners of a solid whose faces are in `solids`: those of its part in the vicinity. The last solid's
-/// corners must be the last. No corners: the solid lies elsewhere. kOk, or kFencePlanesFull if they do not fit, however
-/// coarsely they are found.
-Status find_corners(const Vicinity& around, Solids& solids, SolidParts& parts) noexcept;
+/// corners must be the last. No corners: the solid lies elsewhere. False if they do not fit, however coarsely they are
+/// found.
+bool find_corners(const Vicinity& around, Solids& solids, SolidParts& parts) noexcept;
 
 }  // namespace tern
 

@@ -23,6 +23,12 @@ Halfspace to_local_plane(const Grid& grid, const Halfspace& world) {
   return {(1.0 / norm) * world.normal, shifted / norm};
 }
 
+/// How far from the places of the centre a solid matters: the radius, and a voxel at least. In a region without height,
+/// a solid would otherwise have no inside, and a path through the solid would only touch it.
+double reach_of(const GridSpec& spec) {
+  return larger(spec.clearance(), spec.cell);
+}
+
 void load_keep_in(const Grid& grid, const Fence& from, std::int32_t index, Solids& solids) {
   for (std::int32_t p = 0; p < from.count; ++p) {
     solids.wall_index[solids.wall_count] = index;
@@ -35,8 +41,8 @@ Status load_keep_out(const Grid& grid, const Vicinity& around, const Fence& from
   for (; parts.faces < from.count; ++parts.faces) {
     solids.faces[parts.first_face + parts.faces] = to_local_plane(grid, from.planes[parts.faces]);
   }
-  const Status status = find_corners(around, solids, parts);
-  if (status != Status::kOk || parts.corners == 0) return status;
+  if (!find_corners(around, solids, parts)) return Status::kFencePlanesFull;
+  if (parts.corners == 0) return Status::kOk;
   solids.face_count += parts.faces;
   solids.parts[solids.solid_count++] = parts;
   return Status::kOk;
@@ -52,7 +58,7 @@ __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence
   for (std::int32_t i = 0; i < count; ++i) {
     if (list[i].kind == FenceKind::kKeepIn) load_keep_in(grid, list[i], i, solids);
   }
-  const Vicinity around = vicinity_of(grid, solids);
+  const Vicinity around = vicinity_of(grid, solids, reach_of(grid.spec()));
   solids.touching = contact_tolerance(grid.spec()) + corner_tolerance(around);
   for (std::int32_t i = 0; i < count; ++i) {
     if (list[i].kind == FenceKind::kKeepIn) continue;
@@ -64,9 +70,16 @@ __attribute__((noinline)) FenceFault load_accepted(const Grid& grid, const Fence
 
 }  // namespace
 
+static_assert(kNoSolid == kNoFence, "a world answers with indices of fences");
+
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept {
   const FenceFault fault = find_fence_fault(list, count, grid.spec());
   return fault.status == Status::kOk ? load_accepted(grid, list, count, solids) : fault;
+}
+
+FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept {
+  begin_solids(memory);
+  return load_fences(*memory.grid, list, count, memory.solids);
 }
 
 }  // namespace tern

@@ -11,6 +11,7 @@
 #include "tern/fence.hpp"
 #include "tern/grid.hpp"
 #include "world/solids.hpp"
+#include "world/world_memory.hpp"
 
 namespace tern {
 
@@ -18,6 +19,10 @@ namespace tern {
 /// keep-out without a part that matters is left out. kOk; what find_fence_fault() says; kFencePlanesFull if the corners
 /// of a keep-out do not fit. `solids` is undefined unless kOk.
 FenceFault load_fences(const Grid& grid, const Fence* list, std::int32_t count, Solids& solids) noexcept;
+
+/// Adds fences to a world, which reads them only now. The answers are those of load_fences; the world is undefined
+/// unless kOk.
+FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept;
 
 }  // namespace tern
 

@@ -115,7 +115,7 @@ Operations solid_plane_operations(const GridSpec& spec) noexcept {
 
 Status copy_blocked(const Grid& grid, SolidLayer& layer, Grid& view) noexcept {
   const std::size_t words = GridView::layer_words(grid);
-  if (is_full(words > static_cast<std::size_t>(kMaxLayerWords))) return Status::kWorldFull;
+  if (is_full(words > static_cast<std::size_t>(kMaxWorldWords))) return Status::kWorldFull;
   const std::uint64_t* from = GridView::blocked(grid).words;
   for (std::size_t k = 0; k < words; ++k) layer.words[k] = from[k];
   view = GridView::with_blocked(grid, layer.words);

@@ -21,7 +21,7 @@ constexpr int kMaxSolidNormals = 6 + kMaxSolidFaces + kMaxSolidFaces * (kMaxSoli
 
 /// Room for a blocked layer, and scratch. Plain data.
 struct SolidLayer {
-  std::uint64_t words[kMaxLayerWords];
+  std::uint64_t words[kMaxWorldWords];
   bool narrowed;  ///< by narrow_boundary(): the view's boundary is not the grid's
   std::int32_t clear_count;
   Halfspace clear[kMaxSolidNormals];  ///< points with normal . p >= offset are clear of the current solid

@@ -20,8 +20,9 @@ constexpr int kMaxSolids = kMaxFences;
 constexpr int kMaxSolidFaces = kMaxFencePlanes;
 /// A polyhedron with n faces has at most 2 n - 4 corners. Each solid has six more faces from the box that cuts it.
 constexpr int kMaxSolidCorners = 2 * kMaxSolidFaces + 8 * kMaxSolids;
-/// Words of a layer of voxels that a plan has for itself.
-constexpr std::int64_t kMaxLayerWords = kMaxWorldWords;
+
+/// Means "no wall and no solid" in place of an index in the request's list.
+constexpr std::int32_t kNoSolid = -1;
 
 /// A convex solid that the centre keeps its clearance from. The functions below are all that the stages ask of its
 /// shape.
@@ -37,14 +38,22 @@ inline ConvexSolid solid_of(const Vec3* points, int count) noexcept {
 }
 
 /// How far the solid reaches along a normal: the least and the largest value of normal . p.
-double solid_support(const Vec3& normal, const ConvexSolid& solid) noexcept;
-double solid_reach(const Vec3& normal, const ConvexSolid& solid) noexcept;
+inline double solid_support(const Vec3& normal, const ConvexSolid& solid) noexcept {
+  return hull_support(normal, solid.hull);
+}
+inline double solid_reach(const Vec3& normal, const ConvexSolid& solid) noexcept {
+  return hull_reach(normal, solid.hull);
+}
 
 /// The widest gap between a hull and the solid, as hull_gap.
-HullGap solid_gap(const Hull& hull, const ConvexSolid& solid) noexcept;
+inline HullGap solid_gap(const Hull& hull, const ConvexSolid& solid) noexcept {
+  return hull_gap(hull, solid.hull);
+}
 
 /// The widest gap between a segment (equal ends are a point) and the solid, as widest_gap.
-HullGap solid_gap(const Vec3& from, const Vec3& to, const ConvexSolid& solid, double enough) noexcept;
+inline HullGap solid_gap(const Vec3& from, const Vec3& to, const ConvexSolid& solid, double enough) noexcept {
+  return widest_gap(from, to, solid.hull, solid.faces, solid.face_count, enough);
+}
 
 /// Where the parts of a solid lie in Solids.
 struct SolidParts {

@@ -33,7 +33,7 @@ double World::touching() const noexcept {
 }
 
 std::int32_t World::first_broken(const Vec3& from, const Vec3& to) const noexcept {
-  if (solids_ == nullptr) return kNoFence;
+  if (solids_ == nullptr) return kNoSolid;
   for (int p = 0; p < solids_->wall_count; ++p) {
     const Halfspace& wall = solids_->walls[p];
     const double far = larger(dot(wall.normal, from), dot(wall.normal, to));
@@ -44,11 +44,11 @@ std::int32_t World::first_broken(const Vec3& from, const Vec3& to) const noexcep
     const HullGap gap = solid_gap(from, to, solid(k), radius);
     if (gap.distance < radius - solids_->touching) return solids_->parts[k].index;
   }
-  return kNoFence;
+  return kNoSolid;
 }
 
 std::int32_t World::first_over(const Box& cube) const noexcept {
-  if (solids_ == nullptr) return kNoFence;
+  if (solids_ == nullptr) return kNoSolid;
   const double hair = 0.5 * kLatticeTolerance * (cube.upper.x - cube.lower.x);
   for (int p = 0; p < solids_->wall_count; ++p) {
     const double most = -least_over(cube, -1.0 * solids_->walls[p].normal);
@@ -57,7 +57,7 @@ std::int32_t World::first_over(const Box& cube) const noexcept {
   for (int k = 0; k < solids_->solid_count; ++k) {
     if (!lies_beyond(cube, solid(k), spec().clearance(), hair)) return solids_->parts[k].index;
   }
-  return kNoFence;
+  return kNoSolid;
 }
 
 bool World::line_clear(const Vec3& from, const Vec3& to) const noexcept {

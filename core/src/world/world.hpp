@@ -8,7 +8,6 @@
 
 #include <cstdint>
 
-#include "tern/fence.hpp"
 #include "tern/grid.hpp"
 #include "world/solids.hpp"
 
@@ -40,16 +39,16 @@ class World {
   ConvexSolid solid(int k) const noexcept { return solid_of(*solids_, solids_->parts[k]); }
 
   /// The index of the first wall or solid that the segment breaks (equal ends make a point). Walls are tested first.
-  /// kNoFence if it breaks none.
+  /// kNoSolid if it breaks none.
   std::int32_t first_broken(const Vec3& from, const Vec3& to) const noexcept;
   /// The index of the first wall or solid that the closed cube of a voxel breaks: a wall that does not contain the
   /// whole cube, or a solid for which the cube is not beyond any face, or side along an axis, by the clearance.
-  /// kNoFence if it breaks none: then the blocked layer leaves a voxel with this cube free (world/solid_layer.hpp).
+  /// kNoSolid if it breaks none: then the blocked layer leaves a voxel with this cube free (world/solid_layer.hpp).
   std::int32_t first_over(const Box& cube) const noexcept;
 
   /// True if the segment, or the cube, breaks no wall and no solid.
-  bool solids_clear(const Vec3& from, const Vec3& to) const noexcept { return first_broken(from, to) == kNoFence; }
-  bool solids_clear(const Box& cube) const noexcept { return first_over(cube) == kNoFence; }
+  bool solids_clear(const Vec3& from, const Vec3& to) const noexcept { return first_broken(from, to) == kNoSolid; }
+  bool solids_clear(const Box& cube) const noexcept { return first_over(cube) == kNoSolid; }
   /// True if the segment also keeps the clearance from all obstacles and stays in the boundary, as segment_clear.
   bool line_clear(const Vec3& from, const Vec3& to) const noexcept;
 

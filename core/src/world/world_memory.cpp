@@ -22,11 +22,10 @@ void world_begin(WorldMemory& memory, const Grid& grid) noexcept {
   memory.has_solids = false;
 }
 
-FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept {
+void begin_solids(WorldMemory& memory) noexcept {
   memory.view = *memory.grid;
   memory.has_solids = true;
   memory.steps = memory.plane = 0;
-  return load_fences(*memory.grid, list, count, memory.solids);
 }
 
 Status world_prepare(WorldMemory& memory) noexcept {

@@ -9,7 +9,6 @@
 
 #include "base/progress.hpp"
 #include "base/work.hpp"
-#include "world/fences.hpp"
 #include "world/solid_layer.hpp"
 #include "world/world.hpp"
 
@@ -33,10 +32,10 @@ inline World world_of(const WorldMemory& memory) noexcept {
 /// Makes the world of a grid alone, which must outlive it.
 void world_begin(WorldMemory& memory, const Grid& grid) noexcept;
 
-/// Adds fences, which are read only now. The answers are those of load_fences; the world is undefined unless kOk.
-FenceFault world_add(WorldMemory& memory, const Fence* list, std::int32_t count) noexcept;
+/// Makes room for walls and solids, which their readers then add to `solids`.
+void begin_solids(WorldMemory& memory) noexcept;
 
-/// After world_add: gives the world a blocked layer of its own, and thin boundaries in place of walls that leave no
+/// Once all are read: gives the world a blocked layer of its own, and thin boundaries in place of walls that leave no
 /// whole voxel. The grid must be inflated. kOk, or kWorldFull.
 Status world_prepare(WorldMemory& memory) noexcept;
 

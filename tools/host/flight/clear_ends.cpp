@@ -182,7 +182,7 @@ class EndsOfFlight {
 
   void check_fences(const End& end) const {
     for (const FenceRecord& fence : world_.fences) {
-      const bool keeps_out = fence.kind == tern::FenceKind::kKeepOut;
+      const bool keeps_out = fence.fence.kind == tern::FenceKind::kKeepOut;
       const double gap = fence_gap(fence, end.position);
       const double needed = keeps_out ? radius_of(world_.settings) : 0.0;
       if (gap >= needed - end.tolerance - kFenceError) continue;

@@ -17,12 +17,6 @@ Json json(const tern::Box& box) {
   return {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z};
 }
 
-Json json(const FenceRecord& fence) {
-  Json planes = Json::array();
-  for (const tern::Halfspace& p : fence.planes) planes.push_back({p.normal.x, p.normal.y, p.normal.z, p.offset});
-  return {{"kind", fence.kind == tern::FenceKind::kKeepIn ? "keep_in" : "keep_out"}, {"half_spaces", planes}};
-}
-
 Json segments_json(const tern::Trajectory& plan) {
   Json segments = Json::array();
   for (int s = 0; s < plan.count; ++s) {
@@ -67,7 +61,7 @@ Json true_world_json(const FlightWorld& world) {
   Json cylinders = Json::array();
   for (const Cylinder& c : world.cylinders) cylinders.push_back({c.x, c.y, c.bottom, c.top, c.radius});
   Json fences = Json::array();
-  for (const FenceRecord& fence : world.fences) fences.push_back(json(fence));
+  for (const FenceRecord& fence : world.fences) fences.push_back(fence_json(fence));
   return {{"boundary", json(world.boundary)}, {"blocks", blocks}, {"cylinders", cylinders}, {"fences", fences}};
 }
 

@@ -79,7 +79,7 @@ double Rooms::from_faces(const Vec3& p) const {
 double Rooms::from_fences(const Vec3& p) const {
   double room = std::numeric_limits<double>::infinity();
   for (const FenceRecord& fence : world_.fences) {
-    room = std::min(room, fence_gap(fence, p) - (fence.kind == tern::FenceKind::kKeepOut ? radius_ : 0.0));
+    room = std::min(room, fence_gap(fence, p) - (fence.fence.kind == tern::FenceKind::kKeepOut ? radius_ : 0.0));
   }
   return room;
 }

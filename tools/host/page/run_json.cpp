@@ -46,7 +46,7 @@ RunJson fences_json(const std::vector<FenceRecord>& records) {
   for (const FenceRecord& fence : records) {
     RunJson planes = RunJson::array();
     for (const tern::Halfspace& plane : fence.planes) planes.push_back(halfspace_json(plane, {}));
-    fences.push_back({{"keep_in", fence.kind == tern::FenceKind::kKeepIn}, {"halfspaces", planes}});
+    fences.push_back({{"keep_in", fence.fence.kind == tern::FenceKind::kKeepIn}, {"halfspaces", planes}});
   }
   return fences;
 }

@@ -68,7 +68,7 @@ void draw_kind(Canvas& canvas, const View& view, const std::vector<FenceRecord>&
                tern::FenceKind kind, const std::string& style) {
   for (const FenceRecord& fence : fences) {
     const std::vector<Pixel> outline = fence_outline(view, fence, boundary);
-    if (fence.kind == kind && !outline.empty()) canvas.polygon(outline, style);
+    if (fence.fence.kind == kind && !outline.empty()) canvas.polygon(outline, style);
   }
 }
 

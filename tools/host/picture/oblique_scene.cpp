@@ -103,7 +103,7 @@ void ObliqueScene::draw_blocks(Canvas& canvas) const {
 
 void ObliqueScene::draw_fences(Canvas& canvas, tern::FenceKind kind, const std::string& style) const {
   for (const FenceRecord& fence : scenario_.fences) {
-    if (fence.kind != kind) continue;
+    if (fence.fence.kind != kind) continue;
     std::vector<Pixel> corners;
     for (const Vec3& v : fence_corners(fence, scenario_.boundary)) corners.push_back(camera_.project(v));
     const std::vector<Pixel> outline = convex_hull(corners);

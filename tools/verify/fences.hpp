@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // How much room fences leave a curve, for all t.
-#ifndef TERN_VERIFY_FENCE_ROOM_HPP
-#define TERN_VERIFY_FENCE_ROOM_HPP
+#ifndef TERN_VERIFY_FENCES_HPP
+#define TERN_VERIFY_FENCES_HPP
 
 #include <cstddef>
 #include <vector>
@@ -21,10 +21,9 @@ struct FenceRoom {
   Rational u;  ///< of that point, in [0, 1]
 };
 
-/// To within 1e-10 m. There are curves, in the world frame. `distance`: what is to be kept from a keep-out. `boundary`:
-/// of the world; what a keep-out has beyond it does not matter.
-FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary,
-                     const Rational& distance);
+/// To within 1e-10 m. There are curves, in the world frame. `boundary`: of the world; what a keep-out has beyond it
+/// does not matter.
+FenceRoom fence_room(const std::vector<Polygon<3>>& curves, const Fence& fence, const Box& boundary);
 
 }  // namespace tern_verify
 

@@ -1,0 +1,78 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verify/fence_records.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "verify/emptiness.hpp"
+
+namespace tern_verify {
+namespace {
+
+const std::set<std::string> kKeys = {"keepin", "keepout", "keepin_halfspaces", "keepout_halfspaces"};
+
+/// The six faces of a box.
+std::vector<HalfSpace> faces_of(const Box& box) {
+  std::vector<HalfSpace> faces;
+  for (std::size_t a = 0; a < 3; ++a) {
+    Point axis{0, 0, 0};
+    axis[a] = 1;
+    faces.push_back({axis, box.upper[a]});
+    axis[a] = -1;
+    faces.push_back({axis, -box.lower[a]});
+  }
+  return faces;
+}
+
+bool equal_planes(const HalfSpace& a, const HalfSpace& b) {
+  return std::tie(a.normal, a.offset) == std::tie(b.normal, b.offset);
+}
+
+}  // namespace
+
+bool is_fence(const std::string& key) {
+  return kKeys.count(key) != 0;
+}
+
+Fence fence_from(const Record& record) {
+  const std::string& key = record.key();
+  Fence result{key.rfind("keepout", 0) != 0, {}};
+  if (key == "keepin" || key == "keepout") {
+    result.planes = faces_of(box_from(record, record.numbers(1, 6)));
+    return result;
+  }
+  const std::vector<Rational> v = record.numbers();
+  if (v.empty() || v.size() % 4 != 0) record.refuse("'" + key + "' needs 4 numbers a half-space");
+  for (std::size_t i = 0; i < v.size(); i += 4) {
+    result.planes.push_back({point_from(v, i), v[i + 3]});
+    if (dot(result.planes.back().normal, result.planes.back().normal) == 0) record.refuse("a normal is no direction");
+  }
+  return result;
+}
+
+Fence fence_of(const Json& json) {
+  Fence fence{json.at("kind").get<std::string>() == "keep_in", {}};
+  for (const Json& plane : json.at("half_spaces")) fence.planes.push_back({point_of(plane), number_of(plane.at(3))});
+  if (fence.planes.empty()) throw InputError("a fence has no half-spaces");
+  return fence;
+}
+
+bool same(const Fence& a, const Fence& b) {
+  return a.keep_in == b.keep_in && a.distance == b.distance &&
+         std::equal(a.planes.begin(), a.planes.end(), b.planes.begin(), b.planes.end(), equal_planes);
+}
+
+void keep_distance(const Rational& clearance, std::vector<Fence>& fences) {
+  for (Fence& fence : fences) {
+    if (!fence.keep_in) fence.distance += clearance;
+  }
+}
+
+void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary) {
+  const std::optional<std::size_t> empty = empty_fence(fences, boundary);
+  if (empty) records[*empty].refuse("'" + records[*empty].key() + "': " + empty_text(fences[*empty]));
+}
+
+}  // namespace tern_verify

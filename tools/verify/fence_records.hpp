@@ -1,0 +1,33 @@
+// Copyright (c) 2026, the Tern authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Geofences as scenarios, flight worlds and logs of flights say them. The reader is the verifier's own.
+#ifndef TERN_VERIFY_FENCE_RECORDS_HPP
+#define TERN_VERIFY_FENCE_RECORDS_HPP
+
+#include <string>
+#include <vector>
+
+#include "verify/json.hpp"
+#include "verify/records.hpp"
+
+namespace tern_verify {
+
+/// `keepin`, `keepout` and both with half-spaces.
+bool is_fence(const std::string& key);
+/// A record for which is_fence() holds.
+Fence fence_from(const Record& record);
+/// One of a flight's log.
+Fence fence_of(const Json& json);
+
+bool same(const Fence& a, const Fence& b);
+
+/// Adds to what the centre keeps from each keep-out.
+void keep_distance(const Rational& clearance, std::vector<Fence>& fences);
+
+/// Throws InputError with the place of a fence without a point; fence k comes from record k.
+void refuse_empty(const std::vector<Fence>& fences, const std::vector<Record>& records, const Box& boundary);
+
+}  // namespace tern_verify
+
+#endif
