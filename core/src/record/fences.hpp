@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "record/counts.hpp"
 #include "record/fields.hpp"
 #include "record/words.hpp"
 #include "tern/config.hpp"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The events of the map in a flight's record.
-#include "record/counts.hpp"
 #include "record/depth_runs.hpp"
 #include "record/flight_event.hpp"
 #include "tern/flight_record.hpp"

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "base/capacity.hpp"
+#include "tern/status.hpp"
 #include "tern/vec3.hpp"
 
 namespace tern {
@@ -107,6 +108,20 @@ class WordReader {
   std::size_t room_;
   std::size_t count_ = 0;  ///< words read, those beyond the end included
 };
+
+inline bool is_count(std::int32_t count, std::int32_t most, const void* items) {
+  return count >= 0 && count <= most && (count == 0 || items != nullptr);
+}
+
+/// Reads a count that is at most `most`; answers `full` if it is more. No count is trusted, because a record may have
+/// been altered and given a new checksum.
+inline Status read_count(WordReader& words, std::int32_t most, Status full, std::int32_t& count) {
+  const std::uint64_t read = words.word();
+  if (read > words.left()) return Status::kRecordDamaged;
+  if (is_full(read > static_cast<std::uint64_t>(most))) return full;
+  count = static_cast<std::int32_t>(read);
+  return Status::kOk;
+}
 
 }  // namespace tern
 
