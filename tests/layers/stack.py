@@ -13,10 +13,10 @@ import sys
 NODE = re.compile(r'node: \{ title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
 FRAME = re.compile(r"(\d+) bytes \((\w+(?:,\w+)?)\)")
-# Calls through a pointer end here; the only one is the caller's clock, whose stack is the caller's. Plan reads it, in
-# whichever of its functions the compiler inlines that.
+# Calls through a pointer end here; the only one is the caller's clock, whose stack is the caller's. The ledger reads it,
+# in whichever function the compiler inlines that.
 INDIRECT = "__indirect_call"
-CLOCK_CALLER = "4tern4Plan"
+CLOCK_CALLERS = ("4tern5Clock", "4tern6Ledger", "4tern8Pipeline")
 # What a function outside the graph may take: memcpy and its kin, and the compiler's integer helpers, are leaves of a few
 # registers.
 OUTSIDE_FRAME = 64
@@ -57,7 +57,7 @@ def deepest(frames, calls, faults):
                 state[name] = "open"
                 stack.append((name, True))
                 for target in sorted(calls.get(name, ())):
-                    if target == INDIRECT and CLOCK_CALLER not in name:
+                    if target == INDIRECT and not any(caller in name for caller in CLOCK_CALLERS):
                         faults.append(f"{name}: calls through a pointer")
                     if state.get(target) == "open":
                         faults.append(f"{name}: recursion through {target}")

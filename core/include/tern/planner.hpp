@@ -21,7 +21,8 @@
 
 namespace tern {
 
-class Plan;
+struct Layout;
+struct PlanMode;
 
 /// A monotonic tick counter of the platform. `context` is the pointer that you passed to Planner::set_clock. The ticks
 /// go into Diagnostics::stages and nowhere else: no plan depends on them.
@@ -103,11 +104,11 @@ class Planner {
   const Corridor* corridor() const noexcept;
 
  private:
+  Status begin_query(const Grid& grid, const Request& request, const PlanMode& mode) noexcept;
+  Status close(bool is_route, Report& report) noexcept;
   Status refuse(Report& report) noexcept;
-  const Plan& current_plan() const noexcept;
-  Plan& current_plan() noexcept;
 
-  void* workspace_;  // aligned; null if the memory or the configuration is refused
+  Layout* memory_;  // the workspace, aligned; null if the memory or the configuration is refused
   bool same_configuration_;
   bool refused_ = false;  // a plan was begun without a workspace
 };

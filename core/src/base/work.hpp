@@ -51,6 +51,22 @@ inline void raise(std::int32_t& mark, std::int32_t value) noexcept {
   if (mark < value) mark = value;
 }
 
+/// The part of some work that a job may spend. What the job spends leaves the whole once the share ends.
+class Share {
+ public:
+  Share(Work& whole, Operations most) noexcept : part(whole.within(most)), whole_(&whole), given_(part.operations()) {}
+  Share(const Share&) = delete;
+  Share& operator=(const Share&) = delete;
+  ~Share() noexcept { whole_->spend(spent()); }
+  Operations spent() const noexcept { return given_ - part.operations(); }
+
+  Work part;
+
+ private:
+  Work* whole_;
+  Operations given_;
+};
+
 }  // namespace tern
 
 #endif

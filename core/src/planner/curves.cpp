@@ -31,8 +31,7 @@ void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves
   trajectory_begin(memory.stage, memory.corridor, query, memory.chain);
 }
 
-Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& curves, Trajectory& trajectory,
-                        Work& work) noexcept {
+Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& trajectory, Work& work) noexcept {
   const TrajectoryStage& stage = memory.stage;
   const Progress progress = trajectory_advance(memory.stage, memory.corridor, work, trajectory);
   raise(curves.active_high, stage.active_high);
@@ -42,7 +41,6 @@ Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& cur
   curves.status = stage.status;
   curves.quality = stage.quality;
   curves.optimiser = curves.stop_and_go ? curves.refused : stage.optimiser;
-  if (progress == Progress::kDone) trajectory.origin = problem.asked.start.position;
   return progress;
 }
 

@@ -65,8 +65,7 @@ void chain_begin(const Problem& problem, const Ends& ends, const ViaJoints& via_
 
 /// Makes the trajectory of the chain; the origin is that of the plan's frame.
 void curves_begin(const Problem& problem, const Ends& ends, const Curves& curves, CurveMemory& memory) noexcept;
-Progress curves_advance(const Problem& problem, CurveMemory& memory, Curves& curves, Trajectory& trajectory,
-                        Work& work) noexcept;
+Progress curves_advance(CurveMemory& memory, Curves& curves, Trajectory& trajectory, Work& work) noexcept;
 
 /// Adds the stops at both ends and the dwells at the vias to the trajectory. False if there is no capacity for all
 /// segments or polyhedra.

@@ -9,7 +9,7 @@
 #include "path/shortcut_stage.hpp"
 #include "planner/curves.hpp"
 #include "planner/end_stop.hpp"
-#include "planner/plan.hpp"
+#include "planner/pipeline.hpp"
 #include "planner/previous.hpp"
 #include "planner/vias.hpp"
 #include "prove/check_stage.hpp"
@@ -18,10 +18,19 @@
 
 namespace tern {
 
+/// The calls of a planner: their order, and what they share.
+struct PlannerCalls {
+  Clock clock;
+  bool begun;     ///< until finish() or finish_route()
+  bool is_route;  ///< begun by begin_route()
+  Work slice;     ///< what step() was given; a debt between two calls
+};
+
 /// The content of the workspace. The results of the stages outlive them. The stages' own states are never needed at the
 /// same time, so they share memory.
 struct Layout {
-  Plan plan;
+  PlannerCalls calls;
+  Pipeline pipeline;
   Path path;
   ViaMemory vias;
   Corridor corridor;
@@ -40,10 +49,6 @@ struct Layout {
     CheckStage check;
   } stage;
 };
-
-inline Layout& layout(void* workspace) noexcept {
-  return *static_cast<Layout*>(workspace);
-}
 
 static_assert(alignof(Layout) <= kWorkspaceAlignment, "raise kWorkspaceAlignment");
 static_assert(sizeof(Layout) + kWorkspaceAlignment <= kWorkspaceBytes,

@@ -3,7 +3,6 @@
 #include "planner/ledger.hpp"
 
 #include "planner/previous.hpp"
-#include "planner/stage_bounds.hpp"
 #include "planner/stop_first.hpp"
 
 namespace tern {
@@ -87,9 +86,10 @@ Account account_of(Stage stage, const Budget& budget) {
 
 }  // namespace
 
-void Ledger::clear(bool timed) noexcept {
+void Ledger::clear(const Clock& clock) noexcept {
   *this = Ledger{};
-  timed_ = timed;
+  clock_ = clock;
+  timed_ = clock.now != nullptr;
 }
 
 void Ledger::count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept {
@@ -107,9 +107,10 @@ void Ledger::count(Stage stage, Operations operations, const Problem& problem, b
 }
 
 /// A clock that runs backwards has measured nothing. The plan does not depend on it.
-void Ledger::count_ticks(Stage stage, std::uint64_t begin, std::uint64_t end) noexcept {
-  stages_[static_cast<int>(stage)].ticks += end - begin;
-  timed_ = timed_ && end >= begin;
+void Ledger::end_slice(Stage stage) noexcept {
+  const std::uint64_t now = clock_.ticks();
+  stages_[static_cast<int>(stage)].ticks += now - slice_begin_;
+  timed_ = timed_ && now >= slice_begin_;
 }
 
 Operations Ledger::left(Stage stage, const Budget& budget) const noexcept {

@@ -10,20 +10,43 @@
 #include "base/work.hpp"
 #include "planner/problem.hpp"
 #include "tern/diagnostics.hpp"
+#include "tern/planner.hpp"
 #include "tern/status.hpp"
 
 namespace tern {
 
+/// Contract C2: the most that one run of a stage works, known before it runs. It follows from capacities, and from the
+/// size of the grid if a capacity would say far more.
+struct StageBound {
+  std::uint64_t pieces;  ///< the most pieces of work
+  Operations piece;      ///< the most operations of one of them
+
+  /// Units of `runs` runs.
+  std::uint64_t units(std::uint64_t runs) const noexcept {
+    return runs * pieces * (static_cast<std::uint64_t>(piece) / kUnit + 1);
+  }
+};
+
+StageBound stage_bound(Stage stage, const GridSpec& spec) noexcept;
+
+/// The caller's clock; none if `now` is null.
+struct Clock {
+  ClockFn now;
+  void* context;
+
+  std::uint64_t ticks() const noexcept { return now != nullptr ? now(context) : 0; }
+};
+
 class Ledger {
  public:
-  /// Empties the ledger. `timed`: there is a clock.
-  void clear(bool timed) noexcept;
+  /// Empties the ledger.
+  void clear(const Clock& clock) noexcept;
   /// A run of a stage begins.
   void enter() noexcept { is_bound_ = false; }
-  /// A slice of the stage took `operations`. The first slice of a run makes the stage's bound.
+  void begin_slice() noexcept { slice_begin_ = clock_.ticks(); }
+  /// The slice took so many operations of the stage. The first slice of a run makes the stage's bound.
   void count(Stage stage, Operations operations, const Problem& problem, bool searched_again) noexcept;
-  /// A slice of the stage began and ended at these ticks of the clock.
-  void count_ticks(Stage stage, std::uint64_t begin, std::uint64_t end) noexcept;
+  void end_slice(Stage stage) noexcept;
 
   Operations spent(Stage stage) const noexcept { return spent_[static_cast<int>(stage)]; }
   /// What the budget has left for the stage; not more than 0 if it is spent. Some stages share a budget.
@@ -35,8 +58,10 @@ class Ledger {
  private:
   StageReport stages_[kStageCount];
   Operations spent_[kStageCount];
-  bool is_bound_;  // the bound of the current run is made
-  bool timed_;     // the clock ran so far
+  Clock clock_;
+  std::uint64_t slice_begin_;  // ticks
+  bool is_bound_;              // the bound of the current run is made
+  bool timed_;                 // the clock ran so far
 };
 
 }  // namespace tern

@@ -51,13 +51,14 @@ Status Pipeline::end(Stage stage, Status status) noexcept {
   return status;
 }
 
-Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode& mode) noexcept {
+Status Pipeline::begin(const Grid& grid, const Request& request, const PlanMode& mode, const Clock& clock) noexcept {
   Layout* const memory = memory_;
   *this = Pipeline(*memory);
   route_only_ = mode.route_only;
-  ledger_.clear(mode.timed);
+  ledger_.clear(clock);
   failure_.via = kNoVia;
   problem_.grid = &grid;
+  problem_.version = grid.version();
   problem_.world = &memory->world;
   world_begin(memory->world, grid);
   begun_ = kBeginOperations;
@@ -89,6 +90,8 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
   problem_.pace_from = mode.pace != nullptr ? mode.pace_time : request.previous_time;
   problem_.given_at_rest = rests(problem_);
   begin_goal();
+  memory.trajectory.begin = request.begin;
+  memory.trajectory.origin = request.start.position;
   if (request.previous != nullptr) problem_.asked.previous = &memory.previous.plan;
   if (mode.pace != nullptr) memory.previous.plan = *mode.pace;
   fault_ = read_world(request, memory.ends, problem_, memory.world, memory.asked, begun_);
@@ -99,17 +102,20 @@ Status Pipeline::read(const Request& request, const PlanMode& mode) noexcept {
 
 Progress Pipeline::advance(Work& work) noexcept {
   const Stage stage = stage_;
+  if (!problem_.grid->version().equals(problem_.version)) {
+    end(stage, Status::kMapChanged);
+    return Progress::kFailed;
+  }
+  ledger_.begin_slice();
   work.spend(begun_);
   begun_ = 0;
   const Operations left = ledger_.left(stage, problem_.asked.budget);
-  Work slice = work.within(left);
-  const Operations given = slice.operations();
-  Progress progress = run(slice);
-  const Operations spent = given - slice.operations();
-  if (progress == Progress::kMore && is_full(spent >= left)) progress = end_for_budget(slice);
-  work.spend(given - slice.operations());
-  ledger_.count(stage, given - slice.operations(), problem_, legs_.searched_again);
+  Share slice(work, left);
+  Progress progress = run(slice.part);
+  if (progress == Progress::kMore && is_full(slice.spent() >= left)) progress = end_for_budget(slice.part);
+  ledger_.count(stage, slice.spent(), problem_, legs_.searched_again);
   if (progress != Progress::kMore) go_on(progress == Progress::kDone);
+  ledger_.end_slice(stage);
   return progress;
 }
 
@@ -164,7 +170,7 @@ Progress Pipeline::run(Work& work) noexcept {
     case Stage::kTimes:
       return times_advance(m.stage.trajectory.times, m.stage.trajectory.corridor, work, m.stage.trajectory.chain);
     case Stage::kTrajectory:
-      return curves_advance(problem_, m.stage.trajectory, curves_, m.trajectory, work);
+      return curves_advance(m.stage.trajectory, curves_, m.trajectory, work);
     case Stage::kCheck:
       return check_advance(m.stage.check, *problem_.grid, m.corridor, m.trajectory,
                            check_query(problem_, attempts_.follow, m), work);

@@ -33,10 +33,9 @@ struct Results {
 
 /// How a request is to be planned.
 struct PlanMode {
-  bool route_only;         ///< the path is the result
-  bool timed;              ///< there is a clock
-  const Trajectory* pace;  ///< a plan that sets the pace, for a request without a previous plan; null: none
-  double pace_time;        ///< when that plan passes the start, s since its beginning
+  bool route_only = false;           ///< the path is the result
+  const Trajectory* pace = nullptr;  ///< a plan that sets the pace, for a request without a previous plan; null: none
+  double pace_time = 0.0;            ///< when that plan passes the start, s since its beginning
 };
 
 class Pipeline {
@@ -45,11 +44,10 @@ class Pipeline {
   explicit Pipeline(Layout& memory) noexcept : memory_(&memory) {}
 
   /// Reads the request. kRunning, or why it is refused.
-  Status begin(const Grid& grid, const Request& request, const PlanMode& mode) noexcept;
-  /// Runs a slice of the current stage, and at its end enters what follows. Only while status() is kRunning.
+  Status begin(const Grid& grid, const Request& request, const PlanMode& mode, const Clock& clock) noexcept;
+  /// Runs a slice of the current stage, and at its end enters what follows. Only while status() is kRunning. Ends the
+  /// plan if the grid has changed.
   Progress advance(Work& work) noexcept;
-  /// Ends the plan.
-  Status end(Stage stage, Status status) noexcept;
   /// Ends the plan because the request or a call is wrong.
   Status refuse(const RequestFault& fault) noexcept;
 
@@ -57,10 +55,6 @@ class Pipeline {
   Status status() const noexcept { return status_; }
   Stage stage() const noexcept { return stage_; }
   const Results& results() const noexcept { return results_; }
-  /// A slice of the stage began and ended at these ticks of the clock.
-  void count_ticks(Stage stage, std::uint64_t from, std::uint64_t to) noexcept { ledger_.count_ticks(stage, from, to); }
-  /// When the plan begins, as the request says.
-  std::int64_t begin_time() const noexcept { return problem_.asked.begin; }
   /// The whole report, from what each part noted.
   void write(Report& report) const noexcept;
 
@@ -70,8 +64,7 @@ class Pipeline {
   void enter(Stage stage) noexcept;
   Progress run(Work& work) noexcept;
   Progress end_for_budget(Work& work) noexcept;
-
-  void write_diagnostics(Diagnostics& diagnostics) const noexcept;  // report.cpp
+  Status end(Stage stage, Status status) noexcept;
 
   // order.cpp: what follows a stage.
   void begin_goal() noexcept;

@@ -5,17 +5,18 @@
 #include <cstddef>
 #include <new>
 
+#include "base/math.hpp"
 #include "planner/layout.hpp"
 
 namespace tern {
 namespace {
 
 /// The first aligned byte of the caller's memory; null if the memory is too small for a workspace.
-void* align(void* memory, std::size_t bytes) {
+Layout* align(void* memory, std::size_t bytes) {
   if (memory == nullptr || bytes < kWorkspaceBytes) return nullptr;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t aligned = (address + kWorkspaceAlignment - 1) & ~(std::uintptr_t{kWorkspaceAlignment} - 1);
-  return static_cast<unsigned char*>(memory) + (aligned - address);
+  return reinterpret_cast<Layout*>(static_cast<unsigned char*>(memory) + (aligned - address));
 }
 
 /// The most steps of one call of plan(). Each step may spend 2^32 - 1 units, and every stage is bounded far below that.
@@ -24,22 +25,15 @@ constexpr int kMaxSteps = 16;
 }  // namespace
 
 Planner::Planner(void* memory, std::size_t bytes, std::uint64_t configuration) noexcept
-    : workspace_(configuration == kConfigurationHash ? align(memory, bytes) : nullptr),
+    : memory_(configuration == kConfigurationHash ? align(memory, bytes) : nullptr),
       same_configuration_(configuration == kConfigurationHash) {
-  if (workspace_ == nullptr) return;
-  new (&current_plan()) Plan(layout(workspace_));
-}
-
-const Plan& Planner::current_plan() const noexcept {
-  return layout(workspace_).plan;
-}
-
-Plan& Planner::current_plan() noexcept {
-  return layout(workspace_).plan;
+  if (memory_ == nullptr) return;
+  new (&memory_->calls) PlannerCalls{};
+  new (&memory_->pipeline) Pipeline(*memory_);
 }
 
 void Planner::set_clock(ClockFn clock, void* context) noexcept {
-  if (workspace_ != nullptr) current_plan().set_clock(clock, context);
+  if (memory_ != nullptr) memory_->calls.clock = {clock, context};
 }
 
 Status Planner::plan(const Grid& grid, const Request& request, Trajectory& trajectory, Report& report) noexcept {
@@ -49,13 +43,11 @@ Status Planner::plan(const Grid& grid, const Request& request, Trajectory& traje
 }
 
 Status Planner::begin(const Grid& grid, const Request& request) noexcept {
-  refused_ = workspace_ == nullptr;
-  return refused_ ? Status::kInvalidArgument : current_plan().begin(grid, request);
+  return begin_query(grid, request, {});
 }
 
 Status Planner::begin(const Grid& grid, const Request& request, const Trajectory& pace, double pace_time) noexcept {
-  refused_ = workspace_ == nullptr;
-  return refused_ ? Status::kInvalidArgument : current_plan().begin(grid, request, pace, pace_time);
+  return begin_query(grid, request, {false, &pace, pace_time});
 }
 
 Status Planner::route(const Grid& grid, const Request& request, Report& report) noexcept {
@@ -64,28 +56,64 @@ Status Planner::route(const Grid& grid, const Request& request, Report& report) 
   return finish_route(report);
 }
 
+/// A route has no trajectory, so the motion of its ends does not matter.
 Status Planner::begin_route(const Grid& grid, const Request& request) noexcept {
-  refused_ = workspace_ == nullptr;
-  return refused_ ? Status::kInvalidArgument : current_plan().begin_route(grid, request);
+  Request still = request;
+  still.start = {request.start.position, kZero, kZero};
+  still.goal = {request.goal.position, kZero, kZero};
+  still.previous = nullptr;
+  return begin_query(grid, still, {true, nullptr, 0.0});
 }
 
-Status Planner::step(Work& work) noexcept {
-  return workspace_ == nullptr ? Status::kInvalidArgument : current_plan().step(work);
+Status Planner::begin_query(const Grid& grid, const Request& request, const PlanMode& mode) noexcept {
+  refused_ = memory_ == nullptr;
+  if (refused_) return Status::kInvalidArgument;
+  PlannerCalls& calls = memory_->calls;
+  calls.begun = true;
+  calls.is_route = mode.route_only;
+  calls.slice = Work{};
+  return memory_->pipeline.begin(grid, request, mode, calls.clock);
 }
 
 Status Planner::step(std::uint32_t work) noexcept {
-  return workspace_ == nullptr ? Status::kInvalidArgument : current_plan().step(work);
+  if (memory_ == nullptr) return Status::kInvalidArgument;
+  memory_->calls.slice.add(work);
+  return step(memory_->calls.slice);
+}
+
+/// Each stage uses up the slice, ends the plan, or enters the next stage. Some run again after a failure.
+Status Planner::step(Work& work) noexcept {
+  if (memory_ == nullptr || !memory_->calls.begun) return Status::kInvalidArgument;
+  Pipeline& pipeline = memory_->pipeline;
+  while (pipeline.status() == Status::kRunning) {
+    if (pipeline.advance(work) == Progress::kMore) return Status::kRunning;
+  }
+  return pipeline.status();
 }
 
 Status Planner::finish(Trajectory& trajectory, Report& report) noexcept {
-  return workspace_ == nullptr ? refuse(report) : current_plan().finish(trajectory, report);
+  const Status status = close(false, report);
+  if (status == Status::kOk) trajectory = memory_->trajectory;
+  return status;
 }
 
 Status Planner::finish_route(Report& report) noexcept {
-  return workspace_ == nullptr ? refuse(report) : current_plan().finish_route(report);
+  return close(true, report);
 }
 
-/// The answer to every plan and route of a planner without a workspace.
+/// Ends what was begun. `is_route` says which of the two calls asks for it.
+Status Planner::close(bool is_route, Report& report) noexcept {
+  if (memory_ == nullptr || !memory_->calls.begun) return refuse(report);
+  PlannerCalls& calls = memory_->calls;
+  Pipeline& pipeline = memory_->pipeline;
+  const bool in_order = pipeline.status() != Status::kRunning && is_route == calls.is_route;
+  if (!in_order) pipeline.refuse({Status::kInvalidArgument, Field::kCallOrder});
+  pipeline.write(report);
+  calls.begun = false;
+  return report.status;
+}
+
+/// The answer if nothing was begun, and to every plan and route of a planner without a workspace.
 Status Planner::refuse(Report& report) noexcept {
   report = Report{};
   report.status = Status::kInvalidArgument;
@@ -96,15 +124,15 @@ Status Planner::refuse(Report& report) noexcept {
 }
 
 Stage Planner::stage() const noexcept {
-  return workspace_ == nullptr ? Stage::kRequest : current_plan().stage();
+  return memory_ == nullptr ? Stage::kRequest : memory_->pipeline.stage();
 }
 
 const Path* Planner::path() const noexcept {
-  return workspace_ == nullptr ? nullptr : current_plan().path();
+  return memory_ != nullptr && memory_->pipeline.results().path ? &memory_->path : nullptr;
 }
 
 const Corridor* Planner::corridor() const noexcept {
-  return workspace_ == nullptr ? nullptr : current_plan().corridor();
+  return memory_ != nullptr && memory_->pipeline.results().corridor ? &memory_->corridor : nullptr;
 }
 
 }  // namespace tern

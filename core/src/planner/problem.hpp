@@ -23,6 +23,7 @@ namespace tern {
 /// point. The stages and attempts only read it.
 struct Problem {
   const Grid* grid;          ///< the caller's
+  GridVersion version;       ///< of that grid: it may not change
   const WorldMemory* world;  ///< what is in the way: world_of()
   const Via* vias;           ///< world frame
   std::int32_t via_count;

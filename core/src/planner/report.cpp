@@ -29,6 +29,12 @@ void write_failure(const Failure& failure, Status status, Report& report) {
   report.fence = failure.end.solid;
 }
 
+HighWater high_water(const Legs& legs, const Rooms& rooms, const Curves& curves, bool segments_full) {
+  const std::int32_t segments = segments_full ? kMaxSegments : most(legs.segments_high, curves.segments_high);
+  return {legs.nodes_high,        legs.open_high,     legs.jump_points_high,  segments,          rooms.planes_high,
+          rooms.local_boxes_high, curves.active_high, curves.iterations_high, curves.solves_high};
+}
+
 }  // namespace
 
 void Pipeline::write(Report& report) const noexcept {
@@ -46,17 +52,11 @@ void Pipeline::write(Report& report) const noexcept {
   report.has_reachable = attempts_.nearest.has_point;
   report.reachable = attempts_.nearest.point;
   report.goal_missed = attempts_.nearest.goal_missed;
-  write_diagnostics(report.diagnostics);
-}
-
-void Pipeline::write_diagnostics(Diagnostics& diagnostics) const noexcept {
+  Diagnostics& diagnostics = report.diagnostics;
   diagnostics.detours = detours_of(attempts_.current);
   diagnostics.search_bound = legs_.search_bound;
   diagnostics.search_used = legs_.search_used;
-  const std::int32_t segments = segments_full_ ? kMaxSegments : most(legs_.segments_high, curves_.segments_high);
-  diagnostics.high_water = {
-      legs_.nodes_high,        legs_.open_high,     legs_.jump_points_high,  segments,           rooms_.planes_high,
-      rooms_.local_boxes_high, curves_.active_high, curves_.iterations_high, curves_.solves_high};
+  diagnostics.high_water = high_water(legs_, rooms_, curves_, segments_full_);
   ledger_.write(diagnostics);
 }
 

@@ -1,7 +1,5 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "planner/stage_bounds.hpp"
-
 #include "corridor/corridor_stage.hpp"
 #include "corridor/hull_polyhedron.hpp"
 #include "grid/stencil.hpp"
@@ -10,6 +8,7 @@
 #include "path/shortcut_stage.hpp"
 #include "planner/detour.hpp"
 #include "planner/end_stop.hpp"
+#include "planner/ledger.hpp"
 #include "planner/previous.hpp"
 #include "prove/check_stage.hpp"
 #include "qp/operations.hpp"
