@@ -16,7 +16,7 @@ using tern_test::FlightRoom;
 
 /// What follows the failure of a plan.
 NextPlan ask_again(FlightState& state, const Report& found) {
-  return state.cycle.next_after_plan(state.facts, state.itinerary, found, state.draft.takeover);
+  return state.cycle.next_after_plan(state.facts, found, state.draft.takeover);
 }
 
 /// The voxel whose centre is so many voxels along x away from the start.
@@ -182,7 +182,7 @@ TEST(FlightAim, OccupiedAimMovesToTheNearestFreePoint) {
     state.cycle.aim.target_place = goal;
     state.cycle.remainder_is_free = state.facts.plans.in_flight.beside_target = true;
     state.facts.plans.in_flight.target = same_target ? 0 : 1;
-    state.facts.plans.in_flight.aim = {old, 0.125, 1.125};
+    state.facts.plans.in_flight.place = {old, 0.125, 1.125};
     state.cycle.aim.at_target = aims_at_goal;
     Report found{};
     found.status = Status::kGoalOccupied;
@@ -277,7 +277,7 @@ TEST(FlightAim, NewGoalDuringTheProofOfTheRestDropsIt) {
     }
     state.tick_work = tern::Work{};
     Work work{100000};
-    ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.itinerary, state.draft, work), Progress::kDone);
+    ASSERT_EQ(state.cycle.prove_remainder(state.facts, state.draft, work), Progress::kDone);
     EXPECT_EQ(state.cycle.remainder_is_free, !moves);
   }
 }

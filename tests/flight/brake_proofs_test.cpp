@@ -25,21 +25,21 @@ struct Braking : Flying {
     s.draft.extends = false;
     s.evasion.best.number = -1;
     s.evasion.number = 0;
-    EXPECT_TRUE(s.draft.brake(s.facts, s.itinerary, s.evasion.number, s.watch.threat, s.tick_work));
+    EXPECT_TRUE(s.draft.brake(s.facts, s.evasion.number, s.watch.threat, s.tick_work));
   }
   /// What ends the proof, and that the brake's limits are proven next.
   void expect_contact(Finding end) {
     FlightState& s = state();
     ASSERT_TRUE(s.evasion.begin_brake_proof(BrakeProof::kClear, s.facts, s.watch, s.draft));
-    Work proof{4000};
-    EXPECT_EQ(s.run_evasion(proof), Progress::kDone);
+    s.tick_work = Work{4000};
+    EXPECT_EQ(s.run_evasion(), Progress::kDone);
     EXPECT_EQ(s.evasion.tried.number, 0);
     EXPECT_GT(s.evasion.tried.speed, 0.0);
     ASSERT_EQ(s.evasion.proves, BrakeProof::kLimits);
     EXPECT_EQ(s.draft.proof.report().until, s.evasion.tried.until);
     EXPECT_EQ(clear_end(), end);
-    Work limits{4000};
-    EXPECT_EQ(s.run_evasion(limits), Progress::kDone);
+    s.tick_work = Work{4000};
+    EXPECT_EQ(s.run_evasion(), Progress::kDone);
     EXPECT_EQ(s.evasion.best.number, 0);
     EXPECT_FALSE(s.evasion.best.known);
   }
@@ -106,7 +106,7 @@ TEST(FlightBrakeProofs, BrakeThatTakesOverAnswersForWhatComesBefore) {
     Flying room;
     FlightState& state = room.state();
     state.facts.plans.waiting = state.facts.plans.in_flight;
-    state.facts.plans.waiting.begin = room.time + kEvadeTicks * room.spec.tick;
+    state.facts.plans.waiting.planned.begin = room.time + kEvadeTicks * room.spec.tick;
     state.facts.plans.waiting.trajectory.origin.y -= 6.0;
     state.facts.plans.waiting.evades = evades;
     state.facts.plans.has_waiting = true;

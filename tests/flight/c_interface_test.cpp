@@ -103,7 +103,14 @@ TEST(FlightC, EqualsTheFlightInCpp) {
     tern_flight_rest_position(&flight, &rest);
     const tern::Vec3 other_rest = flown.flight.rest_position();
     EXPECT_EQ(std::memcmp(&rest, &other_rest, sizeof rest), 0);
+    tern_trajectory plan;
+    ASSERT_EQ(tern_flight_committed_plan(&flight, &plan), kOk);
+    tern::Trajectory other_plan;
+    ASSERT_EQ(flown.flight.committed_plan(other_plan), tern::Status::kOk);
+    EXPECT_EQ(plan.begin, other_plan.begin);
+    EXPECT_EQ(tern_duration(&plan), tern::duration(other_plan));
   }
+  EXPECT_EQ(tern_flight_committed_plan(&flight, nullptr), kInvalid);
   tern_flight_rest_position(&flight, nullptr);
   EXPECT_GT(flown.report.committed, 0u);
   EXPECT_EQ(tern_flight_stop(&flight), kOk);

@@ -120,6 +120,59 @@ TEST(FlightClock, NothingLeapsWhereItIsSetLate) {
   EXPECT_EQ(room.report.reason, FlightReason::kArrived);
 }
 
+/// A follower that shares the clock has only the committed plans. It takes each one once it begins, and flies what the
+/// flight commands, to the same bits, wherever the clock is and after it was set.
+TEST(FlightClock, FollowerOfCommittedPlansFliesTheCommands) {
+  for (const std::int64_t begin : {std::int64_t{0}, 1700000000 * kSecond, kFirst, kLast - 60 * kSecond}) {
+    FlightRoom room;
+    ASSERT_EQ(start_at(room, begin), Status::kOk);
+    ASSERT_EQ(room.flight.set_goal(kGoal), Status::kOk);
+    Trajectory flown;
+    ASSERT_EQ(room.flight.committed_plan(flown), Status::kOk);
+    EXPECT_EQ(flown.begin, begin);
+    int takeovers = 0;
+    for (int k = 0; k < 600 && room.report.reason != FlightReason::kArrived; ++k) {
+      room.tick();
+      if (k == 100) {
+        room.time = begin + 5 * kSecond;
+        ASSERT_EQ(room.flight.set_clock(room.time), Status::kOk);
+      }
+      Trajectory latest;
+      ASSERT_EQ(room.flight.committed_plan(latest), Status::kOk);
+      for (std::int64_t t = room.time; t < room.time + room.spec.tick; t += room.spec.tick / 3) {
+        if (latest.begin <= t) {
+          takeovers += latest.begin != flown.begin ? 1 : 0;
+          flown = latest;
+        }
+        const Sample sample = evaluate(flown, time_on(flown, t));
+        const Sample commanded = room.flight.command(t).sample;
+        ASSERT_EQ(std::memcmp(&sample, &commanded, sizeof sample), 0) << begin << " " << k;
+      }
+    }
+    EXPECT_EQ(room.report.reason, FlightReason::kArrived);
+    EXPECT_GT(takeovers, 3);
+  }
+  Trajectory none;
+  EXPECT_EQ(Flight{}.committed_plan(none), Status::kInvalidArgument);
+}
+
+/// The planner's plans know when they take over: the request for them says so.
+TEST(FlightClock, PlansBeginAtTheirTakeover) {
+  FlightRoom room;
+  FlightState& state = room.state();
+  ASSERT_EQ(room.flight.set_goal(kGoal), Status::kOk);
+  ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 100));
+  const Commitment& waiting = state.facts.plans.waiting;
+  EXPECT_EQ(waiting.begin(), state.draft.takeover);
+  EXPECT_EQ(state.cycle.plan.begin, state.draft.takeover);
+  EXPECT_EQ(waiting.trajectory.begin, waiting.begin());
+  ASSERT_TRUE(room.tick_until([&] { return room.speed() > 2.5 && !state.facts.plans.has_waiting; }, 400));
+  ASSERT_EQ(room.flight.stop(), Status::kOk);
+  ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 100));
+  EXPECT_EQ(state.facts.plans.latest().begin(), state.draft.takeover);
+  EXPECT_EQ(state.facts.plans.latest().trajectory.begin, state.draft.takeover);
+}
+
 /// The map's frames carry times of the same clock.
 TEST(FlightClock, MapTakesFramesOfTheNewTime) {
   Flying room;
@@ -252,7 +305,7 @@ TEST(FlightClock, WhatComesLaterIsShownAsTheLastNumber) {
     EXPECT_EQ(state.report.contact_time, beyond < 0 ? kLast - 1 : kLast) << beyond;
   }
   state.facts.plans.in_flight.trajectory.segments[0].duration = 1e12;
-  EXPECT_EQ(state.facts.plans.rest_begins(), state.facts.plans.in_flight.begin + kFarthest + 1);
+  EXPECT_EQ(state.facts.plans.rest_begins(), state.facts.plans.in_flight.begin() + kFarthest + 1);
 }
 
 /// The longest tick, the least work and the largest plan together, late in the longest flight.

@@ -25,24 +25,24 @@ TEST(FlightGivesUp, WhatBlocksTheWayIsLookedAtBeforeItGivesUp) {
   state.facts.time = 2000000000;
   EXPECT_TRUE(state.facts.rests());
   state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-  for (int k = 1; k < kIdleCycles; ++k) state.after_failed_cycle();
+  for (int k = 1; k < kIdleCycles; ++k) state.give_up();
   EXPECT_FALSE(state.search.is_looking);
-  state.after_failed_cycle();
+  state.give_up();
   EXPECT_FALSE(state.search.seeks);
   EXPECT_TRUE(state.search.is_looking);
-  state.after_failed_cycle();
+  state.give_up();
   EXPECT_TRUE(state.search.is_looking);
   state.facts.time += 9000000000;  // 13 directions of 0.614 s
-  state.after_failed_cycle();
+  state.give_up();
   EXPECT_TRUE(state.search.seeks);
   EXPECT_FALSE(state.search.goes_away());
   state.search.sought = kAround;
-  state.after_failed_cycle();
+  state.give_up();
   EXPECT_TRUE(state.search.goes_away());
-  EXPECT_FALSE(state.itinerary.parked);
-  state.after_failed_cycle();
-  EXPECT_TRUE(state.itinerary.parked);
-  EXPECT_EQ(state.itinerary.reason, FlightReason::kNoProgress);
+  EXPECT_FALSE(state.facts.itinerary.parked);
+  state.give_up();
+  EXPECT_TRUE(state.facts.itinerary.parked);
+  EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kNoProgress);
 }
 
 /// Something is within the radius: after a look around the vehicle gives up.
@@ -53,13 +53,13 @@ TEST(FlightGivesUp, HemmedInItLooksForNoPlaceToLookFrom) {
   state.facts.time = 2000000000;
   state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
   state.cycle.hemmed_in = true;
-  for (int k = 0; k < kIdleCycles; ++k) state.after_failed_cycle();
+  for (int k = 0; k < kIdleCycles; ++k) state.give_up();
   EXPECT_TRUE(state.search.is_looking);
   state.facts.time += 9000000000;  // 13 directions of 0.614 s
-  state.after_failed_cycle();
+  state.give_up();
   EXPECT_FALSE(state.search.seeks);
-  EXPECT_TRUE(state.itinerary.parked);
-  EXPECT_EQ(state.itinerary.reason, FlightReason::kHemmedIn);
+  EXPECT_TRUE(state.facts.itinerary.parked);
+  EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kHemmedIn);
 }
 
 /// No way leads on to a point of a mission: the next one is the goal now.
@@ -69,12 +69,12 @@ TEST(FlightGivesUp, PointsThatNoWayLeadsToAreLeftOut) {
   ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kSkip), Status::kOk);
   FlightState& state = room.state();
   state.park(FlightReason::kNoProgress);
-  EXPECT_FALSE(state.itinerary.parked);
+  EXPECT_FALSE(state.facts.itinerary.parked);
   EXPECT_EQ(room.flight.point_state(0), PointState::kSkipped);
-  EXPECT_EQ(state.itinerary.leg, 1);
+  EXPECT_EQ(state.facts.itinerary.leg, 1);
   state.park(FlightReason::kNoProgress);
-  EXPECT_TRUE(state.itinerary.parked);
-  EXPECT_EQ(state.itinerary.reason, FlightReason::kNoProgress);
+  EXPECT_TRUE(state.facts.itinerary.parked);
+  EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kNoProgress);
 }
 
 /// After a look around, a goal that no way leads to is as near as it gets, unless something is within the radius.
@@ -86,14 +86,14 @@ TEST(FlightGivesUp, AGoalThatIsCutOffIsNotRetreatedFrom) {
     state.facts.time = 2000000000;
     state.cycle.hemmed_in = leaves;
     state.cycle.cut_off = true;
-    for (int k = 0; k <= kIdleCycles; ++k) state.after_failed_cycle();
+    for (int k = 0; k <= kIdleCycles; ++k) state.give_up();
     EXPECT_TRUE(state.search.is_looking);
-    EXPECT_FALSE(state.itinerary.parked);
+    EXPECT_FALSE(state.facts.itinerary.parked);
     state.facts.time += 9000000000;  // 13 directions of 0.614 s
-    state.after_failed_cycle();
-    EXPECT_TRUE(state.itinerary.parked);
+    state.give_up();
+    EXPECT_TRUE(state.facts.itinerary.parked);
     EXPECT_FALSE(state.search.seeks);
-    EXPECT_EQ(state.itinerary.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
+    EXPECT_EQ(state.facts.itinerary.reason, leaves ? FlightReason::kHemmedIn : FlightReason::kNearest);
   }
 }
 
@@ -105,14 +105,14 @@ TEST(FlightGivesUp, VehicleBeforeAnOccupiedGoalStaresAtIt) {
     ASSERT_EQ(room.flight.set_goal({is_near ? 1.3 : 2.8, 0.125, 1.125}), Status::kOk);
     FlightState& state = room.state();
     state.facts.time = 20000000000;
-    EXPECT_EQ(state.itinerary.is_right_before(state.facts), is_near);
-    for (int k = 0; k < kIdleCycles; ++k) state.after_failed_cycle();
+    EXPECT_EQ(state.facts.itinerary.is_right_before(state.facts), is_near);
+    for (int k = 0; k < kIdleCycles; ++k) state.give_up();
     EXPECT_TRUE(state.search.is_looking);
     EXPECT_EQ(state.search.sector_at(state.facts, state.nose, state.facts.time), is_near ? kDirections + 1 : 0);
     state.facts.time += 3200000000;  // five directions of 0.614 s
-    state.after_failed_cycle();
-    EXPECT_EQ(state.itinerary.parked, is_near);
-    EXPECT_EQ(state.itinerary.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
+    state.give_up();
+    EXPECT_EQ(state.facts.itinerary.parked, is_near);
+    EXPECT_EQ(state.facts.itinerary.reason, is_near ? FlightReason::kNearest : FlightReason::kNone);
   }
 }
 
@@ -168,8 +168,8 @@ TEST(FlightGivesUp, HemmedInItSaysSo) {
 TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
   FlightRoom room(FlightRoom::flight_spec(), {{{1.0, -2.0, -2.0}, {3.0, 2.0, 4.0}}});
   FlightState& state = room.state();
-  state.itinerary.has_goal = true;
-  state.itinerary.count = 1;
+  state.facts.itinerary.has_goal = true;
+  state.facts.itinerary.count = 1;
   const auto next_plan = [&](const Vec3& goal, const Vec3& aim, bool aims_at_goal) {
     state.cycle.aim.start.d[0] = room.start;
     state.draft.takeover = 1000000000;
@@ -181,7 +181,7 @@ TEST(FlightGivesUp, NearestPlaceToAnOccupiedGoalIsTheEnd) {
     found.status = Status::kGoalOccupied;
     found.has_nearest_free = true;
     found.nearest_free = aim;
-    return state.cycle.next_after_plan(state.facts, state.itinerary, found, state.draft.takeover);
+    return state.cycle.next_after_plan(state.facts, found, state.draft.takeover);
   };
   const Vec3 occupied{1.2, 0.125, 1.125};
   const Vec3 free{-3.0, 0.125, 1.125};
@@ -204,8 +204,8 @@ TEST(FlightGivesUp, OnlyAtAFencedGoalWithoutALook) {
     state.cycle.aim.at_target = aims_at_goal;
     state.cycle.hemmed_in = leaves;
     state.search.idle_cycles = kIdleCycles - 1;
-    state.after_failed_cycle();
-    EXPECT_NE(state.search.is_looking, state.itinerary.parked);
+    state.give_up();
+    EXPECT_NE(state.search.is_looking, state.facts.itinerary.parked);
     return state.search.is_looking;
   };
   EXPECT_FALSE(looks(true, false));
@@ -219,7 +219,7 @@ TEST(FlightGivesUp, BeforeAGoalThatIsKnownToBeOccupied) {
   FlightState& state = room.state();
   const auto is_before = [&](const Vec3& goal) {
     EXPECT_EQ(room.flight.set_goal(goal), Status::kOk);
-    return state.itinerary.is_right_before(state.facts);
+    return state.facts.itinerary.is_right_before(state.facts);
   };
   EXPECT_TRUE(is_before({1.125, 0.125, 1.125}));
   EXPECT_FALSE(is_before({-1.125, 0.125, 1.125}));
@@ -235,16 +235,16 @@ TEST(FlightGivesUp, WanderingEnds) {
   FlightRoom room;
   FlightState& state = room.state();
   room.flight.set_goal({8.0, 0.0, 1.125});
-  state.itinerary.nearest = 1.0;
-  state.itinerary.wandering = kWandering - 1;
-  state.itinerary.learned = state.facts.map.learned() - kLearned;
-  EXPECT_FALSE(state.itinerary.count_plan(state.facts, room.start));
-  EXPECT_EQ(state.itinerary.fruitless, 0);
-  EXPECT_FALSE(state.itinerary.is_hopeless());
-  state.itinerary.learned = state.facts.map.learned() - kLearned;
-  EXPECT_FALSE(state.itinerary.count_plan(state.facts, room.start));
-  EXPECT_EQ(state.itinerary.fruitless, 0);
-  EXPECT_TRUE(state.itinerary.is_hopeless());
+  state.facts.itinerary.nearest = 1.0;
+  state.facts.itinerary.wandering = kWandering - 1;
+  state.facts.itinerary.learned = state.facts.map.learned() - kLearned;
+  EXPECT_FALSE(state.facts.itinerary.count_plan(state.facts, room.start));
+  EXPECT_EQ(state.facts.itinerary.fruitless, 0);
+  EXPECT_FALSE(state.facts.itinerary.is_hopeless());
+  state.facts.itinerary.learned = state.facts.map.learned() - kLearned;
+  EXPECT_FALSE(state.facts.itinerary.count_plan(state.facts, room.start));
+  EXPECT_EQ(state.facts.itinerary.fruitless, 0);
+  EXPECT_TRUE(state.facts.itinerary.is_hopeless());
 }
 
 /// A point of a mission that cannot be reached is left out, and the reason says whether it is in an obstacle.
@@ -256,8 +256,8 @@ TEST(FlightGivesUp, PointsThatAreCutOffAreUnreachableAndNotBlocked) {
     ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
     state.cycle.cut_off = cut_off;
     state.park(FlightReason::kNearest);
-    EXPECT_EQ(state.itinerary.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
-    EXPECT_TRUE(state.itinerary.parked);
+    EXPECT_EQ(state.facts.itinerary.reason, cut_off ? FlightReason::kViaUnreachable : FlightReason::kViaBlocked);
+    EXPECT_TRUE(state.facts.itinerary.parked);
   }
 }
 

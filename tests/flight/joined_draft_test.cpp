@@ -23,7 +23,7 @@ TEST(FlightJoints, DraftThatJumpsIsNotCommitted) {
     state.draft.takeover = state.facts.time + 3 * room.spec.tick;
     state.draft.plan = state.facts.plans.latest();
     const Sample at = room.flight.command(state.draft.takeover).sample;
-    state.draft.plan.begin = state.draft.takeover;
+    state.draft.plan.planned.begin = state.draft.takeover;
     state.draft.plan.trajectory = two_halves();
     state.draft.plan.trajectory.origin = at.position;
     const std::uint32_t failed = state.report.failed;

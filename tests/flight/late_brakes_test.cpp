@@ -77,7 +77,7 @@ TEST(FlightLateBrakes, StopIsTriedAgainAfterAPlanThatWaits) {
     state.evasion.stop_asked = false;
     state.evasion.serves_stop = stops;
     state.facts.plans.has_waiting = waits;
-    state.itinerary.has_goal = has_goal;
+    state.facts.itinerary.has_goal = has_goal;
     state.end_evasion();
     EXPECT_EQ(state.evasion.stop_asked, stops && waits && !has_goal) << bits;
   }
@@ -94,9 +94,9 @@ TEST(FlightLateBrakes, MissedStopIsTriedAgainUnlessThereIsANewGoal) {
     FlightState& state = room.state();
     state.evasion.stop_asked = false;
     state.evasion.serves_stop = true;
-    state.itinerary.has_goal = has_goal;
+    state.facts.itinerary.has_goal = has_goal;
     state.facts.time = state.draft.deadline + room.spec.tick;  // ticks were skipped
-    state.evasion.miss(state.itinerary.has_goal);
+    state.evasion.miss(state.facts.itinerary.has_goal);
     EXPECT_EQ(state.evasion.stop_asked, !has_goal);
     EXPECT_FALSE(state.evasion.was_tried);
   }
@@ -138,7 +138,7 @@ TEST(FlightLateBrakes, BrakesAreTriedAnewOnAChangedMap) {
   room.advance(kNothing);
   ASSERT_TRUE(state.evasion.is_running);
   const int first = state.evasion.number;
-  state.evasion.try_next(state.facts, state.itinerary, state.watch, state.draft, state.tick_work);
+  state.evasion.try_next(state.facts, state.watch, state.draft, state.tick_work);
   ASSERT_NE(state.evasion.number, first);
   state.evasion.best = kBrake;
   const std::int64_t takeover = state.draft.takeover;
@@ -158,7 +158,7 @@ TEST(FlightLateBrakes, ContactBeforeTheTakeoverIsForgottenOnlyByAWholeProof) {
       Flying room;
       FlightState& state = room.state();
       state.facts.plans.waiting = state.facts.plans.in_flight;
-      state.facts.plans.waiting.begin = room.time + 5 * room.spec.tick;
+      state.facts.plans.waiting.planned.begin = room.time + 5 * room.spec.tick;
       state.facts.plans.waiting.evades = true;
       state.facts.plans.has_waiting = true;
       state.watch.meets_before = met;

@@ -40,8 +40,8 @@ struct Stuck : FlightRoom {
   /// The place that is chosen, with the copy of the route still empty.
   Vec3 choose() {
     begin();
-    Work work{100000};
-    while (state().cycle.job == Job::kLookout) EXPECT_EQ(state().run_lookout(work), Progress::kDone);
+    state().tick_work = Work{100000};
+    while (state().cycle.job == Job::kLookout) EXPECT_EQ(state().run_lookout(), Progress::kDone);
     EXPECT_EQ(state().cycle.job, Job::kCopy);
     return place();
   }
@@ -90,8 +90,8 @@ TEST(FlightLookout, IsAtTheEndOfAStraightFreeWay) {
 TEST(FlightLookout, WhereThereIsNoneAllDirectionsWereTried) {
   Stuck room(std::vector<Box>{{{1.75, -15.0, -2.0}, {2.0, 15.0, 4.0}}, {{2.25, -15.0, -2.0}, {2.5, 15.0, 4.0}}});
   room.begin();
-  Work work{100000};
-  EXPECT_EQ(room.state().run_lookout(work), Progress::kDone);
+  room.state().tick_work = Work{100000};
+  EXPECT_EQ(room.state().run_lookout(), Progress::kDone);
   EXPECT_EQ(room.state().search.sought, kAround);
   EXPECT_FALSE(room.state().search.seeks);
   EXPECT_EQ(room.state().cycle.job, Job::kCopy);
@@ -105,8 +105,8 @@ TEST(FlightLookout, IsSoughtInSlices) {
   sliced.begin();
   int slices = 0;
   for (; sliced.state().cycle.job == Job::kLookout; ++slices) {
-    Work work{1};
-    sliced.state().run_lookout(work);
+    sliced.state().tick_work = Work{1};
+    sliced.state().run_lookout();
   }
   EXPECT_GT(slices, 2);
   expect_same(sliced.place(), place);
@@ -119,9 +119,9 @@ TEST(FlightLookout, IsSoughtOnceTheMapIsThere) {
   room.mark({{0.5, -0.5, 0.5}, {0.75, 0.5, 1.5}});
   room.begin();
   ASSERT_EQ(room.map().follow({20.0, 0.0, 1.0}), Status::kRunning);
-  Work work{100000};
-  EXPECT_EQ(state.run_lookout(work), Progress::kMore);
-  EXPECT_EQ(work.units(), 100000u);
+  state.tick_work = Work{100000};
+  EXPECT_EQ(state.run_lookout(), Progress::kMore);
+  EXPECT_EQ(state.tick_work.units(), 100000u);
   EXPECT_EQ(state.cycle.job, Job::kLookout);
   EXPECT_EQ(state.search.searched, 0);
   EXPECT_EQ(state.block.note_near(state.facts.map, room.start, state.facts.map.safe(), state.tick_work), kAnywhere);
@@ -133,15 +133,15 @@ TEST(FlightLookout, CountsOnceOnTheWayThere) {
   Stuck room;
   FlightState& state = room.state();
   state.search.seeks = true;
-  state.draft.plan.aim = {5.0, 0.0, 1.0};
+  state.draft.plan.place = {5.0, 0.0, 1.0};
   const auto counts_after = [&](bool extends, const Vec3& aim_before) {
     state.draft.extends = extends;
-    state.facts.plans.in_flight.aim = aim_before;
+    state.facts.plans.in_flight.place = aim_before;
     state.search.note_commit(state.draft, state.facts.plans.in_flight);
     return state.search.lookouts;
   };
   EXPECT_EQ(counts_after(true, room.start), 0);
-  EXPECT_EQ(counts_after(false, state.draft.plan.aim), 0);
+  EXPECT_EQ(counts_after(false, state.draft.plan.place), 0);
   EXPECT_TRUE(state.search.seeks);
   EXPECT_EQ(counts_after(false, room.start), 1);
   EXPECT_FALSE(state.search.seeks);
@@ -207,7 +207,7 @@ TEST(FlightLookout, IsFlownToToItsEnd) {
   ASSERT_EQ(room.flight.set_mission(points, 2, ViaPolicy::kEnd), Status::kOk);
   FlightState& state = room.state();
   state.block = {BlockedBy::kUnseen, kHidden, kNoFence};
-  state.itinerary.nearest = 1.0;
+  state.facts.itinerary.nearest = 1.0;
   state.search.sought = kAround & ~1u;  // the far side
   state.search.seeks = true;
   ASSERT_TRUE(room.tick_until([&] { return room.report.committed == 1; }));

@@ -105,16 +105,14 @@ TEST(FlightNose, RestingVehiclesTurnToTheirWay) {
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
   FlightState& state = room.state();
   ASSERT_TRUE(room.tick_until([&] { return state.facts.rests(); }, 100));
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
-            FlightYawMode::kFixed);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
   room.flight.set_goal({8.125, 0.125, 1.125});
   state.search.look_at = {3.0, -4.0, 1.0};
-  const NoseWish wish = state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed);
+  const NoseWish wish = state.nose.wish_of(state.facts, state.search.look_at, state.report.committed);
   EXPECT_EQ(wish.mode, FlightYawMode::kTowardsPoint);
   EXPECT_EQ(wish.point.y, -4.0);
-  state.itinerary.parked = true;
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
-            FlightYawMode::kFixed);
+  state.facts.itinerary.parked = true;
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
 }
 
 /// Also on the way to a place from where something is to be seen.
@@ -122,15 +120,13 @@ TEST(FlightNose, VehiclesOnTheWayToALookoutLookAtWhatItIsFor) {
   Flying room;
   FlightState& state = room.state();
   ASSERT_EQ(room.flight.set_yaw(yaw_of(FlightYawMode::kFixed)), Status::kOk);
-  state.facts.plans.in_flight.to_target = false;
+  state.facts.plans.in_flight.at_target = false;
   state.search.look_at = {3.0, -4.0, 1.0};
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
-            FlightYawMode::kFixed);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode, FlightYawMode::kFixed);
   state.facts.plans.in_flight.looks_out = true;
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).mode,
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).mode,
             FlightYawMode::kTowardsPoint);
-  EXPECT_EQ(state.nose.wish_of(state.facts, state.itinerary, state.search.look_at, state.report.committed).point.y,
-            -4.0);
+  EXPECT_EQ(state.nose.wish_of(state.facts, state.search.look_at, state.report.committed).point.y, -4.0);
 }
 
 TEST(FlightNose, YawPlansInWorkAreDroppedIfTheyTurnTooSharplyNow) {
@@ -193,14 +189,14 @@ TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
   Flying room;
   FlightState& state = room.state();
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  state.nose.waiting.begin = state.facts.plans.in_flight.begin + 1000000000;
+  state.nose.waiting.begin = state.facts.plans.in_flight.begin() + 1000000000;
   state.facts.plans.in_flight.branch = 4.0;
   state.facts.plans.in_flight.passages = 5;
   const double times[] = {0.5, 2.0, 2.0, 3.0, 4.5};
   for (int i = 0; i < 5; ++i) state.facts.plans.in_flight.passage[i] = {i, times[i]};
   const auto timed = [&] {
     YawRequest request{};
-    state.nose.time_headings(state.facts, state.itinerary, request);
+    state.nose.time_headings(state.facts, request);
     return request;
   };
   const YawRequest both = timed();
@@ -210,13 +206,13 @@ TEST(FlightNose, PointsThatWillBePassedHaveTheirHeadings) {
   EXPECT_EQ(both.timed[0].heading.sine, 1.0);
   EXPECT_NEAR(both.timed[1].time, 2.0, 1e-9);
   EXPECT_EQ(both.timed[1].heading.sine, -1.0);
-  state.itinerary.leg = 2;
-  ++state.itinerary.number;
+  state.facts.itinerary.leg = 2;
+  ++state.facts.itinerary.number;
   const YawRequest none = timed();
   EXPECT_EQ(none.mode, YawMode::kFixed);
   EXPECT_EQ(none.timed_count, 0);
   EXPECT_EQ(none.heading.cosine, -1.0);
-  state.itinerary.leg = 9;
+  state.facts.itinerary.leg = 9;
   EXPECT_EQ(timed().heading.sine, -1.0);  // the last one
 }
 
@@ -228,27 +224,27 @@ TEST(FlightNose, WaitsOnlyForWhatIsOutOfViewOnTheWay) {
   state.nose.has_unseen = true;
   const Vec3 p = room.position();
   state.nose.unseen = {p.x - 2.0, p.y, p.z};
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));  // no yaw is planned
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));  // no yaw is planned
   FlightYaw yaw = yaw_of(FlightYawMode::kTowardsUnseen);
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));  // no field of view
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));  // no field of view
   yaw.field_of_view = 0.5 * M_PI;
   ASSERT_EQ(room.flight.set_yaw(yaw), Status::kOk);
-  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts));
   state.nose.unseen = {p.x + 2.0, p.y + 1.9, p.z};
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));
   state.nose.unseen = {p.x + 2.0, p.y + 2.1, p.z};
-  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts));
   state.nose.has_unseen = false;
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));
   state.nose.has_unseen = true;
-  state.itinerary.parked = true;
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
-  state.itinerary.parked = false;
-  state.itinerary.has_goal = false;
-  EXPECT_FALSE(state.nose.waits_for_nose(state.facts, state.itinerary));
-  state.itinerary.has_goal = true;
-  EXPECT_TRUE(state.nose.waits_for_nose(state.facts, state.itinerary));
+  state.facts.itinerary.parked = true;
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));
+  state.facts.itinerary.parked = false;
+  state.facts.itinerary.has_goal = false;
+  EXPECT_FALSE(state.nose.waits_for_nose(state.facts));
+  state.facts.itinerary.has_goal = true;
+  EXPECT_TRUE(state.nose.waits_for_nose(state.facts));
 }
 
 /// An eighth of a turn at 2.5 rad/s and 0.3 s; with a planned nose, 0.5 s for 5 rad/s^2 and eight ticks more.

@@ -27,14 +27,14 @@ struct Way : FlightRoom {
     EXPECT_EQ(flight.set_mission(points, 5, policy), Status::kOk);
     state().draft.takeover = 0;
     state().cycle.aim.start.d[0] = start;
-    state().cycle.aim.choose_points(state().facts, state().itinerary, state().draft.takeover);
+    state().cycle.aim.choose_points(state().facts, state().draft.takeover);
     state().cycle.aim.place = state().cycle.aim.target_place;
   }
 };
 
 /// What follows the failure of a plan.
 NextPlan ask_again(FlightState& state, const Report& report) {
-  return state.cycle.next_after_plan(state.facts, state.itinerary, report, state.draft.takeover);
+  return state.cycle.next_after_plan(state.facts, report, state.draft.takeover);
 }
 
 Report found(Status status, std::int32_t via = kNoVia) {
@@ -70,13 +70,13 @@ TEST(FlightPoints, PointsWithinTheHorizonAndTheWindowArePassed) {
   EXPECT_EQ(state.cycle.aim.asked_count, 4);
   EXPECT_EQ(state.cycle.aim.target, 4);
   EXPECT_EQ(state.cycle.aim.target_place.x, 20.0);
-  state.itinerary.points[2].position.z = 3.5;
-  state.cycle.aim.choose_points(state.facts, state.itinerary, state.draft.takeover);
+  state.facts.itinerary.points[2].position.z = 3.5;
+  state.cycle.aim.choose_points(state.facts, state.draft.takeover);
   EXPECT_EQ(state.cycle.aim.asked_count, 2);
   EXPECT_EQ(state.cycle.aim.target, 2);
   EXPECT_EQ(state.cycle.aim.target_place.z, 3.5);
-  state.itinerary.points[2].position = {5.0, 7.0, 1.125};  // 0.9 + 2 + 7.2 m
-  state.cycle.aim.choose_points(state.facts, state.itinerary, state.draft.takeover);
+  state.facts.itinerary.points[2].position = {5.0, 7.0, 1.125};  // 0.9 + 2 + 7.2 m
+  state.cycle.aim.choose_points(state.facts, state.draft.takeover);
   EXPECT_EQ(state.cycle.aim.asked_count, 2);
 }
 
@@ -85,10 +85,10 @@ TEST(FlightPoints, SuspicionEndsWhereThePointIsSeenClear) {
   Way way(ViaPolicy::kSkip, {kWall});
   FlightState& state = way.state();
   const auto suspicions_of = [&](std::int32_t point) {
-    state.itinerary.suspect = point;
-    state.itinerary.suspicions = 2;
-    state.itinerary.clear_suspicion(state.facts);
-    return state.itinerary.suspicions;
+    state.facts.itinerary.suspect = point;
+    state.facts.itinerary.suspicions = 2;
+    state.facts.itinerary.clear_suspicion(state.facts);
+    return state.facts.itinerary.suspicions;
   };
   EXPECT_EQ(suspicions_of(2), 2);
   EXPECT_EQ(suspicions_of(3), 0);
@@ -104,15 +104,15 @@ TEST(FlightPoints, PlanFitsWhileItsPointsAreAhead) {
   state.facts.plans.in_flight.passage[0] = {1, 0.5};
   state.facts.plans.in_flight.passage[1] = {2, 1.0};
   state.facts.plans.in_flight.target = 3;
-  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
-  state.itinerary.state[1] = PointState::kPassed;
-  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
-  state.itinerary.state[2] = PointState::kSkipped;
-  EXPECT_FALSE(state.itinerary.still_fits(state.facts.plans.in_flight));
+  EXPECT_TRUE(state.facts.itinerary.still_fits(state.facts.plans.in_flight));
+  state.facts.itinerary.state[1] = PointState::kPassed;
+  EXPECT_TRUE(state.facts.itinerary.still_fits(state.facts.plans.in_flight));
+  state.facts.itinerary.state[2] = PointState::kSkipped;
+  EXPECT_FALSE(state.facts.itinerary.still_fits(state.facts.plans.in_flight));
   state.facts.plans.in_flight.passages = 1;
-  EXPECT_TRUE(state.itinerary.still_fits(state.facts.plans.in_flight));
-  state.itinerary.state[3] = PointState::kSkipped;
-  EXPECT_FALSE(state.itinerary.still_fits(state.facts.plans.in_flight));
+  EXPECT_TRUE(state.facts.itinerary.still_fits(state.facts.plans.in_flight));
+  state.facts.itinerary.state[3] = PointState::kSkipped;
+  EXPECT_FALSE(state.facts.itinerary.still_fits(state.facts.plans.in_flight));
 }
 
 /// A plan that does not lead to the next point passes it neither earlier nor later.
@@ -121,17 +121,17 @@ TEST(FlightPoints, OnlyAPlanThatPassesTheNextPointKeepsOneThatPassesItLater) {
   FlightState& state = way.state();
   state.draft.takeover = 2000000000;  // 2 s into the plan that is flown
   state.facts.plans.in_flight.passages = state.draft.plan.passages = 0;
-  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  EXPECT_FALSE(state.draft.passes_later(state.facts));
   state.draft.plan.passages = 1;
-  state.draft.plan.passage[0] = {state.itinerary.leg, 5.0};
-  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.draft.plan.passage[0] = {state.facts.itinerary.leg, 5.0};
+  EXPECT_FALSE(state.draft.passes_later(state.facts));
   state.facts.plans.in_flight.passages = 1;
-  state.facts.plans.in_flight.passage[0] = {state.itinerary.leg, 4.0};  // 2 s ahead
-  EXPECT_TRUE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  state.facts.plans.in_flight.passage[0] = {state.facts.itinerary.leg, 4.0};  // 2 s ahead
+  EXPECT_TRUE(state.draft.passes_later(state.facts));
   state.draft.plan.passage[0].time = 2.2;
-  EXPECT_FALSE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  EXPECT_FALSE(state.draft.passes_later(state.facts));
   state.draft.plan.passages = 0;
-  EXPECT_TRUE(state.draft.passes_later(state.facts.plans.in_flight, state.itinerary));
+  EXPECT_TRUE(state.draft.passes_later(state.facts));
 }
 
 /// After a failure on the way to a point, the next plan ends at the one before; after any other one at the next point.
@@ -141,7 +141,8 @@ TEST(FlightPoints, NextPlanEndsBeforeWhereTheLastOneFailed) {
     EXPECT_EQ(ask_again(way.state(), report), NextPlan::kAsked);
     EXPECT_EQ(way.state().cycle.aim.asked_count, way.state().cycle.aim.target);
     EXPECT_TRUE(way.state().cycle.aim.at_target);
-    EXPECT_EQ(way.state().cycle.aim.place.x, way.state().itinerary.points[way.state().cycle.aim.target].position.x);
+    EXPECT_EQ(way.state().cycle.aim.place.x,
+              way.state().facts.itinerary.points[way.state().cycle.aim.target].position.x);
     EXPECT_EQ(way.state().cycle.job, Job::kAskPlan);
     return way.state().cycle.aim.target;
   };
@@ -170,28 +171,28 @@ TEST(FlightPoints, NothingIsLeftToAskForLessOf) {
 TEST(FlightPoints, NothingComesAfterTheGoal) {
   Way way;
   FlightState& state = way.state();
-  state.itinerary.state[2] = state.itinerary.state[3] = PointState::kSkipped;
-  state.itinerary.go_on_from(1);
-  EXPECT_EQ(state.itinerary.leg, 4);
-  state.itinerary.go_on_from(4);
-  EXPECT_EQ(state.itinerary.leg, 4);
+  state.facts.itinerary.state[2] = state.facts.itinerary.state[3] = PointState::kSkipped;
+  state.facts.itinerary.go_on_from(1);
+  EXPECT_EQ(state.facts.itinerary.leg, 4);
+  state.facts.itinerary.go_on_from(4);
+  EXPECT_EQ(state.facts.itinerary.leg, 4);
 }
 
 TEST(FlightPoints, PlansFailAtAViaOrAtThePointThatTheyEndAt) {
   Way way;
   FlightState& state = way.state();
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied, 2), state.itinerary), 2);
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaFenced, 1), state.itinerary), 1);
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied), state.itinerary), -1);
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kNoPath, 2), state.itinerary), -1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied, 2), state.facts.itinerary), 2);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaFenced, 1), state.facts.itinerary), 1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kViaOccupied), state.facts.itinerary), -1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kNoPath, 2), state.facts.itinerary), -1);
   state.cycle.aim.at_target = true;
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.itinerary),
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.facts.itinerary),
             -1);  // the goal is never left out
-  state.cycle.aim.end_at_point(1, state.itinerary);
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.itinerary), 1);
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.itinerary), 1);
+  state.cycle.aim.end_at_point(1, state.facts.itinerary);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalOccupied), state.facts.itinerary), 1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.facts.itinerary), 1);
   state.cycle.aim.at_target = false;
-  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.itinerary), -1);
+  EXPECT_EQ(state.cycle.aim.point_at_fault(found(Status::kGoalFenced), state.facts.itinerary), -1);
 }
 
 /// A fence is a fact; what was seen is believed at the third time.
@@ -199,7 +200,7 @@ TEST(FlightPoints, FencedPointsAreLeftOutAtOnce) {
   for (const Status status : {Status::kViaFenced, Status::kGoalFenced}) {
     Way way;
     FlightState& state = way.state();
-    if (status == Status::kGoalFenced) state.cycle.aim.end_at_point(2, state.itinerary);
+    if (status == Status::kGoalFenced) state.cycle.aim.end_at_point(2, state.facts.itinerary);
     EXPECT_TRUE(state.note_fault(found(status, 2)));
     EXPECT_EQ(way.flight.point_state(2), PointState::kSkipped);
   }
@@ -212,12 +213,12 @@ TEST(FlightPoints, OccupiedPointsAreLeftOutAtTheThirdTime) {
   const Report clear = found(Status::kViaOccupied, 3);
   EXPECT_FALSE(state.note_fault(blocked));
   EXPECT_FALSE(state.note_fault(clear));  // the route says otherwise
-  EXPECT_EQ(state.itinerary.suspicions, 1);
+  EXPECT_EQ(state.facts.itinerary.suspicions, 1);
   EXPECT_FALSE(state.note_fault(blocked));
   EXPECT_EQ(way.flight.point_state(2), PointState::kAhead);
   ASSERT_EQ(way.map().follow({20.0, 0.0, 1.0}), Status::kRunning);  // while the window slides, nothing is known
   EXPECT_FALSE(state.note_fault(blocked));
-  EXPECT_EQ(state.itinerary.suspicions, 2);
+  EXPECT_EQ(state.facts.itinerary.suspicions, 2);
   while (way.map().step(100000) == Status::kRunning) {
   }
   EXPECT_TRUE(state.note_fault(blocked));
@@ -247,21 +248,21 @@ TEST(FlightPoints, KeptPlansPassWhatIsAhead) {
   ASSERT_EQ(room.flight.set_mission(points, 3, ViaPolicy::kEnd), Status::kOk);
   FlightState& state = room.state();
   ASSERT_TRUE(room.tick_until(
-      [&] { return state.facts.plans.in_flight.to_target && state.facts.plans.in_flight.passages == 3; }, 400));
+      [&] { return state.facts.plans.in_flight.at_target && state.facts.plans.in_flight.passages == 3; }, 400));
   ASSERT_EQ(state.facts.plans.in_flight.target, 2);
   const auto kept = [&](std::int64_t at) {
     state.draft.takeover = at;
-    state.cycle.aim.follow_points(state.facts.plans.in_flight, state.itinerary, state.draft.takeover);
+    state.cycle.aim.follow_points(state.facts.plans.in_flight, state.facts.itinerary, state.draft.takeover);
     std::vector<std::int32_t> numbers(state.cycle.aim.asked_point,
                                       state.cycle.aim.asked_point + state.cycle.aim.asked_count);
     EXPECT_EQ(state.cycle.aim.target, 2);
     return numbers;
   };
   const auto passed = [&](int k) {
-    return state.facts.plans.in_flight.begin +
+    return state.facts.plans.in_flight.begin() +
            static_cast<std::int64_t>(1e9 * state.facts.plans.in_flight.passage[k].time);
   };
-  EXPECT_EQ(kept(state.facts.plans.in_flight.begin), (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(kept(state.facts.plans.in_flight.begin()), (std::vector<std::int32_t>{0, 1}));
   EXPECT_EQ(kept(passed(0) + 1000), std::vector<std::int32_t>{1});
   EXPECT_EQ(kept(passed(1) + 1000), std::vector<std::int32_t>{});
 }

@@ -95,8 +95,8 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
     room.mark(kAside);
     Work work{is_before ? kNothing : 4000};
     state.facts.time = room.time;
-    Work none{kNothing};
-    state.run_watch(none);
+    state.tick_work = Work{kNothing};
+    state.run_watch();
     EXPECT_EQ(state.watch.part, Watched::kBefore);
     if (!is_before) {
       EXPECT_EQ(state.watch.proof.step(work), Status::kOk);
@@ -105,7 +105,7 @@ TEST(FlightSlices, TakeoverEndsTheProofOfWhatComesBeforeIt) {
     }
     EXPECT_TRUE(state.watch.is_running);
     state.watch.covers_all = false;
-    state.facts.time = state.facts.plans.waiting.begin;
+    state.facts.time = state.facts.plans.waiting.begin();
     EXPECT_TRUE(state.facts.plans.take_over(state.facts.time));
     state.watch.note_takeover();
     EXPECT_FALSE(state.facts.plans.has_waiting);
@@ -216,7 +216,7 @@ TEST(FlightSlices, BrakeThatIsLateIsTriedAgain) {
     room.advance(kNothing);
   }
   EXPECT_EQ(state.report.dropped, 9u);
-  EXPECT_EQ(state.cycle.late, 0);
+  EXPECT_EQ(state.cycle.lead.late, 0);
   room.advance(4000);
   EXPECT_TRUE(state.facts.plans.waiting.branch == 0.0 && state.facts.plans.has_waiting);
   EXPECT_EQ(state.evasion.missed, 0);
@@ -273,15 +273,15 @@ TEST(FlightSlices, PlanThatIsFlownIsNotCommittedAgain) {
     FlightRoom room;
     room.flight.set_goal({room.start.x + way, room.start.y, room.start.z});
     std::uint32_t committed = 0;
-    std::int64_t begin = room.state().facts.plans.latest().begin;
+    std::int64_t begin = room.state().facts.plans.latest().begin();
     int changes = 0;
     while (room.report.reason == FlightReason::kNone && room.time < 20000000000) {
       room.tick();
       const Commitment& latest = room.state().facts.plans.latest();
-      const bool changed = latest.begin != begin;
+      const bool changed = latest.begin() != begin;
       EXPECT_EQ(room.report.committed - committed, changed ? 1u : 0u) << room.time;
       changes += changed ? 1 : 0;
-      begin = latest.begin;
+      begin = latest.begin();
       committed = room.report.committed;
     }
     EXPECT_EQ(room.report.reason, FlightReason::kArrived);
@@ -304,8 +304,8 @@ TEST(FlightSlices, DraftThatIsNotProvenAsAWholeIsNotFlown) {
     ASSERT_EQ(state.draft.begin_proof(state.facts, state.draft.plan.trajectory, state.draft.start_of_proof()),
               Status::kRunning);
     state.cycle.job = Job::kConfirm;
-    Work work{4000};
-    EXPECT_EQ(state.run_confirm(work), Progress::kDone);
+    state.tick_work = Work{4000};
+    EXPECT_EQ(state.run_confirm(), Progress::kDone);
     EXPECT_EQ(state.cycle.job, is_free ? Job::kIdle : Job::kBranch);
     EXPECT_EQ(state.report.committed, committed + (is_free ? 1 : 0));
   }

@@ -71,15 +71,15 @@ TEST(FlightStale, AFlightThatGivesUpWithoutFramesSaysSo) {
     FlightState& state = room.state();
     state.facts.time = 2000000000;
     state.block = {BlockedBy::kUnseen, {1.125, 0.125, 1.125}, kNoFence};
-    for (int k = 0; k <= kIdleCycles; ++k) state.after_failed_cycle();
+    for (int k = 0; k <= kIdleCycles; ++k) state.give_up();
     EXPECT_TRUE(state.search.is_looking);
     state.facts.time += 9000000000;  // 13 directions of 0.614 s
-    state.after_failed_cycle();
-    EXPECT_EQ(state.itinerary.parked, stale);
+    state.give_up();
+    EXPECT_EQ(state.facts.itinerary.parked, stale);
     EXPECT_EQ(state.search.seeks, !stale);
     if (!stale) continue;
-    EXPECT_EQ(state.itinerary.reason, FlightReason::kMapStale);
-    EXPECT_EQ(state.itinerary.leg, 0);
+    EXPECT_EQ(state.facts.itinerary.reason, FlightReason::kMapStale);
+    EXPECT_EQ(state.facts.itinerary.leg, 0);
     EXPECT_EQ(room.flight.point_state(0), PointState::kAhead);
     room.time = state.facts.time;
     room.tick();
@@ -88,7 +88,7 @@ TEST(FlightStale, AFlightThatGivesUpWithoutFramesSaysSo) {
     room.enter_frame();
     room.tick();
     EXPECT_EQ(room.report.reason, FlightReason::kNone);
-    EXPECT_FALSE(state.itinerary.parked);
+    EXPECT_FALSE(state.facts.itinerary.parked);
   }
 }
 

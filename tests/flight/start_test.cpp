@@ -24,7 +24,7 @@ TEST(FlightStart, VehicleRestsUntilItsFirstPlanTakesOver) {
   FlightRoom room;
   ASSERT_EQ(room.flight.set_goal({8.125, 0.125, 1.125}), Status::kOk);
   bool committed = false;
-  while (!room.state().facts.plans.has_waiting || room.time < room.state().facts.plans.waiting.begin) {
+  while (!room.state().facts.plans.has_waiting || room.time < room.state().facts.plans.waiting.begin()) {
     ASSERT_LT(room.time, 1000000000);
     room.tick();
     committed = committed || room.report.committed;

@@ -27,7 +27,7 @@ struct Turning : Flying {
     flight.set_goal({position().x + 1.5, 6.125, 1.125});
     if (!tick_until([&] { return s.facts.plans.has_waiting && !s.facts.plans.waiting.evades; }, 60)) return;
     const Vec3 p = evaluate(s.facts.plans.in_flight.trajectory,
-                            seconds_between(s.facts.plans.in_flight.begin, s.facts.plans.waiting.begin))
+                            seconds_between(s.facts.plans.in_flight.begin(), s.facts.plans.waiting.begin()))
                        .position;
     box = {{p.x + ahead, p.y - 1.0, -2.0}, {p.x + ahead + kCell, p.y + side, 4.0}};
     mark(box);
@@ -36,7 +36,7 @@ struct Turning : Flying {
                is_blocked(s.facts.plans.in_flight);
   }
   bool is_blocked(const Commitment& flown) {
-    const double from = std::max(0.0, seconds_between(flown.begin, time));
+    const double from = std::max(0.0, seconds_between(flown.begin(), time));
     return clear_until(map().safe(), flown.trajectory, from, nullptr, Beyond::kSolid) < duration(flown.trajectory);
   }
   double gap() const {
@@ -66,7 +66,7 @@ int try_ends(int ticks_before, End end) {
       Turning room(ahead, side);
       const FlightState& s = room.state();
       if (!room.is_ready) continue;
-      while (s.facts.plans.has_waiting && s.facts.plans.waiting.begin - room.time > ticks_before * room.spec.tick)
+      while (s.facts.plans.has_waiting && s.facts.plans.waiting.begin() - room.time > ticks_before * room.spec.tick)
         room.tick();
       if (!s.facts.plans.has_waiting || room.report.mode == FlightMode::kThreat) continue;
       ++tried;
@@ -102,7 +102,7 @@ TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
   Turning room(1.6, -0.45);
   FlightState& state = room.state();
   ASSERT_TRUE(room.is_ready);
-  const std::int64_t begin = state.facts.plans.waiting.begin;
+  const std::int64_t begin = state.facts.plans.waiting.begin();
   const double end = seconds_between(0, begin) + duration(state.facts.plans.waiting.trajectory);
   ASSERT_GE(begin, room.time + kEvadeTicks * room.spec.tick);
   room.flight.stop();
@@ -114,7 +114,7 @@ TEST(FlightStops, StopIsTriedAgainFromThePlanThatTookOver) {
   room.advance(tern_test::kNothing);
   EXPECT_FALSE(state.is_busy());
   ASSERT_TRUE(state.facts.plans.has_waiting);
-  EXPECT_EQ(state.facts.plans.waiting.begin, begin);
+  EXPECT_EQ(state.facts.plans.waiting.begin(), begin);
   EXPECT_TRUE(state.evasion.stop_asked);
   room.time = begin;
   room.tick();
@@ -130,7 +130,7 @@ TEST(FlightStops, BrakeThatWaitsIsEnough) {
     FlightState& state = room.state();
     room.flight.stop();
     ASSERT_TRUE(room.tick_until([&] { return state.facts.plans.has_waiting; }, 10));
-    const std::int64_t begin = state.facts.plans.waiting.begin;
+    const std::int64_t begin = state.facts.plans.waiting.begin();
     const std::uint32_t committed = state.report.committed;
     if (changes) room.mark({{-8.0, -8.0, 0.0}, {-7.75, -7.75, 2.0}});
     if (changes) room.watch(4000);
@@ -138,7 +138,7 @@ TEST(FlightStops, BrakeThatWaitsIsEnough) {
     room.flight.stop();
     room.tick();
     ASSERT_TRUE(state.facts.plans.has_waiting);
-    EXPECT_EQ(state.facts.plans.waiting.begin, begin);
+    EXPECT_EQ(state.facts.plans.waiting.begin(), begin);
     EXPECT_EQ(state.report.committed, committed);
     EXPECT_EQ(room.fly(400), FlightReason::kNoGoal);
     EXPECT_EQ(state.report.committed, committed);

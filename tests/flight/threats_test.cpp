@@ -84,7 +84,7 @@ TEST(FlightThreats, ContactBeforeTheTakeoverIsBrakedFor) {
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   EXPECT_EQ(room.report.contact_time, first);
   EXPECT_EQ(room.report.contact_speed, kContact);
-  room.time = state.facts.plans.waiting.begin;
+  room.time = state.facts.plans.waiting.begin();
   room.tick();
   EXPECT_EQ(room.report.contact_time, state.watch.contact.time);
 }
@@ -109,7 +109,7 @@ TEST(FlightThreats, ContactBeforeAProvenPlanStaysAThreatUntilItsTakeover) {
     state.watch.contact = {first, kContact};
     state.evasion.was_tried = true;
     state.draft.plan = state.facts.plans.in_flight;
-    state.draft.plan.begin = extends ? state.facts.plans.in_flight.begin : state.draft.takeover;
+    state.draft.plan.planned.begin = extends ? state.facts.plans.in_flight.begin() : state.draft.takeover;
     state.draft.extends = extends;
     state.enter_draft();
     EXPECT_EQ(state.facts.plans.has_waiting, !extends);
@@ -190,8 +190,8 @@ TEST(FlightThreats, BrakesAreCompared) {
     for (Vec3& point : rest.segments[0].points) point = {0.0, 0.0, 0.0};
     rest.origin = tried.known ? room.start : Vec3{1e3, 0.0, 0.0};
     EXPECT_EQ(state.draft.begin_proof(state.facts, rest, 0.0), Status::kRunning);
-    Work work{4000};
-    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    state.tick_work = Work{4000};
+    EXPECT_EQ(state.run_evasion(), Progress::kDone);
     return state.evasion.best.number == tried.number;
   };
   const JudgedBrake none{-1, 0.0, 0.0, false};
@@ -240,13 +240,12 @@ TEST(FlightThreats, WithoutAnAlarmNothingIsPardoned) {
     state.evasion.best.number = -1;
     state.evasion.number = 0;
     state.evasion.straight = 1;
-    ASSERT_TRUE(
-        state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.tick_work));
+    ASSERT_TRUE(state.draft.brake(state.facts, state.evasion.number, state.watch.threat, state.tick_work));
     ASSERT_TRUE(state.evasion.begin_brake_proof(BrakeProof::kClear, state.facts, state.watch, state.draft));
-    Work work{4000};
-    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    state.tick_work = Work{4000};
+    EXPECT_EQ(state.run_evasion(), Progress::kDone);
     ASSERT_EQ(state.evasion.proves, BrakeProof::kLimits);
-    EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+    EXPECT_EQ(state.run_evasion(), Progress::kDone);
     EXPECT_EQ(state.evasion.proves, has_alarm ? BrakeProof::kAlarm : BrakeProof::kClear);
     EXPECT_EQ(state.evasion.best.number, has_alarm ? -1 : 0);
     EXPECT_FALSE(state.evasion.best.known && !has_alarm);
@@ -298,19 +297,19 @@ TEST(FlightThreats, BrakeIsFlownWhereWhatComesBeforeItIsNotProven) {
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   ASSERT_TRUE(state.facts.plans.has_waiting);
   EXPECT_TRUE(state.facts.plans.waiting.evades);
-  const std::int64_t begin = state.facts.plans.waiting.begin;
+  const std::int64_t begin = state.facts.plans.waiting.begin();
   EXPECT_EQ(
       clear_until(room.map().safe(), state.facts.plans.waiting.trajectory, 0.0, &room.spec.limits, Beyond::kSolid),
       duration(state.facts.plans.waiting.trajectory));
   EXPECT_EQ(clear_until(room.map().safe(), state.facts.plans.in_flight.trajectory,
-                        seconds_between(state.facts.plans.in_flight.begin, room.time)),
-            seconds_between(state.facts.plans.in_flight.begin, room.time));
+                        seconds_between(state.facts.plans.in_flight.begin(), room.time)),
+            seconds_between(state.facts.plans.in_flight.begin(), room.time));
   const FlightReport met = room.report;
   EXPECT_LT(met.contact_time, begin);
   EXPECT_GT(met.contact_speed, 2.0);
   for (; room.time < begin; room.tick()) {
     ASSERT_TRUE(state.facts.plans.has_waiting);
-    EXPECT_EQ(state.facts.plans.waiting.begin, begin);
+    EXPECT_EQ(state.facts.plans.waiting.begin(), begin);
     EXPECT_EQ(room.report.mode, FlightMode::kThreat);
     EXPECT_EQ(room.report.contact_time, met.contact_time);
     EXPECT_EQ(room.report.contact_speed, met.contact_speed);
@@ -331,14 +330,14 @@ TEST(FlightThreats, BrakeThatIsAboutToTakeOverIsNotReplaced) {
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   ASSERT_TRUE(state.facts.plans.has_waiting);
   ASSERT_TRUE(state.facts.plans.waiting.evades);
-  const std::int64_t begin = state.facts.plans.waiting.begin;
+  const std::int64_t begin = state.facts.plans.waiting.begin();
   const double end = room.flight.rest_position().x;
   ASSERT_LT(end, x + 2.0);
   room.mark({{end + 0.3, -4.0, -2.0}, {x + 2.5, 4.0, 4.0}});
   room.tick();
   EXPECT_EQ(room.report.mode, FlightMode::kThreat);
   EXPECT_TRUE(state.facts.plans.has_waiting);
-  EXPECT_EQ(state.facts.plans.waiting.begin, begin);
+  EXPECT_EQ(state.facts.plans.waiting.begin(), begin);
   EXPECT_EQ(room.flight.rest_position().x, end);
   EXPECT_TRUE(state.watch.threat);
   EXPECT_TRUE(state.watch.known);  // but for what came into the way, it is clear
@@ -354,7 +353,7 @@ TEST(FlightThreats, PlanThatIsFlownIsKeptWhereOnlyTheNextOneIsBlocked) {
   FlightState& state = room.state();
   const Vec3 end = room.flight.rest_position();
   state.facts.plans.waiting = state.facts.plans.in_flight;
-  state.facts.plans.waiting.begin = room.time + 3 * room.spec.tick;
+  state.facts.plans.waiting.planned.begin = room.time + 3 * room.spec.tick;
   state.facts.plans.waiting.trajectory.origin.y -= 6.0;
   state.facts.plans.has_waiting = true;
   room.mark({{4.0, -7.0, -2.0}, {5.0, -5.0, 4.0}});
@@ -378,14 +377,13 @@ TEST(FlightThreats, BrakesBeyondALimitAreNotFlown) {
       room.mark({{p.x + 1.0, p.y - 3.0, -2.0}, {p.x + 2.0, p.y + 3.0, 4.0}});
       state.evasion.best.number = -1;
       state.evasion.number = 0;
-      ASSERT_TRUE(
-          state.draft.brake(state.facts, state.itinerary, state.evasion.number, state.watch.threat, state.tick_work));
+      ASSERT_TRUE(state.draft.brake(state.facts, state.evasion.number, state.watch.threat, state.tick_work));
       if (is_weak)
         state.facts.spec.limits.a_max = {0.5, 0.5, 0.5};  // for the proof alone: brakes are made by state.facts.limits
       state.evasion.tried = {0, 0.0, 1.0, true};
       ASSERT_TRUE(state.evasion.begin_brake_proof(proves, state.facts, state.watch, state.draft));
-      Work work{4000};
-      EXPECT_EQ(state.run_evasion(work), Progress::kDone);
+      state.tick_work = Work{4000};
+      EXPECT_EQ(state.run_evasion(), Progress::kDone);
       if (proves == BrakeProof::kClear) {
         EXPECT_EQ(state.evasion.proves, is_weak ? BrakeProof::kClear : BrakeProof::kLimits);
       }

@@ -96,14 +96,14 @@ struct Flying : FlightRoom {
         tick_until([&] { return speed() > 2.5 && !state().is_busy() && !state().facts.plans.has_waiting; }, 400));
   }
   void watch(std::uint32_t units) {
-    tern::Work work{units};
+    state().tick_work = tern::Work{units};
     state().facts.time = time;
-    state().run_watch(work);
+    state().run_watch();
   }
   void advance(std::uint32_t units) {
-    tern::Work work{units};
+    state().tick_work = tern::Work{units};
     state().facts.time = time;
-    state().advance(work);
+    state().advance();
   }
 };
 

@@ -258,6 +258,12 @@ class Flight {
   /// flight goes on. The map takes frames of the new time; those of the old time are too late. kInvalidArgument before
   /// start().
   Status set_clock(int64_t t) noexcept;
+  /// The latest committed plan, for who follows it without asking for every command, as another board does.
+  /// Trajectory::begin is when it takes over, on the clock of tick(): once the clock shows that, command() at time t is
+  /// the state at time_on(plan, t), bit for bit. Take it after each tick that raises FlightReport::committed, and after
+  /// set_clock(), which moves its beginning. If the plan begins later than now, go on with the one before until then,
+  /// but take it again after each tick: a threat may withdraw it. kInvalidArgument before start().
+  Status committed_plan(Trajectory& plan) const noexcept;
   /// The committed plan's end: where the vehicle comes to rest if nothing else happens. World frame.
   Vec3 rest_position() const noexcept;
 

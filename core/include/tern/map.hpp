@@ -178,6 +178,9 @@ class RollingMap {
   /// counts as not bound, and afterwards it is inflated. kRunning; kInvalidArgument if the map is not bound, a job is
   /// not finished, or the words are too few.
   Status begin_snapshot(Grid& grid, uint64_t* words, size_t word_count) noexcept;
+  /// The clock of the frames was set: the next one may have any time. Call Flight::set_clock() instead if a flight uses
+  /// the map: it does this, and records know it. kInvalidArgument if the map is not bound.
+  Status forget_time() noexcept;
   /// Continues the job. kRunning: there is more to do. kOk: no job is left, and both grids are inflated.
   /// kInvalidArgument if the map is not bound.
   ///
@@ -238,8 +241,6 @@ class RollingMap {
   int32_t slack() const noexcept;
 
  private:
-  friend class FlightAccess;  // lets the map take any time for its next frame
-
   MapState* state_ = nullptr;
 };
 

@@ -21,11 +21,10 @@ namespace tern {
 
 struct Allowed;
 struct AskedWorld;
-struct Corridor;
 struct Excess;
-struct FenceScratch;
 struct Grant;
 struct Hints;
+struct PlanHints;
 
 /// What a proof assumes of the space beyond the grid's boundary.
 enum class Beyond : uint8_t {
@@ -91,6 +90,14 @@ class Proof {
   /// Request may not have gets the same answer as there.
   Status begin(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                const ProofGrounds& grounds = {}) noexcept;
+  /// As begin(), with fences that begin(), a plan or a flight accepted before, and that did not change since. It does
+  /// not check them again, which takes a look at each corner that three half-spaces may have.
+  Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
+                        Beyond beyond, const ProofGrounds& grounds = {}) noexcept;
+  /// The planner's check of a plan, with what the planner knows of it. AskedWorld and PlanHints are types of the
+  /// library's own, so no one else can call this.
+  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
+                  PlanHints& hints) noexcept;
   /// Goes on as long as work is left. kRunning: there is more to do. kOk: the report is complete. kInvalidArgument if
   /// no proof was begun.
   ///
@@ -103,11 +110,6 @@ class Proof {
   const ProofReport& report() const noexcept { return report_; }
 
  private:
-  friend struct PlanProof;    // proves plans, with what the planner knows of them
-  friend class FlightAccess;  // begins with fences that were checked before
-  // clear_until() has no fences to check, and needs no stack for that.
-  friend double clear_until(const Grid&, const Trajectory&, double, const Limits*, Beyond, ProofReport*) noexcept;
-
   /// One piece of a curve of degree 7 or less.
   struct Piece {
     Vec3 c[kControlPoints];
@@ -117,10 +119,6 @@ class Proof {
   enum Part : int { kPosition, kVelocity, kAcceleration, kJerk };
 
   void refuse(double from) noexcept;
-  Status begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
-                        Beyond beyond, const ProofGrounds& grounds) noexcept;
-  void begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
-                  const Corridor& hints, FenceScratch& scratch) noexcept;
   void take_grant(const Grid& grid, const Grant& grant, Beyond beyond) noexcept;
   void pardon(const Alarm& alarm) noexcept;
   void enter(const Trajectory& trajectory) noexcept;
@@ -152,8 +150,7 @@ class Proof {
   double outside_ = 0.0;   // by which it may be outside a keep-in
   double excess_ = 0.0;    // over a limit, relative
   bool is_cut_ = true;     // its control points are rounded
-  const Corridor* hints_ = nullptr;
-  FenceScratch* scratch_ = nullptr;
+  PlanHints* hints_ = nullptr;
   bool has_added_ = false;
   Box added_{};  // local frame
   bool has_departed_ = false;

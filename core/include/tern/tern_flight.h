@@ -157,6 +157,8 @@ void tern_flight_command(const tern_flight* flight, int64_t t, tern_command* com
 /* The clock was set and shows `t` now, one tick after the last one. ok or invalid_argument. */
 uint8_t tern_flight_set_clock(tern_flight* flight, int64_t t);
 
+/* The latest committed plan; its begin is when it takes over, on the clock of the ticks. ok or invalid_argument. */
+uint8_t tern_flight_committed_plan(const tern_flight* flight, tern_trajectory* plan);
 /* Where the vehicle comes to rest on the committed plan, metres; zero for a flight that was not started. Null does
  * nothing. */
 void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position);

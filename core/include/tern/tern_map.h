@@ -68,6 +68,8 @@ uint8_t tern_map_begin_scan(tern_map* map, const tern_vec3* points, size_t count
 uint8_t tern_map_begin_beams(tern_map* map, const tern_beams* beams, const tern_vec3* origin, int64_t t);
 /* Begins to move the window so that `center` comes near its middle. ok if it need not move, or running. */
 uint8_t tern_map_follow(tern_map* map, const tern_vec3* center);
+/* The clock of the frames was set: the next one may have any time. With a flight, call tern_flight_set_clock(). */
+uint8_t tern_map_forget_time(tern_map* map);
 /* Continues the job for at most `work` units. running: call it again. ok: no job is left. */
 uint8_t tern_map_step(tern_map* map, uint32_t work);
 /* 1 while the map has a job to be continued with tern_map_step(): it then accepts no other. Else 0. */

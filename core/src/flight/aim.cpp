@@ -22,7 +22,8 @@ void Aim::begin(const JointState& from, std::uint32_t mission_number) noexcept {
 
 /// The plan passes all points that are less than a horizon away, along straight lines, and then leads towards the
 /// target. That is the first point that is further away or has a dwell, or the goal.
-void Aim::choose_points(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept {
+void Aim::choose_points(const FlightFacts& flight, std::int64_t takeover) noexcept {
+  const Itinerary& itinerary = flight.itinerary;
   asked_count = 0;
   target = itinerary.leg_at(flight.plans.in_flight, takeover);
   double way = distance(start.d[0], itinerary.points[target].position);
@@ -47,15 +48,15 @@ void Aim::follow_points(const Commitment& in_flight, const Itinerary& itinerary,
   asked_count = 0;
   for (std::int32_t i = 0; i < in_flight.passages; ++i) {
     const std::int32_t point = in_flight.passage[i].point;
-    if (point >= leg && !(in_flight.to_target && point == in_flight.target)) ask_for(point, itinerary);
+    if (point >= leg && !(in_flight.at_target && point == in_flight.target)) ask_for(point, itinerary);
   }
   target = in_flight.target;
   target_place = itinerary.points[target].position;
 }
 
 void Aim::follow_place(const Commitment& in_flight) noexcept {
-  place = in_flight.aim;
-  at_target = in_flight.to_target;
+  place = in_flight.place;
+  at_target = in_flight.at_target;
 }
 
 void Aim::choose_place(const FlightFacts& flight, double most) noexcept {
@@ -154,7 +155,8 @@ bool Aim::move_to_free(const Report& found) noexcept {
 
 void Aim::end_beside(const Commitment* followed, double slack) noexcept {
   const bool is_same = followed != nullptr && followed->beside_target && followed->target == target;
-  if (is_same && distance(followed->aim, target_place) <= distance(place, target_place) + slack) place = followed->aim;
+  if (is_same && distance(followed->place, target_place) <= distance(place, target_place) + slack)
+    place = followed->place;
   beside_target = at_target || is_same;
   at_target = false;
 }

@@ -9,32 +9,26 @@
 
 #include "curve/hermite.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "tern/path.hpp"
 #include "tern/report.hpp"
 #include "tern/via.hpp"
 
 namespace tern {
 
-struct Aim {
+struct Aim : Destination {
   JointState start;     ///< the state at the takeover, world frame
   Via asked[kMaxVias];  ///< the points that the plan passes
   std::int32_t asked_point[kMaxVias];
   std::int32_t asked_count;
-  std::uint32_t mission;  ///< number of the mission that the plan is for
-  std::int32_t target;    ///< the mission's point that the plan ends at, or leads to
-  Vec3 target_place;      ///< world frame
-  Vec3 place;             ///< where the plan ends, world frame
-  bool at_target;         ///< the plan ends at the target
-  bool moved;             ///< the nearest free point to the place replaced it
-  bool beside_target;     ///< the place is the nearest free point to the target
-  bool at_reachable;      ///< no way led to the place, and the reachable point nearest to it replaced it
+  Vec3 target_place;  ///< world frame
+  bool moved;         ///< the nearest free point to the place replaced it
+  bool at_reachable;  ///< no way led to the place, and the reachable point nearest to it replaced it
 
   void begin(const JointState& from, std::uint32_t mission_number) noexcept;
   /// A new mission begins, with its first point here.
   void expect(const Vec3& first) noexcept { target_place = first; }
   /// Chooses the points to pass, and the target.
-  void choose_points(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
+  void choose_points(const FlightFacts& flight, std::int64_t takeover) noexcept;
   /// Asks for the points that the plan in flight still passes, for a plan to the same place.
   void follow_points(const Commitment& in_flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
   /// Leads to the same place as the plan in flight.

@@ -59,6 +59,7 @@ double off_joints(const Trajectory& plan, double t) noexcept {
 }
 
 void take_first_part(const Trajectory& plan, double t, Trajectory& out) noexcept {
+  out.begin = plan.begin;
   out.origin = plan.origin;
   out.count = 0;
   double begin = 0.0;

@@ -16,7 +16,7 @@ double earliest_branch(const FlightFacts& flight, const Draft& draft) {
 }  // namespace
 
 bool leads_on(const FlightFacts& flight, const Vec3& start, const Draft& draft) noexcept {
-  return !flight.rests_at(draft.takeover) || draft.plan.to_target ||
+  return !flight.rests_at(draft.takeover) || draft.plan.at_target ||
          distance(draft.plan.end(), start) >= flight.map.safe().spec().cell;
 }
 

@@ -25,15 +25,15 @@ ProofGrounds grounds_of(const FlightSpec& spec, const Commitment& commitment) no
 
 Sample CommittedPlans::sample_at(std::int64_t t) const noexcept {
   const Commitment& commitment = at(t);
-  return evaluate(commitment.trajectory, seconds_between(commitment.begin, t));
+  return evaluate(commitment.trajectory, commitment.time_at(t));
 }
 
 std::int64_t CommittedPlans::rest_begins() const noexcept {
-  return in_flight.begin + nanoseconds(duration(in_flight.trajectory)) + 1;
+  return in_flight.begin() + nanoseconds(duration(in_flight.trajectory)) + 1;
 }
 
 void CommittedPlans::hover_at(const Vec3& position) noexcept {
-  in_flight.trajectory.origin = in_flight.aim = position;
+  in_flight.trajectory.origin = in_flight.place = position;
   const JointState rest{};
   append_between(rest, rest, kMinDuration, in_flight.trajectory);
   in_flight.planned = in_flight.trajectory;
@@ -41,7 +41,7 @@ void CommittedPlans::hover_at(const Vec3& position) noexcept {
 }
 
 bool CommittedPlans::take_over(std::int64_t time) noexcept {
-  if (!has_waiting || time < waiting.begin) return false;
+  if (!has_waiting || time < waiting.begin()) return false;
   in_flight = waiting;
   has_waiting = false;
   return true;

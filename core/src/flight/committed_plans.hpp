@@ -24,17 +24,20 @@ struct Passage {
 /// Later than any plan passes a point, seconds.
 constexpr double kNever = 1e9;
 
+/// Where a plan leads, and for which mission.
+struct Destination {
+  Vec3 place;             ///< where the plan ends, world frame
+  bool at_target;         ///< that is the target
+  bool beside_target;     ///< that is the nearest free point to the target
+  std::uint32_t mission;  ///< number of the mission that the plan is made for
+  std::int32_t target;    ///< the mission's point that the plan ends at, or leads to
+};
+
 /// A committed plan, or a draft of one.
-struct Commitment {
+struct Commitment : Destination {
   Trajectory trajectory;               ///< what the vehicle follows: it ends at rest, and is proven
   Trajectory planned;                  ///< the planner's plan, which `trajectory` follows up to the branch
   double branch;                       ///< seconds since the beginning: until then, both are the same
-  std::int64_t begin;                  ///< nanoseconds
-  Vec3 aim;                            ///< where `planned` ends
-  bool to_target;                      ///< the aim is the target
-  bool beside_target;                  ///< the aim is the nearest free point to the target
-  std::uint32_t mission;               ///< number of the mission that the plan was made for
-  std::int32_t target;                 ///< the mission's point that the aim is, or leads to
   Passage passage[kMaxMissionPoints];  ///< when `planned` passes its points, in order
   std::int32_t passages;
   bool evades;     ///< a brake that was made for a threat, proven or not
@@ -43,6 +46,10 @@ struct Commitment {
   bool looks_out;  ///< it leads to a place from where `hidden` may be seen
   Vec3 hidden;     ///< world frame
 
+  /// When it takes over: the request for the planner's plan said so. Nanoseconds, as all times of a flight.
+  std::int64_t begin() const noexcept { return planned.begin; }
+  /// The time on it, seconds since its beginning.
+  double time_at(std::int64_t t) const noexcept { return time_on(planned, t); }
   /// Where the vehicle rests after `trajectory`, world frame.
   Vec3 end() const noexcept;
   /// When it passes the point, in seconds since its beginning; kNever if it does not.
@@ -76,7 +83,7 @@ struct CommittedPlans {
 
   /// The plan that the vehicle follows at time `t`.
   const Commitment& at(std::int64_t t) const noexcept {
-    return has_waiting && t >= waiting.begin ? waiting : in_flight;
+    return has_waiting && t >= waiting.begin() ? waiting : in_flight;
   }
   /// The plan that will be followed to its end.
   const Commitment& latest() const noexcept { return has_waiting ? waiting : in_flight; }

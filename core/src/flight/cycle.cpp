@@ -20,12 +20,6 @@ constexpr int kAttempts = 3;
 constexpr int kFruitlessAttempt = 6;
 constexpr double kHoleVoxels = 2.0;
 
-/// They double for each plan that was dropped before.
-std::int64_t lead_after(const FlightSpec& spec, int late) {
-  const std::uint32_t half = spec.work_per_tick / 2;
-  return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
-}
-
 /// True if the vehicle will rest at the takeover with something within its radius: an error of a sensor, or something
 /// that moved. The vehicle may get away from there.
 bool is_hemmed_in(const FlightFacts& flight, std::int64_t takeover) {
@@ -36,24 +30,29 @@ bool is_hemmed_in(const FlightFacts& flight, std::int64_t takeover) {
 
 }  // namespace
 
-std::int64_t Cycle::lead_ticks(const FlightSpec& spec) const noexcept {
-  return lead_after(spec, late);
+std::int64_t Lead::ticks(const FlightSpec& spec) const noexcept {
+  const std::uint32_t half = spec.work_per_tick / 2;
+  return (std::int64_t{spec.plan_work / half} << (late < kMostDoublings ? late : kMostDoublings)) + 2;
 }
 
-void Cycle::begin(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                  std::int64_t takeover) noexcept {
+void Lead::shorten(const FlightFacts& flight, std::int64_t takeover) noexcept {
+  if (late == 0) return;
+  const std::int64_t saved = ticks(flight.spec) - Lead{late - 1}.ticks(flight.spec) + 1;
+  if (takeover - flight.time > saved * flight.spec.tick) --late;
+}
+
+void Cycle::begin(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept {
   hemmed_in = is_hemmed_in(flight, takeover);
   remainder_is_free = false;
   job = Job::kLookout;
-  if (!search.seeks || search.goes_away()) begin_copy(flight, itinerary, search, takeover);
+  if (!search.seeks || search.goes_away()) begin_copy(flight, search, takeover);
 }
 
 /// A straight way to a lookout needs no route around unseen voxels. If those were solid, they might leave the vehicle
 /// no voxel to begin at.
-void Cycle::begin_copy(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                       std::int64_t takeover) noexcept {
+void Cycle::begin_copy(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept {
   const GridSpec& window = flight.map.route().spec();
-  int attempt = (search.idle_cycles + itinerary.wandering / kFruitlessAttempt) % kAttempts;
+  int attempt = (search.idle_cycles + flight.itinerary.wandering / kFruitlessAttempt) % kAttempts;
   if (search.seeks) attempt = search.goes_away() ? 1 : (search.lookout.is_straight ? 2 : 0);
   const double near = attempt < 2 ? flight.spec.near : 0.0;
   all_free = !(near > 0.0);
@@ -73,34 +72,33 @@ Progress Cycle::copy(const RollingMap& map, Work& work) noexcept {
 }
 
 /// The remainder is a candidate if the takeover comes before the branch.
-Progress Cycle::begin_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft) noexcept {
+Progress Cycle::begin_remainder(const FlightFacts& flight, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
-  const double from = seconds_between(in_flight.begin, draft.takeover);
+  const double from = in_flight.time_at(draft.takeover);
   const bool is_candidate =
-      in_flight.mission == itinerary.number && itinerary.still_fits(in_flight) && from < in_flight.branch;
+      in_flight.mission == flight.itinerary.number && flight.itinerary.still_fits(in_flight) && from < in_flight.branch;
   job = is_candidate && draft.begin_proof_of_remainder(flight, route.grid(), from) == Status::kRunning ? Job::kRemainder
                                                                                                        : Job::kAim;
   return Progress::kDone;
 }
 
-Progress Cycle::prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft,
-                                Work& work) noexcept {
+Progress Cycle::prove_remainder(const FlightFacts& flight, Draft& draft, Work& work) noexcept {
   if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
   remainder_is_free =
-      draft.proof.report().finding == Finding::kNone && flight.plans.in_flight.mission == itinerary.number;
+      draft.proof.report().finding == Finding::kNone && flight.plans.in_flight.mission == flight.itinerary.number;
   job = Job::kAim;
   return Progress::kDone;
 }
 
 /// A plan leads to the same place until little of the way is left, so that plans are compared by their times.
-bool Cycle::follow_aim(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept {
+bool Cycle::follow_aim(const FlightFacts& flight, std::int64_t takeover) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
-  aim.begin(joint_at(in_flight.trajectory, seconds_between(in_flight.begin, takeover), kZero), itinerary.number);
+  aim.begin(joint_at(in_flight.trajectory, in_flight.time_at(takeover), kZero), flight.itinerary.number);
   cut_off = cut_off && !all_free;
   if (!remainder_is_free) return false;
-  aim.follow_points(in_flight, itinerary, takeover);
-  const bool follows = in_flight.looks_out || (in_flight.to_target && in_flight.target == itinerary.last()) ||
-                       aim.way_length(in_flight.aim) > kLeastWay * flight.spec.horizon;
+  aim.follow_points(in_flight, flight.itinerary, takeover);
+  const bool follows = in_flight.looks_out || (in_flight.at_target && in_flight.target == flight.itinerary.last()) ||
+                       aim.way_length(in_flight.place) > kLeastWay * flight.spec.horizon;
   if (!follows) return false;
   aim.follow_place(in_flight);
   looks_out = in_flight.looks_out;
@@ -108,39 +106,32 @@ bool Cycle::follow_aim(const FlightFacts& flight, const Itinerary& itinerary, st
   return true;
 }
 
-void Cycle::choose_aim(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                       const Blockage& block, std::int64_t takeover, Work& work) noexcept {
+void Cycle::choose_aim(const FlightFacts& flight, const RestSearch& search, const Blockage& block,
+                       std::int64_t takeover, Work& work) noexcept {
   looks_out = search.seeks;
   const bool leads_out = hemmed_in && search.idle_cycles % 2 == 1;
-  aim.choose_points(flight, itinerary, takeover);
-  if (leads_out || looks_out) aim.pass_first(0, itinerary, route.grid().spec().cell);
+  aim.choose_points(flight, takeover);
+  if (leads_out || looks_out) aim.pass_first(0, flight.itinerary, route.grid().spec().cell);
   aim.choose_place(flight, leads_out ? flight.spec.horizon : kAnywhere);
   if (looks_out) aim.lead_to(search.lookout_place(flight.map, block, aim.start.d[0], work));
   if (leads_out) aim.choose_way_out(flight);
   ask(flight);
 }
 
-void Cycle::shorten_lead(const FlightFacts& flight, std::int64_t takeover) noexcept {
-  if (late == 0) return;
-  const std::int64_t saved = lead_after(flight.spec, late) - lead_after(flight.spec, late - 1) + 1;
-  if (takeover - flight.time > saved * flight.spec.tick) --late;
-}
-
-void Cycle::list_passages(const Itinerary& itinerary, const Report& found, Draft& draft) noexcept {
-  if (aim.is_outdated(itinerary)) aim.forget_points();
+void Cycle::list_passages(const FlightFacts& flight, const Report& found, Draft& draft) noexcept {
+  if (aim.is_outdated(flight.itinerary)) aim.forget_points();
   draft.list_passages(aim, found, plan);
 }
 
-bool Cycle::choose_draft(const FlightFacts& flight, const Itinerary& itinerary, bool planned, const Vec3& hidden,
-                         Draft& draft) noexcept {
+bool Cycle::choose_draft(const FlightFacts& flight, bool planned, const Vec3& hidden, Draft& draft) noexcept {
   const Commitment& in_flight = flight.plans.in_flight;
   draft.clear();
   if (planned) draft.compose(aim, plan, hemmed_in, looks_out, hidden);
   if (remainder_is_free) {
-    const double remainder = duration(in_flight.planned) - seconds_between(in_flight.begin, draft.takeover);
+    const double remainder = duration(in_flight.planned) - in_flight.time_at(draft.takeover);
     const bool is_better =
-        planned && (!same(aim.place, in_flight.aim) || duration(draft.plan.planned) < remainder - kEarlier);
-    if (!is_better || draft.passes_later(in_flight, itinerary)) draft.extend(in_flight);
+        planned && (!same(aim.place, in_flight.place) || duration(draft.plan.planned) < remainder - kEarlier);
+    if (!is_better || draft.passes_later(flight)) draft.extend(in_flight);
   }
   if (!draft.extends && !planned) return false;
   job = Job::kWait;

@@ -16,7 +16,6 @@
 #include "flight/branch_search.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/route_copy.hpp"
 #include "tern/planner.hpp"
@@ -49,11 +48,23 @@ enum class NextPlan : std::uint8_t {
   kCutOff,   ///< nor is there: no way leads to the target, and the vehicle rests as near to it as one leads
 };
 
+/// How long before its takeover a plan begins.
+struct Lead {
+  int late;  ///< plans that were dropped, one after the other
+
+  /// Doubles for each of them.
+  std::int64_t ticks(const FlightSpec& spec) const noexcept;
+  void note_late() noexcept { ++late; }
+  /// A plan for this takeover is done: if half of its lead would have been enough, the next one gets half.
+  void shorten(const FlightFacts& flight, std::int64_t takeover) noexcept;
+};
+
 struct Cycle {
+  Planner* planner;  ///< the caller's
+  Lead lead;
   RouteCopy route;
   Aim aim;
   Trajectory plan;  ///< the planner's trajectory
-  int late;         ///< plans that were dropped, one after the other
   Job job;
   bool all_free;           ///< no unseen voxel is solid in the route copy
   bool hemmed_in;          ///< something is within the radius of where the vehicle rests
@@ -62,47 +73,34 @@ struct Cycle {
   bool cut_off;            ///< no way leads to the target, and the vehicle rests as near to it as it can
   BranchSearch branches;
 
-  /// The copy of the route grid takes these words.
-  Status bind(const RollingMap& map, std::uint64_t* words, std::size_t count) noexcept {
-    return route.bind(map, words, count);
-  }
   void leave() noexcept { job = Job::kIdle; }
   void forget_cut_off() noexcept { cut_off = false; }
-  void count_late() noexcept { ++late; }
-  /// A new mission begins, with its first point here.
-  void expect(const Vec3& first) noexcept { aim.expect(first); }
   /// The job is kLookout if a lookout is to be found, otherwise kCopy.
-  void begin(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-             std::int64_t takeover) noexcept;
-  void begin_copy(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                  std::int64_t takeover) noexcept;
+  void begin(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
+  void begin_copy(const FlightFacts& flight, const RestSearch& search, std::int64_t takeover) noexcept;
   Progress copy(const RollingMap& map, Work& work) noexcept;
   /// Begins to prove the remainder of the planner's plan in flight on the copy, if it is a candidate.
-  Progress begin_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft) noexcept;
-  Progress prove_remainder(const FlightFacts& flight, const Itinerary& itinerary, Draft& draft, Work& work) noexcept;
+  Progress begin_remainder(const FlightFacts& flight, Draft& draft) noexcept;
+  Progress prove_remainder(const FlightFacts& flight, Draft& draft, Work& work) noexcept;
   /// Chooses the aim of the plan in flight, if that is still good enough. False if another one is to be chosen.
-  bool follow_aim(const FlightFacts& flight, const Itinerary& itinerary, std::int64_t takeover) noexcept;
+  bool follow_aim(const FlightFacts& flight, std::int64_t takeover) noexcept;
   /// Chooses another aim.
-  void choose_aim(const FlightFacts& flight, const Itinerary& itinerary, const RestSearch& search,
-                  const Blockage& block, std::int64_t takeover, Work& work) noexcept;
-  Progress ask_route(const FlightFacts& flight, Planner& planner, Work& work) noexcept;
-  Progress ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, Work& work) noexcept;
+  void choose_aim(const FlightFacts& flight, const RestSearch& search, const Blockage& block, std::int64_t takeover,
+                  Work& work) noexcept;
+  Progress ask_route(const FlightFacts& flight, Work& work) noexcept;
+  Progress ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept;
+  /// The planner is done. `found` says what it found.
+  Status finish(Report& found) noexcept;
   /// The route is found: the plan leads to the point one horizon along it.
-  void follow_route(const FlightFacts& flight, const Itinerary& itinerary, const Path& way) noexcept;
-  Status finish(Planner& planner, Report& found) noexcept { return planner.finish(plan, found); }
-  /// If the plan would have been in time with half of its lead, the next one gets half.
-  void shorten_lead(const FlightFacts& flight, std::int64_t takeover) noexcept;
+  void follow_route(const FlightFacts& flight) noexcept;
   /// No route, or no plan, was found: changes the aim, and asks for another one, if there is anything else to ask for.
-  NextPlan next_after_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                            std::int64_t takeover) noexcept;
-  NextPlan next_after_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                           std::int64_t takeover) noexcept;
+  NextPlan next_after_route(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
+  NextPlan next_after_plan(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
   /// Lists when the planner's trajectory passes the points of the mission, unless there is a new one.
-  void list_passages(const Itinerary& itinerary, const Report& found, Draft& draft) noexcept;
+  void list_passages(const FlightFacts& flight, const Report& found, Draft& draft) noexcept;
   /// Makes the draft: the planner's trajectory, or the remainder of the planner's plan in flight, which wins unless the
   /// new plan leads elsewhere or arrives earlier. False if there is neither. `hidden`: see Commitment.
-  bool choose_draft(const FlightFacts& flight, const Itinerary& itinerary, bool planned, const Vec3& hidden,
-                    Draft& draft) noexcept;
+  bool choose_draft(const FlightFacts& flight, bool planned, const Vec3& hidden, Draft& draft) noexcept;
   /// Waits for the end of a slide, then begins to prove the draft. From here on the map stands still. kFailed if the
   /// draft cannot be proven.
   Progress begin_proof(const FlightFacts& flight, Draft& draft) noexcept;
@@ -115,14 +113,12 @@ struct Cycle {
   /// Proves the draft anew on the map as it is, if it is being proven: boxes were marked meanwhile.
   void prove_anew() noexcept;
 
-  /// Ticks from the beginning of a plan to its takeover.
-  std::int64_t lead_ticks(const FlightSpec& spec) const noexcept;
   /// A copy or a proof reads the map, which must not change meanwhile.
   bool reads_map() const noexcept;
 
  private:
   void ask(const FlightFacts& flight) noexcept;
-  NextPlan ask_for_less(const Itinerary& itinerary, const Report& found) noexcept;
+  NextPlan ask_for_less(const FlightFacts& flight, const Report& found) noexcept;
   bool may_move_to_reachable(const Report& found) const noexcept;
   bool moves_to_reachable(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept;
 };

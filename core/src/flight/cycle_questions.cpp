@@ -49,32 +49,37 @@ void Cycle::ask(const FlightFacts& flight) noexcept {
   job = aim.way_length(aim.place) > flight.spec.horizon ? Job::kAskRoute : Job::kAskPlan;
 }
 
-Progress Cycle::ask_route(const FlightFacts& flight, Planner& planner, Work& work) noexcept {
-  planner.begin_route(route.grid(), request_to(aim, flight.spec));
+Progress Cycle::ask_route(const FlightFacts& flight, Work& work) noexcept {
+  planner->begin_route(route.grid(), request_to(aim, flight.spec));
   work.spend(kPlanOperations);
   job = Job::kRoute;
   return Progress::kDone;
 }
 
-Progress Cycle::ask_plan(const FlightFacts& flight, Planner& planner, std::int64_t takeover, Work& work) noexcept {
+Progress Cycle::ask_plan(const FlightFacts& flight, std::int64_t takeover, Work& work) noexcept {
   Request request = request_to(aim, flight.spec);
+  request.begin = takeover;
   request.start = {aim.start.d[0], aim.start.d[1], aim.start.d[2], aim.start.d[3]};
   request.budget.trajectory = flight.spec.plan_work / kOptimiserPart;
   request.time_weight = flight.spec.time_weight;
   const Commitment& in_flight = flight.plans.in_flight;
-  const double from = seconds_between(in_flight.begin, takeover);
+  const double from = in_flight.time_at(takeover);
   if (from >= 0.0 && from < in_flight.branch) {
-    planner.begin(route.grid(), request, in_flight.planned, from);
+    planner->begin(route.grid(), request, in_flight.planned, from);
   } else {
-    planner.begin(route.grid(), request);
+    planner->begin(route.grid(), request);
   }
   work.spend(kPlanOperations);
   job = Job::kPlan;
   return Progress::kDone;
 }
 
-void Cycle::follow_route(const FlightFacts& flight, const Itinerary& itinerary, const Path& way) noexcept {
-  aim.shorten(way, route.grid().spec(), flight.spec.horizon, itinerary);
+Status Cycle::finish(Report& found) noexcept {
+  return job == Job::kRoute ? planner->finish_route(found) : planner->finish(plan, found);
+}
+
+void Cycle::follow_route(const FlightFacts& flight) noexcept {
+  aim.shorten(*planner->path(), route.grid().spec(), flight.spec.horizon, flight.itinerary);
   job = Job::kAskPlan;
 }
 
@@ -96,22 +101,21 @@ bool Cycle::moves_to_reachable(const FlightFacts& flight, const Report& found, s
 }
 
 /// A plan past points is asked for less only if the plan in flight does not go on anyway.
-NextPlan Cycle::ask_for_less(const Itinerary& itinerary, const Report& found) noexcept {
+NextPlan Cycle::ask_for_less(const FlightFacts& flight, const Report& found) noexcept {
   if (remainder_is_free) return NextPlan::kNone;
-  aim.ask_for_less(found, itinerary);
+  aim.ask_for_less(found, flight.itinerary);
   job = Job::kAskPlan;
   return NextPlan::kAsked;
 }
 
 /// If there is no route at all, the plan leads along the straight line.
-NextPlan Cycle::next_after_route(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                                 std::int64_t takeover) noexcept {
+NextPlan Cycle::next_after_route(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept {
   if (aim.move_to_free(found)) {
     aim.end_beside(nullptr, 0.0);
     job = Job::kAskRoute;
     return NextPlan::kAsked;
   }
-  if (aim.asked_count > 0) return ask_for_less(itinerary, found);
+  if (aim.asked_count > 0) return ask_for_less(flight, found);
   const bool may_move = may_move_to_reachable(found);
   if (may_move && moves_to_reachable(flight, found, takeover)) return NextPlan::kAsked;
   if (cut_off) return may_move ? NextPlan::kCutOff : NextPlan::kNone;
@@ -120,8 +124,7 @@ NextPlan Cycle::next_after_route(const FlightFacts& flight, const Itinerary& iti
   return NextPlan::kAsked;
 }
 
-NextPlan Cycle::next_after_plan(const FlightFacts& flight, const Itinerary& itinerary, const Report& found,
-                                std::int64_t takeover) noexcept {
+NextPlan Cycle::next_after_plan(const FlightFacts& flight, const Report& found, std::int64_t takeover) noexcept {
   if (aim.move_to_free(found)) {
     if (aim.asked_count == 0 && gets_no_nearer(flight, aim, takeover)) {
       if (is_target_occupied(flight, aim)) return NextPlan::kNearest;
@@ -137,7 +140,7 @@ NextPlan Cycle::next_after_plan(const FlightFacts& flight, const Itinerary& itin
     if (moves_to_reachable(flight, found, takeover)) return NextPlan::kAsked;
     return cut_off ? NextPlan::kCutOff : NextPlan::kNone;
   }
-  return aim.asked_count > 0 ? ask_for_less(itinerary, found) : NextPlan::kNone;
+  return aim.asked_count > 0 ? ask_for_less(flight, found) : NextPlan::kNone;
 }
 
 }  // namespace tern

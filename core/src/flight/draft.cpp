@@ -4,7 +4,6 @@
 
 #include "base/math.hpp"
 #include "flight/branch.hpp"
-#include "flight/flight_access.hpp"
 #include "prove/joints.hpp"
 
 namespace tern {
@@ -29,13 +28,9 @@ void Draft::extend(const Commitment& in_flight) noexcept {
 
 void Draft::compose(const Aim& aim, const Trajectory& planned, bool hemmed_in, bool looks_out,
                     const Vec3& hidden) noexcept {
+  static_cast<Destination&>(plan) = aim;
   plan.planned = planned;
-  plan.begin = takeover;
   plan.branch = 0.0;
-  plan.aim = aim.place;
-  plan.to_target = aim.at_target;
-  plan.beside_target = aim.beside_target;
-  plan.mission = aim.mission;
   plan.evades = false;
   plan.hemmed_in = hemmed_in;
   plan.departed = aim.start.d[0];
@@ -62,32 +57,28 @@ bool Draft::branch_off(const FlightFacts& flight, double at, int way) noexcept {
   return append_stop(joint, flight.limits, way, stop, plan.trajectory);
 }
 
-bool Draft::brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades, Work& work) noexcept {
+bool Draft::brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept {
   work.spend(number < kStops ? kStopOperations / 2 : kSlowDownOperations);
   const Commitment& committed = flight.plans.at(takeover);
-  const double from = seconds_between(committed.begin, takeover);
   extends = false;
-  plan.begin = takeover;
   plan.branch = 0.0;
-  plan.mission = itinerary.number;
-  plan.target = itinerary.leg;
   plan.passages = 0;
-  plan.to_target = plan.beside_target = false;
   plan.evades = evades;
   plan.looks_out = false;
   plan.hemmed_in = committed.hemmed_in;
   plan.departed = committed.departed;
   plan.trajectory.count = 0;
-  plan.trajectory.origin = evaluate(committed.trajectory, from).position;
+  plan.trajectory.begin = takeover;
+  plan.trajectory.origin = evaluate(committed.trajectory, committed.time_at(takeover)).position;
   if (!append_brake(flight, committed, number)) return false;
   plan.planned = plan.trajectory;
-  plan.aim = plan.end();
+  static_cast<Destination&>(plan) = {plan.end(), false, false, flight.itinerary.number, flight.itinerary.leg};
   return true;
 }
 
 /// Straight ahead, or along the committed plan.
 bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed, int number) noexcept {
-  const double from = seconds_between(committed.begin, takeover);
+  const double from = committed.time_at(takeover);
   const JointState at = joint_at(committed.trajectory, from, plan.trajectory.origin);
   if (number == 0) return append_sharp_stop(at, flight.limits, plan.trajectory);
   if (number < kStraight) return append_stop(at, flight.limits, number - 1, stop, plan.trajectory);
@@ -97,43 +88,43 @@ bool Draft::append_brake(const FlightFacts& flight, const Commitment& committed,
 
 bool Draft::prove_hover(const FlightFacts& flight) noexcept {
   const Commitment& hover = flight.plans.in_flight;
-  FlightAccess::begin(proof, flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
-                      grounds_of(flight.spec, hover));
+  proof.begin_accepted(flight.map.safe(), hover.trajectory, 0.0, nullptr, Beyond::kSolid,
+                       grounds_of(flight.spec, hover));
   return proof.step(~std::uint32_t{0}) == Status::kOk && proof.report().finding == Finding::kNone;
 }
 
 Status Draft::begin_proof(const FlightFacts& flight, const Trajectory& trajectory, double from) noexcept {
   proven_on = flight.map.safe().revision();
-  return FlightAccess::begin(proof, flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,
-                             grounds_of(flight.spec, plan));
+  return proof.begin_accepted(flight.map.safe(), trajectory, from, &flight.spec.limits, Beyond::kSolid,
+                              grounds_of(flight.spec, plan));
 }
 
 Status Draft::begin_proof(const FlightFacts& flight, double from, Beyond beyond, const ProofGrounds& grounds) noexcept {
   proven_on = flight.map.safe().revision();
-  return FlightAccess::begin(proof, flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
+  return proof.begin_accepted(flight.map.safe(), plan.trajectory, from, &flight.spec.limits, beyond, grounds);
 }
 
 Status Draft::begin_proof_of_remainder(const FlightFacts& flight, const Grid& copy, double from) noexcept {
-  return FlightAccess::begin(proof, copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
-                             {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
+  return proof.begin_accepted(copy, flight.plans.in_flight.planned, from, nullptr, Beyond::kEmpty,
+                              {nullptr, nullptr, nullptr, flight.spec.fences, flight.spec.fence_count});
 }
 
 double Draft::start_of_proof() const noexcept {
-  return larger(0.0, seconds_between(plan.begin, takeover));
+  return larger(0.0, plan.time_at(takeover));
 }
 
-bool Draft::passes_later(const Commitment& in_flight, const Itinerary& itinerary) const noexcept {
-  const std::int32_t leg = itinerary.leg_at(in_flight, takeover);
-  if (leg == itinerary.last()) return false;
+bool Draft::passes_later(const FlightFacts& flight) const noexcept {
+  const Commitment& in_flight = flight.plans.in_flight;
+  const std::int32_t leg = flight.itinerary.leg_at(in_flight, takeover);
+  if (leg == flight.itinerary.last()) return false;
   const double kept = in_flight.time_of(leg);
-  const double since_begin = seconds_between(in_flight.begin, takeover);
-  return kept < kNever && kept - since_begin + kLaterAtPoint < plan.time_of(leg);
+  return kept < kNever && kept - in_flight.time_at(takeover) + kLaterAtPoint < plan.time_of(leg);
 }
 
 bool Draft::joins_committed_plan(const CommittedPlans& plans, Work& work) const noexcept {
   const Commitment& committed = plans.at(takeover);
   work.spend(kJointOperations * (plan.trajectory.count + 2));
-  return follows(evaluate(committed.trajectory, seconds_between(committed.begin, takeover)),
+  return follows(evaluate(committed.trajectory, committed.time_at(takeover)),
                  evaluate(plan.trajectory, start_of_proof())) &&
          joints_hold(plan.trajectory);
 }

@@ -43,7 +43,7 @@ struct Draft {
   /// Follows the planner's plan until `at`, then brakes in one of kBranchShapes ways. False if there is no such brake.
   bool branch_off(const FlightFacts& flight, double at, int way) noexcept;
   /// Becomes brake number `number` of an evasion. False if there is no such brake.
-  bool brake(const FlightFacts& flight, const Itinerary& itinerary, int number, bool evades, Work& work) noexcept;
+  bool brake(const FlightFacts& flight, int number, bool evades, Work& work) noexcept;
 
   /// Proves that the vehicle may stay where it hovers at the flight's start.
   bool prove_hover(const FlightFacts& flight) noexcept;
@@ -58,7 +58,7 @@ struct Draft {
   double start_of_proof() const noexcept;
   /// True if it passes the next point much later than the plan in flight: right before a point, the planner may find no
   /// way through it but to stop and come back.
-  bool passes_later(const Commitment& in_flight, const Itinerary& itinerary) const noexcept;
+  bool passes_later(const FlightFacts& flight) const noexcept;
   /// Proves that it goes on from the committed plan, without a jump at any joint, and ends at rest. The proofs of
   /// obstacles and limits look at each segment alone.
   bool joins_committed_plan(const CommittedPlans& plans, Work& work) const noexcept;

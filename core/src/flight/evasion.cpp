@@ -39,7 +39,7 @@ bool Evasion::begin(const FlightFacts& flight, const Watch& watch, Draft& draft)
   const CommittedPlans& plans = flight.plans;
   const std::int64_t lead = ticks(flight.spec) * flight.spec.tick;
   const bool plan_is_next = plans.has_waiting && plans.waiting.branch > 0.0;
-  if (plan_is_next && plans.waiting.begin < flight.time + lead) return false;
+  if (plan_is_next && plans.waiting.begin() < flight.time + lead) return false;
   const bool brake_is_next = plans.has_waiting && !plan_is_next;
   const bool needed = !brake_is_next && !flight.rests() && (watch.threat || plans.at(flight.time).branch > 0.0);
   serves_stop = stop_asked;
@@ -60,11 +60,10 @@ bool Evasion::is_called_for(const FlightFacts& flight, const Watch& watch, bool 
   return !is_running && !watch.is_running_but_for_alarm() && flight.map.safe().bound() && (stop_asked || threatened);
 }
 
-EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch,
-                                  Draft& draft, Work& work) noexcept {
+EvasionResult Evasion::try_brakes(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
   best.number = number = -1;
   straight = along = 0;
-  return try_next(flight, itinerary, watch, draft, work);
+  return try_next(flight, watch, draft, work);
 }
 
 /// The sharpest brake straight ahead comes first: hardly any other meets what is in the way more slowly. Once a brake
@@ -75,10 +74,9 @@ int Evasion::number_of_next() noexcept {
   return along < kSlowDowns ? kStraight + along++ : kEvasions;
 }
 
-EvasionResult Evasion::try_next(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                                Work& work) noexcept {
+EvasionResult Evasion::try_next(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
   for (number = number_of_next(); number < kEvasions; number = number_of_next()) {
-    if (draft.brake(flight, itinerary, number, watch.threat, work) &&
+    if (draft.brake(flight, number, watch.threat, work) &&
         begin_brake_proof(BrakeProof::kClear, flight, watch, draft)) {
       return EvasionResult::kProving;
     }
@@ -98,14 +96,13 @@ bool Evasion::begin_brake_proof(BrakeProof what, const FlightFacts& flight, cons
   return draft.begin_proof(flight, from, beyond, grounds) == Status::kRunning;
 }
 
-EvasionResult Evasion::judge(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                             Work& work) noexcept {
+EvasionResult Evasion::judge(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
   if (proves == BrakeProof::kClear && draft.proof.report().finding == Finding::kNone) {
     missed = 0;
     return EvasionResult::kProven;
   }
   if (go_on_proving(flight, watch, draft)) return EvasionResult::kProving;
-  return try_next(flight, itinerary, watch, draft, work);
+  return try_next(flight, watch, draft, work);
 }
 
 /// A brake that is not clear may still be flown if it keeps the limits, and is then judged by its contact. True if
@@ -140,19 +137,17 @@ bool helps(const JudgedBrake& brake, const FlightFacts& flight, const Watch& wat
 
 /// A threat remains. A stop is tried again once the waiting plan has taken over. If there was no time to judge any
 /// brake, or to find one for a stop, the next evasion gets more time.
-bool Evasion::end(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                  Work& work) noexcept {
+bool Evasion::end(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept {
   const bool is_late = number < kEvasions && (best.number < 0 || !watch.threat);
   if (is_late) {
-    miss(itinerary.has_goal);
+    miss(flight.itinerary.has_goal);
     if (missed < 2 * kMostDoublings) ++missed;
     return false;
   }
   missed = 0;
-  stop_asked = stop_asked || (serves_stop && flight.plans.has_waiting && !itinerary.has_goal);
+  stop_asked = stop_asked || (serves_stop && flight.plans.has_waiting && !flight.itinerary.has_goal);
   number = best.number;
-  return watch.threat && helps(best, flight, watch, draft.takeover) &&
-         draft.brake(flight, itinerary, number, watch.threat, work);
+  return watch.threat && helps(best, flight, watch, draft.takeover) && draft.brake(flight, number, watch.threat, work);
 }
 
 void Evasion::miss(bool has_goal) noexcept {

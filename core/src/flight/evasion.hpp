@@ -10,7 +10,6 @@
 #include "flight/branch.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "flight/watch.hpp"
 
 namespace tern {
@@ -67,17 +66,13 @@ struct Evasion {
   /// Begins the draft of a brake. False if no brake is needed, or none may begin now.
   bool begin(const FlightFacts& flight, const Watch& watch, Draft& draft) noexcept;
   /// Tries all brakes from the first one on: begins to prove the next one that can be made. kProving or kOver.
-  EvasionResult try_brakes(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                           Work& work) noexcept;
-  EvasionResult try_next(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                         Work& work) noexcept;
+  EvasionResult try_brakes(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept;
+  EvasionResult try_next(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept;
   /// Judges the brake by the draft's proof, which is done.
-  EvasionResult judge(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-                      Work& work) noexcept;
+  EvasionResult judge(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept;
   /// Ends an evasion that has proven no brake. True if the draft is a brake that is better than the committed plan all
   /// the same.
-  bool end(const FlightFacts& flight, const Itinerary& itinerary, const Watch& watch, Draft& draft,
-           Work& work) noexcept;
+  bool end(const FlightFacts& flight, const Watch& watch, Draft& draft, Work& work) noexcept;
   /// The evasion was not done in time, for example because ticks were skipped. It is tried again, unless there is no
   /// threat and a new goal.
   void miss(bool has_goal) noexcept;

@@ -5,7 +5,6 @@
 #include "tern/flight.hpp"
 
 #include "base/math.hpp"
-#include "flight/flight_access.hpp"
 #include "flight/flight_state.hpp"
 
 namespace tern {
@@ -21,8 +20,8 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
   if (state_ == nullptr) return Status::kInvalidArgument;
   const Status status = check_mission(points, count, policy);
   if (status != Status::kOk) return status;
-  state_->itinerary.begin(points, count, policy);
-  state_->cycle.expect(points[0].position);
+  state_->facts.itinerary.begin(points, count, policy);
+  state_->cycle.aim.expect(points[0].position);
   state_->evasion.forget_stop();
   state_->try_anew();
   return status;
@@ -31,7 +30,7 @@ Status Flight::set_mission(const Via* points, int32_t count, ViaPolicy policy) n
 /// The pending plan leads to the goal that is forgotten.
 Status Flight::stop() noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
-  state_->itinerary.forget_goal();
+  state_->facts.itinerary.forget_goal();
   state_->search.end_look();
   state_->evasion.ask_for_stop();
   state_->cycle.leave();
@@ -62,13 +61,12 @@ Command Flight::command(int64_t t) const noexcept {
 Status Flight::set_clock(int64_t t) noexcept {
   if (state_ == nullptr) return Status::kInvalidArgument;
   state_->facts.set_clock(t);
-  FlightAccess::forget_time(state_->facts.map);
-  return Status::kOk;
+  return state_->facts.map.forget_time();
 }
 
 PointState Flight::point_state(int32_t point) const noexcept {
-  const bool exists = state_ != nullptr && point >= 0 && point < state_->itinerary.count;
-  return exists ? state_->itinerary.state[point] : PointState::kAhead;
+  const bool exists = state_ != nullptr && point >= 0 && point < state_->facts.itinerary.count;
+  return exists ? state_->facts.itinerary.state[point] : PointState::kAhead;
 }
 
 Status Flight::set_yaw(const FlightYaw& yaw) noexcept {
@@ -80,6 +78,14 @@ Status Flight::set_yaw(const FlightYaw& yaw) noexcept {
 
 YawSample Flight::yaw(int64_t t) const noexcept {
   return state_ == nullptr ? YawSample{} : state_->nose.at(state_->facts.time_to_answer(t));
+}
+
+Status Flight::committed_plan(Trajectory& plan) const noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  const Commitment& latest = state_->facts.plans.latest();
+  plan = latest.trajectory;
+  plan.begin = state_->facts.clock.shown_at(latest.begin());
+  return Status::kOk;
 }
 
 Vec3 Flight::rest_position() const noexcept {

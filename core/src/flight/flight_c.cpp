@@ -6,14 +6,13 @@
 
 #include "flight/flight_handle.hpp"
 #include "grid/grid_handle.hpp"
+#include "map/map_handle.hpp"
 
 namespace {
 
 using tern::Flight;
-using tern::Grid;
 using tern::kFlightTag;
 using tern::object;
-using tern::RollingMap;
 using tern::Status;
 
 constexpr std::uint8_t kInvalid = static_cast<std::uint8_t>(Status::kInvalidArgument);
@@ -25,23 +24,6 @@ std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
 }
 
-/// The memory may never have been written; reading the word as volatile makes sure that it has one value.
-bool holds(const std::uint64_t* opaque, std::uint64_t tag) {
-  return *static_cast<const volatile std::uint64_t*>(opaque) == tag;
-}
-
-/// What stands in for a grid that was never bound.
-constexpr Grid kNoGrid{};
-
-const Grid& object(const tern_grid& grid) {
-  return holds(grid.opaque, tern::kGridTag) ? *std::launder(reinterpret_cast<const Grid*>(grid.opaque + 1)) : kNoGrid;
-}
-
-RollingMap object(const tern_map& map) {
-  if (!holds(map.opaque, tern::kMapTag)) return RollingMap{};
-  return *std::launder(reinterpret_cast<const RollingMap*>(map.opaque + 1));
-}
-
 }  // namespace
 
 extern "C" {
@@ -50,7 +32,7 @@ double tern_clear_until(const tern_grid* grid, const tern_trajectory* trajectory
                         const tern_limits* limits, std::uint8_t beyond, tern_proof_report* report) {
   if (grid == nullptr || trajectory == nullptr) return __builtin_nan("");
   const tern::Beyond space = beyond == TERN_BEYOND_EMPTY ? tern::Beyond::kEmpty : tern::Beyond::kSolid;
-  return tern::clear_until(object(*grid), *trajectory, from, limits, space, report);
+  return tern::clear_until(object(grid), *trajectory, from, limits, space, report);
 }
 
 void tern_flight_spec_init(tern_flight_spec* spec, const tern_limits* limits) {
@@ -71,7 +53,7 @@ std::uint8_t tern_flight_start(tern_flight* flight, const tern_flight_spec* spec
   }
   tern::Planner& plans = *std::launder(reinterpret_cast<tern::Planner*>(planner->opaque));
   Flight begun;
-  const Status status = begun.start(*spec, object(*map), plans, words, word_count, *position, t, refusal);
+  const Status status = begun.start(*spec, object(map), plans, words, word_count, *position, t, refusal);
   if (status != Status::kOk) return code(status);
   new (flight->opaque + 1) Flight(begun);
   flight->opaque[0] = kFlightTag;
@@ -105,6 +87,10 @@ void tern_flight_command(const tern_flight* flight, std::int64_t t, tern_command
 
 std::uint8_t tern_flight_set_clock(tern_flight* flight, std::int64_t t) {
   return code(object(flight).set_clock(t));
+}
+
+std::uint8_t tern_flight_committed_plan(const tern_flight* flight, tern_trajectory* plan) {
+  return plan == nullptr ? kInvalid : code(object(flight).committed_plan(*plan));
 }
 
 void tern_flight_rest_position(const tern_flight* flight, tern_vec3* position) {

@@ -77,7 +77,7 @@ void FlightFacts::follow_vehicle() noexcept {
     const double spare = larger(0.0, half - axis(offset, a) - needed);
     axis(center, a) = clamp(axis(center, a), axis(at, a) - spare, axis(at, a) + spare);
     const double room = half - axis(offset, a) - window.clearance() - window.cell;
-    if (extent_along(commitment.trajectory, seconds_between(commitment.begin, time), center, a) > room) return;
+    if (extent_along(commitment.trajectory, commitment.time_at(time), center, a) > room) return;
   }
   map.follow(center);
 }

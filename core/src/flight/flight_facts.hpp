@@ -1,7 +1,8 @@
 // Copyright (c) 2026, the Tern authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What every part of a flight reads: how to fly, the map, the time and the committed plans. Only a tick writes it.
+// What every part of a flight reads: how to fly, the map, the time, the committed plans and the mission. Only the
+// functions that join the parts write it.
 #ifndef TERN_FLIGHT_FLIGHT_FACTS_HPP
 #define TERN_FLIGHT_FLIGHT_FACTS_HPP
 
@@ -11,6 +12,7 @@
 #include "curve/hermite.hpp"
 #include "flight/committed_plans.hpp"
 #include "flight/flight_clock.hpp"
+#include "flight/itinerary.hpp"
 #include "tern/flight.hpp"
 #include "tern/map.hpp"
 
@@ -33,6 +35,7 @@ struct FlightFacts {
   std::int64_t time;   ///< of the last tick, in nanoseconds since the start, as all times of a flight
   std::int64_t gap;    ///< between the last two ticks
   CommittedPlans plans;
+  Itinerary itinerary;
   std::uint64_t frames;     ///< RollingMap::frames() at the last tick
   std::int64_t frame_time;  ///< when that number last grew
 

@@ -16,7 +16,6 @@
 #include "flight/draft.hpp"
 #include "flight/evasion.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "flight/nose.hpp"
 #include "flight/rest_search.hpp"
 #include "flight/watch.hpp"
@@ -27,9 +26,7 @@ namespace tern {
 class FlightState {
  public:
   FlightFacts facts;
-  Itinerary itinerary;
   Work tick_work;  ///< what is left of the tick's units; a debt goes on to the next tick
-  Planner* planner;
   Cycle cycle;
   Evasion evasion;
   Draft draft;  ///< of the cycle or of the evasion: at most one of them is at work
@@ -41,40 +38,37 @@ class FlightState {
 
   // tick.cpp: one tick
   void tick(std::int64_t t) noexcept;
-  void step_map(Work& work) noexcept;
-  void run_watch(Work& work) noexcept;
+  void step_map() noexcept;
+  void run_watch() noexcept;
   void end_watched_part() noexcept;
-  void advance(Work& work) noexcept;
+  void advance() noexcept;
   void begin_evasion() noexcept;
   void prove_anew() noexcept;
-  Progress run_evasion(Work& work) noexcept;
+  Progress run_evasion() noexcept;
+  void go_on_evading(EvasionResult result) noexcept;
   void end_evasion() noexcept;
   bool is_busy() const noexcept { return cycle.job != Job::kIdle || evasion.is_running; }
 
   // report.cpp: what a tick says of the vehicle's surroundings, and reports
   double note_block_near_vehicle() noexcept;
-  void note_beside() noexcept;
-  void turn_nose(Work& work) noexcept;
   void finish_report(std::uint32_t spent) noexcept;
 
   // results.cpp: what the results of a cycle mean to the other parts
   void begin_cycle() noexcept;
-  Progress run_job(Work& work) noexcept;
-  Progress run_lookout(Work& work) noexcept;
+  Progress run_job() noexcept;
+  Progress run_lookout() noexcept;
   Progress choose_aim() noexcept;
-  Progress end_route() noexcept;
-  Progress end_plan() noexcept;
+  Progress end_planner() noexcept;
   void end_without_plan(const Report& found) noexcept;
   bool note_fault(const Report& found) noexcept;
   void choose_draft(bool planned) noexcept;
-  Progress run_proof(Work& work) noexcept;
-  Progress run_confirm(Work& work) noexcept;
+  Progress run_proof() noexcept;
+  Progress run_confirm() noexcept;
   Progress or_fail(Progress progress) noexcept;
   bool commit() noexcept;
   void enter_draft() noexcept;
   void fail() noexcept;
   void give_up() noexcept;
-  void after_failed_cycle() noexcept;
   void park(FlightReason why) noexcept;
   bool leave_out(std::int32_t point, FlightReason why) noexcept;
   void try_anew() noexcept;

@@ -4,62 +4,46 @@
 // What a flight does, and why it rests, in words.
 #include "tern/flight.hpp"
 
+// One line a value: tables.
+// clang-format off
 namespace tern {
 
 const char* flight_mode_name(FlightMode mode) noexcept {
   switch (mode) {
-    case FlightMode::kRest:
-      return "rest";
-    case FlightMode::kLook:
-      return "look";
-    case FlightMode::kFly:
-      return "fly";
-    case FlightMode::kStop:
-      return "stop";
-    case FlightMode::kThreat:
-      return "threat";
+    case FlightMode::kRest: return "rest";
+    case FlightMode::kLook: return "look";
+    case FlightMode::kFly: return "fly";
+    case FlightMode::kStop: return "stop";
+    case FlightMode::kThreat: return "threat";
   }
   return "unknown";
 }
 
 const char* flight_reason_text(FlightReason reason) noexcept {
   switch (reason) {
-    case FlightReason::kNone:
-      return "it goes on";
-    case FlightReason::kNoGoal:
-      return "there is no goal";
-    case FlightReason::kArrived:
-      return "it is at the goal";
-    case FlightReason::kNearest:
-      return "the goal is occupied or cut off, and no way leads to a point nearer to it";
-    case FlightReason::kNoProgress:
-      return "there is no way that can be proven free, or none that leads nearer to the goal";
-    case FlightReason::kHemmedIn:
-      return "something is nearer to the vehicle than the radius, and no way leads away from it";
-    case FlightReason::kViaBlocked:
-      return "the next point of the mission is occupied or fenced";
-    case FlightReason::kViaUnreachable:
-      return "there is no way to the next point of the mission that can be proven free";
-    case FlightReason::kMapStale:
-      return "no new frames come, and there is no way through what the map knows";
+    case FlightReason::kNone: return "it goes on";
+    case FlightReason::kNoGoal: return "there is no goal";
+    case FlightReason::kArrived: return "it is at the goal";
+    case FlightReason::kNearest: return "the goal is occupied or cut off, and no way leads to a point nearer to it";
+    case FlightReason::kNoProgress: return "there is no way that can be proven free, or none that leads nearer to the goal";
+    case FlightReason::kHemmedIn: return "something is nearer to the vehicle than the radius, and no way leads away from it";
+    case FlightReason::kViaBlocked: return "the next point of the mission is occupied or fenced";
+    case FlightReason::kViaUnreachable: return "there is no way to the next point of the mission that can be proven free";
+    case FlightReason::kMapStale: return "no new frames come, and there is no way through what the map knows";
   }
   return "unknown";
 }
 
 const char* blocked_by_text(BlockedBy by) noexcept {
   switch (by) {
-    case BlockedBy::kNothing:
-      return "nothing that is known";
-    case BlockedBy::kUnseen:
-      return "a voxel that was not seen free yet";
-    case BlockedBy::kObstacle:
-      return "an obstacle";
-    case BlockedBy::kWindow:
-      return "the face of the map's window";
-    case BlockedBy::kFence:
-      return "a fence";
+    case BlockedBy::kNothing: return "nothing that is known";
+    case BlockedBy::kUnseen: return "a voxel that was not seen free yet";
+    case BlockedBy::kObstacle: return "an obstacle";
+    case BlockedBy::kWindow: return "the face of the map's window";
+    case BlockedBy::kFence: return "a fence";
   }
   return "unknown";
 }
 
 }  // namespace tern
+// clang-format on

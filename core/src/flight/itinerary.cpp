@@ -4,6 +4,7 @@
 
 #include "base/capacity.hpp"
 #include "base/math.hpp"
+#include "flight/flight_facts.hpp"
 #include "grid/distance.hpp"
 #include "planner/validate.hpp"
 
@@ -73,9 +74,9 @@ void Itinerary::forget_goal() noexcept {
 bool Itinerary::pass_points(const FlightFacts& flight) noexcept {
   if (!has_goal) return false;
   const CommittedPlans& plans = flight.plans;
-  const bool took_over = plans.has_waiting && plans.waiting.begin < flight.time;
+  const bool took_over = plans.has_waiting && plans.waiting.begin() < flight.time;
   const std::int32_t before = leg;
-  const std::int32_t next = leg_at(plans.in_flight, took_over ? plans.waiting.begin : flight.time);
+  const std::int32_t next = leg_at(plans.in_flight, took_over ? plans.waiting.begin() : flight.time);
   while (leg != next) {
     pass(leg);
     go_on_from(leg);
@@ -134,7 +135,7 @@ std::int32_t Itinerary::after(std::int32_t point) const noexcept {
 std::int32_t Itinerary::leg_at(const Commitment& in_flight, std::int64_t t) const noexcept {
   std::int32_t next = leg;
   if (in_flight.mission != number) return next;
-  const double since_begin = seconds_between(in_flight.begin, t);
+  const double since_begin = in_flight.time_at(t);
   for (std::int32_t i = 0; i < in_flight.passages; ++i) {
     const Passage& passage = in_flight.passage[i];
     const bool passed = passage.time <= in_flight.branch && passage.time + points[next].dwell <= since_begin;
@@ -144,11 +145,11 @@ std::int32_t Itinerary::leg_at(const Commitment& in_flight, std::int64_t t) cons
 }
 
 bool Itinerary::is_reached_by(const Commitment& plan) const noexcept {
-  return plan.to_target && plan.target == last() && plan.mission == number && plan.branch >= duration(plan.planned);
+  return plan.at_target && plan.target == last() && plan.mission == number && plan.branch >= duration(plan.planned);
 }
 
 bool Itinerary::dwells_after(const Commitment& plan) const noexcept {
-  if (!plan.to_target || plan.mission != number || plan.branch < duration(plan.planned)) return false;
+  if (!plan.at_target || plan.mission != number || plan.branch < duration(plan.planned)) return false;
   return plan.target == leg && points[plan.target].dwell > 0.0;
 }
 

@@ -8,12 +8,14 @@
 
 #include <cstdint>
 
-#include "flight/flight_facts.hpp"
+#include "flight/committed_plans.hpp"
 #include "tern/flight.hpp"
 #include "tern/report.hpp"
 #include "tern/via.hpp"
 
 namespace tern {
+
+struct FlightFacts;
 
 /// How many plans must find a point blocked before it counts as unreachable. A wrong pixel does not block it for that
 /// long.
@@ -67,6 +69,8 @@ struct Itinerary {
   /// Counts a new plan from this place that is about to be committed. True if it comes nearer to the next point.
   bool count_plan(const FlightFacts& flight, const Vec3& from) noexcept;
 
+  /// There is a point to fly to, and the flight did not give up.
+  bool goes_on() const noexcept { return has_goal && !parked; }
   std::int32_t last() const noexcept { return count - 1; }
   /// The first point after `point` that is not skipped. The goal is never skipped.
   std::int32_t after(std::int32_t point) const noexcept;

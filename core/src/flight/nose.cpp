@@ -121,14 +121,12 @@ YawSample Nose::at(std::int64_t t) const noexcept {
 
 /// The wish is as asked for, unless the nose must turn to the next thing to see. It must if the vehicle rests or flies
 /// to a lookout, or if the committed plan ends soon and that thing is out of view.
-NoseWish Nose::wish_of(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at,
-                       std::uint32_t commits) const noexcept {
+NoseWish Nose::wish_of(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits) const noexcept {
   NoseWish wanted{yaw.mode, yaw.point, yaw.heading, commits};
   const CommittedPlans& plans = flight.plans;
   const bool ends_soon = distance(flight.position(), plans.latest().end()) < kSeekPart * flight.spec.horizon;
-  const bool looks = flight.rests() || plans.latest().looks_out || (ends_soon && waits_for_nose(flight, itinerary));
-  const bool turns_there =
-      itinerary.has_goal && !itinerary.parked && !itinerary.is_reached_by(plans.in_flight) && looks;
+  const bool looks = flight.rests() || plans.latest().looks_out || (ends_soon && waits_for_nose(flight));
+  const bool turns_there = flight.itinerary.goes_on() && !flight.itinerary.is_reached_by(plans.in_flight) && looks;
   if (!turns_there && wanted.mode != FlightYawMode::kTowardsUnseen) return wanted;
   wanted.mode = FlightYawMode::kTowardsPoint;
   wanted.point = look_at;
@@ -136,8 +134,7 @@ NoseWish Nose::wish_of(const FlightFacts& flight, const Itinerary& itinerary, co
 }
 
 /// Spends a share of the tick's work. No plan for the trajectory waits for it.
-void Nose::turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at, std::uint32_t commits,
-                Work& work) noexcept {
+void Nose::turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits, Work& work) noexcept {
   if (!is_planned) return;
   if (has_waiting && flight.time >= waiting.begin) {
     in_flight = waiting;
@@ -146,8 +143,8 @@ void Nose::turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec
   drop_late(flight);
   const bool is_due = !is_pending && !has_waiting && soonest_turn(flight) >= in_flight.begin + kLeastTurn;
   if (is_due) {
-    const NoseWish wanted = wish_of(flight, itinerary, look_at, commits);
-    if (!same_wish(wanted, wish)) begin(flight, itinerary, wanted);
+    const NoseWish wanted = wish_of(flight, look_at, commits);
+    if (!same_wish(wanted, wish)) begin(flight, wanted);
   }
   if (is_pending) advance(flight, work);
 }
@@ -160,11 +157,11 @@ void Nose::drop_late(const FlightFacts& flight) noexcept {
   wish.commits = kNoCommits;
 }
 
-void Nose::begin(const FlightFacts& flight, const Itinerary& itinerary, const NoseWish& wanted) noexcept {
+void Nose::begin(const FlightFacts& flight, const NoseWish& wanted) noexcept {
   const Commitment& latest = flight.plans.latest();
   const std::int64_t soonest = soonest_turn(flight);
-  waiting.begin = soonest > latest.begin ? soonest : latest.begin;
-  take_remainder(latest.trajectory, seconds_between(latest.begin, waiting.begin), kNoseAhead, way);
+  waiting.begin = soonest > latest.begin() ? soonest : latest.begin();
+  take_remainder(latest.trajectory, latest.time_at(waiting.begin), kNoseAhead, way);
   const YawSample from = at(waiting.begin);
   const double most = yaw.acceleration_max;
   YawRequest request = yaw_request({from.yaw.cosine, from.yaw.sine}, flight.spec.yaw_rate, most);
@@ -174,19 +171,19 @@ void Nose::begin(const FlightFacts& flight, const Itinerary& itinerary, const No
   request.heading = wanted.heading;
   if (wanted.mode == FlightYawMode::kTowardsPoint) request.mode = YawMode::kTowardsPoint;
   if (wanted.mode == FlightYawMode::kFixed) request.mode = YawMode::kFixed;
-  if (wanted.mode == FlightYawMode::kAtPoints) time_headings(flight, itinerary, request);
+  if (wanted.mode == FlightYawMode::kAtPoints) time_headings(flight, request);
   wish = wanted;
   is_pending = planner.begin(way, request) == Status::kRunning;
 }
 
-void Nose::time_headings(const FlightFacts& flight, const Itinerary& itinerary, YawRequest& request) noexcept {
+void Nose::time_headings(const FlightFacts& flight, YawRequest& request) noexcept {
   const Commitment& latest = flight.plans.latest();
   const std::int32_t last = yaw.heading_count - 1;
-  const double from = seconds_between(latest.begin, waiting.begin);
+  const double from = latest.time_at(waiting.begin);
   request.mode = YawMode::kTimed;
   request.timed = timed;
   double latest_time = 0.0;
-  for (std::int32_t i = 0; i < latest.passages && latest.mission == itinerary.number; ++i) {
+  for (std::int32_t i = 0; i < latest.passages && latest.mission == flight.itinerary.number; ++i) {
     const Passage& passage = latest.passage[i];
     const double t = passage.time - from;
     if (passage.time > latest.branch || !(t > latest_time)) continue;
@@ -195,16 +192,14 @@ void Nose::time_headings(const FlightFacts& flight, const Itinerary& itinerary, 
   }
   if (request.timed_count > 0) return;
   request.mode = YawMode::kFixed;
-  request.heading = headings[itinerary.leg < last ? itinerary.leg : last];
+  request.heading = headings[flight.itinerary.leg < last ? flight.itinerary.leg : last];
 }
 
 /// Works on the yaw plan with its share of the tick's units. A plan that would be late at the next tick is taken
 /// unfinished: it keeps the limits as well.
 void Nose::advance(const FlightFacts& flight, Work& work) noexcept {
-  Work share = work.within(kUnit * (flight.spec.work_per_tick / kNoseShare));
-  const Operations given = share.operations();
-  const Status status = planner.step(share);
-  work.spend(given - share.operations());
+  Share share(work, kUnit * (flight.spec.work_per_tick / kNoseShare));
+  const Status status = planner.step(share.part);
   if (status == Status::kRunning && flight.time + tick_gap(flight) <= waiting.begin - flight.spec.tick) return;
   planner.finish(waiting.plan);
   const double begins = evaluate(in_flight.plan, seconds_between(in_flight.begin, waiting.begin)).angle;
@@ -220,9 +215,9 @@ void Nose::note_view(const RollingMap& map, const ProofReport& found) noexcept {
   if (has_unseen) unseen = safe.spec().origin + safe.center(found.voxel);
 }
 
-bool Nose::waits_for_nose(const FlightFacts& flight, const Itinerary& itinerary) const noexcept {
+bool Nose::waits_for_nose(const FlightFacts& flight) const noexcept {
   const bool needs_view = is_planned && yaw.field_of_view > 0.0 && has_unseen;
-  if (!needs_view || !itinerary.has_goal || itinerary.parked) return false;
+  if (!needs_view || !flight.itinerary.goes_on()) return false;
   const Vec3 direction = unseen - flight.position();
   const YawSample now = at(flight.time);
   const double ahead = direction.x * now.yaw.cosine + direction.y * now.yaw.sine;

@@ -10,7 +10,6 @@
 
 #include "base/work.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "tern/flight.hpp"
 #include "tern/proof.hpp"
 #include "tern/trajectory.hpp"
@@ -60,8 +59,7 @@ struct Nose {
   void set(const FlightFacts& flight, const FlightYaw& wanted) noexcept;
   /// Goes on with the pending yaw plan, or begins one if the wish has changed.
   /// The next thing to see is at `look_at`; so many plans were committed.
-  void turn(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at, std::uint32_t commits,
-            Work& work) noexcept;
+  void turn(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits, Work& work) noexcept;
   /// Notes whether something that was not seen yet ended the last proof.
   void note_view(const RollingMap& map, const ProofReport& found) noexcept;
 
@@ -69,19 +67,18 @@ struct Nose {
   Status check(const FlightSpec& spec, const FlightYaw& wanted) const noexcept;
   YawSample at(std::int64_t t) const noexcept;
   /// The wish at this tick; the arguments are those of turn().
-  NoseWish wish_of(const FlightFacts& flight, const Itinerary& itinerary, const Vec3& look_at,
-                   std::uint32_t commits) const noexcept;
+  NoseWish wish_of(const FlightFacts& flight, const Vec3& look_at, std::uint32_t commits) const noexcept;
   /// The next thing to see is outside the field of view: the flight goes on once the nose has turned.
-  bool waits_for_nose(const FlightFacts& flight, const Itinerary& itinerary) const noexcept;
+  bool waits_for_nose(const FlightFacts& flight) const noexcept;
   /// How long a look around takes to turn to the next direction and see there, seconds.
   double seconds_per_direction(const FlightSpec& spec) const noexcept;
   /// Asks for the heading of each point that the committed plan passes, at its time. If it passes none, asks for the
   /// heading of the next point.
-  void time_headings(const FlightFacts& flight, const Itinerary& itinerary, YawRequest& request) noexcept;
+  void time_headings(const FlightFacts& flight, YawRequest& request) noexcept;
 
  private:
   void drop_late(const FlightFacts& flight) noexcept;
-  void begin(const FlightFacts& flight, const Itinerary& itinerary, const NoseWish& wanted) noexcept;
+  void begin(const FlightFacts& flight, const NoseWish& wanted) noexcept;
   void advance(const FlightFacts& flight, Work& work) noexcept;
 };
 

@@ -11,7 +11,7 @@ FlightMode mode_of(const FlightFacts& facts, const Watch& watch, const RestSearc
   if (watch.shows_threat(facts)) return FlightMode::kThreat;
   if (facts.hovers()) return search.is_looking ? FlightMode::kLook : FlightMode::kRest;
   const Commitment& in_flight = facts.plans.in_flight;
-  return seconds_between(in_flight.begin, facts.time) < in_flight.branch ? FlightMode::kFly : FlightMode::kStop;
+  return in_flight.time_at(facts.time) < in_flight.branch ? FlightMode::kFly : FlightMode::kStop;
 }
 
 }  // namespace
@@ -21,26 +21,18 @@ double FlightState::note_block_near_vehicle() noexcept {
   return block.note_near(facts.map, facts.position(), facts.map.safe(), tick_work);
 }
 
-void FlightState::note_beside() noexcept {
-  if (watch.lacks_beside(facts)) watch.note_beside(note_block_near_vehicle());
-}
-
-void FlightState::turn_nose(Work& work) noexcept {
-  nose.turn(facts, itinerary, search.looking_at(facts, nose, facts.time), report.committed, work);
-}
-
 void FlightState::finish_report(std::uint32_t spent) noexcept {
   report.mode = mode_of(facts, watch, search);
-  report.reason = itinerary.reason;
+  report.reason = facts.itinerary.reason;
   report.work = spent;
-  report.waits_for_nose = nose.waits_for_nose(facts, itinerary);
+  report.waits_for_nose = nose.waits_for_nose(facts);
   report.map_stale = facts.is_stale();
   report.frame_age = facts.time - facts.frame_time;
-  report.leg = itinerary.leg;
-  report.passed = itinerary.count_points(PointState::kPassed);
-  report.skipped = itinerary.count_points(PointState::kSkipped);
-  const bool has_block = watch.is_beside(facts) ||
-                         (itinerary.reason != FlightReason::kNoGoal && itinerary.reason != FlightReason::kArrived);
+  report.leg = facts.itinerary.leg;
+  report.passed = facts.itinerary.count_points(PointState::kPassed);
+  report.skipped = facts.itinerary.count_points(PointState::kSkipped);
+  const bool has_block = watch.is_beside(facts) || (facts.itinerary.reason != FlightReason::kNoGoal &&
+                                                    facts.itinerary.reason != FlightReason::kArrived);
   const Blockage& what = has_block ? block : kNoBlockage;
   report.blocked_by = what.by;
   report.blocked_at = what.at;

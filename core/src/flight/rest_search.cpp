@@ -80,9 +80,8 @@ void RestSearch::note_place(const FlightFacts& flight) noexcept {
 /// If the goal is still cut off after a look around, the vehicle is as near to it as it gets. If the goal is in an
 /// obstacle that was seen, and the vehicle is right before it, a look around would show no way. A stare shows whether
 /// the obstacle is only a wrong pixel.
-FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Itinerary& itinerary,
-                                            const Blockage& block, bool hemmed_in, bool is_cut_off,
-                                            const Nose& nose) noexcept {
+FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Blockage& block, bool hemmed_in,
+                                            bool is_cut_off, const Nose& nose) noexcept {
   note_place(flight);
   if (is_looking) {
     if (sector_at(flight, nose, flight.time) <= kDirections + kStares) return FlightReason::kNone;
@@ -90,7 +89,7 @@ FlightReason RestSearch::after_failed_cycle(const FlightFacts& flight, const Iti
     turned = true;
     sought &= kWentAway;
   }
-  const bool is_before_goal = itinerary.is_right_before(flight);
+  const bool is_before_goal = flight.itinerary.is_right_before(flight);
   const bool is_nearest = (is_cut_off || is_before_goal) && !hemmed_in;
   if (!is_nearest && seek_lookout(flight, block, hemmed_in)) return FlightReason::kNone;
   if (turned && hemmed_in) return FlightReason::kHemmedIn;
@@ -169,7 +168,7 @@ Vec3 RestSearch::lookout_place(const RollingMap& map, const Blockage& block, con
 void RestSearch::note_commit(const Draft& draft, const Commitment& in_flight) noexcept {
   idle_cycles = 0;
   is_looking = false;
-  if (!seeks || draft.extends || same(draft.plan.aim, in_flight.aim)) return;
+  if (!seeks || draft.extends || same(draft.plan.place, in_flight.place)) return;
   seeks = goes_away();
   ++lookouts;
   if (!seeks) return;

@@ -13,7 +13,6 @@
 #include "flight/blocked.hpp"
 #include "flight/draft.hpp"
 #include "flight/flight_facts.hpp"
-#include "flight/itinerary.hpp"
 #include "flight/nose.hpp"
 
 namespace tern {
@@ -63,8 +62,8 @@ struct RestSearch {
   bool count_idle() noexcept { return ++idle_cycles >= kIdleCycles; }
   /// After so many: the vehicle looks around, then flies to lookouts to see what blocks its way. If nothing helps, it
   /// gives up: the answer says why, otherwise kNone. `is_cut_off`: no way leads to the target.
-  FlightReason after_failed_cycle(const FlightFacts& flight, const Itinerary& itinerary, const Blockage& block,
-                                  bool hemmed_in, bool is_cut_off, const Nose& nose) noexcept;
+  FlightReason after_failed_cycle(const FlightFacts& flight, const Blockage& block, bool hemmed_in, bool is_cut_off,
+                                  const Nose& nose) noexcept;
   /// True if the next plan leads to a lookout. A look around comes first: it shows more, sooner.
   bool seek_lookout(const FlightFacts& flight, const Blockage& block, bool hemmed_in) noexcept;
   void begin_lookout() noexcept;

@@ -29,14 +29,9 @@ Verdict invalid(Field field) {
 }
 
 Verdict check_finite(const FlightSpec& spec) {
-  const struct {
-    double value;
-    Field field;
-  } fields[] = {{spec.horizon, Field::kHorizon}, {spec.near, Field::kNear}, {spec.yaw_rate, Field::kYawRate}};
-  for (const auto& entry : fields) {
-    if (!finite(entry.value)) return {Status::kNonFiniteInput, entry.field};
-  }
-  return kAccepted;
+  if (!finite(spec.horizon)) return {Status::kNonFiniteInput, Field::kHorizon};
+  if (!finite(spec.near)) return {Status::kNonFiniteInput, Field::kNear};
+  return finite(spec.yaw_rate) ? kAccepted : Verdict{Status::kNonFiniteInput, Field::kYawRate};
 }
 
 Verdict check_ranges(const FlightSpec& spec) {
@@ -68,12 +63,6 @@ Verdict check_map(const FlightSpec& spec, const RollingMap& map, const std::uint
   if (leads_too_far) return invalid(Field::kHorizon);
   const bool has_words = words != nullptr && word_count >= flight_words(window.dims);
   return has_words ? kAccepted : invalid(Field::kStorage);
-}
-
-FlightRefusal refusal_of(const Verdict& verdict) {
-  FlightRefusal refusal;
-  refusal.field = verdict.field;
-  return refusal;
 }
 
 /// Writes into the refusal what is too near to the place where the vehicle would rest.
@@ -110,7 +99,7 @@ Status prove_start(const FlightFacts& flight, Draft& draft, FlightRefusal& refus
   refusal.field = Field::kStartPosition;
   refusal.fence = found.fence;
   if (found.finding == Finding::kFence) return Status::kStartFenced;
-  find_too_near(flight.map, flight.plans.in_flight.aim, refusal);
+  find_too_near(flight.map, flight.plans.in_flight.place, refusal);
   return Status::kStartOccupied;
 }
 
@@ -120,7 +109,8 @@ Status accept(const FlightSpec& spec, const RollingMap& map, const std::uint64_t
   Verdict verdict{Status::kNonFiniteInput, Field::kStartPosition};
   if (finite(position)) verdict = check_spec(spec);
   if (verdict.status == Status::kOk) verdict = check_map(spec, map, words, word_count);
-  refusal = refusal_of(verdict);
+  refusal = FlightRefusal{};
+  refusal.field = verdict.field;
   if (verdict.status != Status::kOk) return verdict.status;
   const FenceFault fault = find_fence_fault(spec.fences, spec.fence_count, map.safe().spec());
   if (fault.status == Status::kOk) return Status::kOk;
@@ -157,13 +147,13 @@ Status Flight::start(const FlightSpec& spec, const RollingMap& map, Planner& pla
   const Status accepted = accept(spec, map, words, word_count, position, why);
   if (accepted != Status::kOk) return accepted;
   FlightState* const state = new (words) FlightState{};
-  state->planner = &planner;
+  state->cycle.planner = &planner;
   state->facts.begin(spec, map, position, t);
-  state->itinerary.forget_goal();
+  state->facts.itinerary.forget_goal();
   state->search.look_towards(position);
   const Status rests = prove_start(state->facts, state->draft, why);
   if (rests != Status::kOk) return rests;
-  const Status bound = state->cycle.bind(map, words + state_words(), word_count - state_words());
+  const Status bound = state->cycle.route.bind(map, words + state_words(), word_count - state_words());
   if (bound == Status::kOk) state_ = state;
   return bound;
 }

@@ -5,42 +5,40 @@
 #include "flight/flight_state.hpp"
 
 namespace tern {
+
 void FlightState::tick(std::int64_t t) noexcept {
   facts.begin_tick(t);
   watch.begin_tick();
-  if (itinerary.pass_points(facts)) try_anew();
+  if (facts.itinerary.pass_points(facts)) try_anew();
   if (facts.plans.take_over(facts.time)) watch.note_takeover();
   // A flight that gave up because no frames came goes on with the next one.
-  if (facts.note_frame() && itinerary.parked && itinerary.reason == FlightReason::kMapStale) try_anew();
+  if (facts.note_frame() && facts.itinerary.parked && facts.itinerary.reason == FlightReason::kMapStale) try_anew();
   if (tick_work.left()) tick_work = Work{};
   tick_work.add(facts.spec.work_per_tick);
-  Work& work = tick_work;
-  step_map(work);
-  run_watch(work);
-  note_beside();
-  turn_nose(work);
-  advance(work);
-  finish_report(facts.spec.work_per_tick - least(work.units(), facts.spec.work_per_tick));
+  step_map();
+  run_watch();
+  if (watch.lacks_beside(facts)) watch.note_beside(note_block_near_vehicle());
+  nose.turn(facts, search.looking_at(facts, nose, facts.time), report.committed, tick_work);
+  advance();
+  finish_report(facts.spec.work_per_tick - least(tick_work.units(), facts.spec.work_per_tick));
 }
 
 /// The map gets half of the tick's work, or most of it if there is no job. A copy or a proof reads the map, which must
 /// not change meanwhile.
-void FlightState::step_map(Work& work) noexcept {
+void FlightState::step_map() noexcept {
   if (watch.is_running || evasion.is_running || cycle.reads_map()) return;
   if (!facts.map.busy()) facts.follow_vehicle();
   if (!facts.map.busy()) return;
-  Work part = work.within(work.operations() - work.operations() / (cycle.job == Job::kIdle ? 4 : 2));
-  const Operations given = part.operations();
-  facts.map.step(part);
-  work.spend(given - part.operations());
+  Share share(tick_work, tick_work.operations() - tick_work.operations() / (cycle.job == Job::kIdle ? 4 : 2));
+  facts.map.step(share.part);
   // Slide before the next frame begins, because a frame may always be waiting.
   if (!facts.map.busy()) facts.follow_vehicle();
 }
 
-void FlightState::run_watch(Work& work) noexcept {
+void FlightState::run_watch() noexcept {
   if (!watch.is_running && !facts.map.busy()) watch.begin(facts, facts.map);
   for (int k = 0; k < kWatchedParts && watch.is_running; ++k) {
-    if (watch.proof.step(work) == Status::kRunning) return;
+    if (watch.proof.step(tick_work) == Status::kRunning) return;
     end_watched_part();
   }
 }
@@ -56,16 +54,16 @@ void FlightState::end_watched_part() noexcept {
   watch.go_on(facts, drops);
 }
 
-void FlightState::advance(Work& work) noexcept {
+void FlightState::advance() noexcept {
   const bool has_arrived =
-      itinerary.has_goal && !itinerary.parked && facts.rests() && itinerary.is_reached_by(facts.plans.in_flight);
+      facts.itinerary.goes_on() && facts.rests() && facts.itinerary.is_reached_by(facts.plans.in_flight);
   if (has_arrived) {
-    itinerary.pass(itinerary.last());
+    facts.itinerary.pass(facts.itinerary.last());
     park(FlightReason::kArrived);
   }
   if (is_busy() && facts.time > draft.deadline) {
     ++report.dropped;
-    evasion.is_running ? evasion.miss(itinerary.has_goal) : cycle.count_late();
+    evasion.is_running ? evasion.miss(facts.itinerary.has_goal) : cycle.lead.note_late();
     give_up();
   }
   if (evasion.is_called_for(facts, watch, is_busy(), draft.takeover)) begin_evasion();
@@ -75,7 +73,7 @@ void FlightState::advance(Work& work) noexcept {
   constexpr int kSteps = 16 + 2 * kBranches * kBranchShapes;
   Progress progress = Progress::kDone;
   for (int step = 0; step < kSteps && progress == Progress::kDone && is_busy(); ++step) {
-    progress = evasion.is_running ? run_evasion(work) : run_job(work);
+    progress = evasion.is_running ? run_evasion() : run_job();
   }
   if (evasion.is_running && facts.time >= draft.deadline) end_evasion();  // with the best brake so far
 }
@@ -89,28 +87,30 @@ void FlightState::begin_evasion() noexcept {
   if (!evasion.begin(facts, watch, draft)) return;
   cycle.leave();
   tick_work.forgive();
-  if (evasion.try_brakes(facts, itinerary, watch, draft, tick_work) == EvasionResult::kOver) end_evasion();
+  go_on_evading(evasion.try_brakes(facts, watch, draft, tick_work));
 }
 
 /// If boxes were marked between two ticks, begins the current proof of the draft anew on the map as it is.
 void FlightState::prove_anew() noexcept {
   if (draft.proven_on == facts.map.safe().revision()) return;
   cycle.prove_anew();
-  if (!evasion.is_running) return;
-  if (evasion.try_brakes(facts, itinerary, watch, draft, tick_work) == EvasionResult::kOver) end_evasion();
+  if (evasion.is_running) go_on_evading(evasion.try_brakes(facts, watch, draft, tick_work));
 }
 
-Progress FlightState::run_evasion(Work& work) noexcept {
-  if (draft.proof.step(work) == Status::kRunning) return Progress::kMore;
-  const EvasionResult result = evasion.judge(facts, itinerary, watch, draft, tick_work);
+Progress FlightState::run_evasion() noexcept {
+  if (draft.proof.step(tick_work) == Status::kRunning) return Progress::kMore;
+  go_on_evading(evasion.judge(facts, watch, draft, tick_work));
+  return Progress::kDone;
+}
+
+void FlightState::go_on_evading(EvasionResult result) noexcept {
   if (result == EvasionResult::kProven) commit();
   if (result == EvasionResult::kOver) end_evasion();
-  return Progress::kDone;
 }
 
 /// Commits the best brake even if it is not proven, if it is better than the committed plan. A threat then remains.
 void FlightState::end_evasion() noexcept {
-  if (!evasion.end(facts, itinerary, watch, draft, tick_work)) return give_up();
+  if (!evasion.end(facts, watch, draft, tick_work)) return give_up();
   const bool had_alarm = watch.has_alarm;
   const JudgedBrake& brake = evasion.best;
   if (!commit()) return;

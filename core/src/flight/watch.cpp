@@ -3,7 +3,6 @@
 #include "flight/watch.hpp"
 
 #include "base/math.hpp"
-#include "flight/flight_access.hpp"
 
 namespace tern {
 namespace {
@@ -39,24 +38,24 @@ void Watch::begin(const FlightFacts& flight, RollingMap& map) noexcept {
 void Watch::prove(const FlightFacts& flight, Watched which) noexcept {
   part = which;
   const Commitment& plan = watched(flight.plans);
-  const double from = larger(0.0, seconds_between(plan.begin, flight.time));
+  const double from = larger(0.0, plan.time_at(flight.time));
   ProofGrounds grounds = grounds_of(flight.spec, plan);
   if (has_added && part != Watched::kAlarm) grounds.added = &added;
   if (part == Watched::kAlarm) grounds.alarm = &alarm;
-  is_running = FlightAccess::begin(proof, flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
+  is_running = proof.begin_accepted(flight.map.safe(), plan.trajectory, from, nullptr, Beyond::kSolid, grounds) ==
                Status::kRunning;
 }
 
 Contact Watch::contact_on(const Commitment& plan) const noexcept {
   const double until = proof.report().until;
-  return {plan.begin + nanoseconds(until), length(evaluate(plan.trajectory, until).velocity)};
+  return {plan.begin() + nanoseconds(until), length(evaluate(plan.trajectory, until).velocity)};
 }
 
 WatchResult Watch::end_part(const FlightFacts& flight) noexcept {
   is_running = false;
   const CommittedPlans& plans = flight.plans;
   const bool proven = proof.report().finding == Finding::kNone;
-  const bool meets = !proven && (!plans.has_waiting || contact_on(watched(plans)).time < plans.waiting.begin);
+  const bool meets = !proven && (!plans.has_waiting || contact_on(watched(plans)).time < plans.waiting.begin());
   if (part == Watched::kAlarm) {
     known = proven;
     return WatchResult::kOpen;

@@ -14,8 +14,6 @@ namespace tern {
 
 /// A tern_grid's first word once a grid was bound there; the grid follows it.
 constexpr std::uint64_t kGridTag = 0x7465726E2D677269u;
-/// A tern_map's first word once a map was bound there; the map follows it.
-constexpr std::uint64_t kMapTag = 0x7465726E2D6D6170u;
 
 /// Stands in for a grid that was never bound.
 constexpr Grid kNoGrid{};

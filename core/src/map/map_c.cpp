@@ -5,11 +5,13 @@
 #include <new>
 
 #include "grid/grid_handle.hpp"
+#include "map/map_handle.hpp"
 #include "tern/tern_map.h"
 
 namespace {
 
 using tern::kMapTag;
+using tern::object;
 using tern::RollingMap;
 using tern::Status;
 
@@ -21,15 +23,6 @@ static_assert(sizeof(std::uint64_t) + sizeof(RollingMap) <= sizeof(tern_map) &&
 
 std::uint8_t code(Status status) {
   return static_cast<std::uint8_t>(status);
-}
-
-/// The memory may be uninitialised. A volatile read gives the word one definite value.
-bool holds_map(const tern_map* map) {
-  return map != nullptr && *static_cast<const volatile std::uint64_t*>(map->opaque) == kMapTag;
-}
-/// The map, or an unbound one if there is none.
-RollingMap object(const tern_map* map) {
-  return holds_map(map) ? *std::launder(reinterpret_cast<const RollingMap*>(map->opaque + 1)) : RollingMap{};
 }
 
 std::uint8_t put(const tern::Grid& grid, tern_grid* out) {
@@ -85,6 +78,10 @@ std::uint8_t tern_map_begin_beams(tern_map* map, const tern_beams* beams, const 
 
 std::uint8_t tern_map_follow(tern_map* map, const tern_vec3* center) {
   return center == nullptr ? kInvalid : code(object(map).follow(*center));
+}
+
+std::uint8_t tern_map_forget_time(tern_map* map) {
+  return code(object(map).forget_time());
 }
 
 std::uint8_t tern_map_step(tern_map* map, std::uint32_t work) {

@@ -200,6 +200,12 @@ bool RollingMap::take_added(Box& world) noexcept {
   return true;
 }
 
+Status RollingMap::forget_time() noexcept {
+  if (state_ == nullptr) return Status::kInvalidArgument;
+  state_->timed = false;
+  return Status::kOk;
+}
+
 int32_t RollingMap::slack() const noexcept {
   return state_ == nullptr ? 0 : state_->spec.slack;
 }

@@ -37,19 +37,18 @@ bool joint_holds(const Grid& grid, const Trajectory& trajectory, int index, cons
   return refuse(Finding::kBoundary, index, found);
 }
 
+/// Begins the proof of the curve.
+void begin_curve(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
+                 const CheckQuery& query) {
+  stage.hints.corridor = &corridor;
+  new (&stage.proof) Proof;
+  stage.proof.begin_plan(grid, trajectory, query.limits, query.world, stage.hints);
+  stage.phase = CheckPhase::kCurve;
+}
+
 }  // namespace
 
-/// The check's way into a proof.
-struct PlanProof {
-  static void begin(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
-                    const CheckQuery& query) {
-    Proof* const proof = new (&stage.proof) Proof;
-    proof->begin_plan(grid, trajectory, query.limits, query.world, corridor, stage.scratch);
-    stage.phase = CheckPhase::kCurve;
-  }
-};
-
-/// Where all rows of the grid are near a piece, and each is half obstacles, one in two.
+/// All rows of the grid may be near a piece, and each half obstacles, one in two.
 Operations check_piece_operations(const GridSpec& spec) noexcept {
   const Operations rows = Operations{spec.dims.y} * spec.dims.z;
   const Operations cuts = 4 * ops::kRow + 18 * ops::kMultiplyAdd * kMaxPlanes;
@@ -67,7 +66,7 @@ void check_begin(CheckStage& stage) noexcept {
 
 Progress check_advance(CheckStage& stage, const Grid& grid, const Corridor& corridor, const Trajectory& trajectory,
                        const CheckQuery& query, Work& work) noexcept {
-  if (stage.phase == CheckPhase::kBegin) PlanProof::begin(stage, grid, corridor, trajectory, query);
+  if (stage.phase == CheckPhase::kBegin) begin_curve(stage, grid, corridor, trajectory, query);
   if (stage.phase == CheckPhase::kCurve) {
     if (stage.proof.step(work) == Status::kRunning) return Progress::kMore;
     stage.phase = CheckPhase::kJoints;

@@ -48,7 +48,7 @@ struct CheckStage {
   std::int32_t next;  ///< the next segment whose joint is looked at
   Proof proof;
   ProofReport found;  ///< why the stage failed
-  FenceScratch scratch;
+  PlanHints hints;
 };
 
 void check_begin(CheckStage& stage) noexcept;

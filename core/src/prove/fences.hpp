@@ -12,6 +12,7 @@
 #include "prove/cut_off.hpp"
 #include "prove/solid.hpp"
 #include "tern/config.hpp"
+#include "tern/corridor.hpp"
 #include "tern/fence.hpp"
 #include "tern/grid.hpp"
 #include "tern/vec3.hpp"
@@ -48,6 +49,12 @@ double fence_excess(const Fence& fence, const FenceRule& rule, const Vec3& point
 struct FenceScratch {
   Solid<DoubleDouble> exact;
   Solid<double> quick;  ///< the same, rounded
+};
+
+/// What the planner knows of its plan, and memory to use it. The proof does not depend on it.
+struct PlanHints {
+  const Corridor* corridor;  ///< may be empty, or wrong
+  FenceScratch scratch;
 };
 
 /// A hull that keeps a distance. Local frame, metres.

@@ -60,14 +60,12 @@ void Proof::refuse(double from) noexcept {
   report_.finding = Finding::kMalformed;
 }
 
-/// Begins a proof with fences that find_fence_fault() has accepted.
 Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits,
                              Beyond beyond, const ProofGrounds& grounds) noexcept {
   refuse(from);
   if (!grid.bound() || !(grid.spec().clearance() > 0.0)) return Status::kInvalidArgument;
   if (trajectory.count < 1 || trajectory.count > kMaxSegments) return Status::kInvalidArgument;
   hints_ = nullptr;
-  scratch_ = nullptr;
   take_grant(grid, grant_to_curve(grid, trajectory), beyond);
   has_limits_ = limits != nullptr;
   if (has_limits_) limits_ = *limits;
@@ -83,13 +81,11 @@ Status Proof::begin_accepted(const Grid& grid, const Trajectory& trajectory, dou
   return Status::kRunning;
 }
 
-/// Begins the proof of a whole plan, of which `hints` may know what cuts obstacles and fences off.
 void Proof::begin_plan(const Grid& grid, const Trajectory& trajectory, const Limits& limits, const AskedWorld* world,
-                       const Corridor& hints, FenceScratch& scratch) noexcept {
+                       PlanHints& hints) noexcept {
   refuse(0.0);
   trajectory_ = &trajectory;
   hints_ = &hints;
-  scratch_ = &scratch;
   take_grant(grid, grant_to_plan(grid, trajectory), Beyond::kEmpty);
   has_limits_ = true;
   limits_ = limits;
@@ -276,6 +272,7 @@ Status Proof::step(uint32_t work) noexcept {
 double clear_until(const Grid& grid, const Trajectory& trajectory, double from, const Limits* limits, Beyond beyond,
                    ProofReport* report) noexcept {
   Proof proof;
+  // There are no fences to check, and a check would take stack.
   const bool begun = proof.begin_accepted(grid, trajectory, from, limits, beyond, {}) == Status::kRunning;
   // A segment takes 4 * (kProofPieces + 1) pieces at most.
   for (int i = 0; begun && i <= kMaxSegments && proof.step(~uint32_t{0}) == Status::kRunning; ++i) {

@@ -51,9 +51,11 @@ Excess outside_by(const Box& box, const Vec3& point) {
 
 /// The hints for the current segment.
 Hints Proof::hints() const noexcept {
+  if (hints_ == nullptr) return {nullptr, 0};
+  const Corridor& corridor = *hints_->corridor;
   const int index = trajectory_->segments[segment_].polyhedron;
-  if (hints_ == nullptr || index < 0 || index >= hints_->count || index >= kMaxSegments) return {nullptr, 0};
-  return hints_of(hints_->polyhedra[index]);
+  if (index < 0 || index >= corridor.count || index >= kMaxSegments) return {nullptr, 0};
+  return hints_of(corridor.polyhedra[index]);
 }
 
 bool Proof::keeps_clear(const Piece& piece, Finding& end) noexcept {
@@ -90,10 +92,10 @@ bool Proof::keeps_fences(const Piece& piece) noexcept {
 
 /// True if the fence is a keep-out that is cut off along a hint.
 bool Proof::is_cut_off(int fence, const Piece& piece) noexcept {
-  if (scratch_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
+  if (hints_ == nullptr || fences_[fence].kind != FenceKind::kKeepOut) return false;
   work_->spend(kKeepOutOperations);
   return keep_out_cut_off(*grid_, fences_, fence_count_, fence, hints(), {piece.c, kControlPoints, distance_},
-                          *scratch_);
+                          hints_->scratch);
 }
 
 /// What the limits allow the current part.

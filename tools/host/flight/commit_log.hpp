@@ -24,7 +24,7 @@ class CommitLog {
     if (!has_new) return;
     committed_ = report.committed;
     const tern::Commitment& latest = state.facts.plans.latest();
-    commits_.push_back({t, latest.begin, kNotWithdrawn, latest.evades, latest.hemmed_in, latest.trajectory});
+    commits_.push_back({t, latest.begin(), kNotWithdrawn, latest.evades, latest.hemmed_in, latest.trajectory});
   }
 
   std::vector<FlightCommit> take() { return std::move(commits_); }

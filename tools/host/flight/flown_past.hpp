@@ -18,8 +18,8 @@ class FlownPast {
   void note(const tern::FlightState& state) {
     const tern::Commitment& in_flight = state.facts.plans.in_flight;
     last_tick_ = state.facts.time;
-    if (!flown_.empty() && flown_.back().begin == in_flight.begin) flown_.pop_back();
-    flown_.push_back({in_flight.begin, in_flight.trajectory});
+    if (!flown_.empty() && flown_.back().begin == in_flight.begin()) flown_.pop_back();
+    flown_.push_back({in_flight.begin(), in_flight.trajectory});
     if (flown_.size() > kTakeovers) flown_.pop_front();
   }
   bool holds(std::int64_t t) const { return !flown_.empty() && t < last_tick_; }

@@ -89,7 +89,7 @@ void FlightFilm::note_motion(const FlightMoment& moment) {
 void FlightFilm::note_commit(const FlightMoment& moment) {
   const tern::Commitment& latest = moment.state.facts.plans.latest();
   RunJson commit = {{"t", rounded(seconds(moment.t))},
-                    {"branch", rounded(seconds(latest.begin) + latest.branch)},
+                    {"branch", rounded(seconds(latest.begin()) + latest.branch)},
                     {"step", kPlanStep},
                     {"points", commands_of(moment)},
                     {"wished", points_of(latest.planned, latest.branch)}};
@@ -101,8 +101,8 @@ void FlightFilm::note_commit(const FlightMoment& moment) {
 /// Plans that were too late, or of which nothing could be proven.
 void FlightFilm::note_lost(const FlightMoment& moment) {
   const tern::Commitment& draft = moment.state.draft.plan;
-  if (moment.state.draft.extends || draft.begin == shown_ || draft.planned.count == 0) return;
-  shown_ = draft.begin;
+  if (moment.state.draft.extends || draft.begin() == shown_ || draft.planned.count == 0) return;
+  shown_ = draft.begin();
   dropped_.push_back({{"t", rounded(seconds(moment.t))}, {"points", points_of(draft.planned, 0.0)}});
 }
 
