@@ -38,7 +38,7 @@ class ProveFences : public CheckWorld {
                     (c & 4) != 0 ? upper.z : lower.z};
     }
     return keep_out_cut_off(grid_, fences_->fence, fences_->count, index, tern::hints_of(box), {corners, 8, distance},
-                            stage_.scratch);
+                            stage_.hints.scratch);
   }
   /// From the room north of the wall, y >= 1.2.
   bool cut_off_in_the_north(int index = 0) {
